@@ -10,12 +10,8 @@ use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
 use objdict_bus::{Conformance, ConformanceCheck, Verdict, conformance};
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::Device;
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
 
 /// The most characters of a cell.
 const CELL: usize = 80;
@@ -106,7 +102,7 @@ fn verdict(results: &Conformance) -> String {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The file as it was given.
     file: &'a str,
     /// The node-ID.
@@ -171,6 +167,5 @@ fn write_json(file: &str, node_id: u8, results: &Conformance, out: &mut Output) 
     let checks = results.checks.iter().map(row).collect();
     let document =
         Document { version: Version, file, node_id, passed, count, is_clean: results.is_clean(), checks };
-    json::write(&mut out.raw()?, &document)?;
-    writeln!(out)
+    out.json(&document)
 }

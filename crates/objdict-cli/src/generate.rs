@@ -123,7 +123,7 @@ fn write(
     }
     folder.finish()?;
     if args.report.is_some() && args.format == SizeFormat::Json {
-        sizes::write_json(&generation.sizes, &mut out.raw()?)?;
+        sizes::write_json(&generation.sizes, out)?;
     } else {
         out.summary(format_args!("{}: {}", name_of(&args.file), facts(checked, generation)))?;
         if !is_quiet() {

@@ -9,12 +9,8 @@ use super::input::{Input, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
-use objdict_model::json;
 use objdict_model::json::Version;
-use objdict_model::model::{Device, ExtensionCount, Module};
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
+use objdict_model::model::{Device, ExtensionCount, HexText, Module};
 
 /// So many characters of a cell are shown.
 const CELL: usize = 48;
@@ -40,8 +36,7 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
         PlainFormat::Json => {
             let file = source_name(&args.file);
             let document = Document { version: Version, file: &file, connected, modules: rows };
-            json::write_pretty(&mut out.raw()?, &document)?;
-            writeln!(out)?;
+            out.pretty_json(&document)?;
         }
     }
     Ok(Outcome::Clean)
@@ -51,7 +46,7 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The file as it was given.
     file: &'a str,
     /// The numbers of the modules that are plugged in, in their physical order; only of a DCF with `ConnectedModules`.
@@ -72,8 +67,7 @@ struct Row<'a> {
     /// The order code; empty if missing.
     order_code: &'a str,
     /// Objects that are there once.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<objdict_model::model::HexText<u16>>"))]
-    fixed: Vec<String>,
+    fixed: Vec<HexText<u16>>,
     /// What each module adds.
     adds: Vec<Added>,
     /// How many are plugged in; only of a DCF with `ConnectedModules`.
@@ -88,8 +82,7 @@ struct Row<'a> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Added {
     /// The index of the object.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u16>"))]
-    index: String,
+    index: HexText<u16>,
     /// The number of sub-indexes.
     #[serde(skip_serializing_if = "Option::is_none")]
     subs: Option<u8>,
@@ -105,13 +98,13 @@ fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a
             Some(ExtensionCount::SharedBits(bits)) => (None, Some(bits)),
             None => (None, None),
         };
-        Added { index: format!("0x{index:04X}"), subs, bits }
+        Added { index: HexText(*index), subs, bits }
     });
     Row {
         number,
         product_name: module.product_name.as_deref().unwrap_or_default(),
         order_code: module.order_code.as_deref().unwrap_or_default(),
-        fixed: module.fixed.keys().map(|index| format!("0x{index:04X}")).collect(),
+        fixed: module.fixed.keys().copied().map(HexText).collect(),
         adds: adds.collect(),
         plugged: connected.map(|connected| connected.iter().filter(|&&other| other == number).count()),
         comments: &module.comments,
@@ -122,13 +115,13 @@ fn text(rows: &[Row<'_>], out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(["Number", "Product", "Order code", "Adds", "Brings once", "Plugged"], CELL);
     for row in rows {
         let added = |added: &Added| match (added.subs, added.bits) {
-            (Some(subs), _) => format!("{} x {subs}", &added.index[2..]),
-            (None, Some(1)) => format!("{} x 1 bit", &added.index[2..]),
-            (None, Some(bits)) => format!("{} x {bits} bits", &added.index[2..]),
-            (None, None) => added.index[2..].to_owned(),
+            (Some(subs), _) => format!("{:04X} x {subs}", added.index.0),
+            (None, Some(1)) => format!("{:04X} x 1 bit", added.index.0),
+            (None, Some(bits)) => format!("{:04X} x {bits} bits", added.index.0),
+            (None, None) => format!("{:04X}", added.index.0),
         };
         let adds: Vec<String> = row.adds.iter().map(added).collect();
-        let fixed: Vec<&str> = row.fixed.iter().map(|index| &index[2..]).collect();
+        let fixed: Vec<String> = row.fixed.iter().map(|index| format!("{:04X}", index.0)).collect();
         table.row([
             row.number.to_string(),
             row.product_name.to_owned(),

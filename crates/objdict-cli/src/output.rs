@@ -7,9 +7,12 @@ use std::borrow::Cow;
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 
+use serde::Serialize;
+
 use super::outcome::Failure;
 use super::terminal::{Color, is_quiet};
 use objdict_model::diagnostic::printable;
+use objdict_model::json;
 
 /// The standard output, buffered. What is written to it is text for users: each line is made [`printable`], whatever names and
 /// texts it quotes. Results that other programs read go to [`raw`](Self::raw). When the reader goes away, as `head` does, what is
@@ -55,6 +58,24 @@ impl Output {
     pub(super) fn raw(&mut self) -> io::Result<Raw<'_>> {
         self.end_line()?;
         Ok(Raw(self))
+    }
+
+    /// Writes a document in one line.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(super) fn json(&mut self, document: &impl Serialize) -> io::Result<()> {
+        json::write(&mut self.raw()?, document)?;
+        writeln!(self)
+    }
+
+    /// Writes a document in lines.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(super) fn pretty_json(&mut self, document: &impl Serialize) -> io::Result<()> {
+        json::write_pretty(&mut self.raw()?, document)?;
+        writeln!(self)
     }
 
     /// Writes what is still in the buffer.

@@ -9,19 +9,15 @@ use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
 use objdict_model::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::Address;
 use objdict_project::registry;
-
-/// The version of the JSON document. It changes when a field is removed or means something else.
-const VERSION: u32 = 1;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct Document {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The rules.
     rules: Vec<Rule>,
 }
@@ -73,8 +69,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
                 docs: rule.page(),
             };
             let document = Document { version: Version, rules: rules.map(rule).collect() };
-            json::write_pretty(&mut out.raw()?, &document)?;
-            writeln!(out)?;
+            out.pretty_json(&document)?;
         }
     }
     Ok(Outcome::Clean)

@@ -4,13 +4,10 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::output::Output;
 use super::table::Table;
 use objdict_generate::{Size, SizeReport, Sizes, Target};
-use objdict_model::json;
 use objdict_model::json::Version;
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
 
 /// So many characters of an object's name are shown.
 const LONGEST_NAME: usize = 40;
@@ -19,7 +16,7 @@ const LONGEST_NAME: usize = 40;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The targets, in the order of the command.
     targets: Vec<OfTarget<'a>>,
 }
@@ -48,10 +45,9 @@ impl<'a> OfTarget<'a> {
 }
 
 /// All reports as one JSON document.
-pub(super) fn write_json(reports: &[(Target, Sizes)], out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write_json(reports: &[(Target, Sizes)], out: &mut Output) -> io::Result<()> {
     let targets = reports.iter().map(OfTarget::new).collect();
-    json::write_pretty(out, &Document { version: Version, targets })?;
-    writeln!(out)
+    out.pretty_json(&Document { version: Version, targets })
 }
 
 /// A table for each target of which the sizes are known, a word for the others.

@@ -15,12 +15,8 @@ use objdict_format::Description;
 use objdict_format::input::Reading;
 use objdict_format::scaffold;
 use objdict_format::scaffold::{FEATURES, FeatureValue};
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::{Device, PdoKind};
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
 
 /// So many characters of a cell are shown.
 const CELL: usize = 100;
@@ -32,7 +28,7 @@ const HEADINGS: [&str; 8] =
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct Document {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The file.
     file: String,
     /// The device without variants, then its variants in the order of the file.
@@ -79,8 +75,7 @@ pub(super) fn run(args: &VariantsArgs, out: &mut Output) -> Result<Outcome, Fail
         VariantsFormat::Text => write_table(&variants, out)?,
         VariantsFormat::Json => {
             let document = Document { version: Version, file, variants };
-            json::write_pretty(&mut out.raw()?, &document)?;
-            writeln!(out)?;
+            out.pretty_json(&document)?;
         }
         VariantsFormat::Html => {
             let info = base.device().device_info.as_ref();

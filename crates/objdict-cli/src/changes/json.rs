@@ -1,25 +1,21 @@
 //! Changes as one JSON document; docs/json.md describes it.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
+use std::io;
 
 use serde::Serialize;
 
 use super::{Comparison, Side};
 use crate::output::Output;
 use objdict_lint::changes::{ChangeImpact, ChangeVerdict, DeviceChange};
-use objdict_model::json;
 use objdict_model::json::Version;
-use objdict_model::model::{Device, Place};
-
-/// The version of the document. It changes when a field is removed or means something else, not when one is added.
-const VERSION: u32 = 1;
+use objdict_model::model::{Device, HexText, Place};
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The old description.
     old: DescriptionFacts<'a>,
     /// The new description.
@@ -64,12 +60,10 @@ struct Row<'a> {
     verdict: &'static str,
     /// The index of the object, in the old description if it has it; absent for the device as a whole.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<objdict_model::model::HexText<u16>>"))]
-    index: Option<String>,
+    index: Option<HexText<u16>>,
     /// The sub-index of the entry; absent for an object or PDO as a whole.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<objdict_model::model::HexText<u8>>"))]
-    sub: Option<String>,
+    sub: Option<HexText<u8>>,
     /// What was, in short; absent for nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     old: Option<&'a str>,
@@ -154,8 +148,7 @@ pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()>
             compatible: comparison.count(ChangeVerdict::Compatible),
         },
     };
-    json::write_pretty(&mut out.raw()?, &document)?;
-    writeln!(out)
+    out.pretty_json(&document)
 }
 
 fn facts(side: &Side) -> DescriptionFacts<'_> {
@@ -179,8 +172,8 @@ fn row<'a>(comparison: &'a Comparison, change: &'a DeviceChange) -> Row<'a> {
     Row {
         rule: change.rule.info.id,
         verdict: change.verdict().name(),
-        index: change.index.map(|index| format!("0x{index:04X}")),
-        sub: change.sub.map(|sub| format!("0x{sub:02X}")),
+        index: change.index.map(HexText),
+        sub: change.sub.map(HexText),
         old: change.old.as_deref(),
         new: change.new.as_deref(),
         message: change.message.to_string(),

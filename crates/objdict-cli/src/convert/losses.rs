@@ -8,9 +8,6 @@ use objdict_format::{Loss, LossKind};
 use objdict_model::json;
 use objdict_model::json::Version;
 
-/// The version of the JSON document. It changes when a field is removed or means something else.
-const VERSION: u32 = 1;
-
 /// The losses of all files.
 #[derive(Default)]
 pub(super) struct LossReport {
@@ -37,7 +34,7 @@ struct FileLosses {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The converted files.
     files: &'a [FileLosses],
     /// The losses of all files.

@@ -10,12 +10,9 @@ use super::super::input::{name_of, source_name};
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::{count, device, stream};
-use objdict_model::json;
 use objdict_model::json::Version;
+use objdict_model::model::HexText;
 use objdict_node::download::{Objection, Verification};
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
 
 pub(super) fn run(args: &VerifyArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let device = device(&args.eds, &args.input, &args.expand)?;
@@ -94,7 +91,7 @@ fn one(group: &[&Objection], described: Described<'_>) -> String {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The file with the downloads, as it was given.
     file: &'a str,
     /// Whether the node accepts all downloads.
@@ -114,11 +111,9 @@ struct Row {
     /// Its number, counted from 1.
     download: usize,
     /// The index of the object.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u16>"))]
-    index: String,
+    index: HexText<u16>,
     /// The sub-index of the entry.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u8>"))]
-    sub: String,
+    sub: HexText<u8>,
     /// Whether the node refuses it; `false` when nodes, or most of them, accept a write that is hardly intended.
     refused: bool,
     /// The abort code of CiA 301 that the node sends; absent for a write that only tools must not make.
@@ -136,8 +131,8 @@ fn write_json(file: &str, verification: &Verification, out: &mut Output) -> io::
     let row = |objection: &Objection| Row {
         offset: objection.offset,
         download: objection.number,
-        index: format!("0x{:04X}", objection.index),
-        sub: format!("0x{:02X}", objection.sub),
+        index: HexText(objection.index),
+        sub: HexText(objection.sub),
         refused: objection.kind.is_refusal(),
         abort: objection.kind.abort().map(|abort| format!("0x{:08X}", abort.0)),
         message: objection.kind.to_string(),
@@ -150,6 +145,5 @@ fn write_json(file: &str, verification: &Verification, out: &mut Output) -> io::
         objections: verification.objections.iter().map(row).collect(),
         unknown: verification.unknown.iter().map(ToString::to_string).collect(),
     };
-    json::write_pretty(&mut out.raw()?, &document)?;
-    writeln!(out)
+    out.pretty_json(&document)
 }

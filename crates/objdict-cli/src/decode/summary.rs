@@ -11,12 +11,8 @@ use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::{Logs, each_frame};
 use objdict_model::diagnostic::plural;
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_traffic::{BusReport, BusSums, Buses, NodeEvent, Recording};
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
 
 /// The most characters of a cell.
 const CELL: usize = 60;
@@ -32,7 +28,7 @@ const EVENTS: usize = 20;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The logs as they were given.
     logs: Vec<String>,
     /// The number of lines that are not understood.
@@ -80,8 +76,7 @@ impl Document {
 
     pub(super) fn write(&self, format: DecodeFormat, out: &mut Output) -> Result<(), Failure> {
         if format == DecodeFormat::Json {
-            json::write_pretty(&mut out.raw()?, self)?;
-            writeln!(out)?;
+            out.pretty_json(self)?;
             return Ok(());
         }
         for (at, bus) in self.buses.iter().enumerate() {

@@ -12,18 +12,14 @@ use super::super::output::Output;
 use objdict_build::pipeline::Generation;
 use objdict_generate::{TableAspect, TableDifference, Target, compare_tables};
 use objdict_model::diagnostic::plural;
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::source::{SourceFile, SourceOptions};
-
-/// The version of the JSON document, see docs/json.md.
-const VERSION: u32 = 1;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct TableDifferences<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The header that the tables are compared with.
     header: String,
     /// What differs, by who notices it.
@@ -50,8 +46,7 @@ pub(super) fn run(
     if args.format == SizeFormat::Json {
         let document =
             TableDifferences { version: Version, header: name_of(&header), differences: &differences };
-        json::write_pretty(&mut out.raw()?, &document)?;
-        writeln!(out)?;
+        out.pretty_json(&document)?;
     } else {
         write_text(&name_of(&header), &differences, out)?;
     }

@@ -15,14 +15,10 @@ use super::{open_despite_errors, source_names_of};
 use objdict_bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use objdict_document::describe::frames::{FrameReader, Talker, nmt_state};
 use objdict_model::diagnostic::plural;
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::source;
 use objdict_model::source::DEFAULT_MAX_SIZE;
 use objdict_network_file::{BuiltFile, InstallError, Installation, install};
-
-/// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
-const VERSION: u32 = 1;
 
 /// The most characters of a cell.
 const CELL: usize = 72;
@@ -153,7 +149,7 @@ struct FrameColumns {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The files as they were given, with a blank between them.
     file: &'a str,
     /// What was assumed, and which nodes are left out.
@@ -382,8 +378,7 @@ impl<'r> Report<'r> {
             nodes: self.run.nodes.iter().map(row).collect(),
             trace: (!is_short).then(|| self.lines().collect()),
         };
-        json::write(&mut out.raw()?, &document)?;
-        writeln!(out)
+        out.json(&document)
     }
 }
 

@@ -28,7 +28,6 @@ use objdict_format::ReadError;
 use objdict_format::identify::ContentKind;
 use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{Findings, Severity};
-use objdict_model::json;
 use objdict_network::{Overview, Resolved};
 use objdict_network_file::{NetworkFile, init, schema};
 
@@ -143,7 +142,6 @@ fn print_schema(args: &NetworkSchemaArgs, out: &mut Output) -> Result<Outcome, F
         NetworkFormat::Bus => schema::bus_yml(),
         NetworkFormat::Network => schema::network_toml(),
     };
-    json::write_pretty(&mut out.raw()?, &schema)?;
-    writeln!(out)?;
+    out.pretty_json(&schema)?;
     Ok(Outcome::Clean)
 }

@@ -10,15 +10,11 @@ use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::{overview, source_names_of};
 use objdict_model::diagnostic::plural;
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::PdoKind;
 use objdict_network::{
     BootPlan, DownloadRow, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview, Service, UnlinkedEnd,
 };
-
-/// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
-const VERSION: u32 = 1;
 
 /// The most characters of a cell.
 const CELL: usize = 72;
@@ -27,7 +23,7 @@ const CELL: usize = 72;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The file as it was given; several with a blank between them.
     file: &'a str,
     #[serde(flatten)]
@@ -40,8 +36,7 @@ pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, F
         ShowFormat::Json => {
             let document =
                 Document { version: Version, file: &source_names_of(&args.files), overview: &overview };
-            json::write(&mut out.raw()?, &document)?;
-            writeln!(out)?;
+            out.json(&document)?;
         }
         ShowFormat::Table => tables(&overview, out)?,
     }

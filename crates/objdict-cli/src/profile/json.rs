@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use objdict_model::json;
-use objdict_model::model::{Access, DataType, ObjectType, Plain};
+use objdict_model::model::{Access, DataType, HexText, ObjectType, Plain};
 use objdict_profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
 
 /// The version of the documents. It changes when a field is removed or means something else, not when one is added.
@@ -64,18 +64,15 @@ struct Head<'a> {
 struct Object<'a> {
     /// The first of these objects that the device has determines the number of elements.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<objdict_model::model::HexText<u16>>"))]
-    as_many_as: Vec<String>,
+    as_many_as: Vec<HexText<u16>>,
     /// The sub-indexes; for a VAR one with sub-index 0.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     entries: Vec<Entry<'a>>,
     /// The index, for a range the first one.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u16>"))]
-    index: String,
+    index: HexText<u16>,
     /// The last index of a range.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<objdict_model::model::HexText<u16>>"))]
-    last: Option<String>,
+    last: Option<HexText<u16>>,
     /// The name.
     name: &'a str,
     /// `mandatory`, `optional`, or `if` with a condition.
@@ -109,8 +106,7 @@ struct Entry<'a> {
     default: Option<Plain<'a>>,
     /// The last sub-index of a range.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<objdict_model::model::HexText<u8>>"))]
-    last: Option<String>,
+    last: Option<HexText<u8>>,
     /// Whether PDOs carry it: `no`, `tpdo`, `rpdo` or `any`.
     #[serde(skip_serializing_if = "Option::is_none")]
     mapping: Option<&'static str>,
@@ -120,8 +116,7 @@ struct Entry<'a> {
     /// `mandatory`, `optional`, or `if` with a condition.
     need: String,
     /// The sub-index, for a range the first one.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u8>"))]
-    sub: String,
+    sub: HexText<u8>,
     /// Pairs of the smallest and the largest value.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     values: Vec<[Plain<'a>; 2]>,
@@ -192,20 +187,12 @@ fn head(profile: &Profile) -> Head<'_> {
     }
 }
 
-fn index(index: u16) -> String {
-    format!("0x{index:04X}")
-}
-
-fn sub(sub: u8) -> String {
-    format!("0x{sub:02X}")
-}
-
 fn object(facts: ObjectFacts<'_>) -> Object<'_> {
     Object {
-        as_many_as: facts.as_many_as.iter().copied().map(index).collect(),
+        as_many_as: facts.as_many_as.iter().copied().map(HexText).collect(),
         entries: facts.entries().map(entry).collect(),
-        index: index(facts.first),
-        last: (facts.last > facts.first).then(|| index(facts.last)),
+        index: HexText(facts.first),
+        last: (facts.last > facts.first).then(|| HexText(facts.last)),
         name: facts.name,
         need: need(facts.need),
         object_types: facts.states_type().then_some(facts.object_types),
@@ -223,11 +210,11 @@ fn entry(facts: EntryFacts<'_>) -> Entry<'_> {
         bits: facts.bits().map(bits).collect(),
         data_types: facts.data_types.iter().map(DataType::to_string).collect(),
         default: facts.default.map(|value| value.plain().into_owned()),
-        last: (facts.last > facts.first).then(|| sub(facts.last)),
+        last: (facts.last > facts.first).then(|| HexText(facts.last)),
         mapping: facts.mapping.map(Mapping::name),
         name: Some(facts.name).filter(|name| !name.is_empty()),
         need: need(facts.need),
-        sub: sub(facts.first),
+        sub: HexText(facts.first),
         values: facts.values.iter().map(|range| [bound(*range.start()), bound(*range.end())]).collect(),
     }
 }

@@ -10,7 +10,9 @@ use serde_json::Value as Json;
 use super::View;
 use objdict_document::describe::Reader;
 use objdict_model::json;
-use objdict_model::model::{Entry, ExplicitDownload, InvalidValue, Moment, Object, PdoMapping, Plain, Value};
+use objdict_model::model::{
+    Entry, ExplicitDownload, HexText, InvalidValue, Moment, Object, PdoMapping, Plain, Value,
+};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -40,11 +42,9 @@ pub(crate) struct Document<'a> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Entry"))]
 struct Row<'a> {
     /// The index of the object.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u16>"))]
-    index: String,
+    index: HexText<u16>,
     /// The sub-index of the entry.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u8>"))]
-    sub: String,
+    sub: HexText<u8>,
     /// The name of the entry.
     name: &'a str,
     /// The name of the object.
@@ -88,11 +88,9 @@ struct Ordered<'a> {
     /// Whether it comes before or after the values of the entries.
     when: Moment,
     /// The index of the object.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u16>"))]
-    index: String,
+    index: HexText<u16>,
     /// The sub-index of the entry.
-    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u8>"))]
-    sub: String,
+    sub: HexText<u8>,
     /// The value.
     value: Plain<'a>,
 }
@@ -126,7 +124,7 @@ pub(super) fn write<'a>(
             let ExplicitDownload { when, index, sub, value } = download;
             let data_type = view.device.entry(*index, *sub).and_then(|entry| entry.data_type);
             let value = view.reader(*index).resolve(value, data_type).plain().into_owned();
-            Ordered { when: *when, index: format!("0x{index:04X}"), sub: format!("0x{sub:02X}"), value }
+            Ordered { when: *when, index: HexText(*index), sub: HexText(*sub), value }
         };
         out.write_all(b",\"downloads\":")?;
         json::write(out, &downloads.iter().map(ordered).collect::<Vec<_>>())?;
@@ -138,8 +136,8 @@ fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row
     let value =
         |value: &Option<Value>| Some(reader.resolve(value.as_ref()?, entry.data_type).plain().into_owned());
     Row {
-        index: format!("0x{:04X}", reader.index),
-        sub: format!("0x{sub:02X}"),
+        index: HexText(reader.index),
+        sub: HexText(sub),
         name: &entry.name,
         object: object.name(),
         object_type: object.object_type().name(),

@@ -11,21 +11,17 @@ use crate::outcome::Failure;
 use crate::output::Output;
 use crate::table::{Table, fit};
 use objdict_model::diagnostic::plural;
-use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::{NodeList, Topology};
 
 /// The most characters of a name.
 const CELL: usize = 60;
 
-/// The version of the document. It changes when a field is removed or means something else, not when one is added.
-const VERSION: u32 = 1;
-
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The file as it was given.
     file: &'a str,
     /// The networks, in the order of the file.
@@ -43,8 +39,7 @@ pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result
         ShowFormat::Json => {
             let document =
                 Document { version: Version, file: &source_name(&args.file), networks: &list.networks };
-            json::write(&mut out.raw()?, &document)?;
-            writeln!(out)?;
+            out.json(&document)?;
         }
     }
     Ok(())

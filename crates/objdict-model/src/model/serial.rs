@@ -47,7 +47,7 @@ impl Hex for u8 {
 
 /// An index (`u16`) or sub-index (`u8`) as a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct HexText<T>(pub(crate) T);
+pub struct HexText<T>(pub T);
 
 impl<T: Hex> HexText<T> {
     /// Parses a text such as `0x1018`.

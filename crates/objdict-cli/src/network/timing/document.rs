@@ -8,14 +8,11 @@ use objdict_network::{
     TimingOptions, TrafficKind,
 };
 
-/// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
-const VERSION: u32 = 1;
-
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Document<'a> {
     /// The version of the document.
-    version: Version<VERSION>,
+    version: Version<1>,
     /// The files as they were given, with a blank between them.
     file: &'a str,
     /// The name of the network.

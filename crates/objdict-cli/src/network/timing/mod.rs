@@ -12,7 +12,6 @@ use super::super::save::save;
 use super::super::table::{Table, fit};
 use super::{resolved, source_names_of};
 use objdict_model::diagnostic::plural;
-use objdict_model::json;
 use objdict_network::{
     DeadlineKind, Load, Remedy, TimedMessage, Timing, TimingOptions, TrafficKind, timeline,
 };
@@ -40,8 +39,7 @@ pub(super) fn run(args: &NetworkTimingArgs, out: &mut Output) -> Result<Outcome,
         ShowFormat::Json => {
             let names = source_names_of(&args.files);
             let document = Document::new(&names, &timing, &options);
-            json::write(&mut out.raw()?, &document)?;
-            writeln!(out)?;
+            out.json(&document)?;
         }
         ShowFormat::Table => Report { timing: &timing, options: &options }.write(out)?,
     }
