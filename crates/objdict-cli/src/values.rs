@@ -36,7 +36,7 @@ pub(super) fn serial_number(text: &str) -> Result<u32, String> {
 }
 
 /// A number in decimal or as `0x7F`.
-fn number(text: &str) -> Option<u32> {
+pub(super) fn number(text: &str) -> Option<u32> {
     match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(digits) => u32::from_str_radix(digits, 16).ok(),
         None => text.parse().ok(),

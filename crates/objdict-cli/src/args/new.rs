@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::features::FeatureArgs;
-use crate::values::one_of;
+use crate::values::{self, one_of};
 use objdict_format::input::FileKind;
 use objdict_model::model::Date;
 
@@ -56,11 +56,7 @@ const KINDS: [(FileKind, &str, &str); 4] = [
 
 /// A number in decimal or, behind `0x`, in hexadecimal.
 pub(super) fn number(text: &str) -> Result<u32, String> {
-    let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(digits) => u32::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    };
-    number.ok_or_else(|| "expected a number of 32 bits such as 418 or 0x1A2".to_owned())
+    values::number(text).ok_or_else(|| "expected a number of 32 bits such as 418 or 0x1A2".to_owned())
 }
 
 /// A line of ISO 646, which every tool reads.

@@ -188,16 +188,19 @@ impl NoSetting {
     }
 }
 
+/// What is in front of `=`, and the text behind it.
+fn pair<'t, T: FromStr>(text: &'t str, expected: &'static str) -> Result<(T, &'t str), NoSetting> {
+    let pair = text.split_once('=').and_then(|(at, value)| Some((at.parse().ok()?, value)));
+    pair.ok_or_else(|| NoSetting::new(text, expected))
+}
+
 impl Setting {
     /// `1017=250`, `1800:2=1`, `2001="a text"`, `Producer heartbeat time=250`, `1017=1s`, `1017=default`.
     ///
     /// # Errors
     /// Fails if the text does not match this syntax.
     pub fn value(text: &str) -> Result<Self, NoSetting> {
-        let wrong =
-            || NoSetting::new(text, "write an entry and its value, as in `1017=250` or `1800:2=0xFE`");
-        let (at, value) = text.split_once('=').ok_or_else(wrong)?;
-        let at = at.parse().map_err(|_| wrong())?;
+        let (at, value) = pair(text, "write an entry and its value, as in `1017=250` or `1800:2=0xFE`")?;
         Ok(Self::Value { at, text: value.trim().to_owned() })
     }
 
@@ -206,12 +209,11 @@ impl Setting {
     /// # Errors
     /// Fails if the text does not match this syntax.
     pub fn downloads(when: Moment, text: &str) -> Result<Self, NoSetting> {
-        let wrong = || NoSetting::new(text, "write an entry and its values in order, as in `6040=6,7,15`");
-        let (at, values) = text.split_once('=').ok_or_else(wrong)?;
-        let at = at.parse().map_err(|_| wrong())?;
+        let expected = "write an entry and its values in order, as in `6040=6,7,15`";
+        let (at, values) = pair(text, expected)?;
         let texts: Vec<String> = split_values(values).map(|value| value.trim().to_owned()).collect();
         if texts.iter().any(String::is_empty) {
-            return Err(wrong());
+            return Err(NoSetting::new(text, expected));
         }
         Ok(Self::Downloads { when, at, texts })
     }
@@ -221,11 +223,10 @@ impl Setting {
     /// # Errors
     /// Fails if the text does not match this syntax.
     pub fn map(text: &str) -> Result<Self, NoSetting> {
-        let wrong = || NoSetting::new(text, "write a PDO and its mapping, as in `tpdo1=6000:1,6401:2`");
-        let (pdo, objects) = text.split_once('=').ok_or_else(wrong)?;
-        let pdo = pdo.parse().map_err(|_| wrong())?;
+        let expected = "write a PDO and its mapping, as in `tpdo1=6000:1,6401:2`";
+        let (pdo, objects) = pair(text, expected)?;
         let objects = objects.split(',').map(str::trim).filter(|object| !object.is_empty());
-        let objects = objects.map(|object| object.parse().map_err(|_| wrong()));
+        let objects = objects.map(|object| object.parse().map_err(|_| NoSetting::new(text, expected)));
         Ok(Self::Map { pdo, objects: objects.collect::<Result<_, _>>()? })
     }
 
@@ -234,10 +235,9 @@ impl Setting {
     /// # Errors
     /// Fails if the text does not match this syntax.
     pub fn cob_id(text: &str) -> Result<Self, NoSetting> {
-        let wrong = || NoSetting::new(text, "write a PDO and its CAN-ID, as in `rpdo2=0x2AA` or `tpdo3=off`");
-        let (pdo, id) = text.split_once('=').ok_or_else(wrong)?;
-        let pdo = pdo.parse().map_err(|_| wrong())?;
-        Ok(Self::CobId { pdo, id: id.parse().map_err(|()| wrong())? })
+        let expected = "write a PDO and its CAN-ID, as in `rpdo2=0x2AA` or `tpdo3=off`";
+        let (pdo, id) = pair(text, expected)?;
+        Ok(Self::CobId { pdo, id: id.parse().map_err(|()| NoSetting::new(text, expected))? })
     }
 
     /// `7=750ms`, `7=750`, `9=1.5s`.
@@ -292,23 +292,15 @@ impl Setting {
     /// # Errors
     /// Fails if the text does not match the syntax.
     pub fn pdo(parameter: PdoParameter, text: &str) -> Result<Self, NoSetting> {
-        let wrong = || {
-            NoSetting::new(
-                text,
-                match parameter {
-                    PdoParameter::Transmission => {
-                        "write a PDO and its transmission type: `tpdo1=sync/1`, up to `sync/240`, `event`, `event-vendor`, `rtr`, `rtr-sync` or a number up to 255"
-                    }
-                    PdoParameter::Inhibit => "write a PDO and its inhibit time, as in `tpdo1=5ms`",
-                    PdoParameter::EventTimer => "write a PDO and its event timer, as in `tpdo1=100ms`",
-                    PdoParameter::SyncStart => {
-                        "write a PDO and the SYNC that it starts with, as in `tpdo1=3`"
-                    }
-                },
-            )
+        let expected = match parameter {
+            PdoParameter::Transmission => {
+                "write a PDO and its transmission type: `tpdo1=sync/1`, up to `sync/240`, `event`, `event-vendor`, `rtr`, `rtr-sync` or a number up to 255"
+            }
+            PdoParameter::Inhibit => "write a PDO and its inhibit time, as in `tpdo1=5ms`",
+            PdoParameter::EventTimer => "write a PDO and its event timer, as in `tpdo1=100ms`",
+            PdoParameter::SyncStart => "write a PDO and the SYNC that it starts with, as in `tpdo1=3`",
         };
-        let (pdo, value) = text.split_once('=').ok_or_else(wrong)?;
-        let pdo = pdo.parse().map_err(|()| wrong())?;
+        let (pdo, value) = pair(text, expected)?;
         let value = match parameter {
             PdoParameter::Transmission => transmission_type(value).map(|number| number.to_string()),
             PdoParameter::SyncStart => {
@@ -316,7 +308,7 @@ impl Setting {
             }
             _ => Some(value.trim().to_owned()).filter(|value| !value.is_empty()),
         };
-        Ok(Self::Pdo { pdo, parameter, text: value.ok_or_else(wrong)? })
+        Ok(Self::Pdo { pdo, parameter, text: value.ok_or_else(|| NoSetting::new(text, expected))? })
     }
 
     /// `producer,33ms`, `0x80`, `0x90,consumer`: a CAN-ID, what the node does with SYNC, and its period; all
