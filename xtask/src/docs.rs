@@ -143,7 +143,7 @@ fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
     for group in rules.chunk_by(|a, b| a.group() == b.group()) {
         let name = group[0].group();
         let row = registry::GROUPS.iter().find(|group| group.name == name);
-        let registry::Group { about, needs, .. } =
+        let registry::RuleGroup { about, needs, .. } =
             row.ok_or_else(|| format!("crates/objdict-project/src/registry/groups.rs lacks `{name}`"))?;
         let needs = needs.unwrap_or("–");
         let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} | {needs} |", group.len());

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use objdict::profile::Profile;
-use objdict::profile::tables::{BitRow, CommandRow, EntryRow, MeaningRow, ObjectRow, Part, TransitionRow};
+use objdict::profile::tables::{BitRow, CommandRow, EntryRow, MeaningRow, ObjectRow, SubList, TransitionRow};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/objdict-profile");
 
@@ -104,7 +104,7 @@ fn constants(group: &str, profile: &Profile) -> String {
     );
     text += "    },\n};\n";
     let tables = &profile.tables;
-    let name = |part: Part| part.of_text(&tables.texts).to_owned();
+    let name = |part: SubList| part.of_text(&tables.texts).to_owned();
     let object = |row: &ObjectRow| format!("{:04X}h {}", row.first, name(row.name));
     rows(&mut text, "OBJECTS: &[ObjectRow]", &tables.objects, object);
     rows(&mut text, "ENTRIES: &[EntryRow]", &tables.entries, |row: &EntryRow| name(row.name));
@@ -176,7 +176,7 @@ fn texts(text: &mut String, profile: &Profile) {
     let parts = objects.chain(others).chain(tables.meanings.iter().map(|row| row.text));
     let parts = parts.chain(tables.commands.iter().flat_map(|row| [row.name, row.mask]));
     let parts = parts.chain(tables.transitions.iter().flat_map(|row| [row.from, row.to, row.by]));
-    let parts: BTreeMap<u32, Part> = parts.filter(|part| part.1 > 0).map(|part| (part.0, part)).collect();
+    let parts: BTreeMap<u32, SubList> = parts.filter(|part| part.1 > 0).map(|part| (part.0, part)).collect();
     text.push_str("\nstatic TEXTS: &str = concat!(");
     let mut width = usize::MAX;
     for part in parts.into_values() {

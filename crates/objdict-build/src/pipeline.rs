@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 pub use self::depfile::depfile;
 pub use self::error::{Error, placed, report_lines};
-pub use crate::output::{Hash, Manifest, OutputError, OutputFolder, Saved, State, Used, abandon, save};
+pub use crate::output::{FileState, Hash, Manifest, OutputError, OutputFolder, Saved, Used, abandon, save};
 use objdict_format::input::{Input, Reading};
 use objdict_format::{Description, Format};
 use objdict_generate as generate;
@@ -78,7 +78,7 @@ pub struct CheckSettings {
 pub struct CheckedDescription {
     /// What reports call it.
     name: String,
-    described: Described,
+    described: DescribedDevice,
     /// Its problems.
     pub findings: Findings,
     /// Warnings about the configuration, a line each.
@@ -87,7 +87,7 @@ pub struct CheckedDescription {
 
 /// A device, with its text where it has one.
 #[derive(Debug)]
-enum Described {
+enum DescribedDevice {
     Text(Box<Description>),
     Model(Box<Device>),
 }
@@ -145,9 +145,9 @@ impl Request {
                 let description = with_origin_beside(&self.file, *description, &options);
                 files.extend_from_slice(description.extended_files());
                 files.extend(description.origin().map(|origin| PathBuf::from(origin.source().name())));
-                Described::Text(Box::new(description))
+                DescribedDevice::Text(Box::new(description))
             }
-            (_, Input::Device(device)) => Described::Model(device),
+            (_, Input::Device(device)) => DescribedDevice::Model(device),
             #[cfg(feature = "full")]
             (kind, _) => {
                 return Err(objdict_format::ReadError::NoDevice { name: name.to_owned(), kind }.into());
@@ -161,13 +161,13 @@ impl Request {
         #[cfg(not(feature = "lint"))]
         let (options, of_config) = (lint::Options { node_id, ..lint::Options::default() }, Vec::new());
         let findings = match &described {
-            Described::Text(description) => {
+            DescribedDevice::Text(description) => {
                 let findings = checked(description, &options);
                 #[cfg(feature = "full")]
                 let findings = self.unknown(description, findings, files)?;
                 grouped(&**description, findings)
             }
-            Described::Model(device) => options.severities.apply(lint::check(device, &options)),
+            DescribedDevice::Model(device) => options.severities.apply(lint::check(device, &options)),
         };
         Ok(CheckedDescription { name: name.to_owned(), described, findings, of_config })
     }
@@ -233,8 +233,8 @@ impl Request {
         let mut options = self.options.clone();
         options.file_stem = stem(&self.file);
         options.source_hash = match &checked.described {
-            Described::Text(description) => Some(hash(description.source().text().as_bytes())),
-            Described::Model(_) => None,
+            DescribedDevice::Text(description) => Some(hash(description.source().text().as_bytes())),
+            DescribedDevice::Model(_) => None,
         };
         files.extend(options.template.clone());
         #[cfg(feature = "lint")]
@@ -283,16 +283,16 @@ impl MemoryLimits {
 impl CheckedDescription {
     fn device(&self) -> &Device {
         match &self.described {
-            Described::Text(description) => description.device(),
-            Described::Model(device) => device,
+            DescribedDevice::Text(description) => description.device(),
+            DescribedDevice::Model(device) => device,
         }
     }
 
     /// The findings that stop as an error, if there are any.
     fn refuse(&self, stops: impl Fn(&Diagnostic) -> bool) -> Result<(), Error> {
         refusal(&self.name, &self.findings, stops, |errors| match &self.described {
-            Described::Text(description) => text_of((&**description).into(), errors),
-            Described::Model(_) => {
+            DescribedDevice::Text(description) => text_of((&**description).into(), errors),
+            DescribedDevice::Model(_) => {
                 errors.iter().map(|error| without_text(&self.name, error) + "\n").collect()
             }
         })
@@ -301,8 +301,8 @@ impl CheckedDescription {
     /// A finding in a line: its place, the rule and the message.
     pub fn line(&self, finding: &Diagnostic) -> String {
         match &self.described {
-            Described::Text(description) => line((&**description).into(), finding),
-            Described::Model(_) => without_text(&self.name, finding),
+            DescribedDevice::Text(description) => line((&**description).into(), finding),
+            DescribedDevice::Model(_) => without_text(&self.name, finding),
         }
     }
 }

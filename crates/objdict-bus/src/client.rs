@@ -29,7 +29,7 @@ impl SdoData for Bytes {
 
 /// What follows: a frame to send, and the end with the value.
 #[derive(Debug, Default, PartialEq, Eq)]
-pub(crate) struct Progress {
+pub(crate) struct ClientProgress {
     pub(crate) frame: Option<Frame>,
     pub(crate) end: Option<Result<Vec<u8>, Abort>>,
 }
@@ -47,7 +47,7 @@ impl Client {
     }
 
     /// Begins to write a value.
-    pub(crate) fn download(&mut self, index: u16, sub: u8, data: Vec<u8>, now: u64) -> Progress {
+    pub(crate) fn download(&mut self, index: u16, sub: u8, data: Vec<u8>, now: u64) -> ClientProgress {
         let length = data.len();
         self.value = Bytes(data);
         let step = self.client.download(&mut self.value, index, sub, length, now);
@@ -55,14 +55,14 @@ impl Client {
     }
 
     /// Begins to read a value.
-    pub(crate) fn upload(&mut self, index: u16, sub: u8, now: u64) -> Progress {
+    pub(crate) fn upload(&mut self, index: u16, sub: u8, now: u64) -> ClientProgress {
         self.value.0.clear();
         let step = self.client.upload(index, sub, now);
         self.progress(step)
     }
 
     /// Begins to write a value by a block transfer.
-    pub(crate) fn download_block(&mut self, index: u16, sub: u8, data: Vec<u8>, now: u64) -> Progress {
+    pub(crate) fn download_block(&mut self, index: u16, sub: u8, data: Vec<u8>, now: u64) -> ClientProgress {
         let length = data.len();
         self.value = Bytes(data);
         let step = self.client.download_block(index, sub, length, now);
@@ -70,20 +70,20 @@ impl Client {
     }
 
     /// Begins to read a value by a block transfer.
-    pub(crate) fn upload_block(&mut self, index: u16, sub: u8, now: u64) -> Progress {
+    pub(crate) fn upload_block(&mut self, index: u16, sub: u8, now: u64) -> ClientProgress {
         self.value.0.clear();
         let step = self.client.upload_block(index, sub, now);
         self.progress(step)
     }
 
     /// Takes an answer of the node.
-    pub(crate) fn receive(&mut self, frame: &Frame, now: u64) -> Progress {
+    pub(crate) fn receive(&mut self, frame: &Frame, now: u64) -> ClientProgress {
         let step = self.client.receive(&mut self.value, frame, now);
         self.progress(step)
     }
 
     /// Aborts a transfer whose answer does not come.
-    pub(crate) fn poll(&mut self, now: u64) -> Progress {
+    pub(crate) fn poll(&mut self, now: u64) -> ClientProgress {
         let step = self.client.poll(&mut self.value, now);
         self.progress(step)
     }
@@ -93,9 +93,9 @@ impl Client {
         self.client.next()
     }
 
-    fn progress(&mut self, step: SdoStep) -> Progress {
+    fn progress(&mut self, step: SdoStep) -> ClientProgress {
         let value = |_| std::mem::take(&mut self.value.0);
-        Progress { frame: step.frame, end: step.end.map(|end| end.map(value)) }
+        ClientProgress { frame: step.frame, end: step.end.map(|end| end.map(value)) }
     }
 }
 
@@ -132,7 +132,7 @@ mod tests {
     fn run(
         client: &mut Client,
         dictionary: &mut LiveDictionary,
-        mut progress: Progress,
+        mut progress: ClientProgress,
     ) -> Result<Vec<u8>, Abort> {
         let mut server = SdoServer::<1000>::new(0, 5);
         loop {
@@ -177,9 +177,9 @@ mod tests {
         let mut client = Client::new(5);
         assert_eq!(client.upload(0x1000, 0, 7).end, None);
         assert_eq!(client.next(), Some(7 + TIMEOUT));
-        assert_eq!(client.poll(6 + TIMEOUT), Progress::default());
+        assert_eq!(client.poll(6 + TIMEOUT), ClientProgress::default());
         let abort = Frame::new(0x605, &[0x80, 0x00, 0x10, 0x00, 0x00, 0x00, 0x04, 0x05]);
-        assert_eq!(client.poll(7 + TIMEOUT), Progress { frame: abort, end: Some(Err(Abort::Timeout)) });
+        assert_eq!(client.poll(7 + TIMEOUT), ClientProgress { frame: abort, end: Some(Err(Abort::Timeout)) });
         assert_eq!(client.next(), None);
     }
 }

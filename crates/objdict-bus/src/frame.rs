@@ -61,7 +61,7 @@ impl From<Frame> for BusFrame {
 pub fn classical_bits(can_id: u32, is_extended: bool, is_remote: bool, data: &[u8]) -> u32 {
     /// Delimiters, acknowledgement, end of frame, interframe space.
     const UNSTUFFED: u32 = 1 + 2 + 7 + 3;
-    let mut bits = Bits::default();
+    let mut bits = StuffedBits::default();
     bits.push(0, 1); // start of frame
     if is_extended {
         bits.push(can_id >> 18, 11);
@@ -80,12 +80,12 @@ pub fn classical_bits(can_id: u32, is_extended: bool, is_remote: bool, data: &[u
 
 /// The part of a frame that is stuffed: after five equal bits comes one of the other kind. It has at most 118 bits.
 #[derive(Default)]
-struct Bits {
+struct StuffedBits {
     number: u128,
     count: u32,
 }
 
-impl Bits {
+impl StuffedBits {
     fn push(&mut self, number: u32, count: u32) {
         let mask = (1 << count) - 1;
         self.number = self.number << count | u128::from(number & mask);

@@ -12,7 +12,7 @@ const LONGEST: usize = 1 << 16;
 pub(crate) const MILLISECOND: u64 = 1_000_000;
 
 /// The services of a device, for any dictionary and any number of PDOs.
-pub(crate) trait Services {
+pub(crate) trait NodeServices {
     fn boot(&mut self, now: u64) -> Frame;
     fn state(&self) -> NmtState;
     fn receive(&mut self, frame: &Frame, now: u64) -> Received;
@@ -22,11 +22,11 @@ pub(crate) trait Services {
 }
 
 /// The services of a simulated node, and its values.
-trait LiveServices: Services {
+trait LiveServices: NodeServices {
     fn dictionary(&self) -> &LiveDictionary;
 }
 
-impl<D: Dictionary, const C: usize, const R: usize, const T: usize, const N: usize> Services
+impl<D: Dictionary, const C: usize, const R: usize, const T: usize, const N: usize> NodeServices
     for Node<D, LONGEST, C, R, T, N>
 {
     fn boot(&mut self, now: u64) -> Frame {
@@ -97,7 +97,7 @@ pub(crate) fn lone<D: Dictionary + 'static>(
     node_id: u8,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
-) -> Box<dyn Services> {
+) -> Box<dyn NodeServices> {
     if has_few(pdos) {
         node::<_, 2, FEW, 127>(node_id, dictionary, pdos)
     } else {

@@ -9,7 +9,7 @@ use objdict_device::NmtState;
 
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::frame::BusFrame;
-use crate::manager::{Configurations, Manager, Milestone};
+use crate::manager::{Configurations, Milestone, RunningManager};
 use crate::model::Device;
 use crate::node::{MILLISECOND, SimulatedNode};
 use crate::run::{Cut, Event, EventKind, NodeRun, Run};
@@ -91,7 +91,7 @@ struct Simulation {
     bit_rate: u16,
     conditions: Conditions,
     now: u64,
-    manager: Manager,
+    manager: RunningManager,
     /// The manager, then the others; `None` for a node that is not on the bus.
     nodes: Vec<Option<SimulatedNode>>,
     runs: Vec<NodeRun>,
@@ -110,7 +110,7 @@ struct Simulation {
 impl Simulation {
     fn new(plant: &Plant, conditions: Conditions) -> Self {
         let of_manager = dictionary(&plant.manager);
-        let manager = Manager::new(plant.manager.node_id, &of_manager, &plant.configurations);
+        let manager = RunningManager::new(plant.manager.node_id, &of_manager, &plant.configurations);
         let own = SimulatedNode::new(plant.manager.node_id, of_manager, conditions.response, true);
         let mut simulation = Self {
             bit_rate: plant.bit_rate,

@@ -7,12 +7,12 @@ use objdict_node::download::{Download, transferred_type};
 
 /// The description that a stream is for, and the node.
 #[derive(Clone, Copy)]
-pub(super) struct Described<'a> {
+pub(super) struct DescribedStream<'a> {
     pub device: Option<&'a Device>,
     pub node_id: Option<u8>,
 }
 
-impl Described<'_> {
+impl DescribedStream<'_> {
     /// The data type, the name and the meaning of a download.
     pub(super) fn annotate(self, download: &Download) -> Annotation {
         let (index, sub) = (download.index, download.sub);

@@ -27,26 +27,26 @@ pub(super) struct BaselineArgs {
 }
 
 /// What is done with findings that may be known.
-pub(super) enum Known {
+pub(super) enum KnownFindings {
     /// There is no baseline.
     Nothing,
     /// They are looked for in a baseline, whose file this is.
-    Read(PathBuf, Baseline, Matched),
+    Read(PathBuf, Baseline, KnownCounts),
     /// They become a baseline in this file.
     Write(PathBuf, Baseline),
 }
 
 /// How many findings of each file that was checked were known.
-type Matched = BTreeMap<String, usize>;
+type KnownCounts = BTreeMap<String, usize>;
 
-impl Known {
+impl KnownFindings {
     /// What the arguments say.
     ///
     /// # Errors
     /// When the baseline that they name cannot be read.
     pub(super) fn new(args: &BaselineArgs) -> Result<Self, Failure> {
         Ok(match (&args.baseline, &args.write_baseline) {
-            (Some(path), _) => Self::Read(path.clone(), read(path)?, Matched::new()),
+            (Some(path), _) => Self::Read(path.clone(), read(path)?, KnownCounts::new()),
             (None, Some(path)) => Self::Write(path.clone(), Baseline::default()),
             (None, None) => Self::Nothing,
         })

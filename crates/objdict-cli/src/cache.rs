@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::args::CheckArgs;
 use super::outcome::Failure;
 use super::save::save;
-use super::settings::Settings;
+use super::settings::CommandSettings;
 use objdict_model::source::{Fnv, SourceError, read_text, shown};
 
 /// The first line of a cache.
@@ -30,7 +30,7 @@ impl Cache {
     ///
     /// # Errors
     /// When it cannot be read, or is another file.
-    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &Settings) -> Result<Self, Failure> {
+    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &CommandSettings) -> Result<Self, Failure> {
         let text = match read_text(path, MAX_SIZE) {
             Ok(text) => text,
             Err(SourceError::Io { error, .. }) if error.kind() == std::io::ErrorKind::NotFound => {

@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::args::{CheckArgs, ReportArgs, ReportFormat};
-use super::baseline::{BaselineArgs, Known};
+use super::baseline::{BaselineArgs, KnownFindings};
 use super::cache::Cache;
-use super::files::{File, gather, note_outside};
+use super::files::{InputFile, gather, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
-use super::input::{Candidate, name_of, source_name};
+use super::input::{CheckedInput, name_of, source_name};
 use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
 use super::report;
 use super::save::require_other;
-use super::settings::{Project, Settings};
+use super::settings::{CommandSettings, Project};
 use super::vendor::VendorReport;
 use objdict_format::Description;
 use objdict_lint::Options;
@@ -28,7 +28,7 @@ use objdict_project::report::{Report, Subject, grouped};
 use objdict_project::workspace::with_origin_beside;
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let mut settings = Settings::new(&args.settings)?;
+    let mut settings = CommandSettings::new(&args.settings)?;
     let (files, failures) = gather(&args.files, &mut settings)?;
     let cache = args.cache.as_deref().map(|path| Cache::open(path, args, &settings)).transpose()?;
     let worker = Worker { args, settings: &settings, cache: cache.as_ref() };
@@ -73,7 +73,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
 /// Prints what would be fixed, and reports nothing else.
 fn show_changes(
     worker: &Worker<'_>,
-    files: &[File],
+    files: &[InputFile],
     failures: &[Failure],
     out: &mut Output,
 ) -> Result<Outcome, Failure> {
@@ -161,12 +161,12 @@ impl Checked {
 /// Checks one file. Threads share only data that none of them changes.
 struct Worker<'a> {
     args: &'a CheckArgs,
-    settings: &'a Settings,
+    settings: &'a CommandSettings,
     cache: Option<&'a Cache>,
 }
 
 impl Worker<'_> {
-    fn check(&self, file: &File) -> Checked {
+    fn check(&self, file: &InputFile) -> Checked {
         if file.project.as_ref().is_some_and(|project| !project.is_usable()) {
             return Checked::Left;
         }
@@ -184,13 +184,13 @@ impl Worker<'_> {
         let key = known.map(|(key, _)| key);
         let patches = file.project.as_ref().map(|project| &project.patches[..]).unwrap_or_default();
         match self.args.input.candidate(&file.path, bytes, patches) {
-            Ok(Candidate::Description(description)) => self.fix_devices(file, *description, key),
-            Ok(Candidate::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
-            Ok(Candidate::Foreign(_, failure)) | Err(failure) => Checked::Failed(failure),
+            Ok(CheckedInput::Description(description)) => self.fix_devices(file, *description, key),
+            Ok(CheckedInput::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
+            Ok(CheckedInput::Foreign(_, failure)) | Err(failure) => Checked::Failed(failure),
         }
     }
 
-    fn fix_devices(&self, file: &File, description: Description, key: Option<u64>) -> Checked {
+    fn fix_devices(&self, file: &InputFile, description: Description, key: Option<u64>) -> Checked {
         let project = file.project.as_deref();
         let mut options = self.settings.options(&file.path, project);
         if let Some(tool) = self.args.fixing.dialect.tool().filter(|_| !self.args.settings.names_tools()) {
@@ -280,7 +280,7 @@ impl Worker<'_> {
 /// Writes what was found, and keeps account of it.
 pub(super) struct Reporter<'a> {
     report: Box<dyn Report + 'a>,
-    known: Known,
+    known: KnownFindings,
     /// Whether a finding fails the run.
     has_denied: bool,
     has_failed: bool,
@@ -300,7 +300,7 @@ impl<'a> Reporter<'a> {
         out: &'a mut Output,
     ) -> Result<Self, Failure> {
         Ok(Self {
-            known: Known::new(baseline)?,
+            known: KnownFindings::new(baseline)?,
             report: report::new(args, out)?,
             has_denied: false,
             has_failed: false,
@@ -318,7 +318,11 @@ impl<'a> Reporter<'a> {
     }
 
     /// Errors in a configuration; one without errors is not mentioned.
-    pub(super) fn take_project(&mut self, project: &Project, settings: &Settings) -> Result<(), Failure> {
+    pub(super) fn take_project(
+        &mut self,
+        project: &Project,
+        settings: &CommandSettings,
+    ) -> Result<(), Failure> {
         for failure in &project.failures {
             self.fail(&failure.into())?;
         }

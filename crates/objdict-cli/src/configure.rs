@@ -13,7 +13,7 @@ use super::node::{commissioning, former_node_id};
 use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
 use super::save::{keep, save, save_in_place};
-use super::settings::{Settings, SettingsArgs};
+use super::settings::{CommandSettings, SettingsArgs};
 use objdict_format as format;
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format, NodeSettings, Syntax, WriteOptions, stated_name};
@@ -30,7 +30,7 @@ use objdict_node::coupler::flatten;
 
 pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let of_config = SettingsArgs::from(&args.config);
-    let mut config = Settings::new(&of_config)?;
+    let mut config = CommandSettings::new(&of_config)?;
     let patches = config.patches_of(&args.file)?;
     if args.in_place {
         args.patch.none_with("`--in-place`")?;
@@ -232,7 +232,11 @@ fn file_name(args: &ConfigureArgs, kind: Format) -> String {
 }
 
 /// How the node is checked: as `objdict check` checks the description that it is made of.
-fn options(args: &ConfigureArgs, settings: &mut Settings, node_id: Option<u8>) -> Result<Options, Failure> {
+fn options(
+    args: &ConfigureArgs,
+    settings: &mut CommandSettings,
+    node_id: Option<u8>,
+) -> Result<Options, Failure> {
     let project = settings.project_of(&args.file)?;
     Ok(Options { node_id, ..settings.options(&args.file, project.as_deref()) })
 }

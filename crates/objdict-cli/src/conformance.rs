@@ -8,7 +8,7 @@ use super::args::{ConformanceArgs, ShowFormat};
 use super::input::{Input, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_bus::{Conformance, ConformanceCheck, Verdict, conformance};
 use objdict_model::json::Version;
 use objdict_model::model::Device;
@@ -36,7 +36,7 @@ pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, F
 }
 
 fn text(results: &Conformance, is_short: bool, out: &mut Output) -> io::Result<()> {
-    let mut table = Table::new(["Service", "Check", "Section", "Result"], CELL);
+    let mut table = TextTable::new(["Service", "Check", "Section", "Result"], CELL);
     for service in results.checks.chunk_by(|a, b| a.service == b.service) {
         // an object that is as described is said in one line with the others
         let is_object = service[0].service.starts_with("objects");
@@ -100,7 +100,7 @@ fn verdict(results: &Conformance) -> String {
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct ConformanceJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The file as it was given.
@@ -114,13 +114,13 @@ pub(crate) struct Document<'a> {
     /// Whether no check failed.
     is_clean: bool,
     /// The checks, service by service; of the dictionary one for each object.
-    checks: Vec<Row<'a>>,
+    checks: Vec<ConformanceRow<'a>>,
 }
 
 /// A check.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Check"))]
-struct Row<'a> {
+struct ConformanceRow<'a> {
     /// The service that it is about.
     service: &'a str,
     /// What is checked; of an object its index.
@@ -151,7 +151,7 @@ enum CheckResult {
     Impossible,
 }
 
-fn row(check: &ConformanceCheck) -> Row<'_> {
+fn row(check: &ConformanceCheck) -> ConformanceRow<'_> {
     let (result, reason) = match &check.verdict {
         Verdict::Failed(why) => (CheckResult::Failed, Some(why.as_str())),
         Verdict::NotServed => (CheckResult::NotServed, None),
@@ -159,13 +159,20 @@ fn row(check: &ConformanceCheck) -> Row<'_> {
         Verdict::Impossible(why) => (CheckResult::Impossible, Some(why.as_str())),
         _ => (CheckResult::Passed, None),
     };
-    Row { service: check.service, name: &check.name, section: check.section, result, reason }
+    ConformanceRow { service: check.service, name: &check.name, section: check.section, result, reason }
 }
 
 fn write_json(file: &str, node_id: u8, results: &Conformance, out: &mut Output) -> io::Result<()> {
     let (passed, count) = results.passed();
     let checks = results.checks.iter().map(row).collect();
-    let document =
-        Document { version: Version, file, node_id, passed, count, is_clean: results.is_clean(), checks };
+    let document = ConformanceJson {
+        version: Version,
+        file,
+        node_id,
+        passed,
+        count,
+        is_clean: results.is_clean(),
+        checks,
+    };
     out.json(&document)
 }

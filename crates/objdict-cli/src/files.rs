@@ -9,13 +9,13 @@ use ignore::WalkBuilder;
 use super::input::detail;
 use super::input::name_of;
 use super::outcome::{Failure, note};
-use super::settings::{Project, Settings};
+use super::settings::{CommandSettings, Project};
 
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];
 
 /// A file that is meant.
-pub(super) struct File {
+pub(super) struct InputFile {
     /// Where it is.
     pub path: PathBuf,
     /// The configuration that holds for it.
@@ -35,17 +35,17 @@ pub(super) struct File {
 /// When a configuration cannot be opened.
 pub(super) fn gather(
     arguments: &[PathBuf],
-    settings: &mut Settings,
-) -> Result<(Vec<File>, Vec<Failure>), Failure> {
+    settings: &mut CommandSettings,
+) -> Result<(Vec<InputFile>, Vec<Failure>), Failure> {
     gather_with(arguments, settings, |_| false)
 }
 
 /// The same with the files of folders that are `also` looked for.
 pub(super) fn gather_with(
     arguments: &[PathBuf],
-    settings: &mut Settings,
+    settings: &mut CommandSettings,
     also: fn(&Path) -> bool,
-) -> Result<(Vec<File>, Vec<Failure>), Failure> {
+) -> Result<(Vec<InputFile>, Vec<Failure>), Failure> {
     let (files, failures, seen) = (Vec::new(), Vec::new(), HashSet::new());
     let mut gathered = Gathered { settings, also, files, failures, seen };
     for argument in arguments {
@@ -55,9 +55,9 @@ pub(super) fn gather_with(
 }
 
 struct Gathered<'s> {
-    settings: &'s mut Settings,
+    settings: &'s mut CommandSettings,
     also: fn(&Path) -> bool,
-    files: Vec<File>,
+    files: Vec<InputFile>,
     failures: Vec<Failure>,
     seen: HashSet<PathBuf>,
 }
@@ -149,7 +149,7 @@ impl Gathered<'_> {
             detail(&path);
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
-            self.files.push(File { path, project, is_named, is_outside, size });
+            self.files.push(InputFile { path, project, is_named, is_outside, size });
         }
         Ok(())
     }
@@ -162,7 +162,7 @@ impl Gathered<'_> {
 }
 
 /// Says which files are not changed, because a link out of the folder led to them.
-pub(super) fn note_outside(files: &[File]) {
+pub(super) fn note_outside(files: &[InputFile]) {
     for file in files.iter().filter(|file| file.is_outside) {
         let name = name_of(&file.path);
         note(&format!(

@@ -5,14 +5,14 @@ use std::path::Path;
 
 use super::args::FmtArgs;
 use super::diff;
-use super::files::{File, gather, note_outside};
-use super::input::{Candidate, name_of};
+use super::files::{InputFile, gather, note_outside};
+use super::input::{CheckedInput, name_of};
 use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
 use super::save::{Saved, save_in_place};
-use super::settings::{Settings, SettingsArgs};
+use super::settings::{CommandSettings, SettingsArgs};
 use objdict_model::diagnostic::plural;
 use objdict_model::source::SourceFile;
 use objdict_project::compat;
@@ -20,7 +20,7 @@ use objdict_project::compat;
 pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> {
     // what a configuration excludes from folders is left alone
     let settings = SettingsArgs::from(&args.config);
-    let (mut files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
+    let (mut files, failures) = gather(&args.files, &mut CommandSettings::new(&settings)?)?;
     note_outside(&files);
     args.input.patch.none_with("`fmt`")?;
     files.retain(|file| !file.is_outside);
@@ -49,7 +49,7 @@ impl FmtArgs {
 }
 
 /// A file before and after.
-struct Arranged {
+struct FormattedFile {
     file: std::path::PathBuf,
     before: SourceFile,
     after: SourceFile,
@@ -57,11 +57,11 @@ struct Arranged {
 }
 
 /// Puts one file in order; `None` for one of a folder that is not a description.
-fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
+fn arrange(args: &FmtArgs, file: &InputFile) -> Result<Option<FormattedFile>, Failure> {
     let description = match args.input.candidate(&file.path, args.input.size.bytes(&file.path)?, &[])? {
-        Candidate::Description(description) => *description,
-        Candidate::Foreign(..) if !file.is_named => return Ok(None),
-        Candidate::Foreign(_, failure) => return Err(failure),
+        CheckedInput::Description(description) => *description,
+        CheckedInput::Foreign(..) if !file.is_named => return Ok(None),
+        CheckedInput::Foreign(_, failure) => return Err(failure),
     };
     let source = description.source();
     let before = source.with_bytes(source.to_bytes()).map_err(Failure::new)?;
@@ -71,7 +71,7 @@ fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
     };
     let bytes = description.arranged().map_err(Failure::new)?;
     let after = description.source().with_bytes(bytes.clone()).map_err(Failure::new)?;
-    Ok(Some(Arranged { file: file.path.clone(), before, after, bytes }))
+    Ok(Some(FormattedFile { file: file.path.clone(), before, after, bytes }))
 }
 
 /// What became of the files.
@@ -85,7 +85,7 @@ impl Done {
     fn take(
         &mut self,
         args: &FmtArgs,
-        arranged: Result<Option<Arranged>, Failure>,
+        arranged: Result<Option<FormattedFile>, Failure>,
         out: &mut Output,
     ) -> Result<(), Failure> {
         let arranged = match arranged {
@@ -124,7 +124,12 @@ impl Done {
 }
 
 /// Writes a file, or what is asked for instead. The standard input goes to the standard output.
-fn write(args: &FmtArgs, arranged: &Arranged, is_changed: bool, out: &mut Output) -> Result<(), Failure> {
+fn write(
+    args: &FmtArgs,
+    arranged: &FormattedFile,
+    is_changed: bool,
+    out: &mut Output,
+) -> Result<(), Failure> {
     let is_stdin = arranged.file == Path::new("-");
     if is_stdin || args.is_dry() {
         give_way();

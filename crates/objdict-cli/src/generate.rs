@@ -13,9 +13,9 @@ use super::input::{name_of, source_name};
 use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Folder, Saved, keep, require_other, save, save_in_place};
+use super::save::{SaveFolder, Saved, keep, require_other, save, save_in_place};
 use super::sizes;
-use super::table::Table;
+use super::table::TextTable;
 use super::terminal::is_quiet;
 use objdict_build::pipeline::{
     CheckedDescription, Error, Generation, MemoryLimits, Request, depfile, report_lines,
@@ -106,10 +106,10 @@ fn write(
     args: &GenerateArgs,
     checked: &CheckedDescription,
     generation: &Generation,
-    mut folder: Folder,
+    mut folder: SaveFolder,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let mut table = Table::new(["", "", "", ""], usize::MAX);
+    let mut table = TextTable::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &generation.outputs {
         for file in &generated.files {
             let path = args.folder().join(&file.path);
@@ -137,10 +137,10 @@ fn write(
 }
 
 /// Refuses to write over what is read, and over what objdict did not write. Nothing is written before all is admitted.
-fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Result<Folder, Failure> {
+fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Result<SaveFolder, Failure> {
     read.iter().for_each(|file| keep(file));
     args.stamp.iter().chain(&args.depfile).try_for_each(|path| require_other(path))?;
-    let folder = Folder::open(args.folder(), "generate", &args.overwrite)?;
+    let folder = SaveFolder::open(args.folder(), "generate", &args.overwrite)?;
     let mut files = generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
     files.try_for_each(|file| folder.admit(&file.path, &file.contents))?;
     Ok(folder)

@@ -8,13 +8,13 @@ use super::Texts;
 use super::args::{Args, HelpArgs};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_generate::Target;
 use objdict_model::diagnostic::{listing, nearest};
 
 /// Where the text of a topic comes from.
 #[derive(Clone, Copy)]
-enum Text {
+enum TopicText {
     /// The section of a page that has this heading.
     Section(fn(&Texts) -> &'static str, &'static str),
     /// The list of targets.
@@ -22,18 +22,22 @@ enum Text {
 }
 
 /// The topics, in the order of their list.
-const TOPICS: [(&str, &str, Text); 7] = [
-    ("exit-codes", "What the exit codes mean", Text::Section(|texts| texts.cli, "Exit codes")),
-    ("severities", "Errors, warnings and notes", Text::Section(|texts| texts.cli, "Severities")),
-    ("names", "How arguments name objects and entries", Text::Section(|texts| texts.cli, "Names of objects")),
-    ("formats", "Files that are read and written", Text::Section(|texts| texts.formats, "Formats")),
-    ("targets", "What `generate` can generate", Text::Targets),
+const TOPICS: [(&str, &str, TopicText); 7] = [
+    ("exit-codes", "What the exit codes mean", TopicText::Section(|texts| texts.cli, "Exit codes")),
+    ("severities", "Errors, warnings and notes", TopicText::Section(|texts| texts.cli, "Severities")),
+    (
+        "names",
+        "How arguments name objects and entries",
+        TopicText::Section(|texts| texts.cli, "Names of objects"),
+    ),
+    ("formats", "Files that are read and written", TopicText::Section(|texts| texts.formats, "Formats")),
+    ("targets", "What `generate` can generate", TopicText::Targets),
     (
         "configuration",
         "`objdict.toml`, the settings of a check",
-        Text::Section(|texts| texts.config, "Configuration"),
+        TopicText::Section(|texts| texts.config, "Configuration"),
     ),
-    ("settings", "The settings file of `configure`", Text::Section(|texts| texts.dcf, "Settings files")),
+    ("settings", "The settings file of `configure`", TopicText::Section(|texts| texts.dcf, "Settings files")),
 ];
 
 pub(super) fn run(args: &HelpArgs, texts: &Texts, out: &mut Output) -> Result<Outcome, Failure> {
@@ -44,10 +48,10 @@ pub(super) fn run(args: &HelpArgs, texts: &Texts, out: &mut Output) -> Result<Ou
         _ => None,
     };
     match (topic, args.subject.as_slice()) {
-        (Some((.., Text::Section(page, heading))), _) => {
+        (Some((.., TopicText::Section(page, heading))), _) => {
             out.write_all(section(page(texts), heading).as_bytes())?;
         }
-        (Some((.., Text::Targets)), _) => write_targets(out)?,
+        (Some((.., TopicText::Targets)), _) => write_targets(out)?,
         (None, [topic]) if topic == "topics" => write_topics(out)?,
         (None, []) => {
             write_help(&mut command, out)?;
@@ -72,7 +76,7 @@ fn write_help(command: &mut Command, out: &mut Output) -> Result<(), Failure> {
 }
 
 fn write_topics(out: &mut Output) -> Result<(), Failure> {
-    let mut table = Table::new(["", ""], usize::MAX);
+    let mut table = TextTable::new(["", ""], usize::MAX);
     for (name, summary, _) in TOPICS {
         table.row([format!("  {name}"), summary.to_owned()]);
     }
@@ -80,7 +84,7 @@ fn write_topics(out: &mut Output) -> Result<(), Failure> {
 }
 
 fn write_targets(out: &mut Output) -> Result<(), Failure> {
-    let mut table = Table::new(["Target", "Output"], usize::MAX);
+    let mut table = TextTable::new(["Target", "Output"], usize::MAX);
     for target in Target::all() {
         table.row([target.name().to_owned(), target.summary().to_owned()]);
     }
@@ -174,7 +178,7 @@ mod tests {
         for (name, _, text) in TOPICS {
             assert!(help.contains(name), "`{name}` is not in `{help}`");
             assert!(command.find_subcommand(name).is_none(), "`{name}` is a command");
-            if let Text::Section(page, heading) = text {
+            if let TopicText::Section(page, heading) = text {
                 let text = section(page(&texts), heading);
                 assert!(text.len() > 100 && !text.contains("](") && !text.contains("```"), "{name}: {text}");
             }

@@ -20,17 +20,17 @@ const VERSION: u32 = 1;
 #[cfg(feature = "schema")]
 #[derive(schemars::JsonSchema)]
 #[allow(dead_code, reason = "its schema is all that is made of it")]
-pub(super) struct Document<'a> {
+pub(super) struct IdentifyJson<'a> {
     /// The version of the document.
     version: objdict_model::json::Version<VERSION>,
     /// The files in the order of the arguments, without those that cannot be read.
-    files: Vec<Row<'a>>,
+    files: Vec<IdentifyRow<'a>>,
 }
 
 /// A file.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "File"))]
-struct Row<'a> {
+struct IdentifyRow<'a> {
     /// The file as it was given; `<stdin>` for the standard input.
     file: &'a str,
     /// The usual name of the format.
@@ -89,7 +89,7 @@ fn write_row(path: &Path, found: &Identification, out: &mut Output) -> Result<()
     let file = source_name(path);
     let is_canopen = found.kind.is_canopen();
     let advice = found.advice().filter(|_| !is_canopen);
-    let row = Row { file: &file, found, name: found.kind.name(), is_canopen, advice };
+    let row = IdentifyRow { file: &file, found, name: found.kind.name(), is_canopen, advice };
     json::write(&mut out.raw()?, &row)?;
     Ok(())
 }

@@ -70,7 +70,7 @@ pub(super) struct SizeArgs {
 }
 
 /// What a file is that is to be checked.
-pub(super) enum Candidate {
+pub(super) enum CheckedInput {
     /// A description with its text.
     Description(Box<Description>),
     /// Something else: what it is called, and why it cannot be checked.
@@ -115,7 +115,7 @@ impl InputArgs {
         path: &Path,
         bytes: Vec<u8>,
         patches: &[Arc<Patch>],
-    ) -> Result<Candidate, Failure> {
+    ) -> Result<CheckedInput, Failure> {
         let name = source_name(path);
         let reading = self.reading_with(patches);
         let (kind, source) = match reading.recognised(&name, bytes) {
@@ -124,19 +124,19 @@ impl InputArgs {
             Err(ReadError::Foreign { name, found }) if found.kind != ContentKind::Unknown => {
                 let technology = found.technology.as_ref().map(|name| format!(" ({name})"));
                 let called = format!("{}{}", found.kind.name(), technology.unwrap_or_default());
-                return Ok(Candidate::Foreign(called, ReadError::Foreign { name, found }.into()));
+                return Ok(CheckedInput::Foreign(called, ReadError::Foreign { name, found }.into()));
             }
             Err(error) => return Err(error.into()),
         };
         match kind.format() {
-            Some(format) => Ok(Candidate::Description(Box::new(reading.described(source, format)?))),
+            Some(format) => Ok(CheckedInput::Description(Box::new(reading.described(source, format)?))),
             None => {
                 let message = format!(
                     "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",
                     kind.name()
                 );
                 let help = format!("`objdict show {name}` shows what is in it");
-                Ok(Candidate::Foreign(kind.name().to_owned(), Failure::new(message).help(help)))
+                Ok(CheckedInput::Foreign(kind.name().to_owned(), Failure::new(message).help(help)))
             }
         }
     }

@@ -8,7 +8,7 @@ use super::args::{ModulesArgs, PlainFormat};
 use super::input::{Input, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_model::json::Version;
 use objdict_model::model::{Device, ExtensionCount, HexText, Module};
 
@@ -30,12 +30,13 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
             .help("only the description of a coupler lists them, in `[SupportedModules]`"));
     };
     let connected = device.modules.as_ref().and_then(|modules| modules.connected.as_deref());
-    let rows: Vec<Row<'_>> = modules.iter().map(|(&number, module)| row(number, module, connected)).collect();
+    let rows: Vec<ModuleJson<'_>> =
+        modules.iter().map(|(&number, module)| row(number, module, connected)).collect();
     match args.format {
         PlainFormat::Text => text(&rows, out)?,
         PlainFormat::Json => {
             let file = source_name(&args.file);
-            let document = Document { version: Version, file: &file, connected, modules: rows };
+            let document = ModulesJson { version: Version, file: &file, connected, modules: rows };
             out.pretty_json(&document)?;
         }
     }
@@ -44,7 +45,7 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(super) struct Document<'a> {
+pub(super) struct ModulesJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The file as it was given.
@@ -53,13 +54,13 @@ pub(super) struct Document<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     connected: Option<&'a [u16]>,
     /// The modules by number.
-    modules: Vec<Row<'a>>,
+    modules: Vec<ModuleJson<'a>>,
 }
 
 /// A module.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Module"))]
-struct Row<'a> {
+struct ModuleJson<'a> {
     /// Its number, counted from 1.
     number: u16,
     /// The product name; empty if missing.
@@ -91,7 +92,7 @@ struct Added {
     bits: Option<u8>,
 }
 
-fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a> {
+fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> ModuleJson<'a> {
     let adds = module.extensions.iter().map(|(index, extension)| {
         let (subs, bits) = match extension.count {
             Some(ExtensionCount::Subs(count)) => (Some(count), None),
@@ -100,7 +101,7 @@ fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a
         };
         Added { index: HexText(*index), subs, bits }
     });
-    Row {
+    ModuleJson {
         number,
         product_name: module.product_name.as_deref().unwrap_or_default(),
         order_code: module.order_code.as_deref().unwrap_or_default(),
@@ -111,8 +112,9 @@ fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a
     }
 }
 
-fn text(rows: &[Row<'_>], out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(["Number", "Product", "Order code", "Adds", "Brings once", "Plugged"], CELL);
+fn text(rows: &[ModuleJson<'_>], out: &mut dyn Write) -> io::Result<()> {
+    let mut table =
+        TextTable::new(["Number", "Product", "Order code", "Adds", "Brings once", "Plugged"], CELL);
     for row in rows {
         let added = |added: &Added| match (added.subs, added.bits) {
             (Some(subs), _) => format!("{:04X} x {subs}", added.index.0),

@@ -6,7 +6,7 @@ use clap_mangen::Man;
 use super::args::{Args, CompletionsArgs, ManArgs};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::save::Folder;
+use super::save::SaveFolder;
 
 /// The completions of a shell.
 pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -23,7 +23,7 @@ pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Ou
 pub(super) fn man(args: &ManArgs) -> Result<Outcome, Failure> {
     let mut command = <Args>::command();
     command.build();
-    let mut folder = Folder::open(args.output(), "man", &args.overwrite)?;
+    let mut folder = SaveFolder::open(args.output(), "man", &args.overwrite)?;
     let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
     for page in std::iter::once(&command).chain(commands) {
         let name = page.get_display_name().unwrap_or(page.get_name());

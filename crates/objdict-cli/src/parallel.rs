@@ -10,7 +10,7 @@ use std::thread;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 
-use super::files::File;
+use super::files::InputFile;
 use super::outcome::Failure;
 use super::progress::Progress;
 
@@ -26,14 +26,14 @@ const MAX_BYTES: u64 = 16 << 20;
 /// # Errors
 /// The first one of `take`, and when no threads can be had. What was not begun by then is left.
 pub(super) fn in_order<R: Send>(
-    files: &[File],
+    files: &[InputFile],
     jobs: Option<NonZeroUsize>,
     verb: &'static str,
-    work: impl Fn(&File) -> R + Sync,
+    work: impl Fn(&InputFile) -> R + Sync,
     mut take: impl FnMut(R) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let progress = Progress::new(verb, files.len());
-    let work = |file: &File| {
+    let work = |file: &InputFile| {
         let result = work(file);
         progress.step();
         result
@@ -61,14 +61,14 @@ pub(super) fn in_order<R: Send>(
 }
 
 /// Files that are in memory together.
-struct Batches<'a>(&'a [File]);
+struct Batches<'a>(&'a [InputFile]);
 
 impl<'a> Iterator for Batches<'a> {
-    type Item = &'a [File];
+    type Item = &'a [InputFile];
 
-    fn next(&mut self) -> Option<&'a [File]> {
+    fn next(&mut self) -> Option<&'a [InputFile]> {
         let mut bytes = 0u64;
-        let fits = |file: &&File| {
+        let fits = |file: &&InputFile| {
             bytes = bytes.saturating_add(file.size);
             bytes <= MAX_BYTES
         };

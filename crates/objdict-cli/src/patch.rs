@@ -6,12 +6,12 @@ use std::sync::Arc;
 
 use super::args::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchMakeArgs};
 use super::files::gather;
-use super::input::{Candidate, Input, InputArgs, name_of};
+use super::input::{CheckedInput, Input, InputArgs, name_of};
 use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
 use super::save::{is_stdout, save};
-use super::settings::Settings;
-use super::table::Table;
+use super::settings::CommandSettings;
+use super::table::TextTable;
 use objdict_format::Description;
 use objdict_format::patch;
 use objdict_format::patch::{Patch, Patched};
@@ -71,11 +71,11 @@ fn write(path: &Path, bytes: &[u8], out: &mut Output) -> Result<Outcome, Failure
 
 fn check(args: &PatchCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     const WIDTH: usize = 60;
-    let mut settings = Settings::new(&args.settings)?;
+    let mut settings = CommandSettings::new(&args.settings)?;
     let (files, failures) = gather(&args.files, &mut settings)?;
     failures.iter().for_each(Failure::print);
     let mut known: Vec<Arc<Patch>> = args.input.patch.patches.clone();
-    let mut table = Table::new(["Patch", "File", "Result"], WIDTH);
+    let mut table = TextTable::new(["Patch", "File", "Result"], WIDTH);
     let mut lines = Vec::new();
     let (mut has_failed, mut is_refused) = (!failures.is_empty(), false);
     for file in &files {
@@ -89,9 +89,9 @@ fn check(args: &PatchCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
         }
         let bytes = args.input.size.bytes(&file.path)?;
         let description = match args.input.candidate(&file.path, bytes, of_project) {
-            Ok(Candidate::Description(description)) => description,
-            Ok(Candidate::Foreign(..)) if !file.is_named => continue,
-            Ok(Candidate::Foreign(_, failure)) | Err(failure) => {
+            Ok(CheckedInput::Description(description)) => description,
+            Ok(CheckedInput::Foreign(..)) if !file.is_named => continue,
+            Ok(CheckedInput::Foreign(_, failure)) | Err(failure) => {
                 failure.print();
                 has_failed = true;
                 continue;

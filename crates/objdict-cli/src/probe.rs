@@ -9,8 +9,8 @@ use super::input::{Input, name_of};
 use super::new::date_and_time;
 use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
-use super::save::{Folder, keep, save};
-use super::settings::Settings;
+use super::save::{SaveFolder, keep, save};
+use super::settings::CommandSettings;
 use objdict_document::ProbePage;
 use objdict_format as format;
 use objdict_format::{Description, Format, WriteOptions};
@@ -65,7 +65,7 @@ fn planned(args: &ProbeArgs, file: &Path, out: &mut Output) -> Result<Outcome, F
     }
     let output = args.output.as_deref().unwrap_or(Path::new("."));
     let origin = format!("probe {}", one_line(&file.file_name().unwrap_or_default().to_string_lossy()));
-    let folder = Folder::open(output, &origin, &args.overwrite)?;
+    let folder = SaveFolder::open(output, &origin, &args.overwrite)?;
     let texts =
         [("probe.py", plan.script()), ("probe.log", plan.candump(args.gap)), ("probe.csv", plan.table())];
     let files = texts.each_ref().map(|(name, text)| (*name, text.as_bytes()));
@@ -146,7 +146,7 @@ fn judged(args: &ProbeArgs, file: &Path, path: &Path, out: &mut Output) -> Resul
         return Err(failure.help("name the node with `--node-id`"));
     }
     let judgement = judge(description.device(), node_id, &exchanges);
-    let mut settings = Settings::new(&args.settings)?;
+    let mut settings = CommandSettings::new(&args.settings)?;
     let project = settings.project_of(file)?;
     let findings = settings.options(file, project.as_deref()).severities.apply(judgement.findings.clone());
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;

@@ -18,12 +18,12 @@ const PACE: Duration = Duration::from_millis(100);
 /// Counts files, and shows their number on the standard error when it takes long and a terminal is there. A thread writes
 /// the line, so that one large file shows it too.
 pub(super) struct Progress {
-    count: Arc<Count>,
+    count: Arc<FileCount>,
     /// The thread, which ends when the channel closes.
     ticker: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-struct Count {
+struct FileCount {
     /// What is done with the files: `checking`.
     verb: &'static str,
     total: usize,
@@ -34,7 +34,7 @@ impl Progress {
     pub(super) fn new(verb: &'static str, total: usize) -> Self {
         let is_dumb = std::env::var_os("TERM").is_none_or(|term| term == "dumb");
         let is_wanted = total > 0 && stderr().is_terminal() && !is_dumb && !is_quiet();
-        let count = Arc::new(Count { verb, total, done: AtomicUsize::new(0) });
+        let count = Arc::new(FileCount { verb, total, done: AtomicUsize::new(0) });
         let ticker = is_wanted.then(|| {
             let (sender, end) = channel();
             let count = count.clone();
@@ -70,7 +70,7 @@ impl Drop for Progress {
     }
 }
 
-impl Count {
+impl FileCount {
     fn show_until(&self, end: &Receiver<()>) {
         let mut pause = PATIENCE;
         while end.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
@@ -88,19 +88,19 @@ impl Count {
 }
 
 /// The last line of the terminal, of which there is one.
-pub(super) struct Line {
+pub(super) struct ProgressLine {
     is_wanted: bool,
     is_shown: bool,
 }
 
-static LINE: Mutex<Line> = Mutex::new(Line { is_wanted: false, is_shown: false });
+static LINE: Mutex<ProgressLine> = Mutex::new(ProgressLine { is_wanted: false, is_shown: false });
 
-fn line() -> MutexGuard<'static, Line> {
+fn line() -> MutexGuard<'static, ProgressLine> {
     LINE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Removes the line as long as the result lives, because the standard error gets something else.
-pub(super) fn hide() -> MutexGuard<'static, Line> {
+pub(super) fn hide() -> MutexGuard<'static, ProgressLine> {
     let mut line = line();
     if std::mem::take(&mut line.is_shown) {
         write("\r\x1B[K");
@@ -115,7 +115,7 @@ pub(super) fn give_way() {
     }
 }
 
-impl Line {
+impl ProgressLine {
     fn show(&mut self, text: &str) {
         if self.is_wanted {
             self.is_shown = true;
@@ -131,6 +131,6 @@ fn write(text: &str) {
 
 #[test]
 fn one_file_is_not_counted() {
-    let text = |total| Count { verb: "checking", total, done: AtomicUsize::new(3) }.text();
+    let text = |total| FileCount { verb: "checking", total, done: AtomicUsize::new(3) }.text();
     assert_eq!((text(1).as_str(), text(40).as_str()), ("checking …", "checking: 3 of 40 files"));
 }

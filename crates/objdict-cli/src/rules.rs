@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::args::{ExplainArgs, RulesArgs, RulesFormat};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_model::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
 use objdict_model::json::Version;
 use objdict_model::model::Address;
@@ -15,17 +15,17 @@ use objdict_project::registry;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(super) struct Document {
+pub(super) struct RulesJson {
     /// The version of the document.
     version: Version<1>,
     /// The rules.
-    rules: Vec<Rule>,
+    rules: Vec<RuleJson>,
 }
 
 /// A rule.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Rule {
+struct RuleJson {
     /// The id, such as `cia306/duplicate-key`.
     id: &'static str,
     /// The group, which is in front of the slash.
@@ -50,7 +50,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
     let rules = registry::rules().into_iter().filter(is_meant);
     match args.format {
         RulesFormat::Text => {
-            let mut table = Table::new(["Rule", "Severity", "Fix", "Finds", "Source"], usize::MAX);
+            let mut table = TextTable::new(["Rule", "Severity", "Fix", "Finds", "Source"], usize::MAX);
             for rule in rules {
                 let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
                 let [id, finds] = [rule.id, rule.summary].map(str::to_owned);
@@ -59,7 +59,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
             table.write(out)?;
         }
         RulesFormat::Json => {
-            let rule = |rule: &RuleInfo| Rule {
+            let rule = |rule: &RuleInfo| RuleJson {
                 id: rule.id,
                 group: rule.group(),
                 severity: rule.severity,
@@ -68,7 +68,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
                 summary: rule.summary,
                 docs: rule.page(),
             };
-            let document = Document { version: Version, rules: rules.map(rule).collect() };
+            let document = RulesJson { version: Version, rules: rules.map(rule).collect() };
             out.pretty_json(&document)?;
         }
     }

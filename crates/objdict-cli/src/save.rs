@@ -63,9 +63,9 @@ pub(super) struct OverwriteArgs {
 }
 
 /// A folder that a command writes into, where only what objdict wrote is replaced.
-pub(super) struct Folder(OutputFolder);
+pub(super) struct SaveFolder(OutputFolder);
 
-impl Folder {
+impl SaveFolder {
     /// The folder at `path`; `origin` is the command.
     pub(super) fn open(path: &Path, origin: &str, args: &OverwriteArgs) -> Result<Self, Failure> {
         Ok(Self(OutputFolder::open(path, origin, args.overwrite)?))

@@ -11,11 +11,11 @@ use super::Texts;
 use super::args::SchemaArgs;
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_model::diagnostic::{listing, nearest};
 
 /// The schema of a document.
-struct Schema {
+struct DocumentSchema {
     name: &'static str,
     /// What the document is, as a sentence.
     about: &'static str,
@@ -28,13 +28,13 @@ const ANSWERS: &str = "answers";
 /// Declares the documents: name, type, and a sentence. A new one begins with an empty file in `schemas`.
 macro_rules! documents {
     ($($name:literal $Type:ty: $about:literal,)*) => {
-        const SCHEMAS: &[Schema] = &[
-            $(Schema {
+        const SCHEMAS: &[DocumentSchema] = &[
+            $(DocumentSchema {
                 name: $name,
                 about: $about,
             },)*
-            Schema { name: PATCH, about: "A patch, which is read as TOML: `objdict patch make`." },
-            Schema { name: ANSWERS, about: "Answers of a device, which are read: `objdict probe --answers`." },
+            DocumentSchema { name: PATCH, about: "A patch, which is read as TOML: `objdict patch make`." },
+            DocumentSchema { name: ANSWERS, about: "Answers of a device, which are read: `objdict probe --answers`." },
         ];
 
         /// The schemas of all documents by their names, made of the types that write them.
@@ -51,24 +51,24 @@ documents! {
     "findings" objdict_project::report::CheckJson<'_>: "Findings: `objdict check --format json`, `objdict network check --format json`.",
     "changes" super::changes::ChangesDocument<'_>: "The changes between descriptions: `objdict diff --format json`.",
     "baseline" objdict_project::baseline::BaselineJson: "Known findings: `objdict check --write-baseline`.",
-    "identify" super::identify::Document<'_>: "What files are: `objdict identify --format json`.",
+    "identify" super::identify::IdentifyJson<'_>: "What files are: `objdict identify --format json`.",
     "entries" super::show::EntriesDocument<'_>: "The entries of a dictionary: `objdict show --format json`.",
     "node-list" super::show::NodeListDocument<'_>: "A node list: `objdict show NETWORK.cpj --format json`.",
-    "modules" super::modules::Document<'_>: "The modules of a coupler: `objdict modules --format json`.",
+    "modules" super::modules::ModulesJson<'_>: "The modules of a coupler: `objdict modules --format json`.",
     "losses" super::convert::LossDocument<'_>: "The losses of conversions: `objdict convert --loss-report`.",
-    "sizes" super::sizes::Document<'_>: "The sizes of tables: `objdict generate --report size --format json`.",
+    "sizes" super::sizes::SizesJson<'_>: "The sizes of tables: `objdict generate --report size --format json`.",
     "tables" super::generate::TableDifferences<'_>: "Existing tables beside generated ones: `objdict generate --compare OD.h --format json`.",
-    "variants" super::variants::Document: "The variants of a `device.toml`: `objdict variants --format json`.",
+    "variants" super::variants::VariantsJson: "The variants of a `device.toml`: `objdict variants --format json`.",
     "network" super::network::ShowDocument<'_>: "A network: `objdict network show --format json`.",
     "boot" super::network::BootDocument<'_>: "A simulated boot: `objdict network boot --format json`.",
     "timing" super::network::TimingDocument<'_>: "A network in time: `objdict network timing --format json`.",
-    "conformance" super::conformance::Document<'_>: "What a node does of CiA 301: `objdict conformance --format json`.",
+    "conformance" super::conformance::ConformanceJson<'_>: "What a node does of CiA 301: `objdict conformance --format json`.",
     "frame" objdict_traffic::FrameDocument<'_>: "A frame, on one line: `objdict decode --format json`.",
     "traffic" super::decode::SummaryDocument: "Sums over logs: `objdict decode --summary --format json`.",
     "verify" super::dcf::VerifyDocument<'_>: "What a node refuses: `objdict dcf verify --format json`.",
     "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",
     "profile" super::profile::ProfileDocument<'_>: "The objects of a profile: `objdict profile show --format json`.",
-    "rules" super::rules::Document: "The rules of `check`: `objdict rules --format json`.",
+    "rules" super::rules::RulesJson: "The rules of `check`: `objdict rules --format json`.",
 }
 
 /// The name and the meaning of the one document that people write, whose schema is made of the table of its keys.
@@ -76,9 +76,9 @@ const SOURCE: [&str; 2] = ["device", "The short source of a device, `device.toml
 
 pub(super) fn run(args: &SchemaArgs, texts: &Texts, out: &mut Output) -> Result<Outcome, Failure> {
     let Some(name) = &args.name else {
-        let mut table = Table::new(["Name", "Document"], usize::MAX);
+        let mut table = TextTable::new(["Name", "Document"], usize::MAX);
         table.row(SOURCE.map(str::to_owned));
-        for Schema { name, about, .. } in SCHEMAS {
+        for DocumentSchema { name, about, .. } in SCHEMAS {
             table.row([name, about].map(|text| (*text).to_owned()));
         }
         table.write(out)?;

@@ -160,9 +160,9 @@ impl SettingsArgs {
 }
 
 /// Settings of a check, with the configurations.
-pub(super) struct Settings(Workspace);
+pub(super) struct CommandSettings(Workspace);
 
-impl Settings {
+impl CommandSettings {
     /// What the arguments say.
     ///
     /// # Errors

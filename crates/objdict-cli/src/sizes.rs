@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_generate::{Size, SizeReport, Sizes, Target};
 use objdict_model::json::Version;
 
@@ -14,7 +14,7 @@ const LONGEST_NAME: usize = 40;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(super) struct Document<'a> {
+pub(super) struct SizesJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The targets, in the order of the command.
@@ -47,7 +47,7 @@ impl<'a> OfTarget<'a> {
 /// All reports as one JSON document.
 pub(super) fn write_json(reports: &[(Target, Sizes)], out: &mut Output) -> io::Result<()> {
     let targets = reports.iter().map(OfTarget::new).collect();
-    out.pretty_json(&Document { version: Version, targets })
+    out.pretty_json(&SizesJson { version: Version, targets })
 }
 
 /// A table for each target of which the sizes are known, a word for the others.
@@ -64,7 +64,7 @@ pub(super) fn write_tables(reports: &[(Target, Sizes)], out: &mut dyn Write) -> 
 
 fn write_table(target: &str, report: &SizeReport, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n{target}: bytes of {}", report.counted)?;
-    let mut table = Table::new(["Object", "Entries", "Flash", "RAM", "Name"], LONGEST_NAME);
+    let mut table = TextTable::new(["Object", "Entries", "Flash", "RAM", "Name"], LONGEST_NAME);
     let row = |first: String, entries: String, size: Size, name: &str| {
         [first, entries, size.flash.to_string(), size.ram.to_string(), name.to_owned()]
     };

@@ -5,14 +5,14 @@ use std::io::{self, Write};
 use objdict_model::diagnostic::one_line;
 
 /// Columns with a heading; a column that is empty in every row is left out, and the headings when there are none.
-pub(crate) struct Table<const N: usize> {
+pub(crate) struct TextTable<const N: usize> {
     headings: [&'static str; N],
     rows: Vec<[String; N]>,
     /// The most characters that a cell shows.
     limit: usize,
 }
 
-impl<const N: usize> Table<N> {
+impl<const N: usize> TextTable<N> {
     pub(crate) fn new(headings: [&'static str; N], limit: usize) -> Self {
         Self { headings, rows: Vec::new(), limit }
     }
@@ -60,7 +60,7 @@ mod tests {
 
     #[test]
     fn empty_columns_are_left_out_and_long_cells_are_cut() {
-        let mut table = Table::new(["A", "Empty", "Name"], 6);
+        let mut table = TextTable::new(["A", "Empty", "Name"], 6);
         table.row(["1".into(), String::new(), "short".into()]);
         table.row(["22".into(), String::new(), "much too long\u{1B}".into()]);
         let mut out = Vec::new();

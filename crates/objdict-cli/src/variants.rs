@@ -9,7 +9,7 @@ use super::args::{VariantsArgs, VariantsFormat};
 use super::input::{Input, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::table::Table;
+use super::table::TextTable;
 use objdict_document::VariantsPage;
 use objdict_format::Description;
 use objdict_format::input::Reading;
@@ -26,7 +26,7 @@ const HEADINGS: [&str; 8] =
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(super) struct Document {
+pub(super) struct VariantsJson {
     /// The version of the document.
     version: Version<1>,
     /// The file.
@@ -74,7 +74,7 @@ pub(super) fn run(args: &VariantsArgs, out: &mut Output) -> Result<Outcome, Fail
     match args.format {
         VariantsFormat::Text => write_table(&variants, out)?,
         VariantsFormat::Json => {
-            let document = Document { version: Version, file, variants };
+            let document = VariantsJson { version: Version, file, variants };
             out.pretty_json(&document)?;
         }
         VariantsFormat::Html => {
@@ -91,7 +91,7 @@ pub(super) fn run(args: &VariantsArgs, out: &mut Output) -> Result<Outcome, Fail
 const HELP: &str = "only a `device.toml` with `[variant.…]` has variants";
 
 fn write_table(variants: &[Variant], out: &mut Output) -> io::Result<()> {
-    let mut table = Table::new(HEADINGS, CELL);
+    let mut table = TextTable::new(HEADINGS, CELL);
     variants.iter().for_each(|variant| table.row(variant.cells()));
     table.write(out)
 }

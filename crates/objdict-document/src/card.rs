@@ -12,37 +12,37 @@ pub(crate) struct Card {
     /// Vendor name and device profile.
     pub(crate) subtitle: String,
     /// Identity and capabilities.
-    pub(crate) device: Vec<Fact>,
+    pub(crate) device: Vec<CardLine>,
     /// The configured node; empty for a device type.
-    pub(crate) node: Vec<Fact>,
+    pub(crate) node: Vec<CardLine>,
     /// Metadata of the description.
-    pub(crate) file: Vec<Fact>,
+    pub(crate) file: Vec<CardLine>,
     /// The comment lines.
     pub(crate) comments: Vec<String>,
     /// Vendor-specific or tool-specific keys that belong to no object, as in the file.
-    pub(crate) sections: Vec<Section>,
+    pub(crate) sections: Vec<VendorSection>,
 }
 
 /// A section with vendor-specific or tool-specific keys.
-pub(crate) struct Section {
+pub(crate) struct VendorSection {
     pub(crate) name: String,
     pub(crate) keys: Vec<(String, String)>,
 }
 
 /// A named fact.
-pub(crate) struct Fact {
+pub(crate) struct CardLine {
     pub(crate) name: &'static str,
     pub(crate) text: String,
 }
 
 /// Collects facts and omits empty ones.
-struct Facts(Vec<Fact>);
+struct CardLines(Vec<CardLine>);
 
-impl Facts {
+impl CardLines {
     fn put(&mut self, name: &'static str, text: impl Into<String>) {
         let text = text.into();
         if !text.trim().is_empty() {
-            self.0.push(Fact { name, text });
+            self.0.push(CardLine { name, text });
         }
     }
 
@@ -73,7 +73,7 @@ impl Card {
     }
 }
 
-fn device_facts(context: &Context<'_>) -> Vec<Fact> {
+fn device_facts(context: &Context<'_>) -> Vec<CardLine> {
     let (device, texts) = (context.device, context.texts);
     let default = DeviceInfo::default();
     let info = device.device_info.as_ref().unwrap_or(&default);
@@ -81,7 +81,7 @@ fn device_facts(context: &Context<'_>) -> Vec<Fact> {
     let hex = |stated: Option<u32>, in_dictionary: Option<u32>| {
         stated.or(in_dictionary).map(|number| format!("0x{number:08X}"))
     };
-    let mut facts = Facts(Vec::new());
+    let mut facts = CardLines(Vec::new());
     facts.put_some(texts.vendor, info.vendor_name.clone());
     facts.put_some(texts.vendor_id, hex(info.vendor_number, identity.vendor_id));
     facts.put_some(texts.product, info.product_name.clone());
@@ -102,7 +102,7 @@ fn device_facts(context: &Context<'_>) -> Vec<Fact> {
 }
 
 /// Facts that only an XDD contains.
-fn further_identity(context: &Context<'_>, facts: &mut Facts) {
+fn further_identity(context: &Context<'_>, facts: &mut CardLines) {
     let Some(identity) = context.device.identity.as_deref() else { return };
     let texts = context.texts;
     facts.put_some(texts.family, identity.device_family.description_in(context.tag));
@@ -164,9 +164,9 @@ fn features(info: &DeviceInfo, device: &Device, context: &Context<'_>) -> Vec<St
     features
 }
 
-fn node_facts(context: &Context<'_>) -> Vec<Fact> {
+fn node_facts(context: &Context<'_>) -> Vec<CardLine> {
     let texts = context.texts;
-    let mut facts = Facts(Vec::new());
+    let mut facts = CardLines(Vec::new());
     facts.put_some(texts.node_id, context.node_id.map(|id| format!("{id} (0x{id:02X})")));
     let Some(node) = &context.device.commissioning else { return facts.0 };
     facts.put_some(texts.name, node.node_name.clone());
@@ -180,9 +180,9 @@ fn node_facts(context: &Context<'_>) -> Vec<Fact> {
     facts.0
 }
 
-fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<Fact> {
+fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<CardLine> {
     let texts = context.texts;
-    let mut facts = Facts(Vec::new());
+    let mut facts = CardLines(Vec::new());
     facts.put(texts.file, format!("{} ({})", subject.file, subject.format));
     let default = FileInfo::default();
     let info = subject.device.file_info.as_ref().unwrap_or(&default);
@@ -200,7 +200,7 @@ fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<Fact> {
 }
 
 /// Sections without a field in the model.
-fn sections(device: &Device) -> Vec<Section> {
+fn sections(device: &Device) -> Vec<VendorSection> {
     let of_parts = device.extras().into_iter().filter_map(|(part, extra)| match part {
         // shown with their objects
         Part::Object(_) | Part::Entry(..) => None,
@@ -210,8 +210,8 @@ fn sections(device: &Device) -> Vec<Section> {
     of_parts.chain(unknown).collect()
 }
 
-fn section<'a>(name: String, keys: impl Iterator<Item = (&'a str, &'a str)>) -> Section {
-    Section { name, keys: keys.map(|(key, value)| (key.to_owned(), value.to_owned())).collect() }
+fn section<'a>(name: String, keys: impl Iterator<Item = (&'a str, &'a str)>) -> VendorSection {
+    VendorSection { name, keys: keys.map(|(key, value)| (key.to_owned(), value.to_owned())).collect() }
 }
 
 /// `2024-03-04 14:40, A. Smith`.

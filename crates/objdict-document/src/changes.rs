@@ -4,9 +4,9 @@ use askama::Template;
 
 use super::diagram::{Diagram, Grid};
 use super::escape::filters;
-use super::layout::Layout;
+use super::layout::FrameLayout;
 use super::policy::with_policy;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::Language;
 use crate::model::{Device, Entry, PdoKind};
 
@@ -77,20 +77,20 @@ pub struct ChangeEffect {
 struct ChangesTemplate<'a> {
     page: &'a ChangesPage<'a>,
     title: String,
-    rows: Vec<Row<'a>>,
+    rows: Vec<DrawnChange<'a>>,
     grid: Grid,
-    t: &'static Texts,
+    t: &'static LanguageTexts,
     version: &'static str,
 }
 
 /// A change with its drawings.
-struct Row<'a> {
+struct DrawnChange<'a> {
     change: &'a ChangeRow,
     old: Option<Diagram>,
     new: Option<Diagram>,
 }
 
-impl Row<'_> {
+impl DrawnChange<'_> {
     /// The audiences with the verdict of each, for the filter: `sdo-clients=breaking`.
     fn keys(&self) -> String {
         let keys = self.change.effects.iter().map(|effect| format!("{}={}", effect.audience, effect.verdict));
@@ -101,7 +101,7 @@ impl Row<'_> {
 impl ChangesPage<'_> {
     /// Writes the page as HTML, which needs no other file.
     pub fn html(&self) -> String {
-        let rows = self.changes.iter().map(|change| Row {
+        let rows = self.changes.iter().map(|change| DrawnChange {
             old: change.pdo.and_then(|pdo| drawing(self.old.device, pdo)),
             new: change.pdo.and_then(|pdo| drawing(self.new.device, pdo)),
             change,
@@ -111,7 +111,7 @@ impl ChangesPage<'_> {
             title: format!("{} → {}", self.old.file, self.new.file),
             rows: rows.collect(),
             grid: Grid::new(),
-            t: Texts::of(Language::English),
+            t: LanguageTexts::of(Language::English),
             version: env!("CARGO_PKG_VERSION"),
         };
         let mut text = String::with_capacity(20_000 + 1000 * self.changes.len());
@@ -125,7 +125,7 @@ impl ChangesPage<'_> {
 fn drawing(device: &Device, (kind, number): (PdoKind, u16)) -> Option<Diagram> {
     let pdo = device.pdo(kind, number)?;
     let name = |entry: &Entry| entry.name.to_string();
-    let layout = Layout::new(device, &pdo, &name);
+    let layout = FrameLayout::new(device, &pdo, &name);
     let mut diagram = Diagram::new(&pdo.to_string(), &layout, Language::English)?;
     diagram.shapes.iter_mut().for_each(|shape| shape.anchor = None);
     Some(diagram)

@@ -1,17 +1,17 @@
 //! Communication of a device: its services and PDOs in words, and its CAN-IDs.
 
-use super::connections::{self, Connection};
+use super::connections::{self, ConnectionRow};
 use super::diagram::Grid;
 use super::pdos::{self, PdoView};
-use super::services::{self, Service};
+use super::services::{self, ServiceView};
 use crate::describe::Decoder;
 use crate::model::Entry;
 
 /// The communication section of a page.
 pub(crate) struct Communication {
-    pub(crate) services: Vec<Service>,
+    pub(crate) services: Vec<ServiceView>,
     pub(crate) pdos: Vec<PdoView>,
-    pub(crate) connections: Vec<Connection>,
+    pub(crate) connections: Vec<ConnectionRow>,
 }
 
 impl Communication {

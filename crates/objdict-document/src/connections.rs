@@ -4,12 +4,12 @@
 use super::anchor::Anchor;
 use super::sentence::{self, ChangedCobId, is_same};
 use super::services::emcy_consumers;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::describe::{Decoder, can_id};
 use crate::model::{CobId, PdoKind, SdoChannel, Services, predefined};
 
 /// A row of the table.
-pub(crate) struct Connection {
+pub(crate) struct ConnectionRow {
     /// `TPDO 1`.
     pub(crate) service: String,
     /// From the view of the device.
@@ -18,7 +18,7 @@ pub(crate) struct Connection {
     pub(crate) predefined: String,
     /// The CAN-ID of this device; empty if there is none or the description does not state it.
     pub(crate) own: String,
-    pub(crate) state: State,
+    pub(crate) state: ServiceUse,
     /// The object that states it.
     pub(crate) anchor: Option<Anchor>,
     /// Whether the configured CAN-ID, or whether the service is valid, differs from the default.
@@ -47,7 +47,7 @@ impl Direction {
     }
 
     /// What the device does, in words.
-    pub(crate) const fn word(self, texts: &Texts) -> &'static str {
+    pub(crate) const fn word(self, texts: &LanguageTexts) -> &'static str {
         match self {
             Self::Sends => texts.sends,
             Self::Receives => texts.receives,
@@ -58,7 +58,7 @@ impl Direction {
 
 /// How the device uses a service.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum State {
+pub(crate) enum ServiceUse {
     /// Uses the predefined CAN-ID, or the service has none.
     Used,
     /// Uses another CAN-ID than the predefined one.
@@ -71,7 +71,7 @@ pub(crate) enum State {
     Absent,
 }
 
-impl State {
+impl ServiceUse {
     /// The CSS class.
     pub(crate) const fn class(self) -> &'static str {
         match self {
@@ -84,7 +84,7 @@ impl State {
     }
 
     /// A remark next to, or instead of, the CAN-ID; empty if none is needed.
-    pub(crate) const fn word(self, texts: &Texts) -> &'static str {
+    pub(crate) const fn word(self, texts: &LanguageTexts) -> &'static str {
         match self {
             Self::Used => "",
             Self::Differs => texts.differs,
@@ -96,9 +96,9 @@ impl State {
 }
 
 /// The CAN-IDs of a node.
-pub(crate) fn connections(decoder: &Decoder<'_>) -> Vec<Connection> {
+pub(crate) fn connections(decoder: &Decoder<'_>) -> Vec<ConnectionRow> {
     let services = decoder.device.services();
-    let mut table = Table { decoder, lines: Vec::new() };
+    let mut table = ServiceTable { decoder, lines: Vec::new() };
     table.network(&services);
     table.pdos();
     table.sdo(&services);
@@ -108,15 +108,15 @@ pub(crate) fn connections(decoder: &Decoder<'_>) -> Vec<Connection> {
     table.lines
 }
 
-struct Table<'a> {
+struct ServiceTable<'a> {
     decoder: &'a Decoder<'a>,
-    lines: Vec<Connection>,
+    lines: Vec<ConnectionRow>,
 }
 
 /// A COB-ID not set by any object.
 const FIXED: Option<(u16, u8)> = None;
 
-impl Table<'_> {
+impl ServiceTable<'_> {
     fn pick(&self, english: &'static str, german: &'static str) -> &'static str {
         self.decoder.language.pick(english, german)
     }
@@ -132,16 +132,16 @@ impl Table<'_> {
     ) {
         let node_id = self.decoder.node_id;
         let state = match (own, predefined) {
-            (None, _) => State::Unstated,
-            (Some(own), _) if !own.is_valid() => State::Off,
-            (Some(own), Some(predefined)) if !is_same(own, predefined, node_id) => State::Differs,
-            _ => State::Used,
+            (None, _) => ServiceUse::Unstated,
+            (Some(own), _) if !own.is_valid() => ServiceUse::Off,
+            (Some(own), Some(predefined)) if !is_same(own, predefined, node_id) => ServiceUse::Differs,
+            _ => ServiceUse::Used,
         };
-        self.lines.push(Connection {
+        self.lines.push(ConnectionRow {
             service: service.into(),
             direction,
             predefined: predefined.map(|id| can_id(id, node_id)).unwrap_or_default(),
-            own: own.filter(|_| state != State::Off).map(|id| can_id(id, node_id)).unwrap_or_default(),
+            own: own.filter(|_| state != ServiceUse::Off).map(|id| can_id(id, node_id)).unwrap_or_default(),
             state,
             anchor: place.and_then(|(index, sub)| sentence::anchor(self.decoder.device, index, sub)),
             is_changed: place.is_some_and(|place| self.is_changed(place)),
@@ -175,7 +175,7 @@ impl Table<'_> {
         if self.decoder.device.object(index).is_none()
             && let Some(line) = self.lines.last_mut()
         {
-            line.state = State::Absent;
+            line.state = ServiceUse::Absent;
         }
     }
 
@@ -208,7 +208,7 @@ impl Table<'_> {
         if roles == Some((false, false))
             && let Some(line) = self.lines.last_mut()
         {
-            line.state = State::Off;
+            line.state = ServiceUse::Off;
             line.own.clear();
         }
         let emcy = predefined::per_node(predefined::EMCY);
@@ -344,7 +344,7 @@ mod tests {
 
     fn lines(device: &Device, node_id: Option<u8>) -> Vec<String> {
         let decoder = Decoder::english(device, node_id);
-        let line = |line: &Connection| {
+        let line = |line: &ConnectionRow| {
             format!(
                 "{} {} {} {} {:?}",
                 line.service,

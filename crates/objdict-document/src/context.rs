@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::options::Options;
 use super::subject::{Identifiers, Subject};
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::Language;
 use crate::describe::Decoder;
 use crate::model::{Device, Entry, Meanings};
@@ -18,7 +18,7 @@ pub(crate) struct Context<'a> {
     /// Describes values.
     pub(crate) decoder: Decoder<'a>,
     pub(crate) language: Language,
-    pub(crate) texts: &'static Texts,
+    pub(crate) texts: &'static LanguageTexts,
     /// The language of description texts.
     pub(crate) tag: &'a str,
     /// Meanings of values; `None` if the description has none.
@@ -40,7 +40,7 @@ impl<'a> Context<'a> {
             node_id,
             decoder: Decoder { language, ..Decoder::english(device, node_id) },
             language,
-            texts: Texts::of(language),
+            texts: LanguageTexts::of(language),
             tag: options.tag(),
             meanings: says_meanings.then(|| device.meanings_in(options.tag())),
             carriers: carriers(device),

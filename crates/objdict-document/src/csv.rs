@@ -15,7 +15,7 @@ use super::page::Page;
 use crate::model::{Device, Entry, Object, Value};
 
 /// The content of a line; an object without entries also has a line.
-struct Row<'a> {
+struct CsvRow<'a> {
     node_id: Option<u8>,
     object: &'a ObjectView<'a>,
     view: Option<&'a EntryView<'a>>,
@@ -26,7 +26,7 @@ struct Row<'a> {
     downloads: &'a str,
 }
 
-type EntryColumn = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
+type EntryColumn = (&'static str, for<'a> fn(&'a CsvRow<'a>) -> Cow<'a, str>);
 
 /// The columns in order. This is a stable interface: columns are never renamed, moved or removed.
 const COLUMNS: [EntryColumn; 34] = [
@@ -66,7 +66,7 @@ const COLUMNS: [EntryColumn; 34] = [
     ("downloads", |row| row.downloads.into()),
 ];
 
-impl<'a> Row<'a> {
+impl<'a> CsvRow<'a> {
     fn of(&self, text: impl FnOnce(&'a EntryView<'a>) -> &'a str) -> Cow<'a, str> {
         self.view.map(text).unwrap_or_default().into()
     }
@@ -156,7 +156,7 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
     line(&mut text, COLUMNS.iter().map(|(name, _)| Cow::Borrowed(*name)));
     for object in page.areas.iter().flat_map(|area| &area.objects) {
         let mut row =
-            Row { node_id: page.node_id, object, view: None, entry: None, groups: "", downloads: "" };
+            CsvRow { node_id: page.node_id, object, view: None, entry: None, groups: "", downloads: "" };
         let in_group = |anchor: Anchor| groups.get(&(anchor.index, anchor.sub)).map(String::as_str);
         let of_object = in_group(object.anchor()).unwrap_or_default();
         if object.entries.is_empty() {
@@ -165,7 +165,7 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
         }
         let entries = device.object(object.index).into_iter().flat_map(Object::entries);
         for (view, (_, entry)) in object.entries.iter().zip(entries) {
-            row = Row {
+            row = CsvRow {
                 view: Some(view),
                 entry: Some(entry),
                 groups: in_group(view.anchor()).unwrap_or(of_object),
@@ -179,10 +179,10 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
 }
 
 /// A column: its name, and what a row has in it.
-pub(super) type Column<R> = (&'static str, fn(&R) -> String);
+pub(super) type CsvColumn<R> = (&'static str, fn(&R) -> String);
 
 /// A table with a line for each row.
-pub(super) fn table<R>(columns: &[Column<R>], rows: impl IntoIterator<Item: Borrow<R>>) -> String {
+pub(super) fn table<R>(columns: &[CsvColumn<R>], rows: impl IntoIterator<Item: Borrow<R>>) -> String {
     let mut text = "\u{FEFF}".to_owned();
     line(&mut text, columns.iter().map(|(name, _)| Cow::Borrowed(*name)));
     for row in rows {

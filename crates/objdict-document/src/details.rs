@@ -8,7 +8,7 @@ use super::context::Context;
 use super::states::shown;
 use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Scaling};
-use crate::profile::{self, BitField, EntryFacts, ObjectFacts};
+use crate::profile::{self, BitFieldFacts, EntryFacts, ObjectFacts};
 
 /// Fields shown elsewhere on a page.
 pub(super) const VALUES: [Field; 4] =
@@ -28,9 +28,9 @@ pub(crate) struct Details<'a> {
     /// Named values.
     pub(crate) values: Vec<(i128, &'a str)>,
     /// Bit fields as named in the description.
-    pub(crate) parts: Vec<Part<'a>>,
+    pub(crate) parts: Vec<BitPart<'a>>,
     /// Bit fields as named in CiA documents.
-    pub(crate) word: Vec<Part<'static>>,
+    pub(crate) word: Vec<BitPart<'static>>,
     /// The entry that shows the same bit fields.
     pub(crate) word_of: Option<Anchor>,
     /// The values allowed by a CiA document, if the description has no limits.
@@ -43,14 +43,14 @@ pub(crate) struct Details<'a> {
 
 /// A bit field.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Part<'a> {
+pub(crate) struct BitPart<'a> {
     pub(crate) first: u8,
     pub(crate) last: u8,
     pub(crate) name: &'a str,
     pub(crate) values: Vec<(String, &'a str)>,
 }
 
-impl Part<'_> {
+impl BitPart<'_> {
     /// `3` or `4–7`.
     pub(crate) fn range(&self) -> String {
         if self.first == self.last {
@@ -89,7 +89,7 @@ impl Details<'_> {
         let facts = || documents.iter().filter_map(|facts| facts.entry(sub));
         if self.values.is_empty() && self.parts.is_empty() {
             let fields = profile::bits(documents.iter().copied(), sub);
-            self.word = fields.iter().map(Part::of_document).collect();
+            self.word = fields.iter().map(BitPart::of_document).collect();
         }
         if self.unit.is_none() {
             self.unit = facts().find_map(|facts| facts.unit).map(str::to_owned);
@@ -103,8 +103,8 @@ impl Details<'_> {
     }
 }
 
-impl Part<'static> {
-    fn of_document(field: &BitField<'static>) -> Self {
+impl BitPart<'static> {
+    fn of_document(field: &BitFieldFacts<'static>) -> Self {
         let values = field.masked().into_iter().map(|(values, name)| (shown(&values), name));
         Self { first: field.first, last: field.last, name: field.name, values: values.collect() }
     }
@@ -128,7 +128,7 @@ pub(super) fn of<'a>(context: &Context<'a>, index: u16, sub: u8, entry: &Entry) 
             details.values = found.values.iter().map(|value| (value.number, value.name)).collect();
         }
         Some(Meaning::BitStruct(word)) => {
-            let part = |field: &crate::model::BitField<'a>| Part {
+            let part = |field: &crate::model::BitField<'a>| BitPart {
                 first: field.first,
                 last: field.first + (field.bits - 1),
                 name: field.name,

@@ -1,7 +1,7 @@
 //! PDO frame diagrams: one row per byte with bit 7 on the left, as in data sheets.
 
 use super::anchor::Anchor;
-use super::layout::{Field, FieldKind, Layout, Span};
+use super::layout::{BitSpan, FieldKind, FrameLayout, LayoutField};
 use super::text_width::{fit, wrap};
 use crate::Language;
 
@@ -27,7 +27,7 @@ const HUES: usize = 6;
 pub(crate) struct Diagram {
     /// The layout in words.
     pub(crate) label: String,
-    pub(crate) shapes: Vec<Shape>,
+    pub(crate) shapes: Vec<DiagramField>,
     /// The unused bits of the last byte.
     pub(crate) rest: Option<Rest>,
     /// Depends on the length of the PDO.
@@ -44,7 +44,7 @@ pub(crate) struct Rest {
 }
 
 /// A field in the diagram.
-pub(crate) struct Shape {
+pub(crate) struct DiagramField {
     /// Its outline.
     pub(crate) path: String,
     /// `f0` to `f5`, `dummy`, `missing`.
@@ -53,19 +53,19 @@ pub(crate) struct Shape {
     pub(crate) anchor: Option<Anchor>,
     /// The complete text of the tooltip.
     pub(crate) title: String,
-    pub(crate) texts: Vec<Text>,
+    pub(crate) texts: Vec<DiagramText>,
 }
 
 /// The part common to all diagrams: byte and bit numbers, and marks between the bits.
 pub(crate) struct Grid {
-    pub(crate) numbers: Vec<Text>,
+    pub(crate) numbers: Vec<DiagramText>,
     /// Lines over the full height; CSS decides where they are visible.
     pub(crate) lines: String,
 }
 
 impl Grid {
     pub(crate) fn new() -> Self {
-        let number = |x, y, number: u32| Text { x, y, is_place: false, text: number.to_string() };
+        let number = |x, y, number: u32| DiagramText { x, y, is_place: false, text: number.to_string() };
         let bits = (0..8).map(|bit| number(LEFT + (7 - bit) * WIDTH + WIDTH / 2, TOP - 5, bit));
         let bytes = (0..8).map(|byte| number(LEFT / 2, top(byte) + HEIGHT / 2 + 4, byte));
         let bottom = top(8);
@@ -80,7 +80,7 @@ impl Grid {
 }
 
 /// Centred text in the diagram.
-pub(crate) struct Text {
+pub(crate) struct DiagramText {
     pub(crate) x: u32,
     pub(crate) y: u32,
     /// Whether it is an index and a sub-index, in small letters.
@@ -90,7 +90,7 @@ pub(crate) struct Text {
 
 impl Diagram {
     /// The diagram of a layout; `None` if there is nothing to draw.
-    pub(crate) fn new(title: &str, layout: &Layout, language: Language) -> Option<Self> {
+    pub(crate) fn new(title: &str, layout: &FrameLayout, language: Language) -> Option<Self> {
         let mut shapes = Vec::new();
         for (hue, (field, span)) in layout.shown().enumerate() {
             let class = match field.kind {
@@ -98,7 +98,7 @@ impl Diagram {
                 FieldKind::Missing => "missing".to_owned(),
                 FieldKind::Object => format!("f{}", hue % HUES),
             };
-            shapes.push(Shape {
+            shapes.push(DiagramField {
                 path: outline(span),
                 class,
                 anchor: field.anchor(),
@@ -119,15 +119,15 @@ impl Diagram {
 }
 
 /// The unused bits; unknown if a mapped object is unknown.
-fn rest(layout: &Layout) -> Option<Rest> {
+fn rest(layout: &FrameLayout) -> Option<Rest> {
     let span = layout.rest()?;
     let room = rooms(span).into_iter().next().filter(|_| layout.bits().is_some());
-    let place = |room: Area| (room.left.midpoint(room.right), room.top.midpoint(room.bottom) + 4);
+    let place = |room: TextBox| (room.left.midpoint(room.right), room.top.midpoint(room.bottom) + 4);
     Some(Rest { path: outline(span), place: room.map(place) })
 }
 
 /// The label of a field.
-fn name(field: &Field) -> String {
+fn name(field: &LayoutField) -> String {
     match (field.kind, field.object) {
         (FieldKind::Object, _) if !field.name.is_empty() => field.name.clone(),
         (FieldKind::Dummy, _) => field.data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
@@ -136,7 +136,7 @@ fn name(field: &Field) -> String {
     }
 }
 
-fn in_words(field: &Field, span: Span, language: Language) -> String {
+fn in_words(field: &LayoutField, span: BitSpan, language: Language) -> String {
     let mut words = vec![name(field)];
     match field.kind {
         FieldKind::Object => {
@@ -164,7 +164,7 @@ const fn top(byte: u32) -> u32 {
 }
 
 /// The outline of bits: one shape over all rows, or two if the parts in two rows do not touch.
-fn outline(span: Span) -> String {
+fn outline(span: BitSpan) -> String {
     let rows: Vec<(u32, u32, u32)> = span.rows().collect();
     let (Some(&(first, low, _)), Some(&(last, _, end))) = (rows.first(), rows.last()) else {
         return String::new();
@@ -194,7 +194,7 @@ fn outline(span: Span) -> String {
 
 /// A rectangle for a text.
 #[derive(Clone, Copy)]
-struct Area {
+struct TextBox {
     left: u32,
     right: u32,
     top: u32,
@@ -202,23 +202,23 @@ struct Area {
 }
 
 /// The texts of a field: its name and, if there is room, its index and sub-index.
-fn texts(field: &Field, span: Span) -> Vec<Text> {
+fn texts(field: &LayoutField, span: BitSpan) -> Vec<DiagramText> {
     rooms(span).into_iter().flat_map(|room| texts_in(field, room)).collect()
 }
 
 /// Rectangles for the texts of a field: its full rows, else its longest part; both parts if they do not
 /// touch.
-fn rooms(span: Span) -> Vec<Area> {
+fn rooms(span: BitSpan) -> Vec<TextBox> {
     let room = |(byte, low, end): (u32, u32, u32)| {
         let (left, right) = edges(low, end);
-        Area { left, right, top: top(byte), bottom: top(byte + 1) }
+        TextBox { left, right, top: top(byte), bottom: top(byte + 1) }
     };
     let rows: Vec<(u32, u32, u32)> = span.rows().collect();
     let whole = rows.iter().filter(|(_, low, end)| end - low == 8).map(|&row| room(row));
-    if let Some(room) = whole.reduce(|all, room| Area { bottom: room.bottom, ..all }) {
+    if let Some(room) = whole.reduce(|all, room| TextBox { bottom: room.bottom, ..all }) {
         return vec![room];
     }
-    let rooms: Vec<Area> = rows.into_iter().map(room).collect();
+    let rooms: Vec<TextBox> = rows.into_iter().map(room).collect();
     match rooms.as_slice() {
         [first, second] if second.left < first.right => {
             let longest = if first.right - first.left > second.right - second.left { first } else { second };
@@ -228,10 +228,10 @@ fn rooms(span: Span) -> Vec<Area> {
     }
 }
 
-fn texts_in(field: &Field, room: Area) -> Vec<Text> {
+fn texts_in(field: &LayoutField, room: TextBox) -> Vec<DiagramText> {
     let width = f64::from(room.right - room.left) - 5.0;
     let (x, middle) = (room.left.midpoint(room.right), room.top.midpoint(room.bottom));
-    let text = |y, text| Text { x, y, is_place: false, text };
+    let text = |y, text| DiagramText { x, y, is_place: false, text };
     let name = name(field);
     let place = field.object.filter(|_| field.kind == FieldKind::Object).map(|object| {
         let place = Anchor::entry(object.index, object.sub).spoken();
@@ -239,7 +239,7 @@ fn texts_in(field: &Field, room: Area) -> Vec<Text> {
     });
     let lines = wrap(&name, width, NAME_SIZE);
     let is_high = room.bottom - room.top > HEIGHT;
-    let y_of_place = |y| place.clone().map(|text| Text { x, y, is_place: true, text });
+    let y_of_place = |y| place.clone().map(|text| DiagramText { x, y, is_place: true, text });
     match (lines, place.is_some()) {
         (Some((first, Some(second))), _) => {
             let (above, below) = if is_high { (middle - 8, middle + 5) } else { (middle - 3, middle + 10) };
@@ -261,7 +261,7 @@ mod tests {
     use super::*;
 
     fn outline(start: u32, end: u32) -> String {
-        super::outline(Span { start, end })
+        super::outline(BitSpan { start, end })
     }
 
     #[test]
@@ -284,9 +284,9 @@ mod tests {
 
     #[test]
     fn names_stand_in_the_room_of_their_field() {
-        let count = |start, end| rooms(Span { start, end }).len();
+        let count = |start, end| rooms(BitSpan { start, end }).len();
         assert_eq!((count(6, 10), count(2, 12), count(0, 64), count(6, 18)), (2, 1, 1, 1));
-        let room = rooms(Span { start: 6, end: 26 })[0];
+        let room = rooms(BitSpan { start: 6, end: 26 })[0];
         assert_eq!((room.left, room.right, room.top, room.bottom), (22, 518, 46, 106));
     }
 

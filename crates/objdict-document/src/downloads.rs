@@ -5,7 +5,7 @@ use objdict_node::download::{ConciseDcf, Download, PlanOptions, Step, transferre
 use super::anchor::Anchor;
 use super::context::Context;
 use super::sentence::anchor;
-use crate::describe::Reader;
+use crate::describe::ValueReader;
 use crate::model::Value;
 
 /// A download to the device.
@@ -37,7 +37,7 @@ pub(super) fn downloads(context: &Context<'_>) -> Vec<DownloadView> {
 fn written(context: &Context<'_>, download: &Download) -> DownloadView {
     let (index, sub) = (download.index, download.sub);
     let value = download.value(context.device).unwrap_or_else(|| Value::Bytes(download.data.clone().into()));
-    let reader = Reader { index, node_id: context.node_id };
+    let reader = ValueReader { index, node_id: context.node_id };
     DownloadView {
         shown: reader.short(Some(&value), transferred_type(context.device, index, sub)),
         meaning: context.decoder.of(index, sub, &value),

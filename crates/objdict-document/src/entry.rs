@@ -6,7 +6,7 @@ use super::anchor::Anchor;
 use super::context::Context;
 use super::details::{self, Details};
 use super::subject::CodeName;
-use crate::describe::Reader;
+use crate::describe::ValueReader;
 use crate::model::{DataType, Entry, Field, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;
 
@@ -50,7 +50,7 @@ impl<'a> EntryView<'a> {
         entry: Cow<'a, Entry>,
         documents: &[ObjectFacts<'static>],
     ) -> Self {
-        let reader = Reader { index, node_id: context.node_id };
+        let reader = ValueReader { index, node_id: context.node_id };
         let field = |field: Field, value: Option<&Value>| reader.field(&entry, &field, value);
         let value = entry.configured_value().map(|value| field(Field::ParameterValue, Some(value)));
         let meaning = entry.value().and_then(|value| {

@@ -1,7 +1,7 @@
 //! Findings of `check` on a page.
 
 use super::anchor::{Anchor, in_one_spelling};
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::diagnostic::{At, Diagnostic, Severity};
 use crate::model::{Part, Place};
 
@@ -70,14 +70,14 @@ fn anchor(place: &Place) -> Option<Anchor> {
 }
 
 /// The findings of one rule.
-pub(crate) struct Found<'a> {
+pub(crate) struct RuleFindings<'a> {
     /// The highest severity of its findings.
     pub(crate) severity: Severity,
     /// At least one, in the order of the description.
     pub(crate) findings: Vec<&'a Finding>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> RuleFindings<'a> {
     /// Findings by rule, the highest severity first.
     pub(crate) fn by_rule(findings: &'a [Finding]) -> Vec<Self> {
         let mut rules: Vec<Self> = Vec::new();
@@ -95,7 +95,7 @@ impl<'a> Found<'a> {
     }
 
     /// The word for its severity.
-    pub(crate) fn severity_word(&self, texts: &Texts) -> &'static str {
+    pub(crate) fn severity_word(&self, texts: &LanguageTexts) -> &'static str {
         match self.severity {
             Severity::Error => texts.error,
             Severity::Warning => texts.warning,

@@ -18,11 +18,11 @@ pub(crate) struct ShownGroup<'a> {
     /// Empty if there is none.
     pub(crate) description: &'a str,
     /// The objects and entries of its parameters.
-    pub(crate) members: Vec<Member>,
+    pub(crate) members: Vec<GroupParameter>,
 }
 
 /// A member of a group.
-pub(crate) struct Member {
+pub(crate) struct GroupParameter {
     /// The anchor in the page; `None` for a parameter without an entry.
     pub(crate) anchor: Option<Anchor>,
     /// Its name, or the id of a parameter without name and entry.
@@ -37,7 +37,7 @@ pub(super) fn groups<'a>(context: &Context<'a>) -> Vec<ShownGroup<'a>> {
     if top.is_empty() {
         return groups;
     }
-    let members = Members::new(context.device);
+    let members = GroupParameters::new(context.device);
     for group in top {
         add(context, &members, group, 0, &mut groups);
     }
@@ -46,7 +46,7 @@ pub(super) fn groups<'a>(context: &Context<'a>) -> Vec<ShownGroup<'a>> {
 
 fn add<'a>(
     context: &Context<'a>,
-    members: &Members<'a>,
+    members: &GroupParameters<'a>,
     group: &'a ParameterGroup,
     depth: usize,
     groups: &mut Vec<ShownGroup<'a>>,
@@ -63,14 +63,14 @@ fn add<'a>(
 }
 
 /// The parameters of a device by their ids.
-struct Members<'a> {
+struct GroupParameters<'a> {
     /// Places of parameters with an entry.
     places: HashMap<&'a str, (u16, Option<u8>)>,
     /// Parameters without an entry, or with several.
     free: HashMap<&'a str, &'a Parameter>,
 }
 
-impl<'a> Members<'a> {
+impl<'a> GroupParameters<'a> {
     /// For equal ids the first parameter applies.
     fn new(device: &'a Device) -> Self {
         let mut places = HashMap::new();
@@ -89,7 +89,7 @@ impl<'a> Members<'a> {
         Self { places, free }
     }
 
-    fn member(&self, context: &Context<'a>, id: &str) -> Member {
+    fn member(&self, context: &Context<'a>, id: &str) -> GroupParameter {
         let place = self.places.get(id).copied().or_else(|| implied(id));
         let found = place.and_then(|(index, sub)| {
             let object = context.device.object(index)?;
@@ -97,10 +97,12 @@ impl<'a> Members<'a> {
             Some((Anchor { index, sub }, sub.and_then(|sub| object.subs.get(sub)).or_else(main)?))
         });
         match found {
-            Some((anchor, entry)) => Member { anchor: Some(anchor), name: context.name(entry).to_owned() },
+            Some((anchor, entry)) => {
+                GroupParameter { anchor: Some(anchor), name: context.name(entry).to_owned() }
+            }
             None => {
                 let label = self.free.get(id).and_then(|parameter| parameter.labels.name_in(context.tag));
-                Member { anchor: None, name: label.map_or(id, str::trim).to_owned() }
+                GroupParameter { anchor: None, name: label.map_or(id, str::trim).to_owned() }
             }
         }
     }

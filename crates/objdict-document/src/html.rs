@@ -9,7 +9,7 @@ use super::policy::with_policy;
 
 #[derive(Template)]
 #[template(path = "html/page.html")]
-struct PageTemplate<'a> {
+struct HtmlPage<'a> {
     page: &'a Page<'a>,
     version: &'static str,
 }
@@ -30,7 +30,7 @@ pub(super) fn write_card(card: &Card) -> String {
 
 /// Writes the page as HTML.
 pub(super) fn write(page: &Page<'_>) -> String {
-    let template = PageTemplate { page, version: env!("CARGO_PKG_VERSION") };
+    let template = HtmlPage { page, version: env!("CARGO_PKG_VERSION") };
     // approximate size per entry, to avoid reallocation
     let mut text = String::with_capacity(40_000 + 500 * page.entry_count());
     // writing to a String cannot fail, nor do the template filters

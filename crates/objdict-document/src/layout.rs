@@ -8,15 +8,15 @@ use crate::model::{DataType, Device, Entry, MappedObject, Pdo};
 pub(crate) const FRAME_BITS: u32 = Pdo::FRAME_BITS;
 
 /// The layout of a PDO frame.
-pub(crate) struct Layout {
-    pub(crate) content: Content,
+pub(crate) struct FrameLayout {
+    pub(crate) content: FrameContent,
     /// In frame order.
-    pub(crate) fields: Vec<Field>,
+    pub(crate) fields: Vec<LayoutField>,
 }
 
 /// The content according to the number of mapped objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Content {
+pub(crate) enum FrameContent {
     /// This number of mapped objects.
     Objects,
     /// Nothing: the number is 0.
@@ -33,7 +33,7 @@ pub(crate) enum Content {
 
 /// A mapped object in the frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Field {
+pub(crate) struct LayoutField {
     /// The sub-index of the mapping parameter.
     pub(crate) slot: u8,
     /// Its lowest bit; `None` after an unknown mapped object.
@@ -62,16 +62,16 @@ pub(crate) enum FieldKind {
     Gap,
 }
 
-impl Layout {
+impl FrameLayout {
     /// Computes the layout of a PDO; `name` supplies the names of entries.
     pub(crate) fn new(device: &Device, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -> Self {
         let (content, count) = match pdo.mapped_count {
-            None => (Content::Unstated, stated_objects(pdo)),
-            Some(0) => (Content::Nothing, 0),
-            Some(count @ 1..=64) => (Content::Objects, count),
-            Some(0xFE) => (Content::SourceMultiplexed, 0),
-            Some(0xFF) => (Content::DestinationMultiplexed, 0),
-            Some(count) => (Content::Reserved(count), 0),
+            None => (FrameContent::Unstated, stated_objects(pdo)),
+            Some(0) => (FrameContent::Nothing, 0),
+            Some(count @ 1..=64) => (FrameContent::Objects, count),
+            Some(0xFE) => (FrameContent::SourceMultiplexed, 0),
+            Some(0xFF) => (FrameContent::DestinationMultiplexed, 0),
+            Some(count) => (FrameContent::Reserved(count), 0),
         };
         let objects = (1..=count).map(|slot| pdo.slots.iter().find(|found| found.sub == slot)?.object);
         let placed = MappedObject::placed(objects, |object| object.map_or(0, |object| object.bits));
@@ -80,7 +80,7 @@ impl Layout {
         let fields = (1..).zip(placed).map(|(slot, (first, object))| {
             let first = is_known.then_some(first);
             is_known &= object.is_some();
-            Field { first, ..field(device, slot, object, name) }
+            LayoutField { first, ..field(device, slot, object, name) }
         });
         Self { content, fields: fields.collect() }
     }
@@ -92,7 +92,7 @@ impl Layout {
     }
 
     /// The fields with bits in the frame.
-    pub(crate) fn shown(&self) -> impl Iterator<Item = (&Field, Span)> {
+    pub(crate) fn shown(&self) -> impl Iterator<Item = (&LayoutField, BitSpan)> {
         self.fields.iter().filter_map(|field| Some((field, field.span()?)))
     }
 
@@ -102,10 +102,10 @@ impl Layout {
     }
 
     /// The unused bits of the frame.
-    pub(crate) fn rest(&self) -> Option<Span> {
+    pub(crate) fn rest(&self) -> Option<BitSpan> {
         let used = self.shown().map(|(_, span)| span.end).max().unwrap_or(0);
         let end = 8 * self.bytes();
-        (used < end).then_some(Span { start: used, end })
+        (used < end).then_some(BitSpan { start: used, end })
     }
 }
 
@@ -117,8 +117,13 @@ fn stated_objects(pdo: &Pdo<'_>) -> u8 {
     objects.map(|(sub, _)| sub).last().unwrap_or(0)
 }
 
-fn field(device: &Device, slot: u8, object: Option<MappedObject>, name: &dyn Fn(&Entry) -> String) -> Field {
-    let mut field = Field {
+fn field(
+    device: &Device,
+    slot: u8,
+    object: Option<MappedObject>,
+    name: &dyn Fn(&Entry) -> String,
+) -> LayoutField {
+    let mut field = LayoutField {
         slot,
         first: None,
         bits: object.map_or(0, |object| object.bits.into()),
@@ -144,12 +149,12 @@ fn field(device: &Device, slot: u8, object: Option<MappedObject>, name: &dyn Fn(
     field
 }
 
-impl Field {
+impl LayoutField {
     /// Its bits in the frame; `None` if it is outside of it.
-    pub(crate) fn span(&self) -> Option<Span> {
+    pub(crate) fn span(&self) -> Option<BitSpan> {
         let start = self.first?;
         let end = (start + self.bits).min(FRAME_BITS);
-        (start < end).then_some(Span { start, end })
+        (start < end).then_some(BitSpan { start, end })
     }
 
     /// Whether it exceeds the frame.
@@ -166,12 +171,12 @@ impl Field {
 
 /// A range of frame bits; the end is exclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Span {
+pub(crate) struct BitSpan {
     pub(crate) start: u32,
     pub(crate) end: u32,
 }
 
-impl Span {
+impl BitSpan {
     /// Its parts per byte: byte, lowest bit, and bit after the highest.
     pub(crate) fn rows(self) -> impl Iterator<Item = (u32, u32, u32)> {
         (self.start / 8..self.end.div_ceil(8)).map(move |byte| {
@@ -182,7 +187,7 @@ impl Span {
 }
 
 /// `0.4–1.7`: from bit 4 of byte 0 to bit 7 of byte 1.
-impl std::fmt::Display for Span {
+impl std::fmt::Display for BitSpan {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let last = self.end.saturating_sub(1);
         write!(f, "{}.{}", self.start / 8, self.start % 8)?;
@@ -222,17 +227,17 @@ pub(super) mod tests {
         device
     }
 
-    fn layout(count: Option<u64>, mapped: &[u64]) -> Layout {
+    fn layout(count: Option<u64>, mapped: &[u64]) -> FrameLayout {
         let mapped: Vec<Option<u64>> = mapped.iter().copied().map(Some).collect();
         layout_of(&device(count, &mapped))
     }
 
-    fn layout_of(device: &Device) -> Layout {
+    fn layout_of(device: &Device) -> FrameLayout {
         let pdo = device.pdo(PdoKind::Tpdo, 1).unwrap();
-        Layout::new(device, &pdo, &|entry| entry.name.to_string())
+        FrameLayout::new(device, &pdo, &|entry| entry.name.to_string())
     }
 
-    fn spans(layout: &Layout) -> Vec<String> {
+    fn spans(layout: &FrameLayout) -> Vec<String> {
         layout.shown().map(|(_, span)| span.to_string()).collect()
     }
 
@@ -243,11 +248,11 @@ pub(super) mod tests {
         let kinds: Vec<FieldKind> = layout.fields.iter().map(|field| field.kind).collect();
         assert_eq!(kinds, [FieldKind::Object, FieldKind::Dummy, FieldKind::Object, FieldKind::Object]);
         assert_eq!((layout.bits(), layout.rest()), (Some(32), None));
-        let rows: Vec<_> = Span { start: 4, end: 18 }.rows().collect();
+        let rows: Vec<_> = BitSpan { start: 4, end: 18 }.rows().collect();
         assert_eq!(rows, [(0, 4, 8), (1, 0, 8), (2, 0, 2)]);
         assert_eq!(layout.fields[2].anchor().map(|anchor| anchor.to_string()).as_deref(), Some("6000sub2"));
         let short = super::tests::layout(Some(1), &[0x6000_010C]);
-        assert_eq!((short.bytes(), short.rest()), (2, Some(Span { start: 12, end: 16 })));
+        assert_eq!((short.bytes(), short.rest()), (2, Some(BitSpan { start: 12, end: 16 })));
     }
 
     #[test]
@@ -263,19 +268,19 @@ pub(super) mod tests {
     fn what_does_not_fit_is_cut() {
         let layout = layout(Some(3), &[0x6000_0130, 0x6000_0220, 0x6000_0308]);
         assert_eq!(spans(&layout), ["0.0–5.7", "6.0–7.7"]);
-        let cut: Vec<bool> = layout.fields.iter().map(Field::is_cut).collect();
+        let cut: Vec<bool> = layout.fields.iter().map(LayoutField::is_cut).collect();
         assert_eq!((cut.as_slice(), layout.bits()), (&[false, true, true][..], Some(88)));
     }
 
     #[test]
     fn numbers_that_are_no_count() {
         let content = |count| layout(count, &[0x6000_0108, 0x6000_0208, 0]).content;
-        assert_eq!(content(Some(0)), Content::Nothing);
-        assert_eq!(content(Some(0xFE)), Content::SourceMultiplexed);
-        assert_eq!(content(Some(0xFF)), Content::DestinationMultiplexed);
-        assert_eq!(content(Some(65)), Content::Reserved(65));
+        assert_eq!(content(Some(0)), FrameContent::Nothing);
+        assert_eq!(content(Some(0xFE)), FrameContent::SourceMultiplexed);
+        assert_eq!(content(Some(0xFF)), FrameContent::DestinationMultiplexed);
+        assert_eq!(content(Some(65)), FrameContent::Reserved(65));
         let layout = layout(None, &[0x6000_0108, 0x6000_0208, 0]);
-        assert_eq!((layout.content, layout.bits()), (Content::Unstated, Some(16)));
+        assert_eq!((layout.content, layout.bits()), (FrameContent::Unstated, Some(16)));
     }
 
     #[test]
@@ -301,7 +306,7 @@ pub(super) mod tests {
     fn entries_that_nobody_describes() {
         let layout = layout(Some(3), &[0x7000_0108, 0, 0x6000_4010]);
         let kinds: Vec<_> = layout.fields.iter().map(|field| (field.kind, field.span())).collect();
-        let span = |start, end| Some(Span { start, end });
+        let span = |start, end| Some(BitSpan { start, end });
         assert_eq!(
             kinds,
             [(FieldKind::Missing, span(0, 8)), (FieldKind::Gap, None), (FieldKind::Missing, span(8, 24))]

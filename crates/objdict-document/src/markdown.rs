@@ -4,25 +4,25 @@ use std::borrow::Cow;
 
 use askama::Template;
 
-use super::details::{Details, Part};
+use super::details::{BitPart, Details};
 use super::entry::EntryView;
 use super::escape::filters;
 use super::object::ObjectView;
 use super::page::Page;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 
 /// Larger arrays are folded.
 const LONG: usize = 10;
 
 #[derive(Template)]
 #[template(path = "markdown/page.md")]
-struct PageTemplate<'a> {
+struct MarkdownPage<'a> {
     page: &'a Page<'a>,
     version: &'static str,
 }
 
 /// A line of a table cell.
-struct Line<'a> {
+struct CellLine<'a> {
     /// The label; may be empty.
     label: Cow<'a, str>,
     /// Whether the label is a key of the file.
@@ -34,7 +34,7 @@ struct Line<'a> {
     values: Vec<(String, &'a str)>,
 }
 
-impl<'a> Line<'a> {
+impl<'a> CellLine<'a> {
     fn new(label: impl Into<Cow<'a, str>>, text: impl Into<Cow<'a, str>>) -> Self {
         Self { label: label.into(), is_key: false, text: text.into(), pdos: &[], values: Vec::new() }
     }
@@ -43,7 +43,7 @@ impl<'a> Line<'a> {
         Self { is_key: true, ..Self::new(label, text) }
     }
 
-    fn part(part: &Part<'a>, texts: &Texts) -> Self {
+    fn part(part: &BitPart<'a>, texts: &LanguageTexts) -> Self {
         Self {
             values: part.values.clone(),
             ..Self::key(format!("{} {}", texts.bit, part.range()), part.name)
@@ -51,44 +51,44 @@ impl<'a> Line<'a> {
     }
 }
 
-impl<'a> PageTemplate<'a> {
+impl<'a> MarkdownPage<'a> {
     /// The last column of an entry.
-    fn lines_of_entry(&self, entry: &'a EntryView<'a>) -> Vec<Line<'a>> {
-        let mut lines: Vec<Line<'a>> =
-            entry.own_name.iter().map(|name| Line::key(name.as_ref(), "")).collect();
-        lines.extend(entry.meaning.as_deref().map(|meaning| Line::new("", meaning)));
+    fn lines_of_entry(&self, entry: &'a EntryView<'a>) -> Vec<CellLine<'a>> {
+        let mut lines: Vec<CellLine<'a>> =
+            entry.own_name.iter().map(|name| CellLine::key(name.as_ref(), "")).collect();
+        lines.extend(entry.meaning.as_deref().map(|meaning| CellLine::new("", meaning)));
         if entry.has_limits() {
-            lines.push(Line::new(self.page.texts.limits, format!("{} … {}", entry.low, entry.high)));
+            lines.push(CellLine::new(self.page.texts.limits, format!("{} … {}", entry.low, entry.high)));
         }
         self.add(&entry.details, &mut lines);
         lines
     }
 
     /// The details of the whole object.
-    fn lines_of_object(&self, object: &'a ObjectView<'a>) -> Vec<Line<'a>> {
-        let mut lines: Vec<Line<'a>> =
-            object.own_name.iter().map(|name| Line::key(name.as_ref(), "")).collect();
+    fn lines_of_object(&self, object: &'a ObjectView<'a>) -> Vec<CellLine<'a>> {
+        let mut lines: Vec<CellLine<'a>> =
+            object.own_name.iter().map(|name| CellLine::key(name.as_ref(), "")).collect();
         self.add(&object.details, &mut lines);
         lines
     }
 
-    fn add(&self, details: &'a Details<'a>, lines: &mut Vec<Line<'a>>) {
+    fn add(&self, details: &'a Details<'a>, lines: &mut Vec<CellLine<'a>>) {
         let texts = self.page.texts;
-        lines.extend(details.description.as_deref().map(|text| Line::new("", text)));
-        lines.extend(details.allowed.as_deref().map(|values| Line::new(texts.allowed, values)));
-        lines.extend(details.unit.as_deref().map(|unit| Line::new(texts.unit, unit)));
-        lines.extend(details.denotation.as_deref().map(|text| Line::new(texts.denotation, text)));
+        lines.extend(details.description.as_deref().map(|text| CellLine::new("", text)));
+        lines.extend(details.allowed.as_deref().map(|values| CellLine::new(texts.allowed, values)));
+        lines.extend(details.unit.as_deref().map(|unit| CellLine::new(texts.unit, unit)));
+        lines.extend(details.denotation.as_deref().map(|text| CellLine::new(texts.denotation, text)));
         if !details.carried_by.is_empty() {
-            lines.push(Line { pdos: &details.carried_by, ..Line::new(texts.mapped, "") });
+            lines.push(CellLine { pdos: &details.carried_by, ..CellLine::new(texts.mapped, "") });
         }
-        lines.extend(details.facts.iter().map(|(name, text)| Line::new(*name, text)));
-        lines.extend(details.keys.iter().map(|(name, text)| Line::key(name, text)));
+        lines.extend(details.facts.iter().map(|(name, text)| CellLine::new(*name, text)));
+        lines.extend(details.keys.iter().map(|(name, text)| CellLine::key(name, text)));
         if !details.values.is_empty() {
             let values = details.values.iter().map(|&(number, name)| (number.to_string(), name));
-            lines.push(Line { values: values.collect(), ..Line::new("", "") });
+            lines.push(CellLine { values: values.collect(), ..CellLine::new("", "") });
         }
-        lines.extend(details.parts.iter().chain(&details.word).map(|part| Line::part(part, texts)));
-        lines.extend(details.word_of.map(|first| Line::new(texts.bits_as, first.spoken())));
+        lines.extend(details.parts.iter().chain(&details.word).map(|part| CellLine::part(part, texts)));
+        lines.extend(details.word_of.map(|first| CellLine::new(texts.bits_as, first.spoken())));
     }
 
     /// Whether an object is folded because it has many similar entries.
@@ -99,7 +99,7 @@ impl<'a> PageTemplate<'a> {
 
 /// Writes the page as Markdown.
 pub(super) fn write(page: &Page<'_>) -> String {
-    let template = PageTemplate { page, version: env!("CARGO_PKG_VERSION") };
+    let template = MarkdownPage { page, version: env!("CARGO_PKG_VERSION") };
     // approximate size per entry, to avoid reallocation
     let mut text = String::with_capacity(10_000 + 200 * page.entry_count());
     // writing to a String cannot fail, nor do the template filters

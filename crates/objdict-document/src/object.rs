@@ -9,7 +9,7 @@ use super::context::Context;
 use super::details::{self, Details};
 use super::entry::EntryView;
 use super::subject::CodeName;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::describe::is_of_cia;
 use crate::model::{Device, Object, ObjectType};
 use crate::profile;
@@ -131,7 +131,7 @@ fn say_once(areas: &mut [Area<'_>]) {
     }
 }
 
-type Title = fn(&Texts, &Device, u16) -> String;
+type Title = fn(&LanguageTexts, &Device, u16) -> String;
 
 /// CiA 301 table 31, with the standardised device profiles separated.
 const AREAS: [(&str, Title, RangeInclusive<u16>); 14] = [
@@ -152,7 +152,7 @@ const AREAS: [(&str, Title, RangeInclusive<u16>); 14] = [
 ];
 
 /// `Device profile CiA 402`; with a number if the device has several profiles.
-fn profile_title(texts: &Texts, device: &Device, first: u16) -> String {
+fn profile_title(texts: &LanguageTexts, device: &Device, first: u16) -> String {
     let block = u8::try_from((first - 0x6000) / 0x800).unwrap_or_default();
     let has_several = device.objects.range(0x6800..=0x9FFF).next().is_some();
     let number = crate::profile::number_of(device, block).filter(|&number| is_of_cia(number.into()));

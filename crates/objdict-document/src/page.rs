@@ -7,25 +7,25 @@ use super::card::Card;
 use super::communication::Communication;
 use super::context::Context;
 use super::downloads::{self, DownloadView};
-use super::finding::Found;
+use super::finding::RuleFindings;
 use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
 use super::options::Options;
 use super::states::{self, ErrorCode, StatesView};
 use super::subject::Subject;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::Language;
 
 /// The documentation of a device in words.
 pub(crate) struct Page<'a> {
     pub(crate) language: Language,
-    pub(crate) texts: &'static Texts,
+    pub(crate) texts: &'static LanguageTexts,
     pub(crate) title: String,
     /// The node-ID for formulas.
     pub(crate) node_id: Option<u8>,
     pub(crate) card: Card,
     /// The findings of `check` by rule; `None` if it did not run.
-    pub(crate) findings: Option<Vec<Found<'a>>>,
+    pub(crate) findings: Option<Vec<RuleFindings<'a>>>,
     pub(crate) communication: Communication,
     /// What configures the node, in order; empty for a device type.
     pub(crate) downloads: Vec<DownloadView>,
@@ -58,7 +58,7 @@ impl<'a> Page<'a> {
             title: options.title.clone().unwrap_or_else(|| card.title.clone()),
             node_id: context.node_id,
             card,
-            findings: subject.findings.map(Found::by_rule),
+            findings: subject.findings.map(RuleFindings::by_rule),
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
             downloads: downloads::downloads(context),
             states: states::states(context),

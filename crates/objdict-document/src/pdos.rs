@@ -2,8 +2,8 @@
 
 use super::anchor::Anchor;
 use super::diagram::Diagram;
-use super::layout::{Content, FRAME_BITS, Field, FieldKind, Layout};
-use super::sentence::{self, ChangedCobId, Part};
+use super::layout::{FRAME_BITS, FieldKind, FrameContent, FrameLayout, LayoutField};
+use super::sentence::{self, ChangedCobId, Clause};
 use crate::Language;
 use crate::describe::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
@@ -19,15 +19,15 @@ pub(crate) struct PdoView {
     /// Communication and mapping parameter, if described.
     pub(crate) objects: Vec<Anchor>,
     /// The sentence.
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<Clause>,
     /// Problems of the mapping.
     pub(crate) remarks: Vec<String>,
     pub(crate) diagram: Option<Diagram>,
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<MappedObjectRow>,
 }
 
 /// A mapped object in the table.
-pub(crate) struct Row {
+pub(crate) struct MappedObjectRow {
     /// `0.0–1.7`; empty if outside the frame.
     pub(crate) span: String,
     /// The entry, if the description has it.
@@ -53,7 +53,7 @@ pub(crate) fn anchor(title: &str) -> String {
 }
 
 fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -> PdoView {
-    let layout = Layout::new(decoder.device, pdo, name);
+    let layout = FrameLayout::new(decoder.device, pdo, name);
     let title = pdo.to_string();
     let objects = [(pdo.communication_index(), pdo.communication), (pdo.mapping_index(), pdo.mapping)];
     let objects = objects.into_iter().filter(|(_, object)| object.is_some());
@@ -61,7 +61,7 @@ fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -
         id: anchor(&title),
         is_off: pdo.is_valid() == Some(false),
         objects: objects.map(|(index, _)| Anchor::object(index)).collect(),
-        parts: Parts { decoder, pdo, parts: Vec::new() }.all(&layout),
+        parts: PdoSentence { decoder, pdo, parts: Vec::new() }.all(&layout),
         remarks: remarks(decoder, pdo, &layout),
         diagram: Diagram::new(&title, &layout, decoder.language),
         rows: layout.fields.iter().map(|field| row(decoder, pdo, field)).collect(),
@@ -70,14 +70,14 @@ fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -
 }
 
 /// Builder for the sentence about a PDO.
-struct Parts<'a> {
+struct PdoSentence<'a> {
     decoder: &'a Decoder<'a>,
     pdo: &'a Pdo<'a>,
-    parts: Vec<Part>,
+    parts: Vec<Clause>,
 }
 
-impl Parts<'_> {
-    fn all(mut self, layout: &Layout) -> Vec<Part> {
+impl PdoSentence<'_> {
+    fn all(mut self, layout: &FrameLayout) -> Vec<Clause> {
         self.cob_id();
         match self.pdo.transmission_type {
             Some(number) => {
@@ -92,7 +92,7 @@ impl Parts<'_> {
     }
 
     fn put(&mut self, sub: u8, text: String) {
-        self.parts.push(Part::of(self.decoder, self.pdo.communication_index(), sub, text));
+        self.parts.push(Clause::of(self.decoder, self.pdo.communication_index(), sub, text));
     }
 
     fn say(&mut self, sub: u8, (english, german): (&str, &str)) {
@@ -154,32 +154,32 @@ impl Parts<'_> {
     }
 
     /// The mapping, and whether it can be changed.
-    fn mapping(&mut self, layout: &Layout) {
+    fn mapping(&mut self, layout: &FrameLayout) {
         let (language, index) = (self.decoder.language, self.pdo.mapping_index());
         let text = match (layout.content, layout.bits()) {
             _ if self.pdo.mapping.is_none() => {
                 language.pick("mapping not described", "Mapping nicht beschrieben").to_owned()
             }
-            (Content::Nothing, _) => language.pick("carries nothing", "trägt nichts").to_owned(),
-            (Content::SourceMultiplexed, _) => {
+            (FrameContent::Nothing, _) => language.pick("carries nothing", "trägt nichts").to_owned(),
+            (FrameContent::SourceMultiplexed, _) => {
                 language.pick("multiplexed, names its source", "Multiplex-PDO, nennt seine Quelle").to_owned()
             }
-            (Content::DestinationMultiplexed, _) => language
+            (FrameContent::DestinationMultiplexed, _) => language
                 .pick("multiplexed, names its destination", "Multiplex-PDO, nennt sein Ziel")
                 .to_owned(),
-            (Content::Reserved(_) | Content::Unstated, _) | (_, None) => {
+            (FrameContent::Reserved(_) | FrameContent::Unstated, _) | (_, None) => {
                 language.pick("mapping not known", "Mapping nicht bekannt").to_owned()
             }
-            (Content::Objects, Some(bits)) => carries(bits, language),
+            (FrameContent::Objects, Some(bits)) => carries(bits, language),
         };
-        self.parts.push(Part::of(self.decoder, index, 0, text));
+        self.parts.push(Clause::of(self.decoder, index, 0, text));
         let count = self.pdo.mapping.and_then(|mapping| mapping.entry(0));
         if let Some(access) = count.and_then(|count| count.access) {
             let (english, german) = match access.is_writable() {
                 true => ("mapping variable", "Mapping änderbar"),
                 false => ("mapping fixed", "Mapping fest"),
             };
-            let part = Part::of(self.decoder, index, 0, language.pick(english, german));
+            let part = Clause::of(self.decoder, index, 0, language.pick(english, german));
             self.parts.push(part.only_if(false));
         }
     }
@@ -202,16 +202,16 @@ fn carries(bits: u32, language: Language) -> String {
 }
 
 /// Problems of a mapping.
-fn remarks(decoder: &Decoder<'_>, pdo: &Pdo<'_>, layout: &Layout) -> Vec<String> {
+fn remarks(decoder: &Decoder<'_>, pdo: &Pdo<'_>, layout: &FrameLayout) -> Vec<String> {
     let mut remarks = Vec::new();
     match (layout.content, decoder.language) {
-        (Content::Reserved(count), Language::English) => {
+        (FrameContent::Reserved(count), Language::English) => {
             remarks.push(format!("{count} is not a valid number of mapped objects"));
         }
-        (Content::Reserved(count), Language::German) => {
+        (FrameContent::Reserved(count), Language::German) => {
             remarks.push(format!("{count} ist keine Anzahl gemappter Objekte"));
         }
-        (Content::Unstated, language) if pdo.mapping.is_some() => {
+        (FrameContent::Unstated, language) if pdo.mapping.is_some() => {
             let text = language.pick(
                 "The description does not say how many objects are mapped.",
                 "Die Beschreibung sagt nicht, wie viele Objekte gemappt sind.",
@@ -241,7 +241,7 @@ fn remarks(decoder: &Decoder<'_>, pdo: &Pdo<'_>, layout: &Layout) -> Vec<String>
     remarks
 }
 
-fn row(decoder: &Decoder<'_>, pdo: &Pdo<'_>, field: &Field) -> Row {
+fn row(decoder: &Decoder<'_>, pdo: &Pdo<'_>, field: &LayoutField) -> MappedObjectRow {
     let language = decoder.language;
     let object = field.object.filter(|object| !object.is_unused());
     let (english, german) = match field.kind {
@@ -251,7 +251,7 @@ fn row(decoder: &Decoder<'_>, pdo: &Pdo<'_>, field: &Field) -> Row {
         FieldKind::Gap if field.object.is_some() => ("nothing", "nichts"),
         FieldKind::Gap => ("not stated", "nicht angegeben"),
     };
-    Row {
+    MappedObjectRow {
         span: field.span().map(|span| span.to_string()).unwrap_or_default()
             + if field.is_cut() && field.span().is_some() { "…" } else { "" },
         anchor: field.anchor(),

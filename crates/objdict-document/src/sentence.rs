@@ -7,7 +7,7 @@ use crate::model::{CobId, Device};
 
 /// A part of a sentence, followed by a comma.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Part {
+pub(crate) struct Clause {
     pub(crate) text: String,
     /// The source entry, if the description has it.
     pub(crate) anchor: Option<Anchor>,
@@ -17,7 +17,7 @@ pub(crate) struct Part {
     pub(crate) default: Option<String>,
 }
 
-impl Part {
+impl Clause {
     /// A part without a source entry.
     pub(super) fn plain(text: impl Into<String>) -> Self {
         Self { text: text.into(), anchor: None, is_changed: false, default: None }
@@ -102,6 +102,6 @@ pub(super) fn cob_id(decoder: &Decoder<'_>, id: CobId) -> String {
 
 /// The text of the parts, separated by commas.
 #[cfg(test)]
-pub(super) fn joined(parts: &[Part]) -> String {
+pub(super) fn joined(parts: &[Clause]) -> String {
     parts.iter().map(|part| &*part.text).collect::<Vec<_>>().join(", ")
 }

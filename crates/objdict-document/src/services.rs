@@ -1,19 +1,19 @@
 //! Services of a device other than PDOs, in words.
 
-use super::sentence::{self, ChangedCobId, Part};
+use super::sentence::{self, ChangedCobId, Clause};
 use crate::Language;
 use crate::describe::{Decoder, time};
 use crate::model::{CobId, Entry, Object, SdoChannel, Services};
 
 /// View of a service.
-pub(crate) struct Service {
+pub(crate) struct ServiceView {
     pub(crate) name: String,
     /// The sentence.
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<Clause>,
 }
 
 /// The services in the description. `name` supplies the names of entries.
-pub(crate) fn services(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Vec<Service> {
+pub(crate) fn services(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Vec<ServiceView> {
     let facts = decoder.device.services();
     let speaker = Speaker { decoder, facts: &facts, entry_name: name };
     let mut all = vec![
@@ -46,16 +46,16 @@ struct Speaker<'a> {
 }
 
 impl Speaker<'_> {
-    fn service(&self, name: &str, parts: Vec<Part>) -> Service {
-        Service { name: name.to_owned(), parts }
+    fn service(&self, name: &str, parts: Vec<Clause>) -> ServiceView {
+        ServiceView { name: name.to_owned(), parts }
     }
 
     fn pick(&self, english: &'static str, german: &'static str) -> &'static str {
         self.decoder.language.pick(english, german)
     }
 
-    fn part(&self, index: u16, sub: u8, text: impl Into<String>) -> Part {
-        Part::of(self.decoder, index, sub, text)
+    fn part(&self, index: u16, sub: u8, text: impl Into<String>) -> Clause {
+        Clause::of(self.decoder, index, sub, text)
     }
 
     fn has(&self, index: u16) -> bool {
@@ -69,7 +69,7 @@ impl Speaker<'_> {
         number: Option<u32>,
         (english, german): (&'static str, &'static str),
         words: impl FnOnce(u32) -> String,
-    ) -> Option<Part> {
+    ) -> Option<Clause> {
         let text = match number? {
             0 => self.pick(english, german).to_owned(),
             number => words(number),
@@ -78,7 +78,7 @@ impl Speaker<'_> {
     }
 
     /// The COB-ID of an object, or a note that it is not stated; `None` if the object does not exist.
-    fn cob_id(&self, index: u16, sub: u8, id: Option<CobId>) -> Option<Part> {
+    fn cob_id(&self, index: u16, sub: u8, id: Option<CobId>) -> Option<Clause> {
         let text = match id {
             Some(id) => sentence::cob_id(self.decoder, id),
             None => self.pick("COB-ID not stated", "COB-ID nicht angegeben").to_owned(),
@@ -89,7 +89,7 @@ impl Speaker<'_> {
         self.has(index).then(|| self.part(index, sub, text).only_if(is_changed))
     }
 
-    fn nmt(&self) -> Vec<Part> {
+    fn nmt(&self) -> Vec<Clause> {
         let Some(info) = &self.decoder.device.device_info else { return Vec::new() };
         self.roles(&[
             (info.simple_boot_up_slave, "boots up as a slave", "startet als Slave"),
@@ -100,12 +100,12 @@ impl Speaker<'_> {
     }
 
     /// Roles of a device.
-    fn roles(&self, roles: &[(Option<bool>, &'static str, &'static str)]) -> Vec<Part> {
+    fn roles(&self, roles: &[(Option<bool>, &'static str, &'static str)]) -> Vec<Clause> {
         let roles = roles.iter().filter(|(is_so, ..)| *is_so == Some(true));
-        roles.map(|(_, english, german)| Part::plain(self.pick(english, german))).collect()
+        roles.map(|(_, english, german)| Clause::plain(self.pick(english, german))).collect()
     }
 
-    fn sync(&self) -> Vec<Part> {
+    fn sync(&self) -> Vec<Clause> {
         let Some(cob_id) = self.cob_id(0x1005, 0, self.facts.sync) else { return Vec::new() };
         let language = self.decoder.language;
         let change = ChangedCobId::of(self.decoder, 0x1005, 0);
@@ -130,7 +130,7 @@ impl Speaker<'_> {
         parts
     }
 
-    fn time(&self) -> Vec<Part> {
+    fn time(&self) -> Vec<Clause> {
         let Some(cob_id) = self.cob_id(0x1012, 0, self.facts.time) else { return Vec::new() };
         let roles = self.facts.time.map(|id| {
             let change = ChangedCobId::of(self.decoder, 0x1012, 0);
@@ -139,8 +139,8 @@ impl Speaker<'_> {
         std::iter::once(cob_id).chain(roles).collect()
     }
 
-    fn emcy(&self) -> Vec<Part> {
-        let mut parts: Vec<Part> = self.cob_id(0x1014, 0, self.facts.emcy).into_iter().collect();
+    fn emcy(&self) -> Vec<Clause> {
+        let mut parts: Vec<Clause> = self.cob_id(0x1014, 0, self.facts.emcy).into_iter().collect();
         if let Some(id) = self.facts.emcy.filter(|id| !id.is_valid()) {
             let change = ChangedCobId::of(self.decoder, 0x1014, 0);
             parts.push(self.part(0x1014, 0, self.decoder.validity(id)).only_if(change.bit_31));
@@ -163,7 +163,7 @@ impl Speaker<'_> {
         parts
     }
 
-    fn emcy_consumers(&self) -> Vec<Part> {
+    fn emcy_consumers(&self) -> Vec<Clause> {
         let consumers = emcy_consumers(self.decoder).into_iter().map(|(node, id)| {
             let of = self.pick("node", "Knoten");
             self.part(0x1028, node, format!("{of} {node}: {}", sentence::cob_id(self.decoder, id)))
@@ -172,14 +172,14 @@ impl Speaker<'_> {
     }
 
     /// The parts, or a note that no entry of the object is in use.
-    fn or_unused(&self, index: u16, parts: Vec<Part>) -> Vec<Part> {
+    fn or_unused(&self, index: u16, parts: Vec<Clause>) -> Vec<Clause> {
         if parts.is_empty() && self.has(index) {
             return vec![self.part(index, 0, self.pick("none in use", "keiner in Gebrauch"))];
         }
         parts
     }
 
-    fn heartbeat(&self) -> Vec<Part> {
+    fn heartbeat(&self) -> Vec<Clause> {
         if !self.has(0x1017) {
             return Vec::new();
         }
@@ -191,7 +191,7 @@ impl Speaker<'_> {
         vec![self.part(0x1017, 0, text)]
     }
 
-    fn watched(&self) -> Vec<Part> {
+    fn watched(&self) -> Vec<Clause> {
         let consumers = self.facts.heartbeat_consumers.iter().map(|consumer| {
             let (node, time) = (consumer.node_id, consumer.time);
             let text = match self.decoder.language {
@@ -203,7 +203,7 @@ impl Speaker<'_> {
         self.or_unused(0x1016, consumers.collect())
     }
 
-    fn guarding(&self) -> Vec<Part> {
+    fn guarding(&self) -> Vec<Clause> {
         let [guard, factor] = [0x100C, 0x100D].map(|index| self.decoder.number(index, 0));
         let time = self.number(0x100C, guard, ("guard time off", "Guard-Time aus"), |guard| {
             format!("{} {guard} ms", self.pick("guard time", "Guard-Time"))
@@ -217,7 +217,7 @@ impl Speaker<'_> {
         time.into_iter().chain(life).collect()
     }
 
-    fn sdo(&self, german: &'static str, english: &'static str, channel: &SdoChannel) -> Service {
+    fn sdo(&self, german: &'static str, english: &'static str, channel: &SdoChannel) -> ServiceView {
         let direction = |sub, id: Option<CobId>, english, german| {
             let name = self.pick(english, german);
             let text = match id {
@@ -238,7 +238,7 @@ impl Speaker<'_> {
     }
 
     /// An SRDO (CiA 304), if the device has it.
-    fn srdo(&self, number: u16) -> Service {
+    fn srdo(&self, number: u16) -> ServiceView {
         let index = 0x1300 + number;
         let values = (1..=6).filter_map(|sub| {
             let entry = self.decoder.device.entry(index, sub)?;
@@ -254,7 +254,7 @@ impl Speaker<'_> {
     }
 
     /// The value of each sub-index with its name; only the name without a value.
-    fn each(&self, index: u16) -> Vec<Part> {
+    fn each(&self, index: u16) -> Vec<Clause> {
         let Some(object) = self.decoder.device.object(index) else { return Vec::new() };
         let entries = object.entries().filter(|(sub, _)| *sub > 0);
         let parts = entries.map(|(sub, entry)| {
@@ -265,7 +265,7 @@ impl Speaker<'_> {
         parts.collect()
     }
 
-    fn lss(&self) -> Vec<Part> {
+    fn lss(&self) -> Vec<Clause> {
         let Some(info) = &self.decoder.device.device_info else { return Vec::new() };
         self.roles(&[
             (

@@ -7,7 +7,7 @@ use askama::Template;
 
 use super::anchor::Anchor;
 use super::context::Context;
-use super::csv::{self, Column};
+use super::csv::{self, CsvColumn};
 use super::escape::{address, filters};
 use super::form::Form;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
@@ -15,7 +15,7 @@ use super::options::Options;
 use super::page::Page;
 use super::policy::with_policy;
 use super::subject::Subject;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use super::write::write_page;
 use crate::Language;
 use crate::diagnostic::Severity;
@@ -46,11 +46,11 @@ pub struct Site {
     devices: Vec<Listed>,
     networks: Vec<SiteNetwork>,
     nodes: Vec<StatedNode>,
-    places: Places,
+    places: SitePlaces,
 }
 
 /// The objects and entries of all devices by place and name, each with the numbers of its devices.
-type Places = BTreeMap<(u16, Option<u8>, String), Vec<usize>>;
+type SitePlaces = BTreeMap<(u16, Option<u8>, String), Vec<usize>>;
 
 /// A file of a site.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -141,7 +141,7 @@ impl Site {
         self.nodes.retain(|node| !is_given(node));
         self.networks.extend(stated(self.nodes, self.options.tag()));
         let language = self.options.own_language();
-        let texts = Texts::of(language);
+        let texts = LanguageTexts::of(language);
         let name_of = match self.networks.as_slice() {
             [network] if network.file.is_some() => {
                 network.overview.name.as_deref().or(network.file.as_deref())
@@ -219,7 +219,7 @@ impl Listed {
 }
 
 /// Adds the objects and entries of a device.
-fn add_places(places: &mut Places, number: usize, page: &Page<'_>) {
+fn add_places(places: &mut SitePlaces, number: usize, page: &Page<'_>) {
     let mut add = |anchor: Anchor, name: &str| {
         places.entry((anchor.index, anchor.sub, name.to_owned())).or_default().push(number);
     };
@@ -233,11 +233,11 @@ fn add_places(places: &mut Places, number: usize, page: &Page<'_>) {
 /// Data of the index template.
 struct Index<'a> {
     language: Language,
-    texts: &'static Texts,
+    texts: &'static LanguageTexts,
     title: &'a str,
     devices: &'a [Listed],
     networks: Vec<NetworkView<'a>>,
-    places: &'a Places,
+    places: &'a SitePlaces,
     version: &'static str,
 }
 
@@ -269,7 +269,7 @@ struct MarkdownIndex<'a> {
 }
 
 /// The table of devices, a line each. As in the other tables, columns are never renamed, moved or removed.
-const COLUMNS: [Column<Listed>; 15] = [
+const COLUMNS: [CsvColumn<Listed>; 15] = [
     ("file", |device| device.file.clone()),
     ("format", |device| device.format.clone()),
     ("table", |device| device.link.clone()),

@@ -6,16 +6,16 @@ use crate::Language;
 macro_rules! texts {
     ($($name:ident: $english:literal, $german:literal;)+) => {
         /// Headings and words in one language.
-        pub(crate) struct Texts {
+        pub(crate) struct LanguageTexts {
             $(pub(crate) $name: &'static str,)+
         }
 
-        static ENGLISH: Texts = Texts { $($name: $english,)+ };
-        static GERMAN: Texts = Texts { $($name: $german,)+ };
+        static ENGLISH: LanguageTexts = LanguageTexts { $($name: $english,)+ };
+        static GERMAN: LanguageTexts = LanguageTexts { $($name: $german,)+ };
     };
 }
 
-impl Texts {
+impl LanguageTexts {
     /// Returns the texts of a language.
     pub(crate) fn of(language: Language) -> &'static Self {
         match language {

@@ -13,15 +13,15 @@ const VALUE: Assumed = Assumed(DataType::DOMAIN, Access::Rw);
 const COUNT: Assumed = Assumed(DataType::UNSIGNED8, Access::Ro);
 
 /// Where an entry is; without a sub-index, what the object itself describes.
-type Address = (u16, Option<u8>);
+type EntryAddress = (u16, Option<u8>);
 
 /// The data type that an entry of an object has.
-fn data_type(device: &Device, (index, sub): Address, entry: &Entry) -> Option<DataType> {
+fn data_type(device: &Device, (index, sub): EntryAddress, entry: &Entry) -> Option<DataType> {
     entry.implied_type().or_else(|| profile::data_type(device, index, sub))
 }
 
 /// The access that an entry of an object has.
-fn access(device: &Device, (index, sub): Address, entry: &Entry) -> Option<Access> {
+fn access(device: &Device, (index, sub): EntryAddress, entry: &Entry) -> Option<Access> {
     let meant = || entry.invalid_values.get(&Field::AccessType).and_then(InvalidValue::intended_access);
     entry.implied_access().or_else(|| profile::access(device, index, sub)).or_else(meant)
 }
@@ -38,7 +38,7 @@ pub(super) fn complete(device: &Device, index: u16, object: &mut Object) {
     }
 }
 
-fn complete_entry(device: &Device, at: Address, entry: &mut Entry, assumed: Assumed) {
+fn complete_entry(device: &Device, at: EntryAddress, entry: &mut Entry, assumed: Assumed) {
     entry.data_type = data_type(device, at, entry).or(Some(assumed.0));
     entry.access = access(device, at, entry).or(Some(assumed.1));
     let stated = [Field::DataType, Field::AccessType, Field::ObjectType];

@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::path::PathBuf;
 
 use super::Format;
-use crate::text::{self, Text};
+use crate::text::{self, DescriptionText};
 use objdict_eds::eds;
 use objdict_eds::ini::Document;
 use objdict_model::diagnostic::{At, Findings, one_line};
@@ -26,7 +26,7 @@ use objdict_xdd::xml::Tree;
 #[derive(Debug)]
 pub struct Description {
     format: Format,
-    text: Box<dyn Text>,
+    text: Box<dyn DescriptionText>,
     /// Which device of the file it is.
     number: usize,
     device: Device,

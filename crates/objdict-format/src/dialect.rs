@@ -29,7 +29,7 @@ pub enum Dialect {
 }
 
 /// What a reader needs.
-struct Row {
+struct ReaderRow {
     dialect: Dialect,
     name: &'static str,
     /// Whose reactions to findings are known.
@@ -46,7 +46,7 @@ struct Row {
     frame: bool,
 }
 
-const ANY: Row = Row {
+const ANY: ReaderRow = ReaderRow {
     dialect: Dialect::Cia306,
     name: "cia306",
     tool: None,
@@ -59,9 +59,9 @@ const ANY: Row = Row {
 };
 
 /// All readers.
-const ROWS: [Row; 5] = [
+const ROWS: [ReaderRow; 5] = [
     ANY,
-    Row {
+    ReaderRow {
         dialect: Dialect::Lely,
         name: "lely",
         tool: Some(Tool::DcfTools),
@@ -72,7 +72,7 @@ const ROWS: [Row; 5] = [
         known_only: true,
         frame: false,
     },
-    Row {
+    ReaderRow {
         dialect: Dialect::PythonCanopen,
         name: "python-canopen",
         tool: Some(Tool::PythonCanopen),
@@ -80,7 +80,7 @@ const ROWS: [Row; 5] = [
         frame: true,
         ..ANY
     },
-    Row {
+    ReaderRow {
         dialect: Dialect::CanOpenEditor,
         name: "canopeneditor",
         tool: Some(Tool::CanOpenEditor),
@@ -89,7 +89,7 @@ const ROWS: [Row; 5] = [
         frame: true,
         ..ANY
     },
-    Row { dialect: Dialect::Codesys, name: "codesys", tool: Some(Tool::Codesys), ..ANY },
+    ReaderRow { dialect: Dialect::Codesys, name: "codesys", tool: Some(Tool::Codesys), ..ANY },
 ];
 
 impl Dialect {
@@ -97,7 +97,7 @@ impl Dialect {
     pub const ALL: [Self; 5] =
         [Self::Cia306, Self::Lely, Self::PythonCanopen, Self::CanOpenEditor, Self::Codesys];
 
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static ReaderRow {
         ROWS.iter().find(|row| row.dialect == self).unwrap_or(&ROWS[0])
     }
 
@@ -113,7 +113,7 @@ impl Dialect {
 
     /// How values are spelled.
     pub fn style(self) -> Style {
-        let Row { real, quote_strings, .. } = *self.row();
+        let ReaderRow { real, quote_strings, .. } = *self.row();
         Style { real, quote_strings, ..Style::default() }
     }
 

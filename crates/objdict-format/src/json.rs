@@ -71,7 +71,7 @@ pub struct ConciseDocument<T> {
 /// What every document starts with; the rest is looked at when this is known.
 #[derive(Deserialize)]
 #[serde(expecting = "an object with `version` and `kind`")]
-struct Head {
+struct DocumentHead {
     #[serde(rename = "version")]
     _version: Version<VERSION>,
     kind: DocumentKind,
@@ -92,7 +92,7 @@ pub fn write_configuration(configuration: &ConciseDcf) -> String {
 /// # Errors
 /// When it is no JSON, or no document of this version.
 pub fn kind(text: &str) -> Result<DocumentKind, JsonError> {
-    serde_json::from_str(text).map(|Head { kind, .. }| kind).map_err(JsonError::from)
+    serde_json::from_str(text).map(|DocumentHead { kind, .. }| kind).map_err(JsonError::from)
 }
 
 /// The device of a document.

@@ -12,13 +12,13 @@ use objdict_model::source::{EditError, SourceFile, Span};
 use objdict_xdd::xml::Tree;
 
 /// A text that was read, the device that it describes, and what the reader found.
-pub(crate) type ReadText = (Box<dyn Text>, Device, Findings);
+pub(crate) type ReadText = (Box<dyn DescriptionText>, Device, Findings);
 
 /// Edits: each span with its replacement.
 pub(crate) type TextEdits = Vec<(Span, String)>;
 
 /// A text that was read as one of its devices. What a syntax does not have, such as variants, it leaves as it is here.
-pub(crate) trait Text: Debug + Send + Sync {
+pub(crate) trait DescriptionText: Debug + Send + Sync {
     /// The source.
     fn source(&self) -> &SourceFile;
 
@@ -126,8 +126,8 @@ pub(crate) trait Text: Debug + Send + Sync {
 }
 
 /// Whether validation refuses nothing in a text that it does not refuse in another one of this description.
-pub(crate) fn is_as_valid(text: &dyn Text, other: &dyn Text) -> bool {
-    let count = |text: &dyn Text| {
+pub(crate) fn is_as_valid(text: &dyn DescriptionText, other: &dyn DescriptionText) -> bool {
+    let count = |text: &dyn DescriptionText| {
         let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
         text.violations().iter().for_each(|found| *counts.entry(found.rule.id).or_default() += 1);
         counts

@@ -191,18 +191,18 @@ impl fmt::Display for Loss {
         if let Some(reason) = reason {
             return write!(f, "{}: {place}: {reason}", kind.name());
         }
-        write!(f, "{}: {place}: {}", kind.name(), Shown(value))?;
+        write!(f, "{}: {place}: {}", kind.name(), ShownDatum(value))?;
         match becomes {
-            Some(becomes) => write!(f, " becomes {}", Shown(becomes)),
+            Some(becomes) => write!(f, " becomes {}", ShownDatum(becomes)),
             None => Ok(()),
         }
     }
 }
 
 /// A datum in a line: as JSON, but cut where it is long, and values of entries as they are written.
-struct Shown<'a>(&'a Datum);
+struct ShownDatum<'a>(&'a Datum);
 
-impl fmt::Display for Shown<'_> {
+impl fmt::Display for ShownDatum<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const ROOM: usize = 100;
         let text = match value_of_entry(self.0) {

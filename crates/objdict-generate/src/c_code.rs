@@ -3,7 +3,7 @@
 use super::Options;
 use super::escape::c_string;
 use super::names::words;
-use super::resolve::{Datum, Resolved, Shape, digits};
+use super::resolve::{Encoded, EntryPlan, ValueShape, digits};
 use crate::model::{DataType, TypeKind};
 
 /// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
@@ -59,8 +59,8 @@ pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
 }
 
 /// The type and the initializer of a value, if C has both for it.
-pub(crate) fn typed(shape: Shape, word: u64) -> Option<(DataType, String)> {
-    let Shape::Word(data_type) = shape else { return None };
+pub(crate) fn typed(shape: ValueShape, word: u64) -> Option<(DataType, String)> {
+    let ValueShape::Word(data_type) = shape else { return None };
     exact_type(data_type)?;
     Some((data_type, number(word, data_type)?))
 }
@@ -78,12 +78,12 @@ pub(crate) fn number_type(data_type: DataType, [unsigned, signed, real]: [&str; 
 
 /// The statement that adds `nodeId` to a variable; numbers without a C type are bytes, which the function `store` sets.
 pub(crate) fn assignment(
-    resolved: &Resolved,
+    resolved: &EntryPlan,
     variable: &str,
     words: [&str; 3],
     store: &str,
 ) -> Option<String> {
-    let (Datum::Formula(offset), Shape::Word(data_type)) = (&resolved.default, resolved.shape) else {
+    let (Encoded::Formula(offset), ValueShape::Word(data_type)) = (&resolved.default, resolved.shape) else {
         return None;
     };
     Some(match (number_type(data_type, words), number(*offset, data_type)) {

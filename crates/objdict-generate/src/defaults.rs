@@ -1,7 +1,7 @@
 //! Default values of identity and services, decoded: constants shared by the targets `rust` and `c`.
 
 use super::Note;
-use super::table::Table;
+use super::table::DeviceTable;
 use crate::model::{CobId, Device, Identity, Place, SdoChannel, Services, predefined};
 
 /// A constant.
@@ -34,9 +34,9 @@ pub(crate) enum ConstantValue {
 type Flag = (&'static str, &'static str, fn(CobId) -> bool);
 
 /// The constants of a device, only for entries in the table. Values that cannot be decoded are noted.
-pub(crate) fn constants(device: &Device, table: &Table, notes: &mut Vec<Note>) -> Vec<Constant> {
+pub(crate) fn constants(device: &Device, table: &DeviceTable, notes: &mut Vec<Note>) -> Vec<Constant> {
     let services = device.services();
-    let mut found = Found { device, table, notes, constants: Vec::new() };
+    let mut found = FoundDefault { device, table, notes, constants: Vec::new() };
     found.identity(device.identity());
     found.sync(&services);
     found.others(&services);
@@ -50,14 +50,14 @@ pub(crate) fn constants(device: &Device, table: &Table, notes: &mut Vec<Note>) -
     found.constants
 }
 
-struct Found<'a> {
+struct FoundDefault<'a> {
     device: &'a Device,
-    table: &'a Table,
+    table: &'a DeviceTable,
     notes: &'a mut Vec<Note>,
     constants: Vec<Constant>,
 }
 
-impl Found<'_> {
+impl FoundDefault<'_> {
     fn put(&mut self, (index, sub): (u16, u8), name: &str, meaning: &str, value: ConstantValue) {
         let source = if sub == 0 { format!("{index:04X}h") } else { format!("{index:04X}h:{sub:02X}") };
         let (name, meaning) = (name.to_owned(), meaning.to_owned());

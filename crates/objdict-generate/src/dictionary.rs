@@ -1,18 +1,18 @@
 //! The object dictionary as visible on the network with resolved entries: the input of every stack backend.
 //!
-//! Each entry that a table cannot contain gets a note. C backends share `variables`, `c_code` and `memory::Tally`;
-//! `rust` and `c` share `Table` and the modules for frames, defaults, meanings, storage groups and hooks. Only the
+//! Each entry that a table cannot contain gets a note. C backends share `variables`, `c_code` and `memory::SizeTally`;
+//! `rust` and `c` share `DeviceTable` and the modules for frames, defaults, meanings, storage groups and hooks. Only the
 //! target `concise` needs `objdict-node`.
 
 use std::borrow::Cow;
 
 use super::notes::{in_order, once_per_object};
-use super::resolve::{Resolved, Resolver};
+use super::resolve::{EntryPlan, Resolver};
 use super::{GenerateError, Note, Options};
 use crate::model::{Address, Device, Entry, Object, Part, Place};
 
 /// The objects of a device that a table can contain.
-pub(crate) struct Dictionary<'a> {
+pub(crate) struct TableDictionary<'a> {
     /// The device.
     pub(crate) device: &'a Device,
     /// The node-ID for the generated code.
@@ -39,7 +39,7 @@ pub(crate) struct ResolvedEntry<'a> {
     pub(crate) entry: Cow<'a, Entry>,
     /// The source of its identifiers; empty to use the sub-index.
     pub(crate) name: String,
-    pub(crate) resolved: Resolved,
+    pub(crate) resolved: EntryPlan,
 }
 
 impl ResolvedEntry<'_> {
@@ -68,7 +68,7 @@ impl ResolvedObject<'_> {
     }
 }
 
-impl<'a> Dictionary<'a> {
+impl<'a> TableDictionary<'a> {
     /// Resolves the dictionary of a device.
     ///
     /// # Errors
@@ -105,7 +105,7 @@ impl<'a> Dictionary<'a> {
     }
 }
 
-impl Dictionary<'_> {
+impl TableDictionary<'_> {
     /// An object.
     pub(crate) fn object(&self, index: u16) -> Option<&ResolvedObject<'_>> {
         let at = self.objects.binary_search_by_key(&index, |object| object.index).ok()?;

@@ -137,9 +137,9 @@ pub(super) fn c_string(bytes: &[u8]) -> String {
 }
 
 /// A number with this many hexadecimal digits.
-pub(super) struct Hex<const DIGITS: usize>(u16);
+pub(super) struct HexNumber<const DIGITS: usize>(u16);
 
-impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
+impl<const DIGITS: usize> fmt::Display for HexNumber<DIGITS> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut digits = [0; DIGITS];
         for (place, digit) in digits.iter_mut().rev().enumerate() {
@@ -150,13 +150,13 @@ impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
 }
 
 /// `0x1017` without its prefix.
-pub(super) fn hex4(index: &u16) -> Hex<4> {
-    Hex(*index)
+pub(super) fn hex4(index: &u16) -> HexNumber<4> {
+    HexNumber(*index)
 }
 
 /// The same for a sub-index.
-pub(super) fn hex2(sub: &u8) -> Hex<2> {
-    Hex(u16::from(*sub))
+pub(super) fn hex2(sub: &u8) -> HexNumber<2> {
+    HexNumber(u16::from(*sub))
 }
 
 /// The first letter in upper case, and the others in lower case.

@@ -4,15 +4,15 @@
 //! fields of any length.
 
 use super::Note;
-use super::names::{Scope, words};
+use super::names::{NameScope, words};
 use super::notes::once_per_device;
-use super::resolve::{Resolved, Shape};
-use super::table::{Row, Table};
+use super::resolve::{EntryPlan, ValueShape};
+use super::table::{DeviceTable, Row};
 use crate::model::{Access, CobId, DataType, Device, MappedObject, Pdo, PdoKind, Place, TypeKind};
 
 /// A PDO with the contents of its frame.
 #[derive(Debug)]
-pub(crate) struct Frame {
+pub(crate) struct PdoFrame {
     /// `RPDO 1`, for comments.
     pub(crate) title: String,
     /// `rpdo1`: the base of identifiers.
@@ -37,7 +37,7 @@ pub(crate) struct FrameField {
     /// The number of its row.
     pub(crate) row: usize,
     /// Its type in the struct.
-    pub(crate) carried: Carried,
+    pub(crate) carried: CarriedType,
     /// Its lowest bit in the frame.
     pub(crate) first: u32,
     /// The number of bits of its value, 1 to 64: the mapped length, at most the length of the type.
@@ -46,7 +46,7 @@ pub(crate) struct FrameField {
 
 /// The type of a mapped entry in the struct.
 #[derive(Debug)]
-pub(crate) enum Carried {
+pub(crate) enum CarriedType {
     /// A number of this type.
     Number(DataType),
     /// This many bytes.
@@ -56,11 +56,11 @@ pub(crate) enum Carried {
 impl FrameField {
     /// Whether the highest bit is a sign.
     pub(crate) fn is_signed(&self) -> bool {
-        matches!(self.carried, Carried::Number(data_type) if matches!(data_type.kind(), TypeKind::Signed(_)))
+        matches!(self.carried, CarriedType::Number(data_type) if matches!(data_type.kind(), TypeKind::Signed(_)))
     }
 }
 
-impl Frame {
+impl PdoFrame {
     /// Whether the node-ID is added to the COB-ID.
     pub(crate) fn depends_on_node_id(&self) -> bool {
         self.cob_id.is_some_and(CobId::depends_on_node_id)
@@ -69,7 +69,7 @@ impl Frame {
 
 /// Makes PDO mappings read-only, because the structs of PDOs would not follow another one. Those with a hook are
 /// left to the application. `unless` says what allows SDOs to write them.
-pub(crate) fn freeze_mappings(table: &mut Table, unless: &str) -> Vec<Note> {
+pub(crate) fn freeze_mappings(table: &mut DeviceTable, unless: &str) -> Vec<Note> {
     let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
     let rows = table.rows.iter_mut();
     let frozen = rows.filter(|row| is_mapping(row.index) && !row.hooked && row.access().is_writable());
@@ -83,11 +83,11 @@ pub(crate) fn freeze_mappings(table: &mut Table, unless: &str) -> Vec<Note> {
 }
 
 /// The frames of the default mapping. PDOs that cannot become a struct are noted.
-pub(crate) fn frames(device: &Device, table: &Table, notes: &mut Vec<Note>) -> Vec<Frame> {
+pub(crate) fn frames(device: &Device, table: &DeviceTable, notes: &mut Vec<Note>) -> Vec<PdoFrame> {
     device.pdos().filter_map(|pdo| frame(&pdo, table, notes)).collect()
 }
 
-fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
+fn frame(pdo: &Pdo<'_>, table: &DeviceTable, notes: &mut Vec<Note>) -> Option<PdoFrame> {
     let place = Place::object(pdo.mapping_index());
     if pdo.is_multiplexed() {
         notes.push(Note::new(place, format!("{pdo} is multiplexed, so it has no struct")));
@@ -99,7 +99,7 @@ fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
         notes.push(Note::new(place, text));
         return None;
     }
-    let mut scope = Scope::of_lower_case("");
+    let mut scope = NameScope::of_lower_case("");
     let mut fields = Vec::new();
     let placed = MappedObject::placed(pdo.mapped_slots(), |(_, object)| object.bits);
     for (first, (sub, object)) in placed.filter(|(_, (_, object))| !object.is_dummy()) {
@@ -110,7 +110,7 @@ fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
         }
     }
     let name = format!("{}{}", if pdo.kind == PdoKind::Rpdo { "rpdo" } else { "tpdo" }, pdo.number);
-    (!fields.is_empty()).then(|| Frame {
+    (!fields.is_empty()).then(|| PdoFrame {
         title: pdo.to_string(),
         name,
         communication_index: pdo.communication_index(),
@@ -125,8 +125,8 @@ fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
 fn field(
     object: MappedObject,
     first: u32,
-    table: &Table,
-    scope: &mut Scope,
+    table: &DeviceTable,
+    scope: &mut NameScope,
 ) -> Result<FrameField, &'static str> {
     let key = (object.index, object.sub);
     let row = table.rows.binary_search_by_key(&key, |row| (row.index, row.sub));
@@ -138,30 +138,36 @@ fn field(
 }
 
 /// Packs a value of an entry into this many bits of a frame.
-fn carried(resolved: &Resolved, bits: u32) -> Result<(Carried, u32), &'static str> {
+fn carried(resolved: &EntryPlan, bits: u32) -> Result<(CarriedType, u32), &'static str> {
     let size = u32::try_from(resolved.shape.size()).unwrap_or(u32::MAX).saturating_mul(8);
     match resolved.shape {
         _ if bits == 0 => Err("it has no bits"),
-        Shape::Word(data_type) => {
+        ValueShape::Word(data_type) => {
             let is_whole =
                 !matches!(data_type.kind(), TypeKind::Boolean | TypeKind::Signed(_) | TypeKind::Unsigned(_));
             if is_whole && bits < size {
                 return Err("a part of such a value has no meaning");
             }
             let own = if data_type.kind() == TypeKind::Boolean { 1 } else { size };
-            Ok((Carried::Number(data_type), bits.min(own)))
+            Ok((CarriedType::Number(data_type), bits.min(own)))
         }
-        Shape::Bytes(..) | Shape::Block(_) if !bits.is_multiple_of(8) => Err("it ends within a byte"),
-        Shape::Bytes(..) | Shape::Block(_) => {
+        ValueShape::Bytes(..) | ValueShape::Block(_) if !bits.is_multiple_of(8) => {
+            Err("it ends within a byte")
+        }
+        ValueShape::Bytes(..) | ValueShape::Block(_) => {
             let bits = bits.min(size);
-            if bits == 0 { Err("it has no room in the table") } else { Ok((Carried::Bytes(bits / 8), bits)) }
+            if bits == 0 {
+                Err("it has no room in the table")
+            } else {
+                Ok((CarriedType::Bytes(bits / 8), bits))
+            }
         }
     }
 }
 
 /// The name of the field for the entry, with the array element as suffix; for a constant the names of object
 /// and entry.
-fn name_of(table: &Table, row: &Row) -> String {
+fn name_of(table: &DeviceTable, row: &Row) -> String {
     if let Some(slot) = row.slot {
         let field = &table.fields[slot.field].name;
         return match slot.element {
@@ -209,9 +215,9 @@ mod tests {
         device
     }
 
-    fn frames_of(mapped: &[u32]) -> (Vec<Frame>, Vec<Note>) {
+    fn frames_of(mapped: &[u32]) -> (Vec<PdoFrame>, Vec<Note>) {
         let device = device(mapped);
-        let table = Table::new(&device, &Options::default()).unwrap();
+        let table = DeviceTable::new(&device, &Options::default()).unwrap();
         let mut notes = Vec::new();
         (frames(&device, &table, &mut notes), notes)
     }

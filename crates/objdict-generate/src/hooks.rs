@@ -1,8 +1,8 @@
 //! Hooks of the flat table: callbacks of the application before reads and after writes of an entry.
 
-use super::memory::Extent;
+use super::memory::TypeExtent;
 use super::notes::{in_order, place_of};
-use super::table::{Row, Table};
+use super::table::{DeviceTable, Row};
 use super::{Note, Options};
 use crate::model::{Address, Device, Place};
 
@@ -10,7 +10,7 @@ use crate::model::{Address, Device, Place};
 const LONG: usize = 256;
 
 /// Marks the requested rows; notes missing entries, and values that a hook cannot change.
-pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
+pub(super) fn mark(device: &Device, options: &Options, table: &mut DeviceTable) {
     if options.hooks.is_empty() {
         return;
     }
@@ -36,11 +36,11 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
         };
         table.notes.push(Note::new(place_of(at), text));
     }
-    let long = table.rows.iter().filter(|row| row.hooked && Extent::of(row.resolved.shape).size > LONG);
+    let long = table.rows.iter().filter(|row| row.hooked && TypeExtent::of(row.resolved.shape).size > LONG);
     let long = long.filter(|row| row.slot.is_some() && row.access().is_writable()).map(|row| {
         let text = format!(
             "{} bytes on the stack hold the old value while a hook checks the new one",
-            Extent::of(row.resolved.shape).size
+            TypeExtent::of(row.resolved.shape).size
         );
         Note::new(Place::entry(row.index, row.sub), text)
     });
@@ -50,12 +50,12 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
 }
 
 /// Whether any row is marked.
-pub(crate) fn has_hooks(table: &Table) -> bool {
+pub(crate) fn has_hooks(table: &DeviceTable) -> bool {
     table.rows.iter().any(|row| row.hooked)
 }
 
 /// Size of the longest value to restore after a hook rejects a write; at least that of a number.
-pub(crate) fn room(table: &Table) -> usize {
+pub(crate) fn room(table: &DeviceTable) -> usize {
     let kept = table.rows.iter().filter(|row| row.hooked && row.slot.is_some() && row.access().is_writable());
-    kept.map(|row| Extent::of(row.resolved.shape).size).max().unwrap_or(0).max(8)
+    kept.map(|row| TypeExtent::of(row.resolved.shape).size).max().unwrap_or(0).max(8)
 }

@@ -225,13 +225,13 @@ type Compare = fn(&str, &str, &[OutputFile]) -> Option<Vec<TableDifference>>;
 
 /// The function of a target.
 enum Make {
-    Measured(fn(&Device, &Options) -> Result<Made, GenerateError>),
+    Measured(fn(&Device, &Options) -> Result<BackendOutput, GenerateError>),
     /// With the reason why the size of its tables is not known.
     Unmeasured(fn(&Device, &Options) -> Result<Generated, GenerateError>, &'static str),
 }
 
 /// What a backend makes of a device, and the size of its tables.
-struct Made {
+struct BackendOutput {
     files: Vec<OutputFile>,
     /// What the files cannot express.
     notes: Vec<Note>,
@@ -436,7 +436,7 @@ pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Ge
     let mut generated = match target.0.make {
         Make::Unmeasured(make, _) => make(&device, options)?,
         Make::Measured(make) => {
-            let Made { files, notes, .. } = make(&device, options)?;
+            let BackendOutput { files, notes, .. } = make(&device, options)?;
             Generated { files, notes }
         }
     };

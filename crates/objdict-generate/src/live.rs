@@ -3,7 +3,7 @@
 use super::Options;
 use super::dictionary::{self, ResolvedEntry};
 use super::gaps;
-use super::resolve::{Datum, Resolver};
+use super::resolve::{Encoded, Resolver};
 use crate::model::{DataType, Device};
 
 /// An entry of a device on a node: what a row of a generated table holds.
@@ -42,7 +42,7 @@ pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<Live
     for (&index, object) in &device.objects {
         let object = dictionary::resolve(&mut resolver, options, index, object);
         for ResolvedEntry { sub, resolved, .. } in object.into_iter().flat_map(|object| object.entries) {
-            let word = |datum: &Datum| datum.on_node(Some(node_id));
+            let word = |datum: &Encoded| datum.on_node(Some(node_id));
             let size = resolved.shape.size();
             entries.push(LiveEntry {
                 index,

@@ -1,9 +1,9 @@
 //! Enumerations and bit fields with identifiers for the targets `rust` and `c`. The model defines their
 //! contents ([`crate::model::Meanings`]); for the objects of a device profile that it says nothing of, the document does.
 
-use super::names::{Scope, words};
-use super::resolve::Shape;
-use super::table::{Row, Table, TableObject};
+use super::names::{NameScope, words};
+use super::resolve::ValueShape;
+use super::table::{DeviceTable, Row, TableObject};
 use super::{Names, Note, Options};
 use crate::model::{
     BitField, BitStruct, DataType, Device, Enumeration, Meaning, NamedValue, Part, Place, Scaling,
@@ -11,7 +11,7 @@ use crate::model::{
 
 /// Named values and bit fields of a device.
 #[derive(Default)]
-pub(crate) struct Named {
+pub(crate) struct NamedMeanings {
     pub(crate) enums: Vec<EnumType>,
     pub(crate) words: Vec<WordType>,
 }
@@ -28,11 +28,11 @@ pub(crate) struct EnumType {
     /// Bits of a value.
     pub(crate) bits: u8,
     /// At least one.
-    pub(crate) values: Vec<EnumValue>,
+    pub(crate) values: Vec<EnumConstant>,
 }
 
 /// A named value.
-pub(crate) struct EnumValue {
+pub(crate) struct EnumConstant {
     /// In lower case; unique in its enumeration.
     pub(crate) name: String,
     /// The name in the description.
@@ -71,7 +71,7 @@ pub(crate) struct WordPart {
     pub(crate) data_type: DataType,
 }
 
-impl Named {
+impl NamedMeanings {
     /// Whether there are no named values and no bit fields.
     pub(crate) fn is_empty(&self) -> bool {
         self.enums.is_empty() && self.words.is_empty()
@@ -81,24 +81,29 @@ impl Named {
 /// Identifies equal enumerations: the type, the data type and the number of values, or the entries of one
 /// object with the same values.
 #[derive(PartialEq, Eq)]
-enum Key {
+enum MeaningKey {
     Defined(Box<str>, DataType, usize),
     Listed(u16, DataType, Vec<(String, i128)>),
 }
 
 struct Namer<'a> {
-    named: Named,
-    keys: Vec<Key>,
+    named: NamedMeanings,
+    keys: Vec<MeaningKey>,
     word_keys: Vec<(Box<str>, DataType)>,
     by_index: bool,
-    table: &'a Table,
+    table: &'a DeviceTable,
     notes: &'a mut Vec<Note>,
 }
 
 /// The enumerations and bit fields of the entries in the table. What cannot be expressed is noted.
-pub(crate) fn meanings(device: &Device, table: &Table, options: &Options, notes: &mut Vec<Note>) -> Named {
+pub(crate) fn meanings(
+    device: &Device,
+    table: &DeviceTable,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> NamedMeanings {
     let mut namer = Namer {
-        named: Named::default(),
+        named: NamedMeanings::default(),
         keys: Vec::new(),
         word_keys: Vec::new(),
         by_index: options.names == Names::Index,
@@ -114,14 +119,20 @@ pub(crate) fn meanings(device: &Device, table: &Table, options: &Options, notes:
             None => {}
         }
     }
-    let Named { enums, words, .. } = &mut namer.named;
-    name_all(Scope::of_constants("self"), enums.iter_mut().map(|of| (&mut of.name, of.entries[0])).collect());
-    name_all(Scope::of_lower_case(""), words.iter_mut().map(|of| (&mut of.name, of.entries[0])).collect());
+    let NamedMeanings { enums, words, .. } = &mut namer.named;
+    name_all(
+        NameScope::of_constants("self"),
+        enums.iter_mut().map(|of| (&mut of.name, of.entries[0])).collect(),
+    );
+    name_all(
+        NameScope::of_lower_case(""),
+        words.iter_mut().map(|of| (&mut of.name, of.entries[0])).collect(),
+    );
     namer.named
 }
 
 /// Makes names unique by their first entries, without regard to their order.
-fn name_all(mut scope: Scope, mut names: Vec<(&mut String, (u16, u8))>) {
+fn name_all(mut scope: NameScope, mut names: Vec<(&mut String, (u16, u8))>) {
     scope.foresee(names.iter().map(|(name, _)| name.as_str()));
     for (name, (index, sub)) in &mut names {
         **name = scope.claim(name, format_args!("{index:04x}_{sub:02x}"));
@@ -153,7 +164,7 @@ impl Namer<'_> {
     }
 
     /// Whether there is such an enumeration, which is also that of the entry then.
-    fn is_known(&mut self, row: &Row, key: &Key) -> bool {
+    fn is_known(&mut self, row: &Row, key: &MeaningKey) -> bool {
         let at = (row.index, row.sub);
         let Some(known) = self.keys.iter().position(|other| other == key) else { return false };
         if let Some(known) = self.named.enums.get_mut(known).filter(|known| known.entries.last() != Some(&at))
@@ -166,10 +177,10 @@ impl Namer<'_> {
     fn add_enum(
         &mut self,
         row: &Row,
-        key: Key,
+        key: MeaningKey,
         (base, title): (&str, String),
         (data_type, bits): (DataType, u8),
-        values: Vec<EnumValue>,
+        values: Vec<EnumConstant>,
     ) {
         let name = base.to_owned();
         self.keys.push(key);
@@ -179,14 +190,14 @@ impl Namer<'_> {
 
     /// The bits of an entry in the document of the device's profile.
     fn documented(&mut self, device: &Device, row: &Row) {
-        let Shape::Word(data_type) = row.resolved.shape else { return };
+        let ValueShape::Word(data_type) = row.resolved.shape else { return };
         let (Some((low, _)), Some(bits)) = (data_type.integer_range(), data_type.bit_length()) else {
             return;
         };
         let documents = objdict_profile::of_object(device, row.index).map(|(_, facts)| facts);
         let mut fields = objdict_profile::bits(documents, row.sub);
         fields.retain(|field| field.last < bits);
-        let part = |field: &objdict_profile::BitField<'static>| BitField {
+        let part = |field: &objdict_profile::BitFieldFacts<'static>| BitField {
             name: field.name,
             first: field.first,
             bits: field.last - field.first + 1,
@@ -204,7 +215,7 @@ impl Namer<'_> {
             let values = documented_values(field, (is_whole && low < 0).then_some(bits));
             let listed = values.iter().map(|value| (value.label.clone(), value.number));
             let listed = listed.chain([(part.name.to_owned(), part.first.into())]).collect();
-            let key = Key::Listed(row.index, data_type, listed);
+            let key = MeaningKey::Listed(row.index, data_type, listed);
             if values.is_empty() || self.is_known(row, &key) {
                 continue;
             }
@@ -236,7 +247,7 @@ impl Namer<'_> {
         data_type: DataType,
         fields: &[BitField<'_>],
     ) {
-        let mut scope = Scope::of_lower_case("");
+        let mut scope = NameScope::of_lower_case("");
         let names: Vec<String> = fields.iter().map(|field| words(field.name)).collect();
         scope.foresee(names.iter().map(String::as_str));
         let parts = fields.iter().zip(&names).map(|(field, name)| WordPart {
@@ -307,25 +318,25 @@ pub(crate) fn entries(all: &[(u16, u8)], name: impl Fn(u16, u8) -> String) -> St
     shown.join(", ") + &more.map(|more| format!(" and {more} more")).unwrap_or_default()
 }
 
-fn key_of(row: &Row, enumeration: &Enumeration<'_>, part: Option<&str>) -> Key {
+fn key_of(row: &Row, enumeration: &Enumeration<'_>, part: Option<&str>) -> MeaningKey {
     match enumeration.definition {
         Some(definition) => {
-            Key::Defined(definition.unique_id.clone(), enumeration.data_type, enumeration.values.len())
+            MeaningKey::Defined(definition.unique_id.clone(), enumeration.data_type, enumeration.values.len())
         }
         None => {
             let values = enumeration.values.iter().map(|value| (value.name.to_owned(), value.number));
             let part = part.map(|part| (part.to_owned(), -1));
-            Key::Listed(row.index, enumeration.data_type, part.into_iter().chain(values).collect())
+            MeaningKey::Listed(row.index, enumeration.data_type, part.into_iter().chain(values).collect())
         }
     }
 }
 
 /// Makes names of values unique; equal values with equal names are merged.
-fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
-    let mut scope = Scope::of_constants("");
-    let mut values: Vec<EnumValue> = Vec::new();
+fn values(named: &[NamedValue<'_>]) -> Vec<EnumConstant> {
+    let mut scope = NameScope::of_constants("");
+    let mut values: Vec<EnumConstant> = Vec::new();
     for &NamedValue { name, number } in named {
-        let is_same = |other: &EnumValue| other.number == number && words(&other.label) == words(name);
+        let is_same = |other: &EnumConstant| other.number == number && words(&other.label) == words(name);
         if values.iter().any(is_same) {
             continue;
         }
@@ -334,7 +345,7 @@ fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
         let base = if base.is_empty() { format!("value_{suffix}") } else { base };
         let alias_of = values.iter().position(|other| other.number == number);
         let label = name.to_owned();
-        values.push(EnumValue {
+        values.push(EnumConstant {
             name: scope.claim(&base, format_args!("{suffix}")),
             label,
             number,
@@ -347,21 +358,21 @@ fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
 
 /// The named values of a bit field in a document: each name once. Of a whole signed number of so many bits the
 /// highest bit is a sign. A range of values has no name.
-fn documented_values(field: &objdict_profile::BitField<'_>, signed: Option<u8>) -> Vec<EnumValue> {
+fn documented_values(field: &objdict_profile::BitFieldFacts<'_>, signed: Option<u8>) -> Vec<EnumConstant> {
     let single = field.meanings().filter(|(range, _)| range.start() == range.end());
     let number = |(range, label): (std::ops::RangeInclusive<u64>, &str)| {
         let number = i128::from(*range.start());
         let is_negative = signed.is_some_and(|bits| number >> (bits - 1) & 1 == 1);
         (label.to_owned(), if is_negative { number - (1 << signed.unwrap_or(0)) } else { number })
     };
-    let mut values: Vec<EnumValue> = Vec::new();
-    let mut scope = Scope::of_constants("");
+    let mut values: Vec<EnumConstant> = Vec::new();
+    let mut scope = NameScope::of_constants("");
     for (label, number) in single.map(number) {
         match values.iter_mut().find(|value| value.label == label) {
             Some(known) => known.others.push(number),
             None => {
                 let name = scope.claim(&words(&label), format_args!("{number}"));
-                values.push(EnumValue { name, label, number, others: Vec::new(), alias_of: None });
+                values.push(EnumConstant { name, label, number, others: Vec::new(), alias_of: None });
             }
         }
     }

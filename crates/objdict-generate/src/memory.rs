@@ -5,20 +5,20 @@
 //! its values. A variable with a non-zero initial value takes the same size in flash, from which the start-up
 //! code copies it.
 
-use super::dictionary::Dictionary;
-use super::resolve::{Shape, is_time};
+use super::dictionary::TableDictionary;
+use super::resolve::{ValueShape, is_time};
 use super::size::{ObjectSize, Size, SizeReport, Sizes};
 
 /// Size and alignment of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Extent {
+pub(crate) struct TypeExtent {
     /// Bytes.
     pub(crate) size: usize,
     /// Alignment in bytes.
     pub(crate) alignment: usize,
 }
 
-impl Extent {
+impl TypeExtent {
     pub(crate) const BYTE: Self = Self::number(1);
     pub(crate) const HALF: Self = Self::number(2);
     pub(crate) const WORD: Self = Self::number(4);
@@ -27,12 +27,12 @@ impl Extent {
     pub(crate) const TIME: Self = Self { size: 8, alignment: 4 };
 
     /// A value of the tables for Rust and C.
-    pub(crate) fn of(shape: Shape) -> Self {
+    pub(crate) fn of(shape: ValueShape) -> Self {
         match shape {
-            Shape::Block(length) => Self::BYTE.times(length.into()),
-            Shape::Bytes(_, room) => Self::behind_length(room.into()),
-            Shape::Word(data_type) if is_time(data_type) => Self::TIME,
-            Shape::Word(_) => Self::number(shape.size().next_power_of_two()),
+            ValueShape::Block(length) => Self::BYTE.times(length.into()),
+            ValueShape::Bytes(_, room) => Self::behind_length(room.into()),
+            ValueShape::Word(data_type) if is_time(data_type) => Self::TIME,
+            ValueShape::Word(_) => Self::number(shape.size().next_power_of_two()),
         }
     }
 
@@ -91,12 +91,12 @@ impl Memory {
 }
 
 /// Sums up the sizes per object.
-pub(crate) struct Tally {
+pub(crate) struct SizeTally {
     objects: Vec<ObjectSize>,
     rest: Size,
 }
 
-impl Tally {
+impl SizeTally {
     /// Starts with objects in ascending order: index, name and number of entries.
     pub(crate) fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
         let objects = objects.into_iter().map(|(index, name, entries)| ObjectSize {
@@ -109,7 +109,7 @@ impl Tally {
     }
 
     /// Starts with the objects of a dictionary.
-    pub(crate) fn of_dictionary(dictionary: &Dictionary<'_>) -> Self {
+    pub(crate) fn of_dictionary(dictionary: &TableDictionary<'_>) -> Self {
         let objects = dictionary.objects.iter();
         Self::new(objects.map(|object| (object.index, object.object.name(), object.entries.len())))
     }
@@ -129,8 +129,8 @@ impl Tally {
 
     /// Adds a structure: its members count for their objects; padding and members without an object go to the
     /// rest.
-    pub(crate) fn structure(&mut self, memory: Memory, members: &[(Option<u16>, Extent)]) {
-        let whole = Extent::structure(members.iter().map(|&(_, extent)| extent)).size;
+    pub(crate) fn structure(&mut self, memory: Memory, members: &[(Option<u16>, TypeExtent)]) {
+        let whole = TypeExtent::structure(members.iter().map(|&(_, extent)| extent)).size;
         let mut gaps = whole;
         for &(index, extent) in members {
             if let Some(index) = index {
@@ -164,17 +164,22 @@ mod tests {
     #[test]
     fn types_of_c() {
         let sizes =
-            ["uint8_t", "int16_t", "float32_t", "double", "int64_t"].map(|name| Extent::of_c(name).size);
+            ["uint8_t", "int16_t", "float32_t", "double", "int64_t"].map(|name| TypeExtent::of_c(name).size);
         assert_eq!(sizes, [1, 2, 4, 8, 8]);
-        let row = Extent::structure([Extent::HALF, Extent::BYTE, Extent::POINTER, Extent::BYTE]);
-        assert_eq!(row, Extent { size: 12, alignment: 4 });
-        assert_eq!(Extent::behind_length(3).size, 6);
+        let row = TypeExtent::structure([
+            TypeExtent::HALF,
+            TypeExtent::BYTE,
+            TypeExtent::POINTER,
+            TypeExtent::BYTE,
+        ]);
+        assert_eq!(row, TypeExtent { size: 12, alignment: 4 });
+        assert_eq!(TypeExtent::behind_length(3).size, 6);
     }
 
     #[test]
     fn gaps_belong_to_no_object() {
-        let mut tally = Tally { objects: Vec::new(), rest: Size::default() };
-        tally.structure(Memory::Initialised, &[(Some(0x2000), Extent::BYTE), (None, Extent::WORD)]);
+        let mut tally = SizeTally { objects: Vec::new(), rest: Size::default() };
+        tally.structure(Memory::Initialised, &[(Some(0x2000), TypeExtent::BYTE), (None, TypeExtent::WORD)]);
         tally.rest(Memory::Zeroed, 2);
         let Sizes::Known(report) = tally.report("") else { panic!() };
         assert_eq!(report.total, Size { flash: 8, ram: 10 });

@@ -2,7 +2,7 @@
 //!
 //! A name becomes words of lower-case ASCII letters and digits, joined by `_`; constants and macros use the
 //! same words in upper case. All languages share the result, so an entry has the same name in each of them.
-//! The identifiers of one [`Scope`] are valid and unique for any names, and the same description always gives
+//! The identifiers of one [`NameScope`] are valid and unique for any names, and the same description always gives
 //! the same identifiers.
 
 use std::borrow::Cow;
@@ -132,14 +132,14 @@ pub(crate) fn clip(identifier: &str, length: usize) -> &str {
 
 /// A namespace of generated code with the identifiers in use.
 #[derive(Default)]
-pub(crate) struct Scope {
+pub(crate) struct NameScope {
     taken: HashSet<String>,
-    /// What several will claim, see [`Scope::foresee`].
+    /// What several will claim, see [`NameScope::foresee`].
     shared: HashSet<String>,
     keywords: bool,
 }
 
-impl Scope {
+impl NameScope {
     /// A namespace for constants and macros with these words in use. No language has upper-case keywords.
     pub(crate) fn of_constants(taken: &str) -> Self {
         Self { taken: taken.split_whitespace().map(str::to_owned).collect(), ..Self::default() }
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn the_first_keeps_its_name_and_later_ones_say_who_they_are() {
-        let mut scope = Scope::of_lower_case("node_id");
+        let mut scope = NameScope::of_lower_case("node_id");
         assert_eq!(scope.claim("speed", format_args!("2000")), "speed");
         assert_eq!(scope.claim("speed", format_args!("2001")), "speed_2001");
         assert_eq!(scope.claim("speed_2001", format_args!("2002")), "speed_2001_2002");
@@ -258,7 +258,7 @@ mod tests {
     #[test]
     fn what_several_claim_is_plain_for_none() {
         let names = |all: [(&str, u16); 3]| {
-            let mut scope = Scope::of_lower_case("");
+            let mut scope = NameScope::of_lower_case("");
             scope.foresee(all.map(|(words, _)| words));
             all.map(|(words, index)| scope.claim(words, format_args!("{index:04x}")))
         };
@@ -271,8 +271,8 @@ mod tests {
 
     #[test]
     fn constants_may_be_called_like_keywords() {
-        assert_eq!(Scope::of_constants("index").claim("type", format_args!("01")), "type");
-        assert_eq!(Scope::of_constants("index").claim("index", format_args!("01")), "index_01");
+        assert_eq!(NameScope::of_constants("index").claim("type", format_args!("01")), "type");
+        assert_eq!(NameScope::of_constants("index").claim("index", format_args!("01")), "index_01");
     }
 
     fn is_identifier(text: &str) -> bool {
@@ -299,7 +299,7 @@ mod tests {
                 0..60,
             )
         ) {
-            let mut scope = Scope::of_lower_case("");
+            let mut scope = NameScope::of_lower_case("");
             let mut seen = HashSet::new();
             for (number, name) in names.iter().enumerate() {
                 let identifier = scope.claim(&words(name), format_args!("{:04x}", number / 2));

@@ -9,7 +9,7 @@ use crate::model::{
 
 /// The representation of an entry's values.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub(crate) enum ValueShape {
     /// BOOLEAN, INTEGERn, UNSIGNEDn, REALn or TIME_x: at most eight bytes, as a number.
     Word(DataType),
     /// VISIBLE_STRING, OCTET_STRING, UNICODE_STRING or DOMAIN: at most this many bytes.
@@ -18,7 +18,7 @@ pub(crate) enum Shape {
     Block(u16),
 }
 
-impl Shape {
+impl ValueShape {
     /// Maximum size of a value in an SDO transfer, in bytes.
     pub(crate) fn size(self) -> usize {
         match self {
@@ -38,8 +38,8 @@ impl Shape {
 
 /// A value.
 #[derive(Clone, PartialEq, Eq)]
-pub(crate) enum Datum {
-    /// The number of a [`Shape::Word`]: two's complement, sign-extended; the bits of a REAL; the 48 bits of a TIME.
+pub(crate) enum Encoded {
+    /// The number of a [`ValueShape::Word`]: two's complement, sign-extended; the bits of a REAL; the 48 bits of a TIME.
     Word(u64),
     /// The node-ID plus this number.
     Formula(u64),
@@ -47,7 +47,7 @@ pub(crate) enum Datum {
     Bytes(Vec<u8>),
 }
 
-impl Datum {
+impl Encoded {
     /// The number; of a formula the offset to the node-ID, of bytes 0.
     pub(crate) fn word(&self) -> u64 {
         match self {
@@ -90,8 +90,8 @@ impl Datum {
 
 /// An entry, resolved.
 #[derive(Clone)]
-pub(crate) struct Resolved {
-    pub(crate) shape: Shape,
+pub(crate) struct EntryPlan {
+    pub(crate) shape: ValueShape,
     pub(crate) access: Access,
     /// Whether a TPDO may map it.
     pub(crate) tpdo: bool,
@@ -99,13 +99,13 @@ pub(crate) struct Resolved {
     pub(crate) rpdo: bool,
     /// Whether the value never changes and stays in flash.
     pub(crate) constant: bool,
-    pub(crate) default: Datum,
-    /// Only for a numeric [`Shape::Word`].
-    pub(crate) low: Option<Datum>,
-    pub(crate) high: Option<Datum>,
+    pub(crate) default: Encoded,
+    /// Only for a numeric [`ValueShape::Word`].
+    pub(crate) low: Option<Encoded>,
+    pub(crate) high: Option<Encoded>,
 }
 
-impl Resolved {
+impl EntryPlan {
     /// Whether SDOs read the entry, and whether they write it.
     pub(crate) fn sdo(&self) -> (bool, bool) {
         (self.access.is_readable(), self.access.is_writable())
@@ -138,7 +138,7 @@ impl Resolved {
 
     /// What is different in a table where values have a fixed length.
     pub(crate) fn padding(&self) -> Option<String> {
-        let Shape::Bytes(_, room) = self.shape else { return None };
+        let ValueShape::Bytes(_, room) = self.shape else { return None };
         (self.default.bytes().len() < usize::from(room))
             .then(|| format!("a row has a fixed length; the value always has {room} bytes, padded with 0"))
     }
@@ -160,7 +160,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Resolves an entry of `object`; `None`, with a note, if a table cannot contain it.
-    pub(crate) fn entry(&mut self, object: &Object, index: u16, sub: u8, entry: &Entry) -> Option<Resolved> {
+    pub(crate) fn entry(&mut self, object: &Object, index: u16, sub: u8, entry: &Entry) -> Option<EntryPlan> {
         let place = Place::entry(index, sub);
         let object_type = entry.object_type.unwrap_or(ObjectType::Var);
         if object_type == ObjectType::Null {
@@ -181,37 +181,37 @@ impl<'a> Resolver<'a> {
                             .help("transfer the data in the application, or set a capacity for DOMAINs"),
                     );
                 }
-                (Shape::Bytes(data_type, capacity), Datum::Bytes(bytes))
+                (ValueShape::Bytes(data_type, capacity), Encoded::Bytes(bytes))
             }
             TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved => {
                 let length = self.defined_length(&place, data_type)?;
-                (Shape::Block(length), Datum::Bytes(self.block(&place, entry, usize::from(length))))
+                (ValueShape::Block(length), Encoded::Bytes(self.block(&place, entry, usize::from(length))))
             }
             _ => {
                 let intended = intended(entry, &Field::DefaultValue, data_type);
                 let value = entry.value().or(intended.as_ref());
                 let default = self.word(place.clone().field(value_field(entry)), value, data_type);
-                (Shape::Word(data_type), default.unwrap_or(Datum::Word(0)))
+                (ValueShape::Word(data_type), default.unwrap_or(Encoded::Word(0)))
             }
         };
         let (low, high) = self.limits(&place, entry, data_type);
         let (tpdo, rpdo) = directions(access, entry.pdo_mapping.unwrap_or_default());
         let constant = access == Access::Const || is_fixed(object, sub, access);
-        let resolved = Resolved { shape, access, tpdo, rpdo, constant, default, low, high };
+        let resolved = EntryPlan { shape, access, tpdo, rpdo, constant, default, low, high };
         Some(self.with_count(object, (index, sub), resolved))
     }
 
     /// Sub-index 0 of 1003h and 1016h is as in an ARRAY that is written out, although compact storage has only a fixed count: an
     /// application changes both, and an SDO clears the history of errors.
-    fn with_count(&mut self, object: &Object, (index, sub): (u16, u8), resolved: Resolved) -> Resolved {
+    fn with_count(&mut self, object: &Object, (index, sub): (u16, u8), resolved: EntryPlan) -> EntryPlan {
         let is_implied = sub == 0 && object.compact.is_some() && object.subs.get(0).is_none();
         match index {
             0x1003 if is_implied => {
                 let text = "the number of errors, which compact storage cannot describe, is `rw` and 0, as in CiA 301";
                 self.notes.push(Note::new(Place::entry(index, sub), text));
-                Resolved { access: Access::Rw, constant: false, default: Datum::Word(0), ..resolved }
+                EntryPlan { access: Access::Rw, constant: false, default: Encoded::Word(0), ..resolved }
             }
-            0x1016 if is_implied => Resolved { constant: false, ..resolved },
+            0x1016 if is_implied => EntryPlan { constant: false, ..resolved },
             _ => resolved,
         }
     }
@@ -279,11 +279,11 @@ impl<'a> Resolver<'a> {
     }
 
     /// The number of a value; `None` without a value.
-    fn word(&mut self, place: Place, value: Option<&Value>, data_type: DataType) -> Option<Datum> {
+    fn word(&mut self, place: Place, value: Option<&Value>, data_type: DataType) -> Option<Encoded> {
         let value = value?;
         if let Value::NodeId(offset) = *value {
             if data_type.is_integer() && value.resolve(data_type, 127).is_some() {
-                return Some(Datum::Formula(offset));
+                return Some(Encoded::Formula(offset));
             }
             let text = format!("`{value}` does not fit {data_type} for every node-ID up to 127");
             self.errors.push(Note::new(place, text));
@@ -298,7 +298,7 @@ impl<'a> Resolver<'a> {
         if word.is_none() {
             self.errors.push(Note::new(place, format!("`{value}` is not a valid {data_type}")));
         }
-        word.map(Datum::Word)
+        word.map(Encoded::Word)
     }
 
     /// The bytes of a string or DOMAIN value; empty without a value.
@@ -377,7 +377,7 @@ impl<'a> Resolver<'a> {
         place: &Place,
         entry: &Entry,
         data_type: DataType,
-    ) -> (Option<Datum>, Option<Datum>) {
+    ) -> (Option<Encoded>, Option<Encoded>) {
         let mut limit = |field: Field, value: Option<&Value>| {
             let value = value?;
             let place = place.clone().field(field);
@@ -398,7 +398,7 @@ impl<'a> Resolver<'a> {
                 limit(field, stated.as_ref().or(intended.as_ref()))
             },
         );
-        if let (Some(Datum::Word(lowest)), Some(Datum::Word(highest))) = (&low, &high)
+        if let (Some(Encoded::Word(lowest)), Some(Encoded::Word(highest))) = (&low, &high)
             && is_above(*lowest, *highest, data_type)
         {
             let text = "the low limit is above the high one, so neither is enforced";

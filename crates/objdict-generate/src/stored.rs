@@ -6,11 +6,11 @@
 
 use std::collections::BTreeMap;
 
-use super::dictionary::{Dictionary, ResolvedObject};
-use super::names::{Scope, clip, words};
+use super::dictionary::{ResolvedObject, TableDictionary};
+use super::names::{NameScope, clip, words};
 use super::notes::in_order;
-use super::resolve::Shape;
-use super::table::{Row, Table, TableGroup};
+use super::resolve::ValueShape;
+use super::table::{DeviceTable, Row, TableGroup};
 use super::{Note, Options};
 use crate::model::{Device, Place};
 
@@ -35,9 +35,9 @@ pub(super) struct Members {
 impl Members {
     /// Groups claim names before fields do, so that new objects do not change group names.
     pub(super) fn new(
-        dictionary: &Dictionary<'_>,
+        dictionary: &TableDictionary<'_>,
         options: &Options,
-        fields: &mut Scope,
+        fields: &mut NameScope,
         groups: &mut Vec<TableGroup>,
     ) -> Self {
         let mut members = Self { of_objects: BTreeMap::new(), notes: Vec::new() };
@@ -66,7 +66,7 @@ impl Members {
     }
 
     /// Adds the groups to a table with complete rows.
-    pub(super) fn finish(mut self, device: &Device, table: &mut Table) {
+    pub(super) fn finish(mut self, device: &Device, table: &mut DeviceTable) {
         let mut groups = std::mem::take(&mut table.groups);
         for (number, group) in groups.iter_mut().enumerate() {
             let of_group =
@@ -88,7 +88,7 @@ impl Members {
 }
 
 /// The number of a group, which is added if it is new.
-fn group_named(name: &str, first: u16, fields: &mut Scope, groups: &mut Vec<TableGroup>) -> usize {
+fn group_named(name: &str, first: u16, fields: &mut NameScope, groups: &mut Vec<TableGroup>) -> usize {
     if let Some(group) = groups.iter().position(|group| group.name == name) {
         return group;
     }
@@ -119,10 +119,10 @@ fn identifier(name: &str) -> String {
 }
 
 /// Size of a value in an image, in bytes: a text uses its full capacity, preceded by its length.
-pub(crate) fn image_length(shape: Shape) -> usize {
+pub(crate) fn image_length(shape: ValueShape) -> usize {
     match shape {
-        Shape::Word(_) | Shape::Block(_) => shape.size(),
-        Shape::Bytes(..) => 2 + shape.size(),
+        ValueShape::Word(_) | ValueShape::Block(_) => shape.size(),
+        ValueShape::Bytes(..) => 2 + shape.size(),
     }
 }
 
@@ -130,8 +130,8 @@ pub(crate) fn image_length(shape: Shape) -> usize {
 fn layout(rows: &[&Row]) -> u32 {
     let bytes = rows.iter().flat_map(|row| {
         let data_type = match row.resolved.shape {
-            Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.0.to_le_bytes()[0], // standard types: one byte
-            Shape::Block(_) => 0,
+            ValueShape::Word(data_type) | ValueShape::Bytes(data_type, _) => data_type.0.to_le_bytes()[0], // standard types: one byte
+            ValueShape::Block(_) => 0,
         };
         let [low, high] = row.index.to_le_bytes();
         let size = u16::try_from(row.resolved.shape.size()).unwrap_or(u16::MAX).to_le_bytes();

@@ -18,12 +18,12 @@ use std::fmt;
 
 use super::Note;
 use super::head::Head;
-use super::memory::Extent;
-use super::resolve::{Datum, Resolved, Shape};
+use super::memory::TypeExtent;
+use super::resolve::{Encoded, EntryPlan, ValueShape};
 use crate::model::{Access, DataType};
 
 /// A device's dictionary, ready for a template.
-pub(crate) struct Table {
+pub(crate) struct DeviceTable {
     pub(crate) head: Head,
     /// The node-ID for the generated code.
     pub(crate) node_id: Option<u8>,
@@ -60,9 +60,9 @@ pub(crate) struct Row {
     pub(crate) name: String,
     /// The words of its name: unique in its object.
     pub(crate) constant: String,
-    pub(crate) resolved: Resolved,
+    pub(crate) resolved: EntryPlan,
     /// Its location in the struct of values.
-    pub(crate) slot: Option<Slot>,
+    pub(crate) slot: Option<ValuePlace>,
     /// The offset of its data in flash.
     pub(crate) rom: usize,
     /// The length of its data; rows may share data.
@@ -87,7 +87,7 @@ pub(crate) struct TableGroup {
 
 /// A location in the struct of values.
 #[derive(Clone, Copy)]
-pub(crate) struct Slot {
+pub(crate) struct ValuePlace {
     /// Field number.
     pub(crate) field: usize,
     /// Element number in an array.
@@ -100,7 +100,7 @@ pub(crate) struct TableField {
     pub(crate) name: String,
     /// Whether its name is that of the object, without an entry.
     pub(super) is_object: bool,
-    pub(crate) shape: Shape,
+    pub(crate) shape: ValueShape,
     /// Its rows: one, or the elements of an array.
     pub(crate) rows: std::ops::Range<usize>,
     /// Whether it is an array.
@@ -111,8 +111,8 @@ pub(crate) struct TableField {
 
 impl TableField {
     /// Its size in C.
-    pub(crate) fn extent(&self) -> Extent {
-        Extent::of(self.shape).times(if self.array { self.rows.len() } else { 1 })
+    pub(crate) fn extent(&self) -> TypeExtent {
+        TypeExtent::of(self.shape).times(if self.array { self.rows.len() } else { 1 })
     }
 }
 
@@ -120,7 +120,7 @@ impl Row {
     /// The flags, named as in the templates.
     pub(crate) fn flags(&self) -> impl Iterator<Item = &'static str> {
         let resolved = &self.resolved;
-        let formula = |datum: Option<&Datum>| datum.is_some_and(Datum::is_formula);
+        let formula = |datum: Option<&Encoded>| datum.is_some_and(Encoded::is_formula);
         [
             ("READ", resolved.access.is_readable()),
             ("WRITE", resolved.access.is_writable()),
@@ -143,9 +143,9 @@ impl Row {
     }
 }
 
-impl Table {
+impl DeviceTable {
     /// The path of a value in the struct of values: `persist_comm.speed[1]`.
-    pub(crate) fn place(&self, slot: &Slot) -> FieldPath<'_> {
+    pub(crate) fn place(&self, slot: &ValuePlace) -> FieldPath<'_> {
         FieldPath { table: self, slot: *slot }
     }
 
@@ -165,14 +165,14 @@ impl Table {
 
     /// Whether a field contains numbers of this data type.
     pub(crate) fn keeps(&self, data_type: DataType) -> bool {
-        self.fields.iter().any(|field| field.shape == Shape::Word(data_type))
+        self.fields.iter().any(|field| field.shape == ValueShape::Word(data_type))
     }
 }
 
 /// A path in the struct of values, as written in code.
 pub(crate) struct FieldPath<'a> {
-    table: &'a Table,
-    slot: Slot,
+    table: &'a DeviceTable,
+    slot: ValuePlace,
 }
 
 impl fmt::Display for FieldPath<'_> {

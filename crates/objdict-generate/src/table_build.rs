@@ -1,23 +1,23 @@
 //! Makes the flat table of a device.
 
-use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use super::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use super::head::Head;
-use super::names::{Scope, words};
-use super::resolve::{Datum, Resolved};
+use super::names::{NameScope, words};
+use super::resolve::{Encoded, EntryPlan};
 use super::stored::Members;
-use super::table::{Row, Slot, Table, TableField, TableObject};
+use super::table::{DeviceTable, Row, TableField, TableObject, ValuePlace};
 use super::variables::elements;
 use super::{GenerateError, Options, hooks, rom};
 use crate::model::{Address, Device, Object};
 
-impl Table {
+impl DeviceTable {
     /// The table of a device.
     pub(crate) fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
-        let mut builder = Builder::new(device, options)?;
+        let mut builder = TableBuilder::new(device, options)?;
         builder.place_fields(device, options);
         builder.name_fields();
         builder.place_blocks();
-        let Builder { mut table, members, .. } = builder;
+        let TableBuilder { mut table, members, .. } = builder;
         members.finish(device, &mut table);
         hooks::mark(device, options, &mut table);
         Ok(table)
@@ -25,10 +25,10 @@ impl Table {
 
     /// The objects, rows and groups of a table with their names, and no memory for values.
     pub(crate) fn of_names(device: &Device, options: &Options) -> Result<Self, GenerateError> {
-        Ok(Builder::new(device, options)?.table)
+        Ok(TableBuilder::new(device, options)?.table)
     }
 
-    fn empty(dictionary: &Dictionary<'_>, options: &Options) -> Self {
+    fn empty(dictionary: &TableDictionary<'_>, options: &Options) -> Self {
         Self {
             head: Head::new(dictionary.device, options, "", ""),
             node_id: dictionary.node_id,
@@ -48,29 +48,29 @@ const ITEMS: &str = "
     entries node_id max_size shared
 ";
 
-struct Builder {
-    fields: Scope,
+struct TableBuilder {
+    fields: NameScope,
     members: Members,
-    table: Table,
+    table: DeviceTable,
 }
 
-impl Builder {
+impl TableBuilder {
     /// Everything that has a name but the fields.
     fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
-        let mut dictionary = Dictionary::new(device, options)?;
-        let mut fields = Scope::of_lower_case("node_id");
-        let mut table = Table::empty(&dictionary, options);
+        let mut dictionary = TableDictionary::new(device, options)?;
+        let mut fields = NameScope::of_lower_case("node_id");
+        let mut table = DeviceTable::empty(&dictionary, options);
         let members = Members::new(&dictionary, options, &mut fields, &mut table.groups);
         let objects = std::mem::take(&mut dictionary.objects);
         table.notes = dictionary.notes;
         let mut builder = Self { fields, members, table };
-        let mut constants = Scope::of_constants("");
+        let mut constants = NameScope::of_constants("");
         objects.into_iter().for_each(|object| builder.object(object, &mut constants));
         builder.name_objects();
         Ok(builder)
     }
 
-    fn object(&mut self, resolved: ResolvedObject<'_>, constants: &mut Scope) {
+    fn object(&mut self, resolved: ResolvedObject<'_>, constants: &mut NameScope) {
         let (index, single) = (resolved.index, resolved.is_single());
         let (name, module) = (resolved.object.name().to_owned(), module(index, &resolved.name));
         let first = self.table.rows.len();
@@ -91,7 +91,7 @@ impl Builder {
     /// Makes the names of objects unique.
     fn name_objects(&mut self) {
         let objects = &mut self.table.objects;
-        let mut modules = Scope::of_lower_case(ITEMS);
+        let mut modules = NameScope::of_lower_case(ITEMS);
         modules.foresee(objects.iter().map(|object| object.module.as_str()));
         for TableObject { index, module, .. } in objects {
             *module = modules.claim(module, format_args!("{index:04x}"));
@@ -112,7 +112,7 @@ impl Builder {
 
     /// Makes the names of fields unique.
     fn name_fields(&mut self) {
-        let Table { fields, rows, .. } = &mut self.table;
+        let DeviceTable { fields, rows, .. } = &mut self.table;
         self.fields.foresee(fields.iter().map(|field| field.name.as_str()));
         for TableField { name, rows: of_field, is_object, .. } in fields {
             let Row { index, sub, .. } = rows[of_field.start];
@@ -168,7 +168,7 @@ impl Builder {
         let name = if is_object { name.to_owned() } else { [name, "_", &row.constant].concat() };
         let field = self.table.fields.len();
         for (element, at) in rows.clone().enumerate() {
-            self.table.rows[at].slot = Some(Slot { field, element: array.then_some(element) });
+            self.table.rows[at].slot = Some(ValuePlace { field, element: array.then_some(element) });
         }
         self.table.fields.push(TableField { name, is_object, shape, rows, array, group: None });
     }
@@ -181,10 +181,10 @@ fn module(index: u16, name: &str) -> String {
 }
 
 /// The data of an entry in flash.
-fn block(resolved: &Resolved) -> Vec<u8> {
+fn block(resolved: &EntryPlan) -> Vec<u8> {
     let size = resolved.shape.size();
     match &resolved.default {
-        Datum::Bytes(bytes) => {
+        Encoded::Bytes(bytes) => {
             let numbers = [size, bytes.len()].map(|number| u16::try_from(number).unwrap_or(u16::MAX)); // checked before
             numbers.iter().flat_map(|number| number.to_le_bytes()).chain(bytes.iter().copied()).collect()
         }
@@ -192,8 +192,8 @@ fn block(resolved: &Resolved) -> Vec<u8> {
             .into_iter()
             .flatten()
             .flat_map(|datum| match datum {
-                Datum::Word(word) | Datum::Formula(word) => word.to_le_bytes().into_iter().take(size),
-                Datum::Bytes(_) => [0; 8].into_iter().take(0), // bytes have other shapes
+                Encoded::Word(word) | Encoded::Formula(word) => word.to_le_bytes().into_iter().take(size),
+                Encoded::Bytes(_) => [0; 8].into_iter().take(0), // bytes have other shapes
             })
             .collect(),
     }

@@ -2,36 +2,36 @@
 
 use std::collections::BTreeSet;
 
-use super::memory::{Extent, Memory, Tally};
-use super::resolve::Shape;
+use super::memory::{Memory, SizeTally, TypeExtent};
+use super::resolve::ValueShape;
 use super::size::Sizes;
-use super::table::{Table, TableField};
+use super::table::{DeviceTable, TableField};
 
 /// Sums up the sizes of the objects of a table.
-pub(crate) fn tally(table: &Table) -> Tally {
+pub(crate) fn tally(table: &DeviceTable) -> SizeTally {
     let objects = table.objects.iter();
-    Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())))
+    SizeTally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())))
 }
 
 /// The struct of a storage group in C: the widest members are first.
-pub(crate) fn group(table: &Table, group: usize) -> Extent {
-    let mut members: Vec<Extent> = table.members(Some(group)).map(TableField::extent).collect();
+pub(crate) fn group(table: &DeviceTable, group: usize) -> TypeExtent {
+    let mut members: Vec<TypeExtent> = table.members(Some(group)).map(TableField::extent).collect();
     members.sort_by_key(|member| std::cmp::Reverse(member.alignment));
-    Extent::structure(members)
+    TypeExtent::structure(members)
 }
 
 /// Size of the struct of values in C, including the one-byte node-ID: the widest members are last.
-pub(crate) fn ram(table: &Table) -> usize {
+pub(crate) fn ram(table: &DeviceTable) -> usize {
     let groups = (0..table.groups.len()).map(|number| group(table, number));
-    let mut members: Vec<Extent> =
-        table.members(None).map(TableField::extent).chain(groups).chain([Extent::BYTE]).collect();
+    let mut members: Vec<TypeExtent> =
+        table.members(None).map(TableField::extent).chain(groups).chain([TypeExtent::BYTE]).collect();
     members.sort_by_key(|member| member.alignment);
-    Extent::structure(members).size
+    TypeExtent::structure(members).size
 }
 
 /// The layout of a table of rows.
 #[derive(Clone, Copy)]
-pub(crate) struct Layout {
+pub(crate) struct TableLayout {
     /// Size of a row in bytes.
     pub(crate) row: usize,
     /// Size of an object without its rows, in bytes.
@@ -43,7 +43,7 @@ pub(crate) struct Layout {
     /// Whether the values have initial values in flash, as those of a `static`.
     pub(crate) section: Memory,
     /// Size of one value in RAM, in bytes.
-    pub(crate) value: fn(Shape) -> usize,
+    pub(crate) value: fn(ValueShape) -> usize,
     /// Size of the code in flash, 0 if it is not counted.
     pub(crate) code: usize,
     /// Size of a name: of its row, and of its end mark; `None` without names.
@@ -52,9 +52,9 @@ pub(crate) struct Layout {
     pub(crate) counted: &'static str,
 }
 
-impl Layout {
+impl TableLayout {
     /// The size of a table.
-    pub(crate) fn size(self, table: &Table) -> Sizes {
+    pub(crate) fn size(self, table: &DeviceTable) -> Sizes {
         let mut tally = tally(table);
         let mut taken = vec![false; table.rom.len()];
         let mut values = 0;

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::{Note, model::Place, table::Table};
+use crate::{Note, model::Place, table::DeviceTable};
 
 /// Objects that SDOs may write without an effect on the node, or with less than CiA 301 and 302 say.
 #[derive(Clone, Debug)]
@@ -54,7 +54,7 @@ pub const UNSERVED: [Unserved; 10] = [
 const STORE: RangeInclusive<u16> = 0x1010..=0x1011;
 
 /// Notes about objects that can be written and that the node does not serve.
-pub(crate) fn notes(table: &Table) -> Vec<Note> {
+pub(crate) fn notes(table: &DeviceTable) -> Vec<Note> {
     let is_written = |indexes: &RangeInclusive<u16>| {
         let mut rows = table.rows.iter().filter(|row| indexes.contains(&row.index));
         rows.find(|row| row.resolved.access.is_writable()).map(|row| row.index)

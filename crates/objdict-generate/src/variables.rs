@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::dictionary::ResolvedObject;
-use super::memory::{Extent, Memory, Tally};
-use super::names::{LONGEST, Scope, clip, words};
+use super::memory::{Memory, SizeTally, TypeExtent};
+use super::names::{LONGEST, NameScope, clip, words};
 use crate::model::{Object, ObjectType};
 
 /// The type of a variable; variables of equal types can be elements of one array.
@@ -15,25 +15,25 @@ pub(crate) struct CType {
     /// What is behind the name and the number of elements.
     pub(crate) suffix: String,
     /// Of one value.
-    pub(crate) extent: Extent,
+    pub(crate) extent: TypeExtent,
 }
 
 impl CType {
     /// A number.
     pub(crate) fn number(base: impl Into<String>) -> Self {
         let base = base.into();
-        Self { suffix: String::new(), extent: Extent::of_c(&base), base }
+        Self { suffix: String::new(), extent: TypeExtent::of_c(&base), base }
     }
 
     /// An array of so many bytes, each of the type `base`.
     pub(crate) fn bytes(base: impl Into<String>, room: usize) -> Self {
-        Self { base: base.into(), suffix: format!("[{room}]"), extent: Extent::BYTE.times(room) }
+        Self { base: base.into(), suffix: format!("[{room}]"), extent: TypeExtent::BYTE.times(room) }
     }
 }
 
 /// The entries of one object that are in one variable.
 #[derive(Debug)]
-pub(crate) struct Variable {
+pub(crate) struct ObjectVariable {
     /// Unique; not a keyword; short enough for the prefix.
     pub(crate) name: String,
     /// Object number in the dictionary.
@@ -45,7 +45,7 @@ pub(crate) struct Variable {
     pub(crate) type_: CType,
 }
 
-impl Variable {
+impl ObjectVariable {
     /// The entries by their numbers, each with its place under the name of the variable.
     pub(crate) fn places<'a>(&'a self, name: &'a str) -> impl Iterator<Item = (usize, String)> + 'a {
         self.entries.clone().enumerate().map(move |(element, at)| {
@@ -113,7 +113,7 @@ impl Definition {
         self.type_.base.starts_with("const ")
     }
 
-    pub(crate) fn extent(&self) -> Extent {
+    pub(crate) fn extent(&self) -> TypeExtent {
         self.type_.extent.times(self.elements.unwrap_or(1))
     }
 
@@ -122,7 +122,7 @@ impl Definition {
     }
 
     /// Adds its bytes to those of its object.
-    pub(crate) fn count(&self, tally: &mut Tally) {
+    pub(crate) fn count(&self, tally: &mut SizeTally) {
         tally.of(self.index, self.memory(), self.extent().size);
     }
 }
@@ -131,9 +131,9 @@ impl Definition {
 /// can form an array. `names` gives the names of all of them: of entries, or of arrays (`None`).
 pub(crate) fn variables(
     objects: &[ResolvedObject<'_>],
-    names: impl FnOnce(&[Wanted<'_>]) -> Vec<String>,
+    names: impl FnOnce(&[WantedName<'_>]) -> Vec<String>,
     type_of: impl Fn(usize, usize) -> Option<CType>,
-) -> Vec<Variable> {
+) -> Vec<ObjectVariable> {
     let (mut variables, mut wanted) = (Vec::new(), Vec::new());
     for (number, object) in objects.iter().enumerate() {
         let types: Vec<Option<CType>> =
@@ -147,7 +147,7 @@ pub(crate) fn variables(
             let array = elements.contains(&entry);
             wanted.push((object, (!array).then_some(entry)));
             let entries = if array { elements.clone() } else { entry..entry + 1 };
-            variables.push(Variable { name: String::new(), object: number, entries, array, type_ });
+            variables.push(ObjectVariable { name: String::new(), object: number, entries, array, type_ });
         }
     }
     for (variable, name) in variables.iter_mut().zip(names(&wanted)) {
@@ -176,17 +176,17 @@ pub(crate) fn elements<K: PartialEq>(
 }
 
 /// An entry of an object by its number, or the whole object, that needs a name.
-pub(crate) type Wanted<'a> = (&'a ResolvedObject<'a>, Option<usize>);
+pub(crate) type WantedName<'a> = (&'a ResolvedObject<'a>, Option<usize>);
 
 /// Claims a name for each of them, which does not depend on their order.
-pub(crate) fn claim(scope: &mut Scope, prefix: &str, wanted: &[Wanted<'_>]) -> Vec<String> {
+pub(crate) fn claim(scope: &mut NameScope, prefix: &str, wanted: &[WantedName<'_>]) -> Vec<String> {
     let wanted: Vec<(String, String)> = wanted.iter().map(|wanted| described(prefix, wanted)).collect();
     scope.foresee(wanted.iter().map(|(name, _)| name.as_str()));
     wanted.iter().map(|(name, suffix)| scope.claim(name, format_args!("{suffix}"))).collect()
 }
 
 /// The words of a name, and what makes it unique.
-fn described(prefix: &str, &(object, entry): &Wanted<'_>) -> (String, String) {
+fn described(prefix: &str, &(object, entry): &WantedName<'_>) -> (String, String) {
     let index = object.index;
     let object_name = words(&object.name);
     let object_name = if object_name.is_empty() { format!("x{index:04x}") } else { object_name };

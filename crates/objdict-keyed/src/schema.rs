@@ -29,14 +29,18 @@ fn shape(shape: &Shape) -> Value {
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Text => json!({ "type": ["string", "number"] }),
         Shape::Word(words) => json!({ "enum": words }),
-        Shape::IntegerOr(low, high, word) => json!({ "anyOf": [integer(*low, *high), { "const": word }] }),
+        Shape::IntegerOr(low, high, word) => {
+            json!({ "anyOf": [integer(*low, *high), { "const": word }] })
+        }
         Shape::Value => json!({ "type": ["integer", "number", "string", "boolean"] }),
         Shape::Time(high, _) => json!({ "anyOf": [integer(0, *high), { "type": "string" }] }),
         Shape::ValueOrList => {
             let value = self::shape(&Shape::Value);
             json!({ "anyOf": [value, { "type": "array", "items": value }] })
         }
-        Shape::Values => json!({ "type": "object", "additionalProperties": self::shape(&Shape::Value) }),
+        Shape::Values => {
+            json!({ "type": "object", "additionalProperties": self::shape(&Shape::Value) })
+        }
         Shape::Texts => {
             json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
         }

@@ -19,7 +19,7 @@ const MAX_DEPTH: usize = 64;
 /// Reads a text of one document; `None` if it is not YAML, or has a second document, which is a finding.
 pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     let mut builder =
-        Builder { offsets: offsets(text), anchors: BTreeMap::new(), open: Vec::new(), findings };
+        YamlBuilder { offsets: offsets(text), anchors: BTreeMap::new(), open: Vec::new(), findings };
     let mut document = None;
     for event in Parser::new_from_str(text) {
         let (event, span) = match event {
@@ -62,21 +62,21 @@ fn offsets(text: &str) -> Vec<u32> {
 }
 
 /// A list or map that is not at its end.
-struct Open {
+struct OpenCollection {
     start: u32,
     anchor: usize,
     items: Vec<KeyedTree>,
     is_map: bool,
 }
 
-struct Builder<'f> {
+struct YamlBuilder<'f> {
     offsets: Vec<u32>,
     anchors: BTreeMap<usize, Arc<Kind>>,
-    open: Vec<Open>,
+    open: Vec<OpenCollection>,
     findings: &'f mut Findings,
 }
 
-impl Builder<'_> {
+impl YamlBuilder<'_> {
     fn offset(&self, characters: usize) -> u32 {
         match self.offsets.last() {
             None => u32::try_from(characters).unwrap_or(u32::MAX),
@@ -108,7 +108,7 @@ impl Builder<'_> {
                     ));
                 }
                 let is_map = matches!(event, Event::MappingStart(..));
-                self.open.push(Open { start: span.start, anchor, items: Vec::new(), is_map });
+                self.open.push(OpenCollection { start: span.start, anchor, items: Vec::new(), is_map });
                 Ok(None)
             }
             Event::SequenceEnd | Event::MappingEnd => {

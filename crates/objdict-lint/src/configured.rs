@@ -7,7 +7,7 @@ use crate::model::{Device, Entry, Field, Object, Place, Value};
 use crate::stated;
 
 /// A configuration and the description that it was made from.
-pub(crate) struct Configured<'a> {
+pub(crate) struct ConfiguredDevice<'a> {
     /// The configuration.
     pub device: &'a Device,
     /// The description of the type, with the PDOs that it implies.
@@ -17,7 +17,7 @@ pub(crate) struct Configured<'a> {
 }
 
 /// An entry that both describe.
-pub(crate) struct Pair<'a> {
+pub(crate) struct EntryPair<'a> {
     pub index: u16,
     /// The sub-index; `None` for the section of an object.
     pub sub: Option<u8>,
@@ -27,7 +27,7 @@ pub(crate) struct Pair<'a> {
     pub original: Cow<'a, Entry>,
 }
 
-impl<'a> Configured<'a> {
+impl<'a> ConfiguredDevice<'a> {
     /// The sections of the configuration that hold values, each with its object.
     pub(crate) fn sections(&self) -> impl Iterator<Item = (u16, &'a Object, Option<u8>, &'a Entry)> {
         self.device.objects.iter().flat_map(|(&index, object)| {
@@ -48,10 +48,10 @@ impl<'a> Configured<'a> {
     }
 
     /// The entries that both describe.
-    pub(crate) fn pairs(&self) -> impl Iterator<Item = Pair<'a>> {
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = EntryPair<'a>> {
         self.sections().filter_map(|(index, object, sub, entry)| {
             let original = self.original(index, object, sub)?;
-            Some(Pair { index, sub, entry, original })
+            Some(EntryPair { index, sub, entry, original })
         })
     }
 
@@ -72,7 +72,7 @@ impl<'a> Configured<'a> {
     pub(crate) fn finding(
         &self,
         rule: &'static RuleInfo,
-        pair: &Pair<'_>,
+        pair: &EntryPair<'_>,
         field: Field,
         message: Text,
     ) -> Diagnostic {
@@ -89,7 +89,7 @@ impl<'a> Configured<'a> {
     }
 }
 
-impl Pair<'_> {
+impl EntryPair<'_> {
     /// The section as a place.
     pub(crate) fn place(&self) -> Place {
         self.sub.map_or(Place::object(self.index), |sub| Place::entry(self.index, sub))

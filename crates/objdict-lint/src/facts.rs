@@ -30,21 +30,21 @@ pub(crate) struct Facts<'a> {
 pub(crate) struct PdoFacts<'a> {
     pub pdo: Pdo<'a>,
     /// The slots in use that refer to an object, in the order of the frame.
-    pub mapped: Vec<Mapped<'a>>,
+    pub mapped: Vec<MappingFact<'a>>,
 }
 
 /// A mapping entry in use.
-pub(crate) struct Mapped<'a> {
+pub(crate) struct MappingFact<'a> {
     /// The sub-index in the mapping parameter.
     pub slot: u8,
     /// The object that the entry refers to.
     pub object: MappedObject,
     /// The target of the entry.
-    pub target: Target<'a>,
+    pub target: MappedTo<'a>,
 }
 
 /// The target of a mapping entry.
-pub(crate) enum Target<'a> {
+pub(crate) enum MappedTo<'a> {
     /// A data type: a dummy entry.
     Dummy,
     /// The object is described, the sub-index is not.
@@ -63,13 +63,13 @@ pub(crate) enum Target<'a> {
 pub(crate) struct CobIdUse {
     pub index: u16,
     pub sub: u8,
-    pub service: Service,
+    pub service: CobIdService,
     pub cob_id: CobId,
 }
 
 /// The service of a COB-ID.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Service {
+pub(crate) enum CobIdService {
     Sync,
     Time,
     Emcy,
@@ -150,8 +150,8 @@ impl Facts<'_> {
     /// node-ID. A DCF describes one node and may contain numbers.
     pub(crate) fn base_without_node_id(&self, cob_id: &CobIdUse) -> Option<u16> {
         let base = match cob_id.service {
-            Service::Emcy => predefined::EMCY,
-            Service::Pdo(kind, number) => kind.predefined_can_id(number)?,
+            CobIdService::Emcy => predefined::EMCY,
+            CobIdService::Pdo(kind, number) => kind.predefined_can_id(number)?,
             _ => return None,
         };
         let fixed = self.device.kind == DeviceKind::Type && !cob_id.cob_id.depends_on_node_id();
@@ -169,11 +169,11 @@ impl Facts<'_> {
         let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
         let can_id = cob_id.cob_id.can_id(node);
         let by_right = match cob_id.service {
-            Service::ServerRequest(1) | Service::ServerResponse(1) => true,
-            Service::ServerRequest(_)
-            | Service::ServerResponse(_)
-            | Service::ClientRequest(_)
-            | Service::ClientResponse(_) => (0x580..0x680).contains(&can_id),
+            CobIdService::ServerRequest(1) | CobIdService::ServerResponse(1) => true,
+            CobIdService::ServerRequest(_)
+            | CobIdService::ServerResponse(_)
+            | CobIdService::ClientRequest(_)
+            | CobIdService::ClientResponse(_) => (0x580..0x680).contains(&can_id),
             _ => false,
         };
         if !is_readable || by_right || self.base_without_node_id(cob_id).is_some() {
@@ -194,8 +194,10 @@ impl Facts<'_> {
     /// rules report.
     pub(crate) fn foreign_service(&self, cob_id: &CobIdUse) -> Option<&'static str> {
         let node = *self.node_ids().start();
-        let is_fixed =
-            matches!(cob_id.service, Service::Sync | Service::Time | Service::Emcy | Service::EmcyConsumer);
+        let is_fixed = matches!(
+            cob_id.service,
+            CobIdService::Sync | CobIdService::Time | CobIdService::Emcy | CobIdService::EmcyConsumer
+        );
         let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
         let can_id = cob_id.cob_id.can_id(node);
         let owner = match can_id {
@@ -221,7 +223,7 @@ impl Facts<'_> {
     pub(crate) fn sdo_channels(&self) -> impl Iterator<Item = (&CobIdUse, &CobIdUse)> {
         self.cob_ids.windows(2).filter_map(|pair| match pair {
             [request, response] if request.index == response.index => match request.service {
-                Service::ServerRequest(_) | Service::ClientRequest(_) => Some((request, response)),
+                CobIdService::ServerRequest(_) | CobIdService::ClientRequest(_) => Some((request, response)),
                 _ => None,
             },
             _ => None,
@@ -234,7 +236,7 @@ impl<'a> PdoFacts<'a> {
         let used = pdo.used_slots().filter_map(|slot| Some((slot.sub, slot.object?)));
         let used = used.filter(|(_, object)| !object.is_unused());
         let mapped =
-            used.map(|(slot, object)| Mapped { slot, object, target: target(device, object) }).collect();
+            used.map(|(slot, object)| MappingFact { slot, object, target: target(device, object) }).collect();
         Self { pdo, mapped }
     }
 
@@ -245,7 +247,8 @@ impl<'a> PdoFacts<'a> {
 
     /// The COB-ID, if it is stated.
     pub(crate) fn cob_id(&self) -> Option<CobIdUse> {
-        let (index, service) = (self.pdo.communication_index(), Service::Pdo(self.pdo.kind, self.pdo.number));
+        let (index, service) =
+            (self.pdo.communication_index(), CobIdService::Pdo(self.pdo.kind, self.pdo.number));
         self.pdo.cob_id.map(|cob_id| CobIdUse { index, sub: 1, service, cob_id })
     }
 
@@ -256,17 +259,17 @@ impl<'a> PdoFacts<'a> {
     }
 }
 
-impl Mapped<'_> {
+impl MappingFact<'_> {
     /// The correct length, if the mapping states another.
     pub(crate) fn wrong_length(&self) -> Option<u8> {
-        let Target::Entry(entry) = &self.target else { return None };
+        let MappedTo::Entry(entry) = &self.target else { return None };
         entry.data_type?.bit_length().filter(|&bits| bits != self.object.bits)
     }
 
     /// The data type of the object if it has no fixed length. A string that has the length of the mapping
     /// can be mapped.
     pub(crate) fn variable_type(&self) -> Option<DataType> {
-        let Target::Entry(entry) = &self.target else { return None };
+        let MappedTo::Entry(entry) = &self.target else { return None };
         let data_type = entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()))?;
         let bytes = match entry.value() {
             Some(Value::Text(text)) => Some(text.len()),
@@ -286,7 +289,7 @@ impl Mapped<'_> {
     }
 }
 
-impl<'a> Target<'a> {
+impl<'a> MappedTo<'a> {
     /// The target of a mapped object.
     #[cfg(feature = "catalogue")]
     pub(crate) fn of(device: &'a Device, mapped: MappedObject) -> Self {
@@ -299,20 +302,24 @@ impl<'a> Target<'a> {
     }
 }
 
-fn target(device: &Device, mapped: MappedObject) -> Target<'_> {
+fn target(device: &Device, mapped: MappedObject) -> MappedTo<'_> {
     if mapped.is_dummy() {
-        return Target::Dummy;
+        return MappedTo::Dummy;
     }
     let Some(object) = device.object(mapped.index) else {
-        return if comes_from_elsewhere(device, mapped.index) { Target::Elsewhere } else { Target::NoObject };
+        return if comes_from_elsewhere(device, mapped.index) {
+            MappedTo::Elsewhere
+        } else {
+            MappedTo::NoObject
+        };
     };
     if mapped.sub == 0 && (object.object_type().has_subs() || object.compact.is_some()) {
-        return Target::Count;
+        return MappedTo::Count;
     }
     match object.entry(mapped.sub) {
-        Some(entry) => Target::Entry(entry),
-        None if comes_from_elsewhere(device, mapped.index) => Target::Elsewhere,
-        None => Target::NoEntry,
+        Some(entry) => MappedTo::Entry(entry),
+        None if comes_from_elsewhere(device, mapped.index) => MappedTo::Elsewhere,
+        None => MappedTo::NoEntry,
     }
 }
 
@@ -328,23 +335,23 @@ fn comes_from_elsewhere(device: &Device, index: u16) -> bool {
 
 fn cob_ids(device: &Device, pdos: &[PdoFacts<'_>]) -> Vec<CobIdUse> {
     let mut uses = Vec::new();
-    let mut take = |index: u16, sub: u8, service: Service| {
+    let mut take = |index: u16, sub: u8, service: CobIdService| {
         let cob_id = device.value(index, sub).and_then(|value| CobId::from_value(&value));
         uses.extend(cob_id.map(|cob_id| CobIdUse { index, sub, service, cob_id }));
     };
-    take(0x1005, 0, Service::Sync);
-    take(0x1012, 0, Service::Time);
-    take(0x1014, 0, Service::Emcy);
+    take(0x1005, 0, CobIdService::Sync);
+    take(0x1012, 0, CobIdService::Time);
+    take(0x1014, 0, CobIdService::Emcy);
     if device.objects.contains_key(&0x1028) {
-        (1..=127).for_each(|sub| take(0x1028, sub, Service::EmcyConsumer));
+        (1..=127).for_each(|sub| take(0x1028, sub, CobIdService::EmcyConsumer));
     }
     for (&index, _) in device.objects.range(0x1200..=0x127F) {
-        take(index, 1, Service::ServerRequest(index - 0x1200 + 1));
-        take(index, 2, Service::ServerResponse(index - 0x1200 + 1));
+        take(index, 1, CobIdService::ServerRequest(index - 0x1200 + 1));
+        take(index, 2, CobIdService::ServerResponse(index - 0x1200 + 1));
     }
     for (&index, _) in device.objects.range(0x1280..=0x12FF) {
-        take(index, 1, Service::ClientRequest(index - 0x1280 + 1));
-        take(index, 2, Service::ClientResponse(index - 0x1280 + 1));
+        take(index, 1, CobIdService::ClientRequest(index - 0x1280 + 1));
+        take(index, 2, CobIdService::ClientResponse(index - 0x1280 + 1));
     }
     uses.extend(pdos.iter().filter_map(PdoFacts::cob_id));
     uses
@@ -354,13 +361,13 @@ impl CobIdUse {
     /// Whether the device sends or receives frames with the COB-ID. SYNC is always received.
     pub(crate) fn is_in_use(&self) -> bool {
         match self.service {
-            Service::Sync => true,
-            Service::Time => self.cob_id.bit_30() || !self.cob_id.is_valid(),
+            CobIdService::Sync => true,
+            CobIdService::Time => self.cob_id.bit_30() || !self.cob_id.is_valid(),
             // many stacks write 0, the CAN-ID of NMT, to an unused channel
-            Service::ServerRequest(_)
-            | Service::ServerResponse(_)
-            | Service::ClientRequest(_)
-            | Service::ClientResponse(_) => self.cob_id.is_valid() && self.cob_id != CobId::new(0),
+            CobIdService::ServerRequest(_)
+            | CobIdService::ServerResponse(_)
+            | CobIdService::ClientRequest(_)
+            | CobIdService::ClientResponse(_) => self.cob_id.is_valid() && self.cob_id != CobId::new(0),
             _ => self.cob_id.is_valid(),
         }
     }
@@ -368,24 +375,26 @@ impl CobIdUse {
     /// Whether the device sends frames with the COB-ID; otherwise it receives them.
     pub(crate) fn is_sent(&self) -> bool {
         match self.service {
-            Service::Sync | Service::Time => self.cob_id.bit_30(),
-            Service::EmcyConsumer | Service::ServerRequest(_) | Service::ClientResponse(_) => false,
-            Service::Emcy | Service::ServerResponse(_) | Service::ClientRequest(_) => true,
-            Service::Pdo(kind, _) => kind == PdoKind::Tpdo,
+            CobIdService::Sync | CobIdService::Time => self.cob_id.bit_30(),
+            CobIdService::EmcyConsumer | CobIdService::ServerRequest(_) | CobIdService::ClientResponse(_) => {
+                false
+            }
+            CobIdService::Emcy | CobIdService::ServerResponse(_) | CobIdService::ClientRequest(_) => true,
+            CobIdService::Pdo(kind, _) => kind == PdoKind::Tpdo,
         }
     }
 
     /// The set bits that belong neither to the flags of the service nor to its CAN-ID.
     pub(crate) fn wrong_bits(&self) -> u32 {
         let reserved = match self.service {
-            Service::Emcy | Service::EmcyConsumer => self.cob_id.number() & CobId::BIT_30,
+            CobIdService::Emcy | CobIdService::EmcyConsumer => self.cob_id.number() & CobId::BIT_30,
             _ => 0,
         };
         self.cob_id.stray_bits() | reserved
     }
 }
 
-impl Sayable for Service {
+impl Sayable for CobIdService {
     fn argument(&self) -> Argument {
         match self {
             Self::Sync => "SYNC".argument(),

@@ -31,15 +31,15 @@ use objdict_profile as profile;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Object};
 
-use configured::Configured;
+use configured::ConfiguredDevice;
 #[cfg(feature = "catalogue")]
 pub(crate) use drive::{Drive, MODES};
-pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
+pub(crate) use facts::{CobIdService, CobIdUse, Facts, MappedTo, PdoFacts, is_unstated};
 pub(crate) use index_set::IndexSet;
 pub use options::Options;
 pub(crate) use respell::respell;
 pub use rule::Rule;
-pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, with_others};
+pub(crate) use rule::{Check, EntryAt, EntryCheck, EntryOwner, with_others};
 pub(crate) use rules::rules_of;
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
@@ -71,7 +71,7 @@ pub fn check(device: &Device, options: &Options) -> Findings {
 /// [`At::Node`](crate::diagnostic::At::Node) point into.
 pub fn check_configured(device: &Device, origin: &Device) -> Findings {
     let mut findings = Findings::new();
-    let configured = Configured { device, origin: &origin.with_implicit_pdos(), written: origin };
+    let configured = ConfiguredDevice { device, origin: &origin.with_implicit_pdos(), written: origin };
     let is_same = rules::is_same_product(device, origin);
     for rule in rules_of(|group| group == "configuration") {
         if let Check::Configured(check) = rule.check
@@ -135,17 +135,17 @@ fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
         for check in &object_checks {
             check(device, index, object, findings);
         }
-        check_entries(device, Origin::Device, index, object, &entry_checks, findings);
+        check_entries(device, EntryOwner::Device, index, object, &entry_checks, findings);
     }
     for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
         for (&index, object) in &module.fixed {
-            check_entries(device, Origin::Fixed(number), index, object, &entry_checks, findings);
+            check_entries(device, EntryOwner::Fixed(number), index, object, &entry_checks, findings);
         }
         for (&index, extension) in &module.extensions {
             let mut object = Object { main: extension.entry.clone(), ..Object::default() };
             // some descriptions state the type of the extended object
             object.main.object_type = object.main.object_type.filter(|object_type| !object_type.has_subs());
-            check_entries(device, Origin::Extension(number), index, &object, &entry_checks, findings);
+            check_entries(device, EntryOwner::Extension(number), index, &object, &entry_checks, findings);
         }
     }
 }
@@ -153,7 +153,7 @@ fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
 /// Applies all rules about entries to the described entries of an object.
 fn check_entries(
     device: &Device,
-    origin: Origin,
+    origin: EntryOwner,
     index: u16,
     object: &Object,
     checks: &[EntryCheck],

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "catalogue")]
 use crate::Drive;
-use crate::configured::Configured;
+use crate::configured::ConfiguredDevice;
 use crate::demands::{Against, Applied, Expected};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
 use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
@@ -65,7 +65,7 @@ pub(crate) enum Check {
     /// Each object that the document defines.
     Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
     /// A configuration beside the description of its type.
-    Configured(fn(&Configured<'_>, &mut Findings)),
+    Configured(fn(&ConfiguredDevice<'_>, &mut Findings)),
     /// Each described entry that the document defines, in objects with the structure of the document.
     Expected(fn(&'static RuleInfo, &Expected<'_>, &mut Findings)),
 }
@@ -74,7 +74,7 @@ pub(crate) enum Check {
 #[derive(Clone, Copy)]
 pub(crate) struct EntryAt<'a> {
     pub device: &'a Device,
-    pub origin: Origin,
+    pub origin: EntryOwner,
     pub index: u16,
     /// The object of the entry; for an extension, an object with only this entry.
     pub object: &'a Object,
@@ -85,7 +85,7 @@ pub(crate) struct EntryAt<'a> {
 
 /// The owner of an entry.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Origin {
+pub(crate) enum EntryOwner {
     /// The device.
     Device,
     /// A fixed object of the module with this number.
@@ -99,11 +99,13 @@ impl EntryAt<'_> {
     pub(crate) fn place(&self) -> Place {
         let index = self.index;
         Place::of(match (self.origin, self.sub) {
-            (Origin::Device, Some(sub)) => Part::Entry(index, sub),
-            (Origin::Device, None) => Part::Object(index),
-            (Origin::Fixed(module), Some(sub)) => Part::Module(module, ModulePart::FixedEntry(index, sub)),
-            (Origin::Fixed(module), None) => Part::Module(module, ModulePart::Fixed(index)),
-            (Origin::Extension(module), _) => Part::Module(module, ModulePart::SubExt(index)),
+            (EntryOwner::Device, Some(sub)) => Part::Entry(index, sub),
+            (EntryOwner::Device, None) => Part::Object(index),
+            (EntryOwner::Fixed(module), Some(sub)) => {
+                Part::Module(module, ModulePart::FixedEntry(index, sub))
+            }
+            (EntryOwner::Fixed(module), None) => Part::Module(module, ModulePart::Fixed(index)),
+            (EntryOwner::Extension(module), _) => Part::Module(module, ModulePart::SubExt(index)),
         })
     }
 

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::beside::{self, Target};
-use super::diagnostics::Maker;
-use super::file::File;
+use super::beside::{self, OtherSyntax};
+use super::diagnostics::DiagnosticMaker;
+use super::file::CheckedFile;
 use super::protocol::{CodeAction, FIX_ALL, QUICKFIX, REFACTOR, WorkspaceEdit};
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use super::{baseline, documentation, edits};
 use objdict_format as format;
 use objdict_format::Description;
@@ -46,7 +46,7 @@ pub(super) enum Work {
     /// Writes the entries of an object out of compact storage, or stores them so.
     Store(u16),
     /// Writes the description in another syntax into a new file.
-    Convert(Target),
+    Convert(OtherSyntax),
     /// Adds the node of a DCF to the network of its folder.
     AddNode,
     /// Adds the findings of a rule to the baseline.
@@ -55,15 +55,15 @@ pub(super) enum Work {
 
 /// What an action needs when it is resolved.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Wanted {
+pub(super) struct WantedAction {
     pub(super) uri: String,
     work: Work,
 }
 
 /// The actions in a range of a file.
 pub(super) fn actions(
-    file: &File,
-    workspace: &Workspace,
+    file: &CheckedFile,
+    workspace: &EditorWorkspace,
     span: Span,
     only: Option<&[String]>,
 ) -> Vec<CodeAction> {
@@ -108,14 +108,14 @@ pub(super) fn actions(
 }
 
 /// An action whose edits are made when it is chosen.
-fn later(file: &File, title: &str, work: Work, kind: &'static str) -> CodeAction {
-    let wanted = Wanted { uri: file.uri.clone(), work };
+fn later(file: &CheckedFile, title: &str, work: Work, kind: &'static str) -> CodeAction {
+    let wanted = WantedAction { uri: file.uri.clone(), work };
     let data = serde_json::to_value(wanted).ok();
     CodeAction { title: title.to_owned(), kind, data, ..CodeAction::default() }
 }
 
 /// Adding the findings of a range to the baseline, if there is one.
-fn known(file: &File, workspace: &Workspace, span: Span) -> Vec<CodeAction> {
+fn known(file: &CheckedFile, workspace: &EditorWorkspace, span: Span) -> Vec<CodeAction> {
     let Some(name) = workspace.baseline.as_deref().and_then(Path::file_name) else { return Vec::new() };
     let mut rules = Vec::new();
     file.analysis.map_subjects(|subject, findings| {
@@ -135,7 +135,7 @@ fn known(file: &File, workspace: &Workspace, span: Span) -> Vec<CodeAction> {
 }
 
 /// The fixes of findings that touch a range, and comments that suppress them; of each device of a file.
-fn quick_fixes(file: &File, span: Span) -> Vec<CodeAction> {
+fn quick_fixes(file: &CheckedFile, span: Span) -> Vec<CodeAction> {
     let mut left = MAX_TRIED;
     let mut actions = Vec::new();
     file.analysis.map_subjects(|subject, findings| {
@@ -148,7 +148,7 @@ fn quick_fixes(file: &File, span: Span) -> Vec<CodeAction> {
         };
         let here: Vec<&diagnostic::Diagnostic> = findings.iter().filter(is_here).take(left).collect();
         left -= here.len();
-        let maker = Maker { subject, uri: &file.uri, unit: file.unit };
+        let maker = DiagnosticMaker { subject, uri: &file.uri, unit: file.unit };
         for finding in here {
             of_finding(file, &maker, findings, (finding, at(finding)), &mut actions);
         }
@@ -160,8 +160,8 @@ fn quick_fixes(file: &File, span: Span) -> Vec<CodeAction> {
 
 /// What can be done about a finding at its place.
 fn of_finding(
-    file: &File,
-    maker: &Maker<'_>,
+    file: &CheckedFile,
+    maker: &DiagnosticMaker<'_>,
     findings: &Findings,
     (finding, at): (&diagnostic::Diagnostic, Span),
     actions: &mut Vec<CodeAction>,
@@ -218,7 +218,7 @@ const fn note(safety: Applicability) -> &'static str {
 
 /// The edits of the fix of a finding, where it fixes the finding and causes no other.
 fn fix<'f>(
-    file: &File,
+    file: &CheckedFile,
     description: &Description,
     findings: &Findings,
     finding: &'f diagnostic::Diagnostic,
@@ -239,7 +239,7 @@ fn fix<'f>(
 }
 
 /// The word that a finding asks for in place of a misspelled one, if the file has one finding less with it and no other.
-fn meant(file: &File, finding: &diagnostic::Diagnostic, at: Span) -> Option<String> {
+fn meant(file: &CheckedFile, finding: &diagnostic::Diagnostic, at: Span) -> Option<String> {
     let help = finding.help.as_ref()?.shown();
     let word = help.strip_prefix("did you mean `")?.strip_suffix("`?")?;
     let text = at.of(file.text());
@@ -247,7 +247,7 @@ fn meant(file: &File, finding: &diagnostic::Diagnostic, at: Span) -> Option<Stri
     let quote = quote.map(String::from).unwrap_or_default();
     let new = format!("{quote}{word}{quote}");
     let after = file.again_with(&[(at, new.clone())])?;
-    let counts = |file: &File| {
+    let counts = |file: &CheckedFile| {
         let mut counts = BTreeMap::new();
         for found in file.analysis.findings.iter().flatten() {
             *counts.entry(found.rule.id).or_insert(0_usize) += 1;
@@ -263,7 +263,11 @@ fn meant(file: &File, finding: &diagnostic::Diagnostic, at: Span) -> Option<Stri
 }
 
 /// The edits of an action that was chosen.
-pub(super) fn resolve(file: &File, workspace: &mut Workspace, wanted: &Wanted) -> Option<WorkspaceEdit> {
+pub(super) fn resolve(
+    file: &CheckedFile,
+    workspace: &mut EditorWorkspace,
+    wanted: &WantedAction,
+) -> Option<WorkspaceEdit> {
     match &wanted.work {
         Work::Fix(fixes) => workspace.reading(|| {
             let text = file.description().and_then(|_| text_after(file, fixes))?;
@@ -277,7 +281,7 @@ pub(super) fn resolve(file: &File, workspace: &mut Workspace, wanted: &Wanted) -
 }
 
 /// The text after fixes.
-fn text_after(file: &File, fixes: &Fixes) -> Option<String> {
+fn text_after(file: &CheckedFile, fixes: &Fixes) -> Option<String> {
     let options = &file.analysis.options;
     let source = SourceFile::from_text(file.source().name(), file.text());
     let description = format::read(source, file.description()?.format());

@@ -20,7 +20,7 @@ use objdict_project::workspace::{self, Overrides, with_origin_beside};
 
 /// What is in a file.
 #[derive(Debug)]
-pub(super) enum Content {
+pub(super) enum FileContent {
     /// The description of a device, or of several.
     Description(Box<Description>),
     /// A network and the descriptions of its nodes.
@@ -34,7 +34,7 @@ pub(super) enum Content {
 /// A file with its findings.
 #[derive(Debug)]
 pub(super) struct Analysis {
-    pub(super) content: Content,
+    pub(super) content: FileContent,
     /// The findings of each device of a description; of another file one list.
     pub(super) findings: Vec<Findings>,
     /// Errors that are not findings of rules: why the file cannot be read.
@@ -56,16 +56,16 @@ impl Analysis {
     /// What the findings are about.
     pub(super) fn subject(&self) -> Subject<'_> {
         match &self.content {
-            Content::Description(description) => (&**description).into(),
-            Content::Network(network) => (&**network).into(),
-            Content::Text(source) | Content::Foreign(source) => source.into(),
+            FileContent::Description(description) => (&**description).into(),
+            FileContent::Network(network) => (&**network).into(),
+            FileContent::Text(source) | FileContent::Foreign(source) => source.into(),
         }
     }
 
     /// The description; `None` for another file.
     pub(super) fn description(&self) -> Option<&Description> {
         match &self.content {
-            Content::Description(description) => Some(description),
+            FileContent::Description(description) => Some(description),
             _ => None,
         }
     }
@@ -73,7 +73,7 @@ impl Analysis {
     /// The network; `None` for another file.
     pub(super) fn network(&self) -> Option<&NetworkFile> {
         match &self.content {
-            Content::Network(network) => Some(network),
+            FileContent::Network(network) => Some(network),
             _ => None,
         }
     }
@@ -102,7 +102,7 @@ impl Analysis {
         check_with(description, &self.options)
     }
 
-    fn of(content: Content, findings: Findings, options: Options) -> Self {
+    fn of(content: FileContent, findings: Findings, options: Options) -> Self {
         Self { content, findings: vec![findings], errors: Vec::new(), options, project: None }
     }
 }
@@ -150,10 +150,10 @@ fn read_and_checked(
             match FileKind::of(path).and_then(FileKind::format).or(unsaved) {
                 // a file that is about to be written
                 Some(format) => {
-                    let content = Content::Description(Box::new(format::read(source, format)));
+                    let content = FileContent::Description(Box::new(format::read(source, format)));
                     Analysis::of(content, Findings::new(), options)
                 }
-                None => Analysis::of(Content::Foreign(source), Findings::new(), options),
+                None => Analysis::of(FileContent::Foreign(source), Findings::new(), options),
             }
         }
         Err(error) => of_error(&error, source(&name, bytes, encoding), options),
@@ -178,13 +178,13 @@ fn source(name: &str, bytes: Vec<u8>, encoding: Option<Encoding>) -> SourceFile 
 fn of_description(path: &Path, description: Description, options: Options) -> Analysis {
     let description = with_origin_beside(path, description, &SourceOptions::default());
     let findings = workspace::findings(&description, &options);
-    let content = Content::Description(Box::new(description));
+    let content = FileContent::Description(Box::new(description));
     Analysis { findings, ..Analysis::of(content, Findings::new(), options) }
 }
 
 fn of_error(error: &ReadError, source: SourceFile, options: Options) -> Analysis {
     let problem = ReadProblem { span: Span::default(), message: error.to_string(), help: error.help() };
-    Analysis { errors: vec![problem], ..Analysis::of(Content::Foreign(source), Findings::new(), options) }
+    Analysis { errors: vec![problem], ..Analysis::of(FileContent::Foreign(source), Findings::new(), options) }
 }
 
 /// A network, a patch or a profile; anything else has no findings.
@@ -195,13 +195,13 @@ fn of_other(path: &Path, source: SourceFile, reading: &Reading, options: Options
         paths.patches.clone_from(&reading.patches);
         let network = NetworkFile::read(source, path.parent().unwrap_or(Path::new("")), &paths);
         let findings = options.severities.apply(network.check());
-        return Analysis::of(Content::Network(Box::new(network)), findings, options);
+        return Analysis::of(FileContent::Network(Box::new(network)), findings, options);
     }
     if kind == ContentKind::Patch {
         let patch = Patch::read(source);
         let findings = options.severities.apply(patch.findings().clone());
         let source = SourceFile::from_text(patch.source().name(), patch.source().text());
-        return Analysis::of(Content::Text(source), findings, options);
+        return Analysis::of(FileContent::Text(source), findings, options);
     }
     if is_profile(&source) && source.text().len() as u64 <= MAX_TOML_SIZE {
         let error = Profile::from_toml(source.text()).err();
@@ -211,9 +211,9 @@ fn of_other(path: &Path, source: SourceFile, reading: &Reading, options: Options
             help: error.help,
         });
         let errors = errors.into_iter().collect();
-        return Analysis { errors, ..Analysis::of(Content::Text(source), Findings::new(), options) };
+        return Analysis { errors, ..Analysis::of(FileContent::Text(source), Findings::new(), options) };
     }
-    Analysis::of(Content::Foreign(source), Findings::new(), options)
+    Analysis::of(FileContent::Foreign(source), Findings::new(), options)
 }
 
 /// Whether a text begins as a profile does: with the document that it is about, or its title.
@@ -238,7 +238,7 @@ fn of_project(path: &Path, source: SourceFile, options: Options) -> Analysis {
         findings = options.severities.apply(project.findings.clone());
         errors.extend(project.failures.iter().map(|failure| invalid(&project, failure)));
     }
-    Analysis { errors, ..Analysis::of(Content::Text(source), findings, options) }
+    Analysis { errors, ..Analysis::of(FileContent::Text(source), findings, options) }
 }
 
 /// The error of a profile, at its name in the configuration.

@@ -5,11 +5,11 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
 use super::call::Call;
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{
     AtPosition, AtPositions, CommandCall, InContext, InFile, InRange, NewName, Position, Query, TextDocument,
 };
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use super::{
     actions, completion, documentation, edits, hints, hover, navigation, rename, sections, symbols, tokens,
 };
@@ -18,7 +18,7 @@ use super::{
 const NOT_OPEN: &str = "the file is not open";
 
 /// The answer to a request.
-pub(super) fn answer(workspace: &mut Workspace, request: Request) -> Option<Response> {
+pub(super) fn answer(workspace: &mut EditorWorkspace, request: Request) -> Option<Response> {
     let call = Call::new(request);
     let call = about_places(workspace, call);
     let call = about_files(workspace, call);
@@ -26,13 +26,17 @@ pub(super) fn answer(workspace: &mut Workspace, request: Request) -> Option<Resp
 }
 
 /// A file and the offset in it that a request is about.
-fn at(workspace: &mut Workspace, document: &TextDocument, position: Position) -> Option<(File, u32)> {
+fn at(
+    workspace: &mut EditorWorkspace,
+    document: &TextDocument,
+    position: Position,
+) -> Option<(CheckedFile, u32)> {
     let file = workspace.file(&document.uri)?;
     let offset = file.offset(position);
     Some((file, offset))
 }
 
-fn about_places(workspace: &mut Workspace, call: Call) -> Call {
+fn about_places(workspace: &mut EditorWorkspace, call: Call) -> Call {
     call.on("textDocument/hover", |params: AtPosition| {
         let (file, offset) = at(workspace, &params.text_document, params.position)?;
         hover::hover(&file, offset)
@@ -42,8 +46,8 @@ fn about_places(workspace: &mut Workspace, call: Call) -> Call {
         let expands_snippets = workspace.client.expands_snippets;
         Some(workspace.reading(|| completion::completion(&file, offset, expands_snippets)))
     })
-    .on("completionItem/resolve", |mut item: Sent| {
-        let edits = wanted::<sections::Wanted>(&item).and_then(|wanted| {
+    .on("completionItem/resolve", |mut item: SentItem| {
+        let edits = wanted::<sections::WantedItem>(&item).and_then(|wanted| {
             let file = workspace.file(&wanted.uri)?;
             sections::resolve(&file, &wanted)
         });
@@ -75,7 +79,7 @@ fn about_places(workspace: &mut Workspace, call: Call) -> Call {
     })
 }
 
-fn about_files(workspace: &mut Workspace, call: Call) -> Call {
+fn about_files(workspace: &mut EditorWorkspace, call: Call) -> Call {
     call.on("textDocument/documentSymbol", |params: InFile| {
         Some(symbols::outline(&workspace.file(&params.text_document.uri)?))
     })
@@ -98,7 +102,7 @@ fn about_files(workspace: &mut Workspace, call: Call) -> Call {
     })
 }
 
-fn with_edits(workspace: &mut Workspace, call: Call) -> Call {
+fn with_edits(workspace: &mut EditorWorkspace, call: Call) -> Call {
     call.on("textDocument/formatting", |params: InFile| {
         edits::formatted(&workspace.file(&params.text_document.uri)?)
     })
@@ -122,8 +126,8 @@ fn with_edits(workspace: &mut Workspace, call: Call) -> Call {
         let only = params.context.only.as_deref();
         Some(workspace.reading(|| actions::actions(&file, workspace, span, only)))
     })
-    .on("codeAction/resolve", |mut action: Sent| {
-        let edit = wanted::<actions::Wanted>(&action).and_then(|wanted| {
+    .on("codeAction/resolve", |mut action: SentItem| {
+        let edit = wanted::<actions::WantedAction>(&action).and_then(|wanted| {
             let file = workspace.file(&wanted.uri)?;
             actions::resolve(&file, workspace, &wanted)
         });
@@ -133,9 +137,9 @@ fn with_edits(workspace: &mut Workspace, call: Call) -> Call {
 }
 
 /// An item that the server sent before, and completes when the user chooses it.
-type Sent = Map<String, Value>;
+type SentItem = Map<String, Value>;
 
 /// What the server needs to complete an item.
-fn wanted<T: DeserializeOwned>(item: &Sent) -> Option<T> {
+fn wanted<T: DeserializeOwned>(item: &SentItem) -> Option<T> {
     serde_json::from_value(item.get("data")?.clone()).ok()
 }

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use super::analysis::{Analysis, ReadProblem};
 use super::beside::created;
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::WorkspaceEdit;
 use super::uri::of_path;
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use objdict_model::source::{SourceError, Span, read_text, shown};
 use objdict_project::baseline::{Baseline, MAX_SIZE, name_in};
 
@@ -41,7 +41,11 @@ fn read(path: &Path) -> Result<Option<Baseline>, String> {
 }
 
 /// Adds the findings of a rule in a file to the baseline of the editor; a file that is no baseline stays as it is.
-pub(super) fn addition(file: &File, workspace: &mut Workspace, rule: &str) -> Option<WorkspaceEdit> {
+pub(super) fn addition(
+    file: &CheckedFile,
+    workspace: &mut EditorWorkspace,
+    rule: &str,
+) -> Option<WorkspaceEdit> {
     let path = workspace.baseline.clone()?;
     let old = workspace.reading(|| read(&path)).ok()?;
     let is_new = old.is_none();

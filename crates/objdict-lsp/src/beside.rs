@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{TextEdit, WorkspaceEdit};
 use super::uri::of_path;
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use objdict_format::{Description, Format, Syntax, WriteOptions, convert};
 use objdict_model::diagnostic::Severity;
 use objdict_model::model::{Access, DeviceKind, Value};
@@ -19,7 +19,7 @@ use objdict_network_file::node_name;
 /// A new file with the description in another syntax.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Target {
+pub(super) enum OtherSyntax {
     /// EDS or DCF.
     Ini,
     /// XDD or XDC.
@@ -27,38 +27,38 @@ pub(super) enum Target {
 }
 
 /// What a description can be converted to: another syntax whose file is not there.
-pub(super) fn targets(file: &File, description: &Description) -> Vec<Target> {
+pub(super) fn targets(file: &CheckedFile, description: &Description) -> Vec<OtherSyntax> {
     if description.device_count() > 1 || description.device().objects.is_empty() {
         return Vec::new();
     }
     let syntax = description.format().syntax();
-    let targets = [(Syntax::Ini, Target::Ini), (Syntax::Xml, Target::Xml)].into_iter();
+    let targets = [(Syntax::Ini, OtherSyntax::Ini), (Syntax::Xml, OtherSyntax::Xml)].into_iter();
     let others = targets.filter(|(other, _)| *other != syntax).map(|(_, target)| target);
     others.filter(|target| !is_file(&target.path(file))).collect()
 }
 
-impl Target {
-    fn format(self, file: &File) -> Format {
+impl OtherSyntax {
+    fn format(self, file: &CheckedFile) -> Format {
         let kind = file.description().map_or(DeviceKind::Type, |description| description.device().kind);
         Format::of(if matches!(self, Self::Ini) { Syntax::Ini } else { Syntax::Xml }, kind)
     }
 
     /// `a.xdd` of `a.eds` and of `a.device.toml`.
-    fn path(self, file: &File) -> PathBuf {
+    fn path(self, file: &CheckedFile) -> PathBuf {
         let path = Path::new(file.source().name());
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let stem = stem.strip_suffix(".device").unwrap_or(&stem);
         path.with_file_name(format!("{stem}.{}", self.format(file).name().to_ascii_lowercase()))
     }
 
-    pub(super) fn title(self, file: &File) -> String {
+    pub(super) fn title(self, file: &CheckedFile) -> String {
         let path = self.path(file);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         format!("convert to {} in `{name}`", self.format(file).name())
     }
 
     /// The new file; `None` where it is there by now, or the description cannot be written so.
-    pub(super) fn edit(self, file: &File) -> Option<WorkspaceEdit> {
+    pub(super) fn edit(self, file: &CheckedFile) -> Option<WorkspaceEdit> {
         let (path, format) = (self.path(file), self.format(file));
         let device = file.description()?.device().clone();
         let options = WriteOptions { embed: true, ..WriteOptions::default() };
@@ -88,7 +88,7 @@ pub(super) fn is_node(description: &Description) -> bool {
 
 /// Adds the node of a DCF to the network of its folder, or begins one: the description of its type with the configured values, where
 /// the network takes them, else the DCF.
-pub(super) fn add_node(file: &File, workspace: &mut Workspace) -> Option<WorkspaceEdit> {
+pub(super) fn add_node(file: &CheckedFile, workspace: &mut EditorWorkspace) -> Option<WorkspaceEdit> {
     let description = file.description()?;
     let folder = Path::new(file.source().name()).parent()?.to_owned();
     let network = workspace.network_in(&folder);
@@ -111,7 +111,7 @@ pub(super) fn add_node(file: &File, workspace: &mut Workspace) -> Option<Workspa
     };
     let text = network.text();
     let separator = if text.is_empty() || text.ends_with('\n') { "\n" } else { "\n\n" };
-    let errors = |file: &File| {
+    let errors = |file: &CheckedFile| {
         let findings = file.analysis.findings.iter().flatten();
         findings.filter(|finding| finding.severity == Severity::Error).count() + file.analysis.errors.len()
     };

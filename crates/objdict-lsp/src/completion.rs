@@ -1,8 +1,8 @@
 //! What can be written at the cursor.
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind, TextEdit};
-use super::sections::Sections;
+use super::sections::MissingSections;
 use super::{keyed, markup, words};
 use objdict_eds::eds::is_key_of;
 use objdict_eds::ini::{Document, LineKind};
@@ -16,7 +16,7 @@ use objdict_profile::ObjectFacts;
 use objdict_project::registry;
 
 /// The items at an offset, for an editor that expands snippets or one that does not.
-pub(super) fn completion(file: &File, offset: u32, expands_snippets: bool) -> Vec<CompletionItem> {
+pub(super) fn completion(file: &CheckedFile, offset: u32, expands_snippets: bool) -> Vec<CompletionItem> {
     if let Some(items) = rules(file, offset) {
         return items;
     }
@@ -28,7 +28,7 @@ pub(super) fn completion(file: &File, offset: u32, expands_snippets: bool) -> Ve
     let completer = Completer { file, description, document, offset };
     let sections = |line| {
         let device = description.device();
-        Sections { file, device, line_end: document.line_end(), line, expands_snippets }.items()
+        MissingSections { file, device, line_end: document.line_end(), line, expands_snippets }.items()
     };
     let Some(line) = document.line_at(offset) else {
         // an empty file, or the line behind the last one
@@ -48,7 +48,7 @@ pub(super) fn completion(file: &File, offset: u32, expands_snippets: bool) -> Ve
 }
 
 /// Ids of rules: in comments that suppress findings, and in the configuration.
-fn rules(file: &File, offset: u32) -> Option<Vec<CompletionItem>> {
+fn rules(file: &CheckedFile, offset: u32) -> Option<Vec<CompletionItem>> {
     let text = file.text();
     let before = text.get(..offset as usize)?;
     let line = &before[before.rfind(['\n', '\r']).map_or(0, |end| end + 1)..];
@@ -73,7 +73,7 @@ fn rules(file: &File, offset: u32) -> Option<Vec<CompletionItem>> {
 }
 
 pub(super) fn item(
-    file: &File,
+    file: &CheckedFile,
     span: Span,
     label: &str,
     new_text: String,
@@ -84,7 +84,7 @@ pub(super) fn item(
 }
 
 struct Completer<'a> {
-    file: &'a File,
+    file: &'a CheckedFile,
     description: &'a Description,
     document: &'a Document,
     offset: u32,

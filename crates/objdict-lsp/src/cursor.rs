@@ -9,12 +9,12 @@ pub(super) struct Cursor {
     pub(super) path: Vec<String>,
     /// The keys that the innermost table has.
     pub(super) present: Vec<String>,
-    pub(super) spot: Spot,
+    pub(super) spot: CursorSpot,
 }
 
 /// What is written there.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Spot {
+pub(super) enum CursorSpot {
     /// The header of a table of TOML.
     Header(Span),
     /// A key.
@@ -32,7 +32,7 @@ impl Cursor {
         let before = &text[start..at];
         if before.trim_start().starts_with('[') && !before.contains('=') {
             let span = Span::new(start as u32, end as u32);
-            return Some(Self { path: Vec::new(), present: Vec::new(), spot: Spot::Header(span) });
+            return Some(Self { path: Vec::new(), present: Vec::new(), spot: CursorSpot::Header(span) });
         }
         let (mut path, present) = table_around(text, start, end);
         let mut cursor = before;
@@ -60,9 +60,9 @@ impl Cursor {
                 if let Some((_, last)) = typed.rsplit_once('.').filter(|_| !typed.contains('"')) {
                     names.pop();
                     path.extend(names);
-                    Spot::Key(Span::new(offset - last.len() as u32, offset))
+                    CursorSpot::Key(Span::new(offset - last.len() as u32, offset))
                 } else {
-                    Spot::Key(Span::new(offset - typed.len() as u32, offset))
+                    CursorSpot::Key(Span::new(offset - typed.len() as u32, offset))
                 }
             }
         };
@@ -74,14 +74,14 @@ impl Cursor {
         let at = offset as usize;
         let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
         let before = &text[start..at];
-        let line = Line::of(before);
+        let line = YamlLine::of(before);
         let (mut path, mut present) = (Vec::new(), Vec::new());
         let (mut depth, mut is_item) = (line.indent, line.dash.is_some());
         if let Some(dash) = line.dash {
             depth = dash;
         }
         for above in text[..start].lines().rev().filter(|line| !line.trim().is_empty()) {
-            let above = Line::of(above);
+            let above = YamlLine::of(above);
             let Some(key) = above.key else { continue };
             if path.is_empty() && !is_item && above.indent == line.indent {
                 present.push(key.to_owned());
@@ -98,14 +98,14 @@ impl Cursor {
         let typed = line.rest;
         let spot = match typed.split_once(':') {
             Some((key, value)) => value_spot(text, key.trim().to_owned(), value, at),
-            None => Spot::Key(Span::new(offset - typed.len() as u32, offset)),
+            None => CursorSpot::Key(Span::new(offset - typed.len() as u32, offset)),
         };
         Some(Self { path, present, spot })
     }
 }
 
 /// A line of YAML.
-struct Line<'a> {
+struct YamlLine<'a> {
     /// The column of its key.
     indent: usize,
     /// The column of the dash of an item.
@@ -114,7 +114,7 @@ struct Line<'a> {
     rest: &'a str,
 }
 
-impl<'a> Line<'a> {
+impl<'a> YamlLine<'a> {
     fn of(line: &'a str) -> Self {
         let bare = line.trim_start();
         let mut indent = line.len() - bare.len();
@@ -182,24 +182,24 @@ fn open_brace(value: &str) -> Option<usize> {
 }
 
 /// What is written of a value, up to the cursor, and behind it up to its quote.
-fn value_spot(text: &str, key: String, value: &str, at: usize) -> Spot {
+fn value_spot(text: &str, key: String, value: &str, at: usize) -> CursorSpot {
     let quotes: Vec<usize> = value.match_indices(['"', '\'']).map(|(at, _)| at).collect();
     if let (Some(last), true) = (quotes.last(), quotes.len() % 2 == 1) {
         let start = at - (value.len() - last - 1);
         let line = text[at..].split(['\n', '\r']).next().unwrap_or_default();
         let end = line.find(['"', '\'']).map_or(at, |end| at + end);
-        return Spot::Value { key, span: Span::new(start as u32, end as u32), is_quoted: true };
+        return CursorSpot::Value { key, span: Span::new(start as u32, end as u32), is_quoted: true };
     }
     let typed = value.rsplit(['[', ',', ' ']).next().unwrap_or_default();
     let span = Span::new((at - typed.len()) as u32, at as u32);
-    Spot::Value { key, span, is_quoted: false }
+    CursorSpot::Value { key, span, is_quoted: false }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn at(text: &str, of: fn(&str, u32) -> Option<Cursor>) -> (String, String, Spot) {
+    fn at(text: &str, of: fn(&str, u32) -> Option<Cursor>) -> (String, String, CursorSpot) {
         let offset = text.find('‸').unwrap();
         let cursor = of(&text.replace('‸', ""), offset as u32).unwrap();
         (cursor.path.join("/"), cursor.present.join(" "), cursor.spot)
@@ -210,15 +210,15 @@ mod tests {
         let (path, present, spot) =
             at("[node.\"a.b\"]\nid = 1\n‸\nfile = 'x'\n[link]\nfrom = 1", Cursor::in_toml);
         assert_eq!((&*path, &*present), ("node/a.b", "id file"));
-        assert_eq!(spot, Spot::Key(Span::empty(20)));
+        assert_eq!(spot, CursorSpot::Key(Span::empty(20)));
         let (path, _, spot) = at("[[link]]\nto = [\"a.1\", \"b‸\"]", Cursor::in_toml);
         assert_eq!(path, "link");
-        assert_eq!(spot, Spot::Value { key: "to".into(), span: Span::new(23, 24), is_quoted: true });
+        assert_eq!(spot, CursorSpot::Value { key: "to".into(), span: Span::new(23, 24), is_quoted: true });
         let (path, present, _) = at("[object]\n2000 = { name = \"a, b\", ty‸", Cursor::in_toml);
         assert_eq!((&*path, &*present), ("object/2000", "name"));
         let (path, ..) = at("node.a.fi‸", Cursor::in_toml);
         assert_eq!(path, "node/a");
-        assert_eq!(at("[no‸de]", Cursor::in_toml).2, Spot::Header(Span::new(0, 6)));
+        assert_eq!(at("[no‸de]", Cursor::in_toml).2, CursorSpot::Header(Span::new(0, 6)));
     }
 
     #[test]
@@ -230,6 +230,6 @@ mod tests {
         assert_eq!((&*path, &*present), ("servo", "dcf"));
         let (path, _, spot) = at("servo:\n  tpdo:\n    1:\n      enabled: t‸", Cursor::in_yaml);
         assert_eq!(path, "servo/tpdo/1");
-        assert!(matches!(spot, Spot::Value { key, .. } if key == "enabled"));
+        assert!(matches!(spot, CursorSpot::Value { key, .. } if key == "enabled"));
     }
 }

@@ -17,10 +17,10 @@ const MAX_RELATED: usize = 50;
 
 /// The diagnostics of a file, in the order of its text; those of the devices of a file one after the other.
 pub(super) fn of(analysis: &Analysis, uri: &str, unit: ColumnUnit) -> Vec<Diagnostic> {
-    let maker = Maker { subject: analysis.subject(), uri, unit };
+    let maker = DiagnosticMaker { subject: analysis.subject(), uri, unit };
     let mut made: Vec<Diagnostic> = analysis.errors.iter().map(|problem| maker.of_problem(problem)).collect();
     let of_devices = analysis.map_subjects(|subject, findings| {
-        let maker = Maker { subject, uri, unit };
+        let maker = DiagnosticMaker { subject, uri, unit };
         let findings = grouped(subject, findings.clone());
         findings.iter().map(|finding| maker.of_finding(finding)).collect::<Vec<_>>()
     });
@@ -29,13 +29,13 @@ pub(super) fn of(analysis: &Analysis, uri: &str, unit: ColumnUnit) -> Vec<Diagno
 }
 
 /// Makes diagnostics of one file.
-pub(super) struct Maker<'a> {
+pub(super) struct DiagnosticMaker<'a> {
     pub(super) subject: Subject<'a>,
     pub(super) uri: &'a str,
     pub(super) unit: ColumnUnit,
 }
 
-impl Maker<'_> {
+impl DiagnosticMaker<'_> {
     fn of_problem(&self, problem: &ReadProblem) -> Diagnostic {
         let positions = Positions::new(self.subject.source(), self.unit);
         Diagnostic {

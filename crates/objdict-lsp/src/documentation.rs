@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use lsp_server::{Request, RequestId};
 use serde_json::json;
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{CodeAction, Command};
 use super::uri::of_path;
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use objdict_document::{Finding, Form, Identifiers, Options, Subject, write};
 use objdict_project::report::{Location, grouped};
 
@@ -21,7 +21,7 @@ pub(super) const SHOW: &str = "objdict.showDocumentation";
 /// The kind of the action that shows the page.
 pub(super) const KIND: &str = "source.documentation";
 
-pub(super) fn action(file: &File) -> CodeAction {
+pub(super) fn action(file: &CheckedFile) -> CodeAction {
     let title = "show the documentation".to_owned();
     let arguments = Some(json!([file.uri]));
     let command = Some(Command { title: title.clone(), command: SHOW, arguments });
@@ -32,7 +32,7 @@ pub(super) fn action(file: &File) -> CodeAction {
 ///
 /// # Errors
 /// When the file is not a description.
-pub(super) fn page(file: &File) -> Result<String, String> {
+pub(super) fn page(file: &CheckedFile) -> Result<String, String> {
     let description = file.description().ok_or_else(|| format!("`{}` is not a description", file.name()))?;
     let shown = file.analysis.map_subjects(|subject, findings| {
         let findings = grouped(subject, findings.clone());
@@ -53,7 +53,7 @@ pub(super) fn page(file: &File) -> Result<String, String> {
 ///
 /// # Errors
 /// When the file is not a description, or the page cannot be written.
-pub(super) fn show(file: &File, workspace: &mut Workspace) -> Result<(), String> {
+pub(super) fn show(file: &CheckedFile, workspace: &mut EditorWorkspace) -> Result<(), String> {
     let page = page(file)?;
     let failed = |error: std::io::Error| format!("cannot write the page: {error}");
     let folder = folder(workspace).map_err(failed)?;
@@ -67,7 +67,7 @@ pub(super) fn show(file: &File, workspace: &mut Workspace) -> Result<(), String>
 }
 
 /// The folder of the pages, which nothing else has made.
-fn folder(workspace: &mut Workspace) -> std::io::Result<PathBuf> {
+fn folder(workspace: &mut EditorWorkspace) -> std::io::Result<PathBuf> {
     if let Some(folder) = &workspace.pages {
         return Ok(folder.clone());
     }

@@ -1,6 +1,6 @@
 //! Changes of a description that fix nothing: order and spelling, and new parts.
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{CodeAction, REFACTOR, TextEdit};
 use objdict_eds::eds;
 use objdict_format as format;
@@ -16,7 +16,7 @@ use objdict_model::source::{Edits, SourceFile};
 const FRAME: u32 = 64;
 
 /// The edits that put a file into the order and spelling of `objdict fmt`; `None` where that is not possible.
-pub(super) fn formatted(file: &File) -> Option<Vec<TextEdit>> {
+pub(super) fn formatted(file: &CheckedFile) -> Option<Vec<TextEdit>> {
     let description = file.description()?;
     let bytes = description.arranged().ok()?;
     let source = file.source().with_bytes(bytes).ok()?;
@@ -24,7 +24,7 @@ pub(super) fn formatted(file: &File) -> Option<Vec<TextEdit>> {
 }
 
 /// The changes that can be made at an offset.
-pub(super) fn refactorings(file: &File, description: &Description, offset: u32) -> Vec<CodeAction> {
+pub(super) fn refactorings(file: &CheckedFile, description: &Description, offset: u32) -> Vec<CodeAction> {
     let Some(place) = file.place(offset) else { return Vec::new() };
     let device = description.device();
     let mut fixes = Vec::new();
@@ -88,7 +88,7 @@ fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
 }
 
 /// The other way to store an object at an offset, and what it is called: entries written out, or compact storage.
-pub(super) fn storage(file: &File, description: &Description, offset: u32) -> Option<(u16, String)> {
+pub(super) fn storage(file: &CheckedFile, description: &Description, offset: u32) -> Option<(u16, String)> {
     let index = file.place(offset)?.part.object()?;
     let object = description.device().object(index)?;
     stored_otherwise(description, object)?;
@@ -110,7 +110,7 @@ fn stored_otherwise(description: &Description, object: &Object) -> Option<Object
 }
 
 /// The edits that store an object the other way.
-pub(super) fn restored(file: &File, index: u16) -> Option<Vec<TextEdit>> {
+pub(super) fn restored(file: &CheckedFile, index: u16) -> Option<Vec<TextEdit>> {
     let description = file.description()?;
     let object = description.device().object(index)?;
     let after = stored_otherwise(description, object)?;

@@ -13,13 +13,13 @@ use objdict_project::line_diff::changes;
 
 /// A file with its findings, and how its positions are counted.
 #[derive(Clone)]
-pub(super) struct File {
+pub(super) struct CheckedFile {
     pub(super) analysis: Rc<Analysis>,
     pub(super) uri: Uri,
     pub(super) unit: ColumnUnit,
 }
 
-impl File {
+impl CheckedFile {
     pub(super) fn source(&self) -> &SourceFile {
         self.analysis.subject().source()
     }

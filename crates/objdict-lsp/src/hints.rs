@@ -1,6 +1,6 @@
 //! What is shown beside the text: names of mapped objects, COB-IDs of the node, bits of PDOs.
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::mentions::mentions;
 use super::protocol::{CodeLens, Command, InlayHint, Range};
 use super::words;
@@ -14,7 +14,7 @@ use objdict_model::source::Span;
 const FRAME: u32 = 64;
 
 /// The hints in a range of the text.
-pub(super) fn hints(file: &File, range: Range) -> Vec<InlayHint> {
+pub(super) fn hints(file: &CheckedFile, range: Range) -> Vec<InlayHint> {
     let Some(description) = file.description() else { return Vec::new() };
     let wanted = file.positions().span(range);
     let is_wanted = |span: &Span| wanted.start <= span.end && span.start <= wanted.end;
@@ -32,7 +32,7 @@ pub(super) fn hints(file: &File, range: Range) -> Vec<InlayHint> {
     names.chain(others).collect()
 }
 
-fn hint(file: &File, span: Span, text: String) -> InlayHint {
+fn hint(file: &CheckedFile, span: Span, text: String) -> InlayHint {
     InlayHint { position: file.positions().of(span.end), label: text, padding_left: true }
 }
 
@@ -57,7 +57,7 @@ fn free_bits(description: &Description, pdo: &Pdo<'_>) -> Option<(Span, String)>
 }
 
 /// What each PDO carries, above its mapping parameter.
-pub(super) fn lenses(file: &File) -> Vec<CodeLens> {
+pub(super) fn lenses(file: &CheckedFile) -> Vec<CodeLens> {
     let Some(description) = file.description() else { return Vec::new() };
     let device = description.device();
     let lens = |pdo: Pdo<'_>| {

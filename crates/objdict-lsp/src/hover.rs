@@ -1,6 +1,6 @@
 //! What is under the cursor.
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::mentions::mention_at;
 use super::network::node_mention_at;
 use super::protocol::{Hover, Markdown};
@@ -12,7 +12,7 @@ use objdict_model::source::Span;
 use objdict_project::registry;
 
 /// What is said of an offset.
-pub(super) fn hover(file: &File, offset: u32) -> Option<Hover> {
+pub(super) fn hover(file: &CheckedFile, offset: u32) -> Option<Hover> {
     let (span, text) = of_rule(file, offset)
         .or_else(|| of_description(file, offset))
         .or_else(|| of_network(file, offset))?;
@@ -20,14 +20,14 @@ pub(super) fn hover(file: &File, offset: u32) -> Option<Hover> {
 }
 
 /// The page of the rule whose id is under the cursor.
-fn of_rule(file: &File, offset: u32) -> Option<(Span, String)> {
+fn of_rule(file: &CheckedFile, offset: u32) -> Option<(Span, String)> {
     let word = file.word(offset);
     let id = word.of(file.text());
     let rule = registry::rule(id).filter(|_| id.contains('/'))?;
     Some((word, words::of_rule(rule)))
 }
 
-fn of_description(file: &File, offset: u32) -> Option<(Span, String)> {
+fn of_description(file: &CheckedFile, offset: u32) -> Option<(Span, String)> {
     let description = file.description()?;
     let device = description.device();
     if let Some(mention) = mention_at(description, offset) {
@@ -104,7 +104,7 @@ fn explained(object_type: ObjectType) -> &'static str {
 }
 
 /// An entry of a node: at an end of a link, in its settings, in a mapping.
-fn of_network(file: &File, offset: u32) -> Option<(Span, String)> {
+fn of_network(file: &CheckedFile, offset: u32) -> Option<(Span, String)> {
     let network = file.analysis.network()?.network()?;
     let found = node_mention_at(file, offset)?;
     let node = network.nodes.get(found.node)?;

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 use serde_json::{Value, json};
 
 use super::completion::item;
-use super::cursor::{Cursor, Spot};
-use super::file::File;
+use super::cursor::{Cursor, CursorSpot};
+use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};
 use super::schema::Schema;
 use super::sections::{documented, missing};
@@ -37,17 +37,17 @@ static CONFIG: LazyLock<Value> = LazyLock::new(|| {
 const MAX_FILES: usize = 1000;
 
 /// The items at an offset of a file of keys; none of another file.
-pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
+pub(super) fn completion(file: &CheckedFile, offset: u32) -> Vec<CompletionItem> {
     // a line that is being written may keep the file from being read
     let without = without_line(file.text(), offset);
     let Some(schema) = schema_of(file, &without) else { return Vec::new() };
     let is_yaml = std::ptr::eq(schema, &*BUS);
     let cursor = if is_yaml { Cursor::in_yaml } else { Cursor::in_toml }(file.text(), offset);
     let Some(cursor) = cursor else { return Vec::new() };
-    let writer = Writer { file, schema: Schema::new(schema), cursor: &cursor, is_yaml };
+    let writer = KeyWriter { file, schema: Schema::new(schema), cursor: &cursor, is_yaml };
     match &cursor.spot {
-        Spot::Header(span) => writer.headers(*span),
-        Spot::Key(span) => {
+        CursorSpot::Header(span) => writer.headers(*span),
+        CursorSpot::Key(span) => {
             let mut items = writer.keys(*span);
             if std::ptr::eq(schema, &*DEVICE) && cursor.path == ["object"] {
                 items.extend(writer.objects(&without, *span));
@@ -57,7 +57,7 @@ pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
             }
             items
         }
-        Spot::Value { key, span, is_quoted } => {
+        CursorSpot::Value { key, span, is_quoted } => {
             let mut items = writer.words(key, *span, *is_quoted);
             items.extend(writer.in_network(&without, key, *span, *is_quoted));
             items
@@ -74,7 +74,7 @@ fn without_line(text: &str, offset: u32) -> String {
 }
 
 /// The schema of a file, by its content without the line that is being written, else by its name.
-fn schema_of(file: &File, without: &str) -> Option<&'static Value> {
+fn schema_of(file: &CheckedFile, without: &str) -> Option<&'static Value> {
     let name = file.name();
     let is_toml = name.to_ascii_lowercase().ends_with(".toml");
     if name == CONFIG_FILE {
@@ -95,14 +95,14 @@ fn schema_of(file: &File, without: &str) -> Option<&'static Value> {
     }
 }
 
-struct Writer<'a> {
-    file: &'a File,
+struct KeyWriter<'a> {
+    file: &'a CheckedFile,
     schema: Schema<'a>,
     cursor: &'a Cursor,
     is_yaml: bool,
 }
 
-impl Writer<'_> {
+impl KeyWriter<'_> {
     /// The tables of the file, as headers of TOML.
     fn headers(&self, line: Span) -> Vec<CompletionItem> {
         let of = |(name, meaning): (&str, &str)| {

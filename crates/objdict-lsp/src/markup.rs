@@ -1,14 +1,14 @@
 //! What can be written in XDD and XDC: the words that CiA 311 has for an attribute.
 
 use super::completion::item;
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};
 use objdict_model::model::DataType;
 use objdict_xdd::xdd::words_of;
 use objdict_xdd::xml::Tree;
 
 /// The items in the value of an attribute.
-pub(super) fn completion(file: &File, tree: &Tree, offset: u32) -> Vec<CompletionItem> {
+pub(super) fn completion(file: &CheckedFile, tree: &Tree, offset: u32) -> Vec<CompletionItem> {
     let Some(element) = tree.element_at(offset) else { return Vec::new() };
     let is_here = |span: objdict_model::source::Span| span.start <= offset && offset <= span.end;
     let Some(attribute) = element.attributes().find(|attribute| is_here(attribute.value_span())) else {

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::mentions::{mention_at, mentions};
 use super::network::{named_files, node_mention_at, path_of_node};
 use super::position::Positions;
 use super::protocol::{DocumentLink, Location, Range};
 use super::uri::of_path;
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use objdict_format::Description;
 use objdict_format::mention::{Mention, MentionKind};
 use objdict_model::model::{Device, Field, Part, Place};
@@ -16,14 +16,14 @@ use objdict_model::source::{Span, absolute};
 use objdict_project::check::last_eds;
 
 /// Where what an offset names is described.
-pub(super) fn definition(file: &File, offset: u32) -> Option<Location> {
+pub(super) fn definition(file: &CheckedFile, offset: u32) -> Option<Location> {
     match file.description() {
         Some(description) => in_description(file, description, offset),
         None => in_network(file, offset),
     }
 }
 
-fn in_description(file: &File, description: &Description, offset: u32) -> Option<Location> {
+fn in_description(file: &CheckedFile, description: &Description, offset: u32) -> Option<Location> {
     if let Some(mention) =
         mention_at(description, offset).filter(|mention| mention.kind != MentionKind::Section)
     {
@@ -46,7 +46,7 @@ fn described(device: &Device, mention: &Mention) -> Option<Place> {
 }
 
 /// The description of a node, or the place in it.
-fn in_network(file: &File, offset: u32) -> Option<Location> {
+fn in_network(file: &CheckedFile, offset: u32) -> Option<Location> {
     if let Some(found) = node_mention_at(file, offset) {
         let description = file.analysis.network()?.description(found.node)?;
         let place = described(description.device(), &found.mention);
@@ -60,7 +60,7 @@ fn in_network(file: &File, offset: u32) -> Option<Location> {
 }
 
 /// All places that mention the object under the cursor: in its description, in those of its type and its nodes, and in networks.
-pub(super) fn references(file: &File, workspace: &mut Workspace, offset: u32) -> Vec<Location> {
+pub(super) fn references(file: &CheckedFile, workspace: &mut EditorWorkspace, offset: u32) -> Vec<Location> {
     let Some((path, index, sub)) = subject_at(file, offset) else { return Vec::new() };
     let is_it =
         |mention: &Mention| mention.is_of(index, sub) || mention.index == index && mention.sub.is_none();
@@ -76,7 +76,7 @@ pub(super) fn references(file: &File, workspace: &mut Workspace, offset: u32) ->
 }
 
 /// The object or entry that an offset mentions, or in whose section it is, and the file of its description.
-fn subject_at(file: &File, offset: u32) -> Option<(PathBuf, u16, Option<u8>)> {
+fn subject_at(file: &CheckedFile, offset: u32) -> Option<(PathBuf, u16, Option<u8>)> {
     let Some(description) = file.description() else {
         let found = node_mention_at(file, offset)?;
         return Some((path_of_node(file, found.node)?, found.mention.index, found.mention.sub));
@@ -91,7 +91,7 @@ fn subject_at(file: &File, offset: u32) -> Option<(PathBuf, u16, Option<u8>)> {
 }
 
 /// What a file mentions of the objects that one of these files describes.
-pub(super) fn mentions_of(file: &File, described: &[PathBuf]) -> Vec<Mention> {
+pub(super) fn mentions_of(file: &CheckedFile, described: &[PathBuf]) -> Vec<Mention> {
     if let Some(description) = file.description() {
         let is_it = described.contains(&absolute(file.source().name().as_ref()));
         return if is_it { mentions(description) } else { Vec::new() };
@@ -103,7 +103,7 @@ pub(super) fn mentions_of(file: &File, described: &[PathBuf]) -> Vec<Mention> {
 }
 
 /// The files that a text names.
-pub(super) fn links(file: &File) -> Vec<DocumentLink> {
+pub(super) fn links(file: &CheckedFile) -> Vec<DocumentLink> {
     let of_network = named_files(file).into_iter();
     let mut found: Vec<(Span, PathBuf)> = of_network.map(|named| (named.span, named.path)).collect();
     if let Some(description) = file.description() {

@@ -3,17 +3,17 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::mentions::mention_at;
 use super::network::{node_mention_at, path_of_node};
 use super::protocol::{Renamed, WorkspaceEdit};
-use super::workspace::Workspace;
+use super::workspace::EditorWorkspace;
 use objdict_format::mention::{Digits, Mention, MentionKind};
 use objdict_model::model::Device;
 use objdict_model::source::{Span, absolute, shown};
 
 /// What gets another number.
-struct Target {
+struct RenamedPart {
     /// The description that it is in.
     path: PathBuf,
     index: u16,
@@ -23,9 +23,9 @@ struct Target {
     digits: Digits,
 }
 
-impl Target {
+impl RenamedPart {
     /// What is under the cursor.
-    fn at(file: &File, offset: u32) -> Result<Self, String> {
+    fn at(file: &CheckedFile, offset: u32) -> Result<Self, String> {
         const NOTHING: &str = "put the cursor on the index or sub-index of an object";
         let own = || absolute(file.source().name().as_ref());
         let found = match file.description() {
@@ -72,7 +72,12 @@ impl Target {
     }
 
     /// The edits of a file for what it mentions.
-    fn edits(&self, file: &File, mentions: &[Mention], number: u16) -> Result<Vec<(Span, String)>, String> {
+    fn edits(
+        &self,
+        file: &CheckedFile,
+        mentions: &[Mention],
+        number: u16,
+    ) -> Result<Vec<(Span, String)>, String> {
         let mut edits = Vec::new();
         for mention in mentions.iter().filter(|mention| self.is_of(mention)) {
             let digits = if self.sub.is_some() { mention.sub_at } else { mention.index_at };
@@ -92,7 +97,7 @@ impl Target {
 }
 
 /// Why what is mentioned cannot get another number.
-fn unnumbered(file: &File, mention: &Mention) -> String {
+fn unnumbered(file: &CheckedFile, mention: &Mention) -> String {
     let (text, name) = (mention.span.of(file.text()), file.name());
     match mention.last {
         Some(_) => format!("`{text}` in `{name}` names several sub-indexes; write them one by one first"),
@@ -101,7 +106,7 @@ fn unnumbered(file: &File, mention: &Mention) -> String {
 }
 
 /// Why the objects of a file keep their numbers.
-fn refusal(file: &File, target: &Target) -> Option<String> {
+fn refusal(file: &CheckedFile, target: &RenamedPart) -> Option<String> {
     let (description, name) = (file.description()?, file.name());
     if description.source().is_read_only() || description.is_project() {
         return Some(format!("`{name}` is only read, not changed"));
@@ -124,8 +129,8 @@ fn refusal(file: &File, target: &Target) -> Option<String> {
 ///
 /// # Errors
 /// When nothing with digits is there, or the file cannot be changed: why.
-pub(super) fn prepare(file: &File, offset: u32) -> Result<Renamed, String> {
-    let target = Target::at(file, offset)?;
+pub(super) fn prepare(file: &CheckedFile, offset: u32) -> Result<Renamed, String> {
+    let target = RenamedPart::at(file, offset)?;
     match refusal(file, &target) {
         Some(reason) => Err(reason),
         None => {
@@ -145,12 +150,12 @@ pub(super) fn prepare(file: &File, offset: u32) -> Result<Renamed, String> {
 /// # Errors
 /// When the name is no such number, is that of another object, or a file does not say the same with it.
 pub(super) fn rename(
-    file: &File,
-    workspace: &mut Workspace,
+    file: &CheckedFile,
+    workspace: &mut EditorWorkspace,
     offset: u32,
     new: &str,
 ) -> Result<WorkspaceEdit, String> {
-    let target = Target::at(file, offset)?;
+    let target = RenamedPart::at(file, offset)?;
     let mut changes = BTreeMap::new();
     let mut number = None;
     for (other, mentions) in workspace.naming(&target.path) {
@@ -174,13 +179,13 @@ pub(super) fn rename(
 }
 
 /// Whether a text mentions with its edits what it mentioned before, under the new number.
-fn says_the_same(file: &File, target: &Target, number: u16, edits: &[(Span, String)]) -> bool {
+fn says_the_same(file: &CheckedFile, target: &RenamedPart, number: u16, edits: &[(Span, String)]) -> bool {
     let Some(after) = file.again_with(edits) else { return false };
     let (index, sub) = match target.sub {
         Some(_) => (target.index, u8::try_from(number).ok()),
         None => (number, None),
     };
-    let count = |file: &File, index, sub| {
+    let count = |file: &CheckedFile, index, sub| {
         let mentions = match (file.description(), file.analysis.network()) {
             (Some(description), _) => super::mentions::mentions(description),
             (None, Some(network)) => network.mentions().into_iter().map(|found| found.mention).collect(),
@@ -189,7 +194,8 @@ fn says_the_same(file: &File, target: &Target, number: u16, edits: &[(Span, Stri
         mentions.iter().filter(|mention| mention.is_of(index, sub)).count()
     };
     let is_same = (target.index, target.sub) == (index, sub);
-    let objects = |file: &File| file.description().map(|description| description.device().objects.len());
+    let objects =
+        |file: &CheckedFile| file.description().map(|description| description.device().objects.len());
     let before = count(file, target.index, target.sub);
     let clash = if is_same { 0 } else { count(file, index, sub) };
     objects(file) == objects(&after) && count(&after, index, sub) == before + clash

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::completion::{item, mappable};
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind, Markdown, SNIPPET, TextEdit};
 use super::words;
 use objdict_eds::eds;
@@ -26,7 +26,7 @@ const FIRST_OF_VENDOR: u16 = 0x2000;
 
 /// What an item needs when it is resolved.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Wanted {
+pub(super) struct WantedItem {
     pub(super) uri: String,
     /// The objects that the item adds.
     indexes: Vec<u16>,
@@ -58,8 +58,8 @@ pub(super) fn missing(device: &Device) -> impl Iterator<Item = (&'static Profile
 }
 
 /// Sections that a text does not have, for the line that the cursor is in.
-pub(super) struct Sections<'a> {
-    pub(super) file: &'a File,
+pub(super) struct MissingSections<'a> {
+    pub(super) file: &'a CheckedFile,
     pub(super) device: &'a Device,
     pub(super) line_end: &'static str,
     pub(super) line: Span,
@@ -67,7 +67,7 @@ pub(super) struct Sections<'a> {
     pub(super) expands_snippets: bool,
 }
 
-impl Sections<'_> {
+impl MissingSections<'_> {
     pub(super) fn items(&self) -> Vec<CompletionItem> {
         let device = self.device;
         let mut items = self.next_sub_indexes();
@@ -186,7 +186,7 @@ impl Sections<'_> {
     ) -> Option<CompletionItem> {
         let indexes = objects.iter().map(|(index, _)| *index).collect();
         let text = sections_of(objects, self.line_end)?;
-        let wanted = Wanted { uri: self.file.uri.clone(), indexes };
+        let wanted = WantedItem { uri: self.file.uri.clone(), indexes };
         let item = self.written(label, text, blanks, kind);
         Some(CompletionItem { data: serde_json::to_value(wanted).ok(), ..item })
     }
@@ -270,7 +270,7 @@ fn of_vendor(object_type: ObjectType) -> Object {
 }
 
 /// Adds the lines of the object lists to an item that adds objects, and the number of PDOs.
-pub(super) fn resolve(file: &File, wanted: &Wanted) -> Option<Vec<TextEdit>> {
+pub(super) fn resolve(file: &CheckedFile, wanted: &WantedItem) -> Option<Vec<TextEdit>> {
     let description = file.description()?;
     let device = description.device();
     let mut fix = Fix::risky("list the object");

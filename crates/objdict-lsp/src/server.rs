@@ -12,7 +12,7 @@ use super::diagnostics;
 use super::position::ColumnUnit;
 use super::protocol::{Diagnostic, DidChange, DidChangeFolders, DidOpen, InFile, WorkspaceFolder};
 use super::uri::path_of;
-use super::workspace::{ClientFeatures, Workspace};
+use super::workspace::{ClientFeatures, EditorWorkspace};
 use objdict_model::source::absolute;
 
 /// The files that findings depend on.
@@ -29,7 +29,7 @@ const WATCHED: &str = "workspace/didChangeWatchedFiles";
 /// When the client does not follow the protocol.
 pub fn serve(connection: &Connection) -> Result<(), ProtocolError> {
     let (id, params) = connection.initialize_start()?;
-    let mut workspace = Workspace::default();
+    let mut workspace = EditorWorkspace::default();
     workspace.unit = unit_of(&params);
     let folders = params["workspaceFolders"].as_array().into_iter().flatten();
     workspace.folders = folders.filter_map(|folder| path_of(folder["uri"].as_str()?)).collect();
@@ -74,7 +74,7 @@ fn can(params: &Value, path: &str) -> bool {
 
 struct Server<'a> {
     connection: &'a Connection,
-    workspace: Workspace,
+    workspace: EditorWorkspace,
     is_shut_down: bool,
 }
 

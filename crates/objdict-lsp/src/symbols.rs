@@ -1,6 +1,6 @@
 //! The outline of a file, what can be folded, and ranges around a place.
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::{
     DocumentSymbol, FoldingRange, Location, Position, Range, SelectionRange, SymbolInformation, SymbolKind,
 };
@@ -11,24 +11,24 @@ use objdict_model::model::{Part, Place};
 use objdict_model::source::Span;
 
 /// A section of the text, up to the next one.
-struct Block {
+struct SectionSymbol {
     name: Span,
     span: Span,
     part: Part,
 }
 
 /// The sections of an EDS or DCF.
-fn blocks(description: &Description) -> Vec<Block> {
+fn blocks(description: &Description) -> Vec<SectionSymbol> {
     let Some(document) = description.document() else { return Vec::new() };
     let text = document.text();
-    let mut blocks: Vec<Block> = Vec::new();
+    let mut blocks: Vec<SectionSymbol> = Vec::new();
     document.visit(
         |section| {
             let Some(header) = section.header else { return };
             let last = section.entries.last().map(|entry| entry.value.end.max(entry.key.end));
             let span = Span::new(header.line.start, last.unwrap_or(header.line.end));
             let part = SectionName::parse(header.name.of(text)).part;
-            blocks.push(Block { name: header.name, span, part });
+            blocks.push(SectionSymbol { name: header.name, span, part });
         },
         |_| {},
     );
@@ -49,7 +49,7 @@ fn area(index: u16) -> &'static str {
 }
 
 /// The outline: areas, their objects, and the sub-indexes of these.
-pub(super) fn outline(file: &File) -> Vec<DocumentSymbol> {
+pub(super) fn outline(file: &CheckedFile) -> Vec<DocumentSymbol> {
     let Some(description) = file.description() else { return of_network(file) };
     let blocks = match description.document() {
         Some(_) => blocks(description),
@@ -76,7 +76,7 @@ pub(super) fn outline(file: &File) -> Vec<DocumentSymbol> {
 }
 
 /// Adds a section to its area, below the object that it belongs to.
-fn add(file: &File, description: &Description, area: &mut DocumentSymbol, block: &Block) {
+fn add(file: &CheckedFile, description: &Description, area: &mut DocumentSymbol, block: &SectionSymbol) {
     let device = description.device();
     let (name, detail, kind) = match block.part {
         Part::Object(index) => (format!("{index:04X}"), words::name(device, index, None), SymbolKind::OBJECT),
@@ -102,11 +102,11 @@ fn add(file: &File, description: &Description, area: &mut DocumentSymbol, block:
 }
 
 /// The same of a text with other places: its objects and entries.
-fn of_model(description: &Description) -> Vec<Block> {
+fn of_model(description: &Description) -> Vec<SectionSymbol> {
     let mut blocks = Vec::new();
     let mut take = |part: Part| {
         if let Some(name) = description.locate(&Place::of(part.clone())) {
-            blocks.push(Block { name, span: name, part });
+            blocks.push(SectionSymbol { name, span: name, part });
         }
     };
     for (&index, object) in &description.device().objects {
@@ -117,7 +117,7 @@ fn of_model(description: &Description) -> Vec<Block> {
 }
 
 /// The nodes of a network.
-fn of_network(file: &File) -> Vec<DocumentSymbol> {
+fn of_network(file: &CheckedFile) -> Vec<DocumentSymbol> {
     let network = file.analysis.network().and_then(|file| file.network());
     let nodes = network.into_iter().flat_map(|network| &network.nodes);
     let symbols = nodes.map(|node| {
@@ -128,7 +128,7 @@ fn of_network(file: &File) -> Vec<DocumentSymbol> {
 }
 
 fn symbol(
-    file: &File,
+    file: &CheckedFile,
     name: String,
     detail: Option<String>,
     kind: SymbolKind,
@@ -142,7 +142,7 @@ fn symbol(
 }
 
 /// The objects of a file whose index or name has a text.
-pub(super) fn found(file: &File, query: &str) -> Vec<SymbolInformation> {
+pub(super) fn found(file: &CheckedFile, query: &str) -> Vec<SymbolInformation> {
     let Some(description) = file.description() else { return Vec::new() };
     let wanted = query.trim().trim_start_matches("0x").to_lowercase();
     let mut found = Vec::new();
@@ -160,7 +160,7 @@ pub(super) fn found(file: &File, query: &str) -> Vec<SymbolInformation> {
 }
 
 /// The sections, and the objects with their sub-indexes.
-pub(super) fn folds(file: &File) -> Vec<FoldingRange> {
+pub(super) fn folds(file: &CheckedFile) -> Vec<FoldingRange> {
     let mut folds = Vec::new();
     let mut symbols: Vec<DocumentSymbol> = outline(file);
     while let Some(symbol) = symbols.pop() {
@@ -177,7 +177,7 @@ pub(super) fn folds(file: &File) -> Vec<FoldingRange> {
 }
 
 /// The ranges around a position: word, line, section, object, area, file.
-pub(super) fn around(file: &File, position: Position) -> SelectionRange {
+pub(super) fn around(file: &CheckedFile, position: Position) -> SelectionRange {
     let offset = file.offset(position);
     let (text, lines) = (file.text(), file.source().lines());
     let line = lines.line_span(text, lines.line_of(text, offset));

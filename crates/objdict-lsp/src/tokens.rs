@@ -2,7 +2,7 @@
 //!
 //! There is no Tree-sitter grammar: the server knows more about a value than a grammar can express.
 
-use super::file::File;
+use super::file::CheckedFile;
 use super::protocol::SemanticTokens;
 use objdict_eds::ini::LineKind;
 use objdict_model::source::Span;
@@ -17,7 +17,7 @@ const TEXT: u32 = 4;
 const FORMULA: u32 = 5;
 
 /// The tokens of a text, each relative to the one before.
-pub(super) fn tokens(file: &File) -> Option<SemanticTokens> {
+pub(super) fn tokens(file: &CheckedFile) -> Option<SemanticTokens> {
     let document = file.description()?.document()?;
     let text = document.text();
     let mut data = Vec::new();

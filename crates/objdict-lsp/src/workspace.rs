@@ -10,7 +10,7 @@ use lsp_server::Request;
 
 use super::analysis::{Analysis, analyse};
 use super::baseline;
-use super::file::File;
+use super::file::CheckedFile;
 use super::navigation::mentions_of;
 use super::position::{ColumnUnit, apply};
 use super::protocol::{ContentChange, Uri};
@@ -39,11 +39,11 @@ impl Buffer {
     }
 }
 
-type Texts = Rc<RefCell<BTreeMap<PathBuf, Buffer>>>;
+type OpenTexts = Rc<RefCell<BTreeMap<PathBuf, Buffer>>>;
 
 /// The buffers, which write down which files a reader asks for.
 struct Recorder {
-    texts: Texts,
+    texts: OpenTexts,
     asked: RefCell<BTreeSet<PathBuf>>,
 }
 
@@ -73,8 +73,8 @@ pub(super) struct ClientFeatures {
 
 /// The open files, and what is known of them.
 #[derive(Default)]
-pub(super) struct Workspace {
-    texts: Texts,
+pub(super) struct EditorWorkspace {
+    texts: OpenTexts,
     /// The folders that are open in the editor.
     pub(super) folders: Vec<PathBuf>,
     pub(super) unit: ColumnUnit,
@@ -90,7 +90,7 @@ pub(super) struct Workspace {
     projects: BTreeMap<PathBuf, Derived<Option<Arc<Project>>>>,
 }
 
-impl Workspace {
+impl EditorWorkspace {
     /// Takes a text that was opened.
     pub(super) fn open(&mut self, uri: Uri, version: i32, text: String) {
         let Some(path) = path_of(&uri) else { return };
@@ -161,19 +161,19 @@ impl Workspace {
     }
 
     /// A file that a request is about.
-    pub(super) fn file(&mut self, uri: &str) -> Option<File> {
+    pub(super) fn file(&mut self, uri: &str) -> Option<CheckedFile> {
         let analysis = self.analysis(&path_of(uri)?)?;
-        Some(File { analysis, uri: uri.to_owned(), unit: self.unit })
+        Some(CheckedFile { analysis, uri: uri.to_owned(), unit: self.unit })
     }
 
     /// The descriptions in the open folders, and the others that are open.
-    pub(super) fn descriptions(&mut self) -> Vec<File> {
+    pub(super) fn descriptions(&mut self) -> Vec<CheckedFile> {
         let files = self.files(is_description).into_iter();
         files.filter(|file| file.description().is_some()).collect()
     }
 
     /// The `network.toml` of a folder: the first file that is one.
-    pub(super) fn network_in(&mut self, folder: &Path) -> Option<File> {
+    pub(super) fn network_in(&mut self, folder: &Path) -> Option<CheckedFile> {
         let mut paths: Vec<PathBuf> = self.texts.borrow().keys().cloned().collect();
         let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
         paths.extend(entries.map(|entry| absolute(&entry.path())).take(MAX_FOUND));
@@ -187,13 +187,13 @@ impl Workspace {
     }
 
     /// The networks in the open folders, and the others that are open.
-    fn networks(&mut self) -> Vec<File> {
+    fn networks(&mut self) -> Vec<CheckedFile> {
         let files = self.files(may_be_network).into_iter();
         files.filter(|file| file.analysis.network().is_some()).collect()
     }
 
     /// The files in the open folders whose names say that they may be wanted, and all that are open.
-    fn files(&mut self, is_wanted: fn(&Path) -> bool) -> Vec<File> {
+    fn files(&mut self, is_wanted: fn(&Path) -> bool) -> Vec<CheckedFile> {
         let mut paths: BTreeSet<PathBuf> = self.texts.borrow().keys().cloned().collect();
         self.folders.iter().for_each(|folder| add_files(folder, is_wanted, 0, &mut paths));
         paths.iter().filter_map(|path| of_path(path)).filter_map(|uri| self.file(&uri)).collect()
@@ -201,9 +201,9 @@ impl Workspace {
 
     /// The files that name the objects of a description, with all that they name of it: first the description itself, then that of
     /// its type and those of nodes of this type, then networks.
-    pub(super) fn naming(&mut self, path: &Path) -> Vec<(File, Vec<Mention>)> {
-        let path_of = |file: &File| absolute(file.source().name().as_ref());
-        let type_of = |file: &File| {
+    pub(super) fn naming(&mut self, path: &Path) -> Vec<(CheckedFile, Vec<Mention>)> {
+        let path_of = |file: &CheckedFile| absolute(file.source().name().as_ref());
+        let type_of = |file: &CheckedFile| {
             let origin = file.description().and_then(|description| description.origin());
             origin.map_or_else(|| path_of(file), |origin| absolute(origin.source().name().as_ref()))
         };

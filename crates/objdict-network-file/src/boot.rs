@@ -160,13 +160,13 @@ pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Ins
 }
 
 /// A description among the files.
-pub(super) struct Described {
+pub(super) struct DescribedFile {
     /// The name of the file.
     file: String,
     pub(super) device: Device,
 }
 
-impl Described {
+impl DescribedFile {
     fn name(&self) -> String {
         let stated = self.device.commissioning.as_ref().and_then(|node| node.node_name.clone());
         let stem = Path::new(&self.file).file_stem().unwrap_or_default();
@@ -174,7 +174,7 @@ impl Described {
     }
 }
 
-pub(super) fn described(files: &[BuiltFile]) -> Result<Vec<Described>, ReadError> {
+pub(super) fn described(files: &[BuiltFile]) -> Result<Vec<DescribedFile>, ReadError> {
     let mut described = Vec::new();
     for BuiltFile { name, bytes } in files {
         let kind = FileKind::of(Path::new(name));
@@ -186,12 +186,12 @@ pub(super) fn described(files: &[BuiltFile]) -> Result<Vec<Described>, ReadError
             Input::Device(device) => *device,
             _ => continue,
         };
-        described.push(Described { file: name.clone(), device });
+        described.push(DescribedFile { file: name.clone(), device });
     }
     Ok(described)
 }
 
-pub(super) fn manager_among(described: &[Described]) -> Result<usize, InstallError> {
+pub(super) fn manager_among(described: &[DescribedFile]) -> Result<usize, InstallError> {
     let is_manager = |device: &Device| {
         let startup = device.value(NMT_STARTUP, 0).and_then(|value| value.as_integer());
         let is_stated = device.commissioning.as_ref().and_then(|node| node.manager);
@@ -209,9 +209,9 @@ pub(super) fn manager_among(described: &[Described]) -> Result<usize, InstallErr
 
 /// The nodes beside the manager, each with its own node-ID.
 fn nodes(
-    described: Vec<Described>,
+    described: Vec<DescribedFile>,
     network: Option<&NetworkFile>,
-    manager: &Described,
+    manager: &DescribedFile,
     notes: &mut Vec<String>,
 ) -> Result<Vec<PlantNode>, InstallError> {
     let network = network.and_then(NetworkFile::network);
@@ -219,7 +219,7 @@ fn nodes(
         let mut nodes = network.into_iter().flat_map(|network| &network.nodes);
         nodes.find(|node| node.node_id.is_some_and(|said| said.value == node_id))
     };
-    let of_file = |described: Described| match described.device.node_id() {
+    let of_file = |described: DescribedFile| match described.device.node_id() {
         None => {
             let note = format!("`{}` states no node-ID, so it is left out", described.file);
             Err(note)
@@ -304,7 +304,7 @@ fn bit_rate(manager: &Device, network: Option<&NetworkFile>) -> Option<u16> {
 }
 
 /// The manager with the downloads that Lely's master makes to itself: those of `master.bin` beside `master.dcf`.
-pub(super) fn configured(manager: Described, files: &[BuiltFile]) -> Result<PlantNode, InstallError> {
+pub(super) fn configured(manager: DescribedFile, files: &[BuiltFile]) -> Result<PlantNode, InstallError> {
     let node_id = manager.device.node_id().ok_or_else(|| InstallError::NoNodeId(manager.file.clone()))?;
     let beside = Path::new(&manager.file).with_extension("bin");
     let own = files.iter().find(|file| Path::new(&file.name) == beside);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::requested_value;
 use super::rules::OVERRIDDEN_KEY;
-use super::{Descriptions, too_many};
+use super::{NodeDescriptions, too_many};
 use objdict_keyed::rules::{MISSING_KEY, UNKNOWN_KEY, WRONG_TYPE};
 use objdict_keyed::section::{KeyedTable, or_foreign, wrong};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
@@ -29,7 +29,7 @@ const KEYS_OF_ROS: [&str; 4] = ["options", "master", "defaults", "nodes"];
 /// Reads a network; `None` if the text is no YAML.
 pub(super) fn read(
     text: &str,
-    descriptions: &mut Descriptions<'_>,
+    descriptions: &mut NodeDescriptions<'_>,
     findings: &mut Findings,
 ) -> Option<Network> {
     let tree = yaml::read(text, findings)?;
@@ -38,7 +38,7 @@ pub(super) fn read(
         findings.push(finding.help("write `master` and the nodes, each with its keys below it"));
         return None;
     };
-    let mut reader = Reader { options: Options::default(), descriptions, findings };
+    let mut reader = BusReader { options: BusOptions::default(), descriptions, findings };
     if let Some(options) = tree.get("options") {
         reader.options(options);
     }
@@ -69,25 +69,25 @@ pub(super) fn read(
 }
 
 /// What holds for all nodes.
-struct Options {
+struct BusOptions {
     folder: String,
     factor: f64,
     retry_factor: Option<Said<u8>>,
 }
 
-impl Default for Options {
+impl Default for BusOptions {
     fn default() -> Self {
         Self { folder: String::new(), factor: Heartbeat::DEFAULT_FACTOR, retry_factor: None }
     }
 }
 
-struct Reader<'a, 'd> {
-    options: Options,
-    descriptions: &'a mut Descriptions<'d>,
+struct BusReader<'a, 'd> {
+    options: BusOptions,
+    descriptions: &'a mut NodeDescriptions<'d>,
     findings: &'a mut Findings,
 }
 
-impl Reader<'_, '_> {
+impl BusReader<'_, '_> {
     fn options(&mut self, tree: &KeyedTree) {
         let findings = &mut *self.findings;
         let Some(section) = KeyedTable::shared("options", tree, OPTIONS, findings) else { return };

@@ -23,7 +23,7 @@ const MAX_PDOS: usize = 8;
 /// # Errors
 /// When a file cannot be read, or describes no device.
 pub fn init(paths: &[PathBuf], options: &PathOptions) -> Result<String, ReadError> {
-    let mut start = Start::default();
+    let mut start = NetworkStart::default();
     for path in paths {
         start.add(path, options)?;
         let count = start.nodes.len();
@@ -49,13 +49,13 @@ pub fn node_name(name: &str) -> String {
 
 /// What is known of the network.
 #[derive(Default)]
-struct Start {
+struct NetworkStart {
     name: Option<String>,
     nodes: Vec<Node>,
     names: BTreeSet<String>,
 }
 
-impl Start {
+impl NetworkStart {
     fn add(&mut self, path: &Path, options: &PathOptions) -> Result<(), ReadError> {
         let shown = path.display().to_string();
         let reading = Reading { patches: options.patches.clone(), ..Reading::default() };

@@ -110,7 +110,7 @@ impl NetworkFile {
 
     fn read_from(source: SourceFile, folder: Option<Folder>, options: &PathOptions) -> Self {
         let variables = &options.variables;
-        let mut descriptions = Descriptions {
+        let mut descriptions = NodeDescriptions {
             folder,
             variables,
             read: BTreeMap::new(),
@@ -137,8 +137,8 @@ impl NetworkFile {
             .read
             .into_iter()
             .filter_map(|(name, read)| match read? {
-                Read::Description(description) => Some((name, description)),
-                Read::Device(_) => None,
+                ReadDescription::Description(description) => Some((name, description)),
+                ReadDescription::Device(_) => None,
             })
             .collect();
         Self { source, is_made, resolved, descriptions, files, findings }
@@ -205,12 +205,12 @@ impl PathOptions {
 }
 
 /// The descriptions of nodes, each read once.
-struct Descriptions<'v> {
+struct NodeDescriptions<'v> {
     /// The folder of the network file; `None` where the paths are those of arguments.
     folder: Option<Folder>,
     variables: &'v BTreeMap<String, String>,
     /// What was read of each path; `None` after a failure.
-    read: BTreeMap<String, Option<Read>>,
+    read: BTreeMap<String, Option<ReadDescription>>,
     /// The files with several devices, which nodes name by their numbers.
     several: BTreeMap<PathBuf, Rc<Description>>,
     patches: &'v [Arc<Patch>],
@@ -218,13 +218,13 @@ struct Descriptions<'v> {
 }
 
 #[derive(Clone)]
-enum Read {
+enum ReadDescription {
     Description(Rc<Description>),
     /// Of a device as JSON.
     Device(Rc<Device>),
 }
 
-impl Read {
+impl ReadDescription {
     fn device(&self) -> &Device {
         match self {
             Self::Description(description) => description.device(),
@@ -233,7 +233,7 @@ impl Read {
     }
 }
 
-impl Descriptions<'_> {
+impl NodeDescriptions<'_> {
     /// The device that a node is described by.
     fn read(&mut self, node: &str, file: &Said<String>, findings: &mut Findings) -> Option<Device> {
         if !self.read.contains_key(&file.value) {
@@ -248,7 +248,7 @@ impl Descriptions<'_> {
     }
 
     /// The error and its help, if it cannot be read.
-    fn open(&mut self, file: &str) -> Result<Read, (String, &'static str)> {
+    fn open(&mut self, file: &str) -> Result<ReadDescription, (String, &'static str)> {
         const WRONG: &str =
             "correct the path: it is relative to the network file, else to the working directory";
         let name = self.expanded(file);
@@ -281,7 +281,7 @@ impl Descriptions<'_> {
         };
         if let Some(first) = self.several.get(&path) {
             let number = reading.number(&shown(&path), first.device_count()).map_err(refused)?;
-            return Ok(Read::Description(of_number(first, number)));
+            return Ok(ReadDescription::Description(of_number(first, number)));
         }
         match reading.open(&path).map_err(refused)? {
             (_, Input::Description(first)) => {
@@ -291,9 +291,9 @@ impl Descriptions<'_> {
                 if count > 1 {
                     self.several.insert(path, Rc::clone(&first));
                 }
-                Ok(Read::Description(of_number(&first, number)))
+                Ok(ReadDescription::Description(of_number(&first, number)))
             }
-            (_, Input::Device(device)) => Ok(Read::Device(Rc::new(*device))),
+            (_, Input::Device(device)) => Ok(ReadDescription::Device(Rc::new(*device))),
             (kind, _) => Err((format!("`{}` is a {}, not a description", shown(&path), kind.name()), WRONG)),
         }
     }

@@ -23,7 +23,7 @@ impl NetworkFile {
     /// All that the text names of its nodes, in the order of the text.
     pub fn mentions(&self) -> Vec<NodeMention> {
         let Some(network) = self.network() else { return Vec::new() };
-        let mut finder = Finder { text: self.source.text(), network, found: Vec::new() };
+        let mut finder = MentionFinder { text: self.source.text(), network, found: Vec::new() };
         let is_toml = keyed::toml::is_toml(finder.text);
         let read = if is_toml { keyed::toml::read } else { yaml::read };
         if let Some(tree) = read(finder.text, &mut Findings::new()) {
@@ -34,13 +34,13 @@ impl NetworkFile {
     }
 }
 
-struct Finder<'a> {
+struct MentionFinder<'a> {
     text: &'a str,
     network: &'a Network,
     found: Vec<NodeMention>,
 }
 
-impl Finder<'_> {
+impl MentionFinder<'_> {
     fn of_toml(&mut self, tree: &KeyedTree) {
         let table = |name: &str| tree.get(name).and_then(KeyedTree::entries).unwrap_or_default();
         for Pair { key, value } in table("node") {

@@ -4,7 +4,7 @@ use super::network_keys::{BUS, LINK, MANAGER, NETWORK, NODE, PDO, SDO};
 use super::requested_value;
 use super::rules::UNREADABLE_NODE;
 use super::types::with_type;
-use super::{Descriptions, too_many};
+use super::{NodeDescriptions, too_many};
 use objdict_keyed::rules::{MISSING_KEY, WRONG_TYPE};
 use objdict_keyed::section::{KeyedTable, integer, wrong};
 use objdict_keyed::toml;
@@ -22,24 +22,24 @@ use objdict_node::coupler::flatten;
 /// Reads a network; `None` if the text is no TOML.
 pub(super) fn read(
     text: &str,
-    descriptions: &mut Descriptions<'_>,
+    descriptions: &mut NodeDescriptions<'_>,
     findings: &mut Findings,
 ) -> Option<Network> {
     let tree = toml::read(text, findings)?;
     let section = KeyedTable::new("the network", &tree, NETWORK, findings)?;
-    let mut reader = Reader { descriptions, findings };
+    let mut reader = NetworkReader { descriptions, findings };
     let nodes = reader.nodes(&section)?;
     let mut network = Network { nodes, links: reader.links(&section), ..Network::default() };
     reader.bus(&section, &mut network);
     Some(network)
 }
 
-struct Reader<'a, 'd> {
-    descriptions: &'a mut Descriptions<'d>,
+struct NetworkReader<'a, 'd> {
+    descriptions: &'a mut NodeDescriptions<'d>,
     findings: &'a mut Findings,
 }
 
-impl Reader<'_, '_> {
+impl NetworkReader<'_, '_> {
     /// `[bus]` and `[manager]`.
     fn bus(&mut self, root: &KeyedTable<'_>, network: &mut Network) {
         let empty = KeyedTree::new(Span::empty(0), Kind::Map(Vec::new()));
@@ -213,7 +213,7 @@ impl Reader<'_, '_> {
     fn node_with_type(&mut self, entry: &Pair, types: &[Pair]) -> Option<Node> {
         let mut found = Findings::new();
         let entry = with_type(entry, types, &mut found);
-        let node = Reader { descriptions: &mut *self.descriptions, findings: &mut found }.node(&entry);
+        let node = NetworkReader { descriptions: &mut *self.descriptions, findings: &mut found }.node(&entry);
         for finding in found.into_vec() {
             let is_same = |other: &Diagnostic| {
                 (other.rule.id, &other.labels, other.message.shown())

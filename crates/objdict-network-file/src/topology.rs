@@ -1,6 +1,6 @@
 //! Node lists (CiA 306-3): a network of DCFs, each of which says all of its node.
 
-use super::Descriptions;
+use super::NodeDescriptions;
 use super::rules::{INVALID_NODE_LIST, NODE_COUNT, OTHER_NODE_ID};
 use objdict_format::nodelist;
 use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, say};
@@ -11,7 +11,7 @@ use objdict_network::{Heartbeat, Manager, Network, Node, Said};
 /// Reads the first network of a node list; `None` if it is none.
 pub(super) fn read(
     source: &SourceFile,
-    descriptions: &mut Descriptions<'_>,
+    descriptions: &mut NodeDescriptions<'_>,
     findings: &mut Findings,
 ) -> Option<Network> {
     let list = match nodelist::read(source) {
@@ -24,7 +24,7 @@ pub(super) fn read(
     };
     let others = list.networks.len().saturating_sub(1);
     let topology = list.networks.into_iter().next()?;
-    let mut reader = Reader { text: source.text(), descriptions, findings };
+    let mut reader = TopologyReader { text: source.text(), descriptions, findings };
     if others > 0 {
         let message = say!("the file has {} networks; only the first is read", others + 1);
         let finding =
@@ -74,13 +74,13 @@ pub fn location(folder: Option<&Folder>, topology: &Topology, listed: &TopologyN
     among.filter(|path| !is_there(&name) && is_there(path)).unwrap_or(name)
 }
 
-struct Reader<'a, 'd> {
+struct TopologyReader<'a, 'd> {
     text: &'a str,
-    descriptions: &'a mut Descriptions<'d>,
+    descriptions: &'a mut NodeDescriptions<'d>,
     findings: &'a mut Findings,
 }
 
-impl Reader<'_, '_> {
+impl TopologyReader<'_, '_> {
     /// The value of a key; the start of the text for one that is not there.
     fn span(&self, key: &str) -> Span {
         let mut start = 0;

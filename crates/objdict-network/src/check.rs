@@ -22,7 +22,7 @@ use crate::traffic::Traffic;
 pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     findings.append(compiled.findings.clone());
     let messages = Messages::new(network, compiled);
-    let mut check = Check { network, compiled, messages: &messages, findings };
+    let mut check = NetworkCheck { network, compiled, messages: &messages, findings };
     check.nodes();
     check.can_ids();
     check.unlinked();
@@ -47,14 +47,14 @@ pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     check.downloads();
 }
 
-struct Check<'n, 'f> {
+struct NetworkCheck<'n, 'f> {
     network: &'n Network,
     compiled: &'n Compiled,
     messages: &'n Messages,
     findings: &'f mut Findings,
 }
 
-impl<'n> Check<'n, '_> {
+impl<'n> NetworkCheck<'n, '_> {
     /// The name of who sends or receives.
     fn name(&self, party: &Party) -> &'n str {
         match (party.node, &self.network.manager) {

@@ -10,7 +10,7 @@ use std::cell::OnceCell;
 
 use objdict_model::diagnostic::Severity;
 
-use self::compiler::{Compiler, Part};
+use self::compiler::{Compiler, FilePart};
 use crate::compiled::{Compiled, DcfgenMode, Slave};
 use crate::diagnostic::{At, Diagnostic, say};
 use crate::download::ConciseDcf;
@@ -70,19 +70,19 @@ fn slave(
         compiler.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
     }
     node.implied.iter().for_each(|setting| compiler.set(setting));
-    compiler.part = Part::Setting;
+    compiler.part = FilePart::Setting;
     node.settings.iter().for_each(|setting| compiler.set(setting));
-    compiler.part = Part::Key;
+    compiler.part = FilePart::Key;
     let mut pdos = pdo::states(compiler);
     for request in &node.pdos {
         pdo::configure(compiler, &mut pdos, request, pool);
     }
     let conditional = compiler.downloads.len();
-    compiler.part = Part::Download;
+    compiler.part = FilePart::Download;
     for request in &node.downloads {
         download(compiler, request);
     }
-    compiler.part = Part::Key;
+    compiler.part = FilePart::Key;
     if network.is_as_described {
         compiler.take_stored();
     }

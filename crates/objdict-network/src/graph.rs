@@ -57,14 +57,14 @@ impl Columns {
 
 #[derive(Template)]
 #[template(path = "topology.svg")]
-struct Picture {
+struct NetworkDiagram {
     label: String,
     bus: String,
     width: usize,
     height: usize,
     columns: Columns,
     nodes: Vec<Column>,
-    rows: Vec<Row>,
+    rows: Vec<DiagramRow>,
 }
 
 struct Column {
@@ -75,7 +75,7 @@ struct Column {
     is_manager: bool,
 }
 
-struct Row {
+struct DiagramRow {
     y: usize,
     can_id: String,
     service: String,
@@ -90,17 +90,17 @@ struct Row {
 /// that the picture is for.
 pub fn svg(overview: &Overview, spelled: impl Fn(MessageId) -> String) -> String {
     let columns = Columns::of(overview.nodes.len());
-    let rows: Vec<Row> = drawn(overview)
+    let rows: Vec<DiagramRow> = drawn(overview)
         .enumerate()
         .map(|(number, message)| {
             let y = columns.bottom() + ROW * (number + 1);
-            Row::new(overview, message, spelled(message.can_id), columns, y)
+            DiagramRow::new(overview, message, spelled(message.can_id), columns, y)
         })
         .collect();
     let name =
         overview.name.as_deref().unwrap_or(overview.language.pick("CANopen network", "CANopen-Netzwerk"));
     let rate = overview.bit_rate.map_or_else(String::new, |rate| format!("{rate} kbit/s"));
-    let picture = Picture {
+    let picture = NetworkDiagram {
         label: cut(name, 80),
         bus: rate,
         width: columns.centre(overview.nodes.len()) - columns.width / 2 + 20,
@@ -194,7 +194,7 @@ impl Column {
     }
 }
 
-impl Row {
+impl DiagramRow {
     fn new(overview: &Overview, message: &MessageRow, can_id: String, columns: Columns, y: usize) -> Self {
         let places = |ends: &[End]| -> Vec<usize> {
             let places = ends.iter().filter_map(|end| position(overview, end));

@@ -5,7 +5,7 @@
 mod objects;
 mod text;
 
-use self::text::Text;
+use self::text::MasterText;
 use crate::compiled::{DcfgenMode, PdoState, Slave};
 use crate::download::{ConciseDcf, Download};
 use crate::manager::Knowledge;
@@ -40,7 +40,7 @@ pub fn configuration_file(network: &Network, slave: &Slave) -> Option<String> {
 /// The files of the master; `None` for a network without one.
 pub fn lely_master(network: &Network, slaves: &[Slave], options: &LelyOptions) -> Option<LelyMaster> {
     let manager = network.manager.as_ref()?;
-    let writer = Writer { network, manager, slaves, options, out: Text::default() };
+    let writer = LelyWriter { network, manager, slaves, options, out: MasterText::default() };
     Some(LelyMaster { dcf: writer.dcf(), bin: bin(network, manager, slaves) })
 }
 
@@ -71,15 +71,15 @@ struct Mirrored<'a> {
     state: &'a PdoState,
 }
 
-struct Writer<'a> {
+struct LelyWriter<'a> {
     network: &'a Network,
     manager: &'a Manager,
     slaves: &'a [Slave],
     options: &'a LelyOptions,
-    out: Text,
+    out: MasterText,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> LelyWriter<'a> {
     fn is_strict(&self) -> bool {
         self.options.mode == DcfgenMode::Exact
     }

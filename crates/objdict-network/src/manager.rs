@@ -32,7 +32,7 @@ pub(crate) struct Knowledge<'a> {
 }
 
 /// An object of the manager about the nodes.
-struct Known {
+struct NodeListObject {
     index: u16,
     name: &'static str,
     data_type: DataType,
@@ -97,8 +97,8 @@ impl<'a> Knowledge<'a> {
         self.each(|slave| Some(self.boot(slave).software_version).filter(|version| *version != 0))
     }
 
-    fn objects(self) -> Vec<Known> {
-        let known = |index, name, values| Known {
+    fn objects(self) -> Vec<NodeListObject> {
+        let known = |index, name, values| NodeListObject {
             index,
             name,
             data_type: DataType::UNSIGNED32,
@@ -106,8 +106,8 @@ impl<'a> Knowledge<'a> {
             values,
         };
         let stated = |number: u32| if number == 0 { Vec::new() } else { vec![(0, number)] };
-        let bytes = |known: Known| Known { data_type: DataType::UNSIGNED8, ..known };
-        let commands = |known: Known| Known { access: Access::Wo, ..known };
+        let bytes = |known: NodeListObject| NodeListObject { data_type: DataType::UNSIGNED8, ..known };
+        let commands = |known: NodeListObject| NodeListObject { access: Access::Wo, ..known };
         let mut objects = vec![
             known(EMERGENCIES, "Emergency consumer object", self.emergencies()),
             commands(known(0x1F25, "Configuration request", Vec::new())),
@@ -122,7 +122,7 @@ impl<'a> Knowledge<'a> {
             known(0x1F88, "Serial number", self.identities(4)),
             known(0x1F89, "Boot time", stated(self.manager.boot_time.value)),
             bytes(known(0x1F8A, "Restore configuration", self.restored())),
-            Known {
+            NodeListObject {
                 data_type: DataType::UNSIGNED16,
                 ..known(0x102A, "NMT inhibit time", stated(self.manager.nmt_inhibit_time.into()))
             },
@@ -135,7 +135,7 @@ impl<'a> Knowledge<'a> {
     }
 }
 
-impl Known {
+impl NodeListObject {
     const fn is_variable(&self) -> bool {
         matches!(self.index, 0x102A | 0x1F80 | 0x1F89)
     }
@@ -212,7 +212,7 @@ pub(crate) fn complete(network: &Network, slaves: &[Slave], own: &mut Slave, fin
 pub fn expected(network: &Network, slaves: &[Slave]) -> Vec<Assignment> {
     let Some(manager) = &network.manager else { return Vec::new() };
     let knowledge = Knowledge { network, manager, slaves, mode: DcfgenMode::Corrected };
-    let values = |known: Known| {
+    let values = |known: NodeListObject| {
         let index = known.index;
         let value = |number: u32| Value::Unsigned(number.into());
         known.values.into_iter().map(move |(sub, number)| Assignment { index, sub, value: value(number) })

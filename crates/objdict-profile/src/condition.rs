@@ -108,7 +108,7 @@ impl std::str::FromStr for Condition {
     type Err = ConditionError;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let mut parser = Parser { rest: text.trim_start(), depth: 0, terms: Vec::new() };
+        let mut parser = ConditionParser { rest: text.trim_start(), depth: 0, terms: Vec::new() };
         parser.any()?;
         match parser.rest {
             "" => Ok(Self { text: text.trim().to_owned().into(), terms: parser.terms.into() }),
@@ -197,13 +197,13 @@ impl Terms<'_> {
     }
 }
 
-struct Parser<'a> {
+struct ConditionParser<'a> {
     rest: &'a str,
     depth: u8,
     terms: Vec<Term>,
 }
 
-impl Parser<'_> {
+impl ConditionParser<'_> {
     fn any(&mut self) -> Result<(), ConditionError> {
         self.joined("or", Term::OneOf, Self::all)
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{BitField, EntryFacts, ObjectFacts, Profile, for_all, of_number};
+use super::{BitFieldFacts, EntryFacts, ObjectFacts, Profile, for_all, of_number};
 use crate::model::{Device, Value};
 
 impl EntryFacts<'_> {
@@ -21,7 +21,7 @@ impl EntryFacts<'_> {
 }
 
 /// The meaning of a bit field; `None` if it is 0 and has no meaning for 0.
-fn part(field: BitField<'_>, value: u64) -> Option<String> {
+fn part(field: BitFieldFacts<'_>, value: u64) -> Option<String> {
     let number = field.of(value);
     match (field.meaning(value), number) {
         (Some(meaning), _) => Some(format!("{}: {meaning}", field.name)),
@@ -53,10 +53,10 @@ pub fn of_object(
 
 /// The bit fields of an entry in several documents, the lowest first: all of the first document, and from the
 /// others only those for bits not yet defined.
-pub fn bits<'a>(documents: impl IntoIterator<Item = ObjectFacts<'a>>, sub: u8) -> Vec<BitField<'a>> {
-    let mut fields: Vec<BitField<'a>> = Vec::new();
+pub fn bits<'a>(documents: impl IntoIterator<Item = ObjectFacts<'a>>, sub: u8) -> Vec<BitFieldFacts<'a>> {
+    let mut fields: Vec<BitFieldFacts<'a>> = Vec::new();
     for entry in documents.into_iter().filter_map(|facts| facts.entry(sub)) {
-        let is_new = |field: &BitField<'_>| {
+        let is_new = |field: &BitFieldFacts<'_>| {
             fields.iter().all(|known| field.last < known.first || known.last < field.first)
         };
         let new: Vec<_> = entry.bits().filter(is_new).collect();

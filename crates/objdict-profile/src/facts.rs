@@ -68,7 +68,7 @@ pub struct EntryFacts<'a> {
 
 /// A bit field of a value.
 #[derive(Clone, Copy, Debug)]
-pub struct BitField<'a> {
+pub struct BitFieldFacts<'a> {
     /// Lowest bit, counted from 0.
     pub first: u8,
     /// Highest bit.
@@ -176,9 +176,9 @@ impl<'a> EntryFacts<'a> {
     }
 
     /// The bit fields.
-    pub fn bits(&self) -> impl ExactSizeIterator<Item = BitField<'a>> + use<'a> {
+    pub fn bits(&self) -> impl ExactSizeIterator<Item = BitFieldFacts<'a>> + use<'a> {
         let tables = self.tables;
-        self.bits.iter().map(move |row| BitField {
+        self.bits.iter().map(move |row| BitFieldFacts {
             first: row.first,
             last: row.last,
             name: row.name.of_text(&tables.texts),
@@ -231,7 +231,7 @@ impl Mapping {
     }
 }
 
-impl<'a> BitField<'a> {
+impl<'a> BitFieldFacts<'a> {
     /// The value of its bits.
     pub fn of(&self, value: u64) -> u64 {
         let width = u32::from(self.last.saturating_sub(self.first)) + 1;

@@ -36,7 +36,7 @@ impl Profile {
     /// The state machine of its devices.
     pub fn state_machine(&self) -> Option<StateMachine<'_>> {
         let machine = self.tables.machine?;
-        let text = |part: super::tables::Part| part.of_text(&self.tables.texts);
+        let text = |part: super::tables::SubList| part.of_text(&self.tables.texts);
         let status = self.object(machine.status).and_then(|facts| facts.entry(0));
         Some(StateMachine {
             status: machine.status,

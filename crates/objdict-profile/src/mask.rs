@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use super::BitField;
+use super::BitFieldFacts;
 
 /// The values of a bit field with one meaning.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum Values {
     Mask(String),
 }
 
-impl<'a> BitField<'a> {
+impl<'a> BitFieldFacts<'a> {
     /// The meanings in ascending order; single values with one meaning are a mask where that has all of them and no other.
     pub fn masked(&self) -> Vec<(Values, &'a str)> {
         let is_single = |range: &RangeInclusive<u64>| range.start() == range.end();

@@ -12,7 +12,7 @@ use crate::model::{Access, DataType, ObjectType, Value};
 
 /// A sub-list: position and number of items.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Part(pub u32, pub u32);
+pub struct SubList(pub u32, pub u32);
 
 /// The object definitions of a profile.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,7 +40,7 @@ pub struct Tables {
     /// Indexes of objects.
     pub indexes: Cow<'static, [u16]>,
     /// In the meanings: the error codes of EMCY.
-    pub errors: Part,
+    pub errors: SubList,
     /// The objects of the state machine.
     pub machine: Option<MachineRow>,
     /// The commands of the state machine.
@@ -66,21 +66,21 @@ pub struct ObjectRow {
     /// Last index.
     pub last: u16,
     /// In the texts.
-    pub name: Part,
+    pub name: SubList,
     /// In the object types.
-    pub object_types: Part,
+    pub object_types: SubList,
     /// Whether it is mandatory.
     pub need: NeedRow,
     /// The position of a condition.
     pub only: Option<u32>,
     /// In the indexes.
-    pub as_many_as: Part,
+    pub as_many_as: SubList,
     /// In the entries.
-    pub entries: Part,
+    pub entries: SubList,
     /// In the texts; empty if not stated.
-    pub source: Part,
+    pub source: SubList,
     /// In the texts; empty if not stated.
-    pub about: Part,
+    pub about: SubList,
     /// How sure the source is.
     pub confidence: Confidence,
 }
@@ -97,19 +97,19 @@ pub struct EntryRow {
     /// Whether it is mandatory.
     pub need: NeedRow,
     /// In the texts.
-    pub name: Part,
+    pub name: SubList,
     /// In the data types.
-    pub data_types: Part,
+    pub data_types: SubList,
     /// In the access types.
-    pub access: Part,
+    pub access: SubList,
     /// In the values.
-    pub values: Part,
+    pub values: SubList,
     /// The position of a default.
     pub default: Option<u32>,
     /// In the texts; empty if there is none.
-    pub unit: Part,
+    pub unit: SubList,
     /// In the bits.
-    pub bits: Part,
+    pub bits: SubList,
 }
 
 /// Whether an object or entry is mandatory; see [`Need`](super::Need).
@@ -123,7 +123,7 @@ pub enum NeedRow {
     When(u32),
 }
 
-/// A bit field; see [`BitField`](super::BitField).
+/// A bit field; see [`BitFieldFacts`](super::BitFieldFacts).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BitRow {
     /// Lowest bit.
@@ -131,9 +131,9 @@ pub struct BitRow {
     /// Highest bit.
     pub last: u8,
     /// In the texts.
-    pub name: Part,
+    pub name: SubList,
     /// In the meanings.
-    pub values: Part,
+    pub values: SubList,
 }
 
 /// The meaning of some values of a bit field.
@@ -144,7 +144,7 @@ pub struct MeaningRow {
     /// Last value.
     pub last: u64,
     /// In the texts.
-    pub text: Part,
+    pub text: SubList,
 }
 
 /// The objects of a state machine; see [`StateMachine`](super::StateMachine).
@@ -160,9 +160,9 @@ pub struct MachineRow {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CommandRow {
     /// In the texts.
-    pub name: Part,
+    pub name: SubList,
     /// In the texts: the bits of the command.
-    pub mask: Part,
+    pub mask: SubList,
 }
 
 /// A transition of a state machine; the texts are [`Transition`](super::Transition)'s.
@@ -171,21 +171,21 @@ pub struct TransitionRow {
     /// The number in the document.
     pub number: u8,
     /// In the texts.
-    pub from: Part,
+    pub from: SubList,
     /// In the texts.
-    pub to: Part,
+    pub to: SubList,
     /// In the texts.
-    pub by: Part,
+    pub by: SubList,
 }
 
 impl Tables {
     /// An optional text.
-    pub(super) fn stated(&self, text: Part) -> Option<&str> {
+    pub(super) fn stated(&self, text: SubList) -> Option<&str> {
         Some(text.of_text(&self.texts)).filter(|text| !text.is_empty())
     }
 }
 
-impl Part {
+impl SubList {
     /// The items of a list; empty if they are out of bounds.
     pub fn of<T>(self, list: &[T]) -> &[T] {
         let from = list.get(self.0 as usize..);

@@ -54,13 +54,13 @@ pub struct BaselineJson {
     /// How the fingerprints are made.
     fingerprints: String,
     /// The known findings, sorted.
-    findings: Vec<Line>,
+    findings: Vec<BaselineLine>,
 }
 
 /// A known finding.
 #[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Finding"))]
-struct Line {
+struct BaselineLine {
     /// The file, relative to the folder of the baseline.
     file: String,
     /// The id of the rule.
@@ -82,7 +82,7 @@ impl Baseline {
             return Err(BaselineError::Version);
         }
         let mut baseline = Self::default();
-        for Line { file, rule, fingerprint, message } in document.findings {
+        for BaselineLine { file, rule, fingerprint, message } in document.findings {
             let fingerprint = fingerprint.parse().map_err(serde::de::Error::custom);
             let fingerprint = fingerprint.map_err(BaselineError::Json)?;
             baseline.files.entry(file).or_default().insert(Known { rule, fingerprint, message });
@@ -98,7 +98,7 @@ impl Baseline {
         for (file, known) in &self.files {
             for Known { rule, fingerprint, message } in known {
                 let (file, rule, message) = (file.clone(), rule.clone(), message.clone());
-                let line = Line { file, rule, fingerprint: fingerprint.to_string(), message };
+                let line = BaselineLine { file, rule, fingerprint: fingerprint.to_string(), message };
                 text.push_str(separator);
                 // a struct of texts is always JSON
                 text.push_str(&objdict_model::json::text(&line).unwrap_or_default());

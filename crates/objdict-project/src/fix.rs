@@ -152,7 +152,7 @@ struct Candidate {
     safety: Applicability,
     /// The number of its finding.
     finding: usize,
-    key: Key,
+    key: FindingKey,
     edits: Vec<(Span, String)>,
     encoding: Option<Encoding>,
 }
@@ -180,7 +180,7 @@ fn candidates(
         };
         let (message, title) = (finding.message.to_string(), fix.title.to_string());
         let applied = AppliedFix { rule: finding.rule.id, message, title };
-        let (safety, key) = (fix.safety, Key::of(finding));
+        let (safety, key) = (fix.safety, FindingKey::of(finding));
         Some(Candidate { applied, safety, finding: number, key, edits, encoding })
     });
     candidates.collect()
@@ -276,7 +276,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
 
     /// The description with some fixes made, where each fixes its finding and none makes another; else where it is known,
     /// the findings that there would be too many of.
-    fn attempt(&mut self, numbers: &[usize]) -> Result<(Description, Findings), Vec<Key>> {
+    fn attempt(&mut self, numbers: &[usize]) -> Result<(Description, Findings), Vec<FindingKey>> {
         self.left = self.left.checked_sub(1).ok_or_else(Vec::new)?;
         let (description, fixed) = self.amended(numbers).ok_or_else(Vec::new)?;
         let findings = (self.check)(&description);
@@ -287,7 +287,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
     }
 
     /// The description with some fixes made, and how many findings of each kind they fix; `None` where validation refuses it.
-    fn amended(&self, numbers: &[usize]) -> Option<(Description, BTreeMap<&'a Key, u32>)> {
+    fn amended(&self, numbers: &[usize]) -> Option<(Description, BTreeMap<&'a FindingKey, u32>)> {
         let source = self.description.source();
         let mut edits = Edits::new(source);
         let mut encoding = source.encoding();
@@ -313,9 +313,9 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
 
 /// What a finding is counted by: its rule, and the part of the description where it is.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Key(&'static str, Option<Part>);
+struct FindingKey(&'static str, Option<Part>);
 
-impl Key {
+impl FindingKey {
     fn of(finding: &Diagnostic) -> Self {
         let part = match finding.labels.first().map(|label| &label.at) {
             Some(At::Place(place)) => Some(place.part.clone()),
@@ -336,7 +336,7 @@ impl Key {
 /// How many findings there are of each kind.
 #[derive(Default)]
 struct Counts {
-    parts: BTreeMap<Key, u32>,
+    parts: BTreeMap<FindingKey, u32>,
     /// By rule alone, those that were only counted among them.
     rules: BTreeMap<&'static str, u32>,
     /// By rule and the least severity, those that are known.
@@ -349,7 +349,7 @@ impl Counts {
     fn of(findings: &Findings) -> Self {
         let mut counts = Self::default();
         for finding in findings {
-            *counts.parts.entry(Key::of(finding)).or_default() += 1;
+            *counts.parts.entry(FindingKey::of(finding)).or_default() += 1;
             *counts.rules.entry(finding.rule.id).or_default() += 1;
             for least in
                 [Severity::Warning, Severity::Error].into_iter().filter(|&least| least <= finding.severity)
@@ -366,7 +366,7 @@ impl Counts {
 
     /// The findings that there are too many of: that were `fixed` and are not gone, that have come or become more severe,
     /// but not what a new section leaves open.
-    fn harm(&self, before: &Self, fixed: &BTreeMap<&Key, u32>) -> Vec<Key> {
+    fn harm(&self, before: &Self, fixed: &BTreeMap<&FindingKey, u32>) -> Vec<FindingKey> {
         let adds_section = fixed.keys().any(|key| key.0 == "cia306/missing-section");
         let is_open = |rule: &str| adds_section && LEFT_OPEN.contains(&rule);
         let fixed_of =
@@ -389,7 +389,7 @@ impl Counts {
         let whole = rules
             .map(|(rule, _)| *rule)
             .chain(severe.map(|((rule, _), _)| *rule))
-            .map(|rule| Key(rule, None));
+            .map(|rule| FindingKey(rule, None));
         whole.chain(parts.map(|(key, _)| key.clone())).filter(|key| !is_open(key.0)).collect()
     }
 }

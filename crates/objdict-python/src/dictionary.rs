@@ -16,7 +16,7 @@ use objdict::workspace::{Workspace, with_origin_beside};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::entry::{Entry, Meaning, meanings};
+use super::entry::{PythonEntry, ValueMeaning, meanings};
 use super::findings::project_of;
 use super::raised;
 use super::value::name_of;
@@ -29,17 +29,17 @@ pub(crate) enum Described {
 }
 
 /// What a description says, shared by all that Python has of it.
-pub(crate) struct Shared {
+pub(crate) struct SharedDescription {
     pub(crate) described: Described,
     /// The file; `None` of bytes.
     pub(crate) path: Option<PathBuf>,
     pub(crate) node_id: Option<u8>,
     /// The nearest configuration of the file.
     pub(crate) project: Option<Arc<Project>>,
-    meanings: OnceLock<HashMap<(u16, u8), Meaning>>,
+    meanings: OnceLock<HashMap<(u16, u8), ValueMeaning>>,
 }
 
-impl Shared {
+impl SharedDescription {
     pub(crate) fn device(&self) -> &Device {
         match &self.described {
             Described::Text(description) => description.device(),
@@ -62,19 +62,19 @@ impl Shared {
     }
 
     /// Units and names of values, which are looked for in the whole description at once.
-    pub(crate) fn meaning(&self, index: u16, sub: u8) -> Option<&Meaning> {
+    pub(crate) fn meaning(&self, index: u16, sub: u8) -> Option<&ValueMeaning> {
         self.meanings.get_or_init(|| meanings(self.device())).get(&(index, sub))
     }
 }
 
 /// A description.
 #[pyclass(frozen, name = "Dictionary", module = "canopen_objdict._native")]
-pub(crate) struct NativeDictionary(pub(crate) Arc<Shared>);
+pub(crate) struct NativeDictionary(pub(crate) Arc<SharedDescription>);
 
 /// An object of a description.
 #[pyclass(frozen, name = "Object", module = "canopen_objdict._native")]
 pub(crate) struct NativeObject {
-    shared: Arc<Shared>,
+    shared: Arc<SharedDescription>,
     /// The index.
     #[pyo3(get)]
     index: u16,
@@ -155,7 +155,7 @@ pub(crate) fn described(
     path: Option<PathBuf>,
     reading: &Reading,
     project: Option<Arc<Project>>,
-) -> PyResult<Shared> {
+) -> PyResult<SharedDescription> {
     let described = match input {
         Input::Description(description) => {
             let description = match &path {
@@ -169,18 +169,19 @@ pub(crate) fn described(
             return Err(raised(format_args!("`{name}` describes no device")));
         }
     };
-    let mut shared = Shared { described, path, node_id: reading.node_id, project, meanings: OnceLock::new() };
+    let mut shared =
+        SharedDescription { described, path, node_id: reading.node_id, project, meanings: OnceLock::new() };
     shared.node_id = shared.node_id.or(shared.device().node_id());
     Ok(shared)
 }
 
 /// The facts of a PDO: direction, number, COB-ID, whether it is valid, transmission type, inhibit time, event timer and SYNC
 /// start value.
-type PdoFacts =
+type PdoFields =
     (&'static str, u16, Option<u32>, Option<bool>, Option<u8>, Option<u16>, Option<u16>, Option<u8>);
 
 /// An entry in a PDO: index, sub-index and bits.
-type Mapped = (u16, u8, u8);
+type MappedBits = (u16, u8, u8);
 
 #[pymethods]
 impl NativeDictionary {
@@ -211,7 +212,7 @@ impl NativeDictionary {
     }
 
     /// The PDOs: RPDOs first.
-    fn pdos(&self) -> Vec<(PdoFacts, Vec<Mapped>)> {
+    fn pdos(&self) -> Vec<(PdoFields, Vec<MappedBits>)> {
         self.0.device().pdos().map(|pdo| row(&pdo, self.0.node_id)).collect()
     }
 
@@ -278,7 +279,7 @@ impl NativeDictionary {
     }
 }
 
-fn row(pdo: &Pdo<'_>, node_id: Option<u8>) -> (PdoFacts, Vec<Mapped>) {
+fn row(pdo: &Pdo<'_>, node_id: Option<u8>) -> (PdoFields, Vec<MappedBits>) {
     let kind = match pdo.kind {
         PdoKind::Rpdo => "rpdo",
         PdoKind::Tpdo => "tpdo",
@@ -328,9 +329,9 @@ impl NativeObject {
     }
 
     /// An entry.
-    fn entry(&self, sub: u8) -> Option<Entry> {
+    fn entry(&self, sub: u8) -> Option<PythonEntry> {
         let entry = self.object().entry(sub)?.into_owned();
-        Some(Entry { shared: Arc::clone(&self.shared), index: self.index, sub, entry })
+        Some(PythonEntry { shared: Arc::clone(&self.shared), index: self.index, sub, entry })
     }
 
     /// The names of all entries with their sub-indexes, in their order.

@@ -10,7 +10,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::dictionary::Shared;
+use super::dictionary::SharedDescription;
 use super::value::{from_python, name_of, to_python};
 
 /// A value that is the node-ID plus a number, as long as the node-ID is unknown.
@@ -36,7 +36,7 @@ impl Formula {
 
 /// What a description or a CiA document says of the values of an entry.
 #[derive(Default)]
-pub(crate) struct Meaning {
+pub(crate) struct ValueMeaning {
     unit: Option<String>,
     factor: Option<f64>,
     offset: Option<f64>,
@@ -46,9 +46,9 @@ pub(crate) struct Meaning {
 }
 
 /// An entry of an object.
-#[pyclass(frozen, module = "canopen_objdict")]
-pub(crate) struct Entry {
-    pub(crate) shared: Arc<Shared>,
+#[pyclass(name = "Entry", frozen, module = "canopen_objdict")]
+pub(crate) struct PythonEntry {
+    pub(crate) shared: Arc<SharedDescription>,
     /// The index.
     #[pyo3(get)]
     pub(crate) index: u16,
@@ -58,12 +58,12 @@ pub(crate) struct Entry {
     pub(crate) entry: model::Entry,
 }
 
-impl Entry {
+impl PythonEntry {
     fn shown<'py>(&self, py: Python<'py>, value: Option<&Value>) -> PyResult<Option<Bound<'py, PyAny>>> {
         value.map(|value| to_python(py, value, self.entry.implied_type(), self.shared.node_id)).transpose()
     }
 
-    fn meaning_of_values(&self) -> Option<&Meaning> {
+    fn meaning_of_values(&self) -> Option<&ValueMeaning> {
         self.shared.meaning(self.index, self.sub)
     }
 
@@ -74,7 +74,7 @@ impl Entry {
 }
 
 #[pymethods]
-impl Entry {
+impl PythonEntry {
     /// The name.
     #[getter]
     fn name(&self) -> &str {
@@ -253,13 +253,13 @@ pub(crate) fn description_of(entry: &model::Entry) -> Option<String> {
 }
 
 /// The meanings of all entries of a device that have one.
-pub(crate) fn meanings(device: &Device) -> HashMap<(u16, u8), Meaning> {
+pub(crate) fn meanings(device: &Device) -> HashMap<(u16, u8), ValueMeaning> {
     let described = device.meanings();
     let mut found = HashMap::new();
     for (&index, object) in device.objects.iter() {
         let documents: Vec<_> = profile::of_object(device, index).map(|(_, facts)| facts).collect();
         for (sub, _) in object.entries() {
-            let mut meaning = Meaning::default();
+            let mut meaning = ValueMeaning::default();
             for facts in documents.iter().filter_map(|facts| facts.entry(sub)) {
                 if meaning.unit.is_none() {
                     meaning.set_unit_of_document(facts.unit.unwrap_or_default());
@@ -283,7 +283,7 @@ pub(crate) fn meanings(device: &Device) -> HashMap<(u16, u8), Meaning> {
     found
 }
 
-impl Meaning {
+impl ValueMeaning {
     fn is_empty(&self) -> bool {
         let is_scaled = self.unit.is_some() || self.factor.is_some() || self.offset.is_some();
         !is_scaled && self.values.is_empty() && self.bits.is_empty()

@@ -12,7 +12,7 @@ use objdict::report::{Concise, Json, Report, Subject, grouped};
 use objdict::workspace::{self, Overrides, Workspace};
 use pyo3::prelude::*;
 
-use super::dictionary::{Described, NativeDictionary, Shared, described, reading};
+use super::dictionary::{Described, NativeDictionary, SharedDescription, described, reading};
 use super::raised;
 
 /// The findings of a device.
@@ -75,7 +75,7 @@ fn add(report: &mut impl Report, path: &Path, workspace: &mut Workspace) -> io::
 }
 
 /// The findings of a device with the nearest configuration, as `objdict check` reports them.
-pub(crate) fn findings_of(shared: &Shared) -> PyResult<(Subject<'_>, Findings)> {
+pub(crate) fn findings_of(shared: &SharedDescription) -> PyResult<(Subject<'_>, Findings)> {
     let options = options(shared);
     Ok(match &shared.described {
         Described::Text(description) => {
@@ -98,7 +98,7 @@ pub(crate) fn project_of(workspace: &mut Workspace, path: &Path) -> PyResult<Opt
 }
 
 /// What the configuration says of a file; bytes have none.
-fn options(shared: &Shared) -> lint::Options {
+fn options(shared: &SharedDescription) -> lint::Options {
     let node_id = shared.node_id.filter(|id| (1..=127).contains(id));
     let overrides = Overrides { node_id, ..Overrides::default() };
     match &shared.path {

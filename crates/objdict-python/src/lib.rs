@@ -35,7 +35,7 @@ mod _native {
     use super::{
         ObjdictError,
         dictionary::{NativeDictionary, NativeObject, open, read},
-        entry::{Entry, Formula},
+        entry::{Formula, PythonEntry},
         findings::{check, errors, findings},
         network::{build_network, check_network},
         output::{card, changes, convert, docs, generate},

@@ -14,11 +14,11 @@ use super::findings::{document, errors_among, project_of};
 use super::raised;
 
 /// The name of a node and its node-ID.
-type Node = (String, Option<u8>);
+type NamedNode = (String, Option<u8>);
 
 /// The nodes of a network file with their node-IDs, and its findings.
 #[pyfunction]
-pub(crate) fn check_network(py: Python<'_>, path: PathBuf) -> PyResult<(Vec<Node>, String)> {
+pub(crate) fn check_network(py: Python<'_>, path: PathBuf) -> PyResult<(Vec<NamedNode>, String)> {
     py.detach(|| {
         let file = opened(&path)?;
         let nodes = file.network().into_iter().flat_map(|network| &network.nodes);

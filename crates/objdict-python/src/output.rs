@@ -15,7 +15,7 @@ use objdict::source::Folder;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::dictionary::{Described, NativeDictionary, Shared};
+use super::dictionary::{Described, NativeDictionary, SharedDescription};
 use super::findings::findings_of;
 use super::raised;
 
@@ -34,7 +34,7 @@ pub(crate) fn convert<'py>(
     bit_rate: Option<u16>,
     embed: bool,
 ) -> PyResult<(Bound<'py, PyBytes>, Vec<String>)> {
-    let node = Node { node_id: node_id.or(of.0.node_id), bit_rate };
+    let node = OutputNode { node_id: node_id.or(of.0.node_id), bit_rate };
     let (bytes, lost) = py.detach(|| converted(&of.0, to, name, &node, embed))?;
     Ok((PyBytes::new(py, &bytes), lost))
 }
@@ -88,12 +88,12 @@ pub(crate) fn changes(
 }
 
 /// The node that a description of one is for.
-struct Node {
+struct OutputNode {
     node_id: Option<u8>,
     bit_rate: Option<u16>,
 }
 
-impl Node {
+impl OutputNode {
     /// What the description says of its node, but for what is wanted otherwise.
     fn commissioning(&self, stated: Option<&Commissioning>) -> Commissioning {
         let mut node = stated.cloned().unwrap_or_default();
@@ -102,7 +102,13 @@ impl Node {
     }
 }
 
-fn converted(shared: &Shared, to: &str, name: &str, node: &Node, embed: bool) -> PyResult<Converted> {
+fn converted(
+    shared: &SharedDescription,
+    to: &str,
+    name: &str,
+    node: &OutputNode,
+    embed: bool,
+) -> PyResult<Converted> {
     let device = shared.device();
     match to {
         "json" => return Ok((json::write_device(device).into_bytes(), Vec::new())),
@@ -125,7 +131,12 @@ fn converted(shared: &Shared, to: &str, name: &str, node: &Node, embed: bool) ->
 }
 
 /// The text with what must change in it, so that comments and order stay; `None` where the format has another syntax.
-fn edited(shared: &Shared, to: Format, name: &str, node: &Node) -> Result<Option<Vec<u8>>, EditError> {
+fn edited(
+    shared: &SharedDescription,
+    to: Format,
+    name: &str,
+    node: &OutputNode,
+) -> Result<Option<Vec<u8>>, EditError> {
     let Described::Text(description) = &shared.described else { return Ok(None) };
     let is_read_only =
         description.is_project() || description.is_network() || description.variant().is_some();
@@ -145,7 +156,7 @@ fn edited(shared: &Shared, to: Format, name: &str, node: &Node) -> Result<Option
 }
 
 /// The downloads that configure the node. Files that they need are beside the description.
-fn concise(shared: &Shared, node: &Node) -> PyResult<Vec<u8>> {
+fn concise(shared: &SharedDescription, node: &OutputNode) -> PyResult<Vec<u8>> {
     let mut options = PlanOptions::default();
     options.node_id = node.node_id;
     let plan = ConciseDcf::plan(shared.device(), &options).map_err(raised)?;
@@ -157,7 +168,7 @@ fn concise(shared: &Shared, node: &Node) -> PyResult<Vec<u8>> {
     plan.into_concise(read)?.write().map_err(raised)
 }
 
-fn page(shared: &Shared, form: Form, language: Option<String>) -> PyResult<String> {
+fn page(shared: &SharedDescription, form: Form, language: Option<String>) -> PyResult<String> {
     let (subject, findings) = findings_of(shared)?;
     let line = |finding| Location::line_of(subject, finding);
     let findings: Vec<_> = findings.iter().map(|finding| Finding::new(finding, line(finding))).collect();
@@ -171,7 +182,7 @@ fn page(shared: &Shared, form: Form, language: Option<String>) -> PyResult<Strin
 }
 
 fn with_subject(
-    shared: &Shared,
+    shared: &SharedDescription,
     findings: Option<&[Finding]>,
     identifiers: &Identifiers,
     write: impl FnOnce(&Subject<'_>) -> String,

@@ -15,7 +15,7 @@ use objdict::format::network::NetworkFile;
 use objdict::traffic::{Buses, Descriptions, MergedLogs, NamedLog};
 use pyo3::prelude::*;
 
-use super::dictionary::{NativeDictionary, Shared};
+use super::dictionary::{NativeDictionary, SharedDescription};
 use super::network::opened;
 use super::raised;
 
@@ -24,10 +24,10 @@ const BATCH: usize = 256;
 const WAITING: usize = 4;
 
 /// A log: its name, and its bytes if they are not in the file of this name.
-type Source = (PathBuf, Option<Vec<u8>>);
+type LogSource = (PathBuf, Option<Vec<u8>>);
 
 /// What the reader of logs has to say.
-enum Message {
+enum LogMessage {
     /// Frames as lines of `objdict decode --format json`.
     Frames(Vec<String>),
     /// The logs are read to their ends, and these lines are not understood.
@@ -37,16 +37,16 @@ enum Message {
 
 /// The frames of logs, which a thread reads as long as they are asked for.
 #[pyclass(frozen, module = "canopen_objdict._native")]
-pub(crate) struct Frames(Mutex<Receiver<Message>>);
+pub(crate) struct Frames(Mutex<Receiver<LogMessage>>);
 
 #[pymethods]
 impl Frames {
     /// Some frames as JSON, and whether that is all; then the lines are warnings.
     fn next(&self, py: Python<'_>) -> PyResult<(Vec<String>, bool)> {
         match py.detach(|| self.0.lock().unwrap_or_else(PoisonError::into_inner).recv()) {
-            Ok(Message::Frames(lines)) => Ok((lines, false)),
-            Ok(Message::End(warnings)) => Ok((warnings, true)),
-            Ok(Message::Failed(text)) => Err(raised(text)),
+            Ok(LogMessage::Frames(lines)) => Ok((lines, false)),
+            Ok(LogMessage::End(warnings)) => Ok((warnings, true)),
+            Ok(LogMessage::Failed(text)) => Err(raised(text)),
             Err(_) => Err(raised("the log was read to its end before, or its reader failed")),
         }
     }
@@ -62,18 +62,18 @@ pub(crate) fn is_network(path: PathBuf) -> PyResult<bool> {
 #[pyfunction]
 pub(crate) fn decode(
     py: Python<'_>,
-    logs: Vec<Source>,
+    logs: Vec<LogSource>,
     networks: Vec<PathBuf>,
     devices: Vec<(Option<u8>, PyRef<'_, NativeDictionary>)>,
 ) -> PyResult<Frames> {
-    let devices: Vec<(Option<u8>, Arc<Shared>)> =
+    let devices: Vec<(Option<u8>, Arc<SharedDescription>)> =
         devices.iter().map(|(node_id, device)| (*node_id, Arc::clone(&device.0))).collect();
     let descriptions = py.detach(|| describe(&networks, &devices))?;
     let (sender, receiver) = sync_channel(WAITING);
     thread::spawn(move || {
         let last = match send(&logs, &descriptions, &sender) {
-            Ok(warnings) => Message::End(warnings),
-            Err(text) => Message::Failed(text),
+            Ok(warnings) => LogMessage::End(warnings),
+            Err(text) => LogMessage::Failed(text),
         };
         // who asks no more has dropped the receiver
         sender.send(last).ok();
@@ -81,7 +81,10 @@ pub(crate) fn decode(
     Ok(Frames(Mutex::new(receiver)))
 }
 
-fn describe(networks: &[PathBuf], devices: &[(Option<u8>, Arc<Shared>)]) -> PyResult<Descriptions> {
+fn describe(
+    networks: &[PathBuf],
+    devices: &[(Option<u8>, Arc<SharedDescription>)],
+) -> PyResult<Descriptions> {
     let mut descriptions = Descriptions::default();
     for path in networks {
         descriptions.add_network(&opened(path)?);
@@ -96,9 +99,9 @@ fn describe(networks: &[PathBuf], devices: &[(Option<u8>, Arc<Shared>)]) -> PyRe
 
 /// Reads logs as long as frames are asked for, and returns the lines that are not understood.
 fn send(
-    sources: &[Source],
+    sources: &[LogSource],
     descriptions: &Descriptions,
-    sender: &SyncSender<Message>,
+    sender: &SyncSender<LogMessage>,
 ) -> Result<Vec<String>, String> {
     let failed = |error: io::Error| format!("cannot read the log: {error}");
     let mut buses = Buses::new(&[], descriptions);
@@ -112,22 +115,22 @@ fn send(
         let bus = &mut buses.all[at];
         let decoded = bus.decode(&frame);
         lines.push(bus.json(&decoded, &frame));
-        if lines.len() == BATCH && sender.send(Message::Frames(std::mem::take(&mut lines))).is_err() {
+        if lines.len() == BATCH && sender.send(LogMessage::Frames(std::mem::take(&mut lines))).is_err() {
             return Ok(Vec::new());
         }
     }
-    sender.send(Message::Frames(lines)).ok();
+    sender.send(LogMessage::Frames(lines)).ok();
     match logs.0.iter().find_map(NamedLog::problem) {
         Some(problem) => Err(problem),
         None => Ok(logs.0.iter().flat_map(NamedLog::warnings).collect()),
     }
 }
 
-fn open(sources: &[Source]) -> Result<MergedLogs<Box<dyn BufRead + '_>>, String> {
+fn open(sources: &[LogSource]) -> Result<MergedLogs<Box<dyn BufRead + '_>>, String> {
     sources.iter().map(opened_log).collect::<Result<_, _>>().map(MergedLogs)
 }
 
-fn opened_log((path, bytes): &Source) -> Result<NamedLog<Box<dyn BufRead + '_>>, String> {
+fn opened_log((path, bytes): &LogSource) -> Result<NamedLog<Box<dyn BufRead + '_>>, String> {
     let name = path.display().to_string();
     let source: Box<dyn BufRead + '_> = match bytes {
         Some(bytes) => Box::new(bytes.as_slice()),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{DescribedNode, Descriptions};
-use objdict_document::describe::frames::{DecodedFrame, FrameKind, FrameReader, SdoStep};
+use objdict_document::describe::frames::{DecodedFrame, FrameKind, FrameReader, TransferStep};
 use objdict_model::model::Device;
 
 /// The entries that say what a node is.
@@ -21,7 +21,7 @@ pub(super) struct Candidates<'d> {
 }
 
 /// What was found: the node, its description, and what to say of it.
-type Found<'d> = (u8, Option<&'d DescribedNode>, Option<String>);
+type FoundNode<'d> = (u8, Option<&'d DescribedNode>, Option<String>);
 
 impl<'d> Candidates<'d> {
     pub(super) fn new(descriptions: &'d Descriptions) -> Self {
@@ -52,7 +52,7 @@ impl<'d> Candidates<'d> {
         let bit = 1 << node_id;
         self.is_news |= self.seen[place] & bit == 0;
         self.seen[place] |= bit;
-        let asked = decoded.sdo.filter(|sdo| is_answer && sdo.step == SdoStep::Value);
+        let asked = decoded.sdo.filter(|sdo| is_answer && sdo.step == TransferStep::Value);
         let at = asked.and_then(|sdo| IDENTITY.iter().position(|entry| Some(*entry) == sdo.entry));
         if let (Some(at), Some((bytes, _))) = (at, reader.transferred(decoded)) {
             let number = bytes.iter().rev().fold(0, |number, byte| number << 8 | i128::from(*byte));
@@ -62,7 +62,7 @@ impl<'d> Candidates<'d> {
     }
 
     /// The nodes that were found since the last time. A node that is the only one is assumed.
-    pub(super) fn found(&mut self, is_all: bool, reader: &FrameReader<'_>) -> Vec<Found<'d>> {
+    pub(super) fn found(&mut self, is_all: bool, reader: &FrameReader<'_>) -> Vec<FoundNode<'d>> {
         let mut found = Vec::new();
         if !self.is_open() || !std::mem::take(&mut self.is_news) && !is_all {
             return found;
@@ -90,7 +90,12 @@ impl<'d> Candidates<'d> {
     }
 
     /// The only node of the bus that has no description, if there is one.
-    fn assumed(&self, node: &'d DescribedNode, is_all: bool, reader: &FrameReader<'_>) -> Option<Found<'d>> {
+    fn assumed(
+        &self,
+        node: &'d DescribedNode,
+        is_all: bool,
+        reader: &FrameReader<'_>,
+    ) -> Option<FoundNode<'d>> {
         let is_unknown = |node_id: &u8| !reader.is_described(*node_id);
         let nodes = |seen: u128| (1..=127).filter(move |node_id| seen >> node_id & 1 == 1).filter(is_unknown);
         // PDOs may have any CAN-ID, so those of a log that goes on are not enough

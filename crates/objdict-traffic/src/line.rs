@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Bus, raw};
 use crate::log::LoggedFrame;
-use objdict_document::describe::frames::{DecodedFrame, FrameKind, PdoSignal, SdoStep};
+use objdict_document::describe::frames::{DecodedFrame, FrameKind, PdoSignal, TransferStep};
 use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::Value;
@@ -167,7 +167,7 @@ impl Bus<'_> {
             value: transferred.as_ref().and_then(|(_, value)| value.as_ref().map(PlainValue::of)),
             bytes: transferred.as_ref().map(|(bytes, _)| digits(bytes, "")),
             abort: sdo.and_then(|sdo| match sdo.step {
-                SdoStep::Abort(code) => Some(code),
+                TransferStep::Abort(code) => Some(code),
                 _ => None,
             }),
             signals: signals.as_ref().map(|signals| signals.iter().map(Signal::of).collect()),

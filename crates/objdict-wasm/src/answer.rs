@@ -8,7 +8,7 @@ use serde_json::json;
 
 /// Why a request was refused.
 #[derive(Debug, Serialize)]
-pub(crate) struct Refusal {
+pub(crate) struct BadRequest {
     /// The problem, as the command would print it.
     pub(crate) message: String,
     /// The advice.
@@ -16,7 +16,7 @@ pub(crate) struct Refusal {
     pub(crate) help: Option<String>,
 }
 
-impl Refusal {
+impl BadRequest {
     pub(crate) fn new(message: impl Display) -> Self {
         Self { message: message.to_string(), help: None }
     }
@@ -26,18 +26,18 @@ impl Refusal {
     }
 }
 
-impl From<ReadError> for Refusal {
+impl From<ReadError> for BadRequest {
     fn from(error: ReadError) -> Self {
         Self { help: error.help(), ..Self::new(error) }
     }
 }
 
 /// What a request gives, as JSON.
-pub(crate) type Answer = Result<String, Refusal>;
+pub(crate) type Answer = Result<String, BadRequest>;
 
 /// Data as an answer. It is written at once: as a tree, a list of many objects takes longer than the check of them.
 pub(crate) fn data(value: impl Serialize) -> Answer {
-    serde_json::to_string(&value).map_err(Refusal::new)
+    serde_json::to_string(&value).map_err(BadRequest::new)
 }
 
 /// The text of an answer.

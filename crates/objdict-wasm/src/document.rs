@@ -14,7 +14,7 @@ use objdict::report::{Json, Report as _, Subject, grouped};
 use objdict::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 use serde::{Deserialize, Serialize};
 
-use crate::answer::Refusal;
+use crate::answer::BadRequest;
 use crate::place::place;
 
 /// So many bytes of former texts are kept, and at least one text.
@@ -22,8 +22,8 @@ const MAX_HISTORY: usize = 64 << 20;
 
 /// A text that is being edited.
 #[derive(Debug)]
-pub(crate) struct Document {
-    content: Content,
+pub(crate) struct EditedDocument {
+    content: DocumentContent,
     original: Vec<u8>,
     before: Vec<Vec<u8>>,
     after: Vec<Vec<u8>>,
@@ -31,7 +31,7 @@ pub(crate) struct Document {
 
 /// What a text is read as.
 #[derive(Debug)]
-enum Content {
+enum DocumentContent {
     Description(Box<Description>),
     /// Its nodes are described by other documents, so it is read when it is asked for.
     Network(SourceFile),
@@ -62,7 +62,7 @@ pub(crate) enum FieldChange {
 
 /// What a page shows of a document beside its objects.
 #[derive(Debug, Serialize)]
-pub(crate) struct State<'a> {
+pub(crate) struct DocumentState<'a> {
     pub(crate) name: &'a str,
     /// `device` or `network`.
     pub(crate) kind: &'static str,
@@ -77,40 +77,40 @@ pub(crate) struct State<'a> {
     pub(crate) devices: usize,
 }
 
-impl Document {
-    pub(crate) fn open(name: &str, bytes: Vec<u8>) -> Result<Self, Refusal> {
+impl EditedDocument {
+    pub(crate) fn open(name: &str, bytes: Vec<u8>) -> Result<Self, BadRequest> {
         let original = bytes.clone();
-        let content = Content::Description(Box::new(read(name, bytes, None)?));
+        let content = DocumentContent::Description(Box::new(read(name, bytes, None)?));
         Ok(Self { content, original, before: Vec::new(), after: Vec::new() })
     }
 
-    pub(crate) fn network(name: &str, bytes: Vec<u8>) -> Result<Self, Refusal> {
-        let content = Content::Network(source(name, bytes.clone())?);
+    pub(crate) fn network(name: &str, bytes: Vec<u8>) -> Result<Self, BadRequest> {
+        let content = DocumentContent::Network(source(name, bytes.clone())?);
         Ok(Self { content, original: bytes, before: Vec::new(), after: Vec::new() })
     }
 
-    pub(crate) fn description(&self) -> Result<&Description, Refusal> {
+    pub(crate) fn description(&self) -> Result<&Description, BadRequest> {
         match &self.content {
-            Content::Description(description) => Ok(description),
-            Content::Network(source) => {
+            DocumentContent::Description(description) => Ok(description),
+            DocumentContent::Network(source) => {
                 let message = format!("`{}` is a network, not a device", source.name());
-                Err(Refusal::new(message).help("show the description of one of its nodes"))
+                Err(BadRequest::new(message).help("show the description of one of its nodes"))
             }
         }
     }
 
-    pub(crate) fn device(&self) -> Result<&Device, Refusal> {
+    pub(crate) fn device(&self) -> Result<&Device, BadRequest> {
         Ok(self.description()?.device())
     }
 
     pub(crate) fn is_network(&self) -> bool {
-        matches!(self.content, Content::Network(_))
+        matches!(self.content, DocumentContent::Network(_))
     }
 
     pub(crate) fn source(&self) -> &SourceFile {
         match &self.content {
-            Content::Description(description) => description.source(),
-            Content::Network(source) => source,
+            DocumentContent::Description(description) => description.source(),
+            DocumentContent::Network(source) => source,
         }
     }
 
@@ -118,15 +118,15 @@ impl Document {
         self.source().name()
     }
 
-    pub(crate) fn state(&self) -> State<'_> {
+    pub(crate) fn state(&self) -> DocumentState<'_> {
         let source = self.source();
         let (kind, format, is_project, devices) = match &self.content {
-            Content::Description(description) => {
+            DocumentContent::Description(description) => {
                 ("device", description.format().name(), description.is_project(), description.device_count())
             }
-            Content::Network(_) => ("network", "network", false, 0),
+            DocumentContent::Network(_) => ("network", "network", false, 0),
         };
-        State {
+        DocumentState {
             name: source.name(),
             kind,
             format,
@@ -141,23 +141,23 @@ impl Document {
     }
 
     /// The text that it was opened with.
-    pub(crate) fn original_text(&self) -> Result<String, Refusal> {
+    pub(crate) fn original_text(&self) -> Result<String, BadRequest> {
         let reading = Reading::default();
-        let original = reading.source(self.name(), self.original.clone()).map_err(Refusal::new)?;
+        let original = reading.source(self.name(), self.original.clone()).map_err(BadRequest::new)?;
         Ok(original.text().to_owned())
     }
 
     /// The bytes of the file as it is now.
     pub(crate) fn bytes(&self) -> Vec<u8> {
         match &self.content {
-            Content::Description(description) => description.print(),
-            Content::Network(source) => source.to_bytes(),
+            DocumentContent::Description(description) => description.print(),
+            DocumentContent::Network(source) => source.to_bytes(),
         }
     }
 
     /// The document of `objdict check --format json`. Which fixes are `offered` takes some more checks of the text; without them, no
     /// finding has one.
-    pub(crate) fn report(&self, offered: bool, options: &Options) -> Result<String, Refusal> {
+    pub(crate) fn report(&self, offered: bool, options: &Options) -> Result<String, BadRequest> {
         let description = self.description()?;
         let check = |description: &Description| objdict::check_with(description, options);
         let examine = |description: &Description| {
@@ -179,7 +179,7 @@ impl Document {
     }
 
     /// Makes edits of the text.
-    pub(crate) fn edit(&mut self, edits: Vec<TextEdit>) -> Result<(), Refusal> {
+    pub(crate) fn edit(&mut self, edits: Vec<TextEdit>) -> Result<(), BadRequest> {
         let source = self.source();
         let mut made = Edits::new(source);
         for edit in edits {
@@ -187,19 +187,19 @@ impl Document {
             let end = offset(source, edit.end_line, edit.end_column)?;
             made.replace(Span { start: start.min(end), end: end.max(start) }, edit.text);
         }
-        let bytes = made.to_bytes().map_err(Refusal::new)?;
+        let bytes = made.to_bytes().map_err(BadRequest::new)?;
         self.replace(bytes)
     }
 
     /// Writes the text in another encoding.
-    pub(crate) fn encode(&mut self, name: &str) -> Result<(), Refusal> {
-        let encoding: Encoding = name.parse().map_err(Refusal::new)?;
-        let bytes = encoding.encode(self.source().text()).map_err(Refusal::new)?;
+    pub(crate) fn encode(&mut self, name: &str) -> Result<(), BadRequest> {
+        let encoding: Encoding = name.parse().map_err(BadRequest::new)?;
+        let bytes = encoding.encode(self.source().text()).map_err(BadRequest::new)?;
         self.replace(bytes)
     }
 
     /// Makes changes of fields and entries together, as edits of the text.
-    pub(crate) fn change(&mut self, changes: &[FieldChange]) -> Result<(), Refusal> {
+    pub(crate) fn change(&mut self, changes: &[FieldChange]) -> Result<(), BadRequest> {
         let changes: Vec<Change> =
             changes.iter().map(|change| self.as_change(change)).collect::<Result<_, _>>()?;
         let description = self.description()?;
@@ -210,18 +210,19 @@ impl Document {
         }
         let fix = Fix { changes, ..Fix::risky("edit") };
         let made = description.edits(&fix).ok_or_else(|| {
-            Refusal::new("edits cannot change this in the file")
+            BadRequest::new("edits cannot change this in the file")
                 .help("edit the text, or save the description in another format first")
         })?;
         let mut edits = Edits::new(description.source());
         made.into_iter().for_each(|(span, text)| edits.replace(span, text));
-        let bytes = edits.to_bytes().map_err(Refusal::new)?;
+        let bytes = edits.to_bytes().map_err(BadRequest::new)?;
         self.replace(bytes)
     }
 
-    fn as_change(&self, change: &FieldChange) -> Result<Change, Refusal> {
-        let place_of =
-            |at: &str| place(at).ok_or_else(|| Refusal::new(format_args!("`{at}` is not edited as fields")));
+    fn as_change(&self, change: &FieldChange) -> Result<Change, BadRequest> {
+        let place_of = |at: &str| {
+            place(at).ok_or_else(|| BadRequest::new(format_args!("`{at}` is not edited as fields")))
+        };
         Ok(match change {
             FieldChange::Set { at, value } => Change::Set(place_of(at)?, value.clone()),
             FieldChange::Remove { at } => Change::Remove(place_of(at)?),
@@ -233,10 +234,10 @@ impl Document {
     }
 
     /// Makes a patch, which is how objects and entries are added, removed and moved.
-    pub(crate) fn patch(&mut self, text: &str) -> Result<(), Refusal> {
+    pub(crate) fn patch(&mut self, text: &str) -> Result<(), BadRequest> {
         let patch = Arc::new(Patch::read(SourceFile::from_text("patch.toml", text)));
         let patched = patch::apply(self.again()?, &[patch]);
-        let made = patched.patched().ok_or_else(|| Refusal::new("the patch is not for this device"))?;
+        let made = patched.patched().ok_or_else(|| BadRequest::new("the patch is not for this device"))?;
         let problems: Vec<String> = match made.has_errors() {
             true => made
                 .by_patch()
@@ -246,34 +247,34 @@ impl Document {
             false => Vec::new(),
         };
         if let Some(first) = problems.into_iter().next() {
-            return Err(Refusal::new(first));
+            return Err(BadRequest::new(first));
         }
-        let realised = patched.realised().map_err(Refusal::new)?;
+        let realised = patched.realised().map_err(BadRequest::new)?;
         let bytes = realised.map_or_else(|| self.bytes(), |realised| realised.print());
         self.replace(bytes)
     }
 
     /// Makes all fixes of a safety, as `objdict check --fix` does.
-    pub(crate) fn fix_all(&mut self, safety: Applicability, options: &Options) -> Result<(), Refusal> {
+    pub(crate) fn fix_all(&mut self, safety: Applicability, options: &Options) -> Result<(), BadRequest> {
         let fixed = objdict::fix_for_readers(self.again()?, safety, options);
         let bytes = fixed.bytes();
         self.replace(bytes)
     }
 
     /// Adds objects of the profiles as these demand them.
-    pub(crate) fn add_objects(&mut self, profile: u16, indexes: &[u16]) -> Result<(), Refusal> {
+    pub(crate) fn add_objects(&mut self, profile: u16, indexes: &[u16]) -> Result<(), BadRequest> {
         let device = self.device()?;
         if let Some(index) = indexes.iter().find(|index| device.objects.contains_key(index)) {
-            return Err(Refusal::new(format_args!("the device has {index:04X}h already")));
+            return Err(BadRequest::new(format_args!("the device has {index:04X}h already")));
         }
         let mut complete = device.clone();
         objdict::scaffold::add_objects(&mut complete, profile, indexes);
         let bytes = self.description()?.with_objects(&complete);
-        let bytes = bytes.ok_or_else(|| Refusal::new("no objects can be added to this file"))?;
+        let bytes = bytes.ok_or_else(|| BadRequest::new("no objects can be added to this file"))?;
         self.replace(bytes)
     }
 
-    pub(crate) fn undo(&mut self) -> Result<(), Refusal> {
+    pub(crate) fn undo(&mut self) -> Result<(), BadRequest> {
         let Some(bytes) = self.before.pop() else { return Ok(()) };
         let now = self.bytes();
         self.content = self.reread(bytes)?;
@@ -281,7 +282,7 @@ impl Document {
         Ok(())
     }
 
-    pub(crate) fn redo(&mut self) -> Result<(), Refusal> {
+    pub(crate) fn redo(&mut self) -> Result<(), BadRequest> {
         let Some(bytes) = self.after.pop() else { return Ok(()) };
         let now = self.bytes();
         self.content = self.reread(bytes)?;
@@ -290,7 +291,7 @@ impl Document {
     }
 
     /// The description of other bytes, and the way back to these.
-    pub(crate) fn replace(&mut self, bytes: Vec<u8>) -> Result<(), Refusal> {
+    pub(crate) fn replace(&mut self, bytes: Vec<u8>) -> Result<(), BadRequest> {
         let now = self.bytes();
         if bytes == now {
             return Ok(());
@@ -305,39 +306,39 @@ impl Document {
     }
 
     /// Another text of this file: what is typed may look like another format for a moment.
-    fn reread(&self, bytes: Vec<u8>) -> Result<Content, Refusal> {
+    fn reread(&self, bytes: Vec<u8>) -> Result<DocumentContent, BadRequest> {
         Ok(match &self.content {
-            Content::Network(_) => Content::Network(source(self.name(), bytes)?),
-            Content::Description(description) => {
+            DocumentContent::Network(_) => DocumentContent::Network(source(self.name(), bytes)?),
+            DocumentContent::Description(description) => {
                 let from = Some(description.format().into());
-                Content::Description(Box::new(read(self.name(), bytes, from)?))
+                DocumentContent::Description(Box::new(read(self.name(), bytes, from)?))
             }
         })
     }
 
     /// A description of its own, which can be changed.
-    fn again(&self) -> Result<Description, Refusal> {
+    fn again(&self) -> Result<Description, BadRequest> {
         read(self.name(), self.bytes(), Some(self.description()?.format().into()))
     }
 }
 
 /// The text of a file.
-pub(crate) fn source(name: &str, bytes: Vec<u8>) -> Result<SourceFile, Refusal> {
-    SourceFile::from_bytes(name, bytes, &SourceOptions::default()).map_err(Refusal::new)
+pub(crate) fn source(name: &str, bytes: Vec<u8>) -> Result<SourceFile, BadRequest> {
+    SourceFile::from_bytes(name, bytes, &SourceOptions::default()).map_err(BadRequest::new)
 }
 
 /// What is written into a report as JSON.
-fn report(write: impl FnOnce(&mut Json<&mut Vec<u8>>) -> io::Result<()>) -> Result<String, Refusal> {
+fn report(write: impl FnOnce(&mut Json<&mut Vec<u8>>) -> io::Result<()>) -> Result<String, BadRequest> {
     let mut out = Vec::new();
     let mut report = Json::new(&mut out);
-    write(&mut report).map_err(Refusal::new)?;
-    report.finish().map_err(Refusal::new)?;
+    write(&mut report).map_err(BadRequest::new)?;
+    report.finish().map_err(BadRequest::new)?;
     drop(report);
-    String::from_utf8(out).map_err(Refusal::new)
+    String::from_utf8(out).map_err(BadRequest::new)
 }
 
 /// The document of `objdict network check --format json`.
-pub(crate) fn network_report(network: &NetworkFile) -> Result<String, Refusal> {
+pub(crate) fn network_report(network: &NetworkFile) -> Result<String, BadRequest> {
     report(|report| {
         let subjects = Subject::of_network(network, network.check());
         subjects.into_iter().try_for_each(|(subject, found)| report.file(subject, &grouped(subject, found)))
@@ -345,7 +346,7 @@ pub(crate) fn network_report(network: &NetworkFile) -> Result<String, Refusal> {
 }
 
 /// The findings in a text that is not a description, as the same document.
-pub(crate) fn text_report(text: &SourceFile, findings: Findings) -> Result<String, Refusal> {
+pub(crate) fn text_report(text: &SourceFile, findings: Findings) -> Result<String, BadRequest> {
     report(|report| report.file(text.into(), &grouped(text, findings)))
 }
 
@@ -361,13 +362,13 @@ fn is_made(description: &Description, change: &Change) -> bool {
 }
 
 /// The description in the bytes of a file; `from` is its format where that is known.
-fn read(name: &str, bytes: Vec<u8>, from: Option<FileKind>) -> Result<Description, Refusal> {
+fn read(name: &str, bytes: Vec<u8>, from: Option<FileKind>) -> Result<Description, BadRequest> {
     match (Reading { from, ..Reading::default() }).read(name, bytes)? {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
             let message =
                 format!("`{name}` is read as {}, and the workbench edits descriptions", kind.name());
-            Err(Refusal::new(message).help("open an EDS, DCF, XDD, XDC or device.toml"))
+            Err(BadRequest::new(message).help("open an EDS, DCF, XDD, XDC or device.toml"))
         }
     }
 }
@@ -380,9 +381,9 @@ fn without_fixes(findings: Findings) -> Findings {
 }
 
 /// The offset of a line and column.
-fn offset(source: &SourceFile, line: usize, column: usize) -> Result<u32, Refusal> {
+fn offset(source: &SourceFile, line: usize, column: usize) -> Result<u32, BadRequest> {
     let text = source.text();
-    let outside = || Refusal::new(format_args!("the text has no line {line}, column {column}"));
+    let outside = || BadRequest::new(format_args!("the text has no line {line}, column {column}"));
     let number =
         line.checked_sub(1).filter(|line| *line < source.lines().line_count()).ok_or_else(outside)?;
     let start = source.lines().line_span(text, number).start;

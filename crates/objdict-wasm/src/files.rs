@@ -12,11 +12,11 @@ use objdict::report::{Location, grouped};
 use objdict::source::hash;
 use serde::{Deserialize, Serialize};
 
-use crate::answer::Refusal;
+use crate::answer::BadRequest;
 
 /// A file, and what it does not have of the device.
 #[derive(Debug, Default)]
-pub(crate) struct File {
+pub(crate) struct PageFile {
     pub(crate) name: String,
     pub(crate) bytes: Vec<u8>,
 }
@@ -31,11 +31,11 @@ pub(crate) struct Made {
 }
 
 /// The files and the notes about them.
-pub(crate) type Files = Result<(Vec<File>, Vec<String>), Refusal>;
+pub(crate) type Files = Result<(Vec<PageFile>, Vec<String>), BadRequest>;
 
 /// What a node needs to be one.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Node {
+pub(crate) struct RequestedNode {
     pub(crate) node_id: Option<u8>,
     /// In kbit/s.
     pub(crate) bit_rate: Option<u16>,
@@ -44,7 +44,7 @@ pub(crate) struct Node {
 /// How entries of objects in compact storage are written when a file is written anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Storage {
+pub(crate) enum CompactStorage {
     /// As `CompactSubObj`.
     Compact,
     /// A section for each entry.
@@ -52,9 +52,14 @@ pub(crate) enum Storage {
 }
 
 /// A description as a file of a format, as `objdict convert` writes it.
-pub(crate) fn save(description: &Description, name: &str, node: Node, storage: Option<Storage>) -> Files {
+pub(crate) fn save(
+    description: &Description,
+    name: &str,
+    node: RequestedNode,
+    storage: Option<CompactStorage>,
+) -> Files {
     let format = Format::from_name(name).ok_or_else(|| {
-        Refusal::new(format_args!("`{name}` has no ending of a known format"))
+        BadRequest::new(format_args!("`{name}` has no ending of a known format"))
             .help("`.eds`, `.dcf`, `.xdd`, `.xdc` and `.toml` are known")
     })?;
     let is_node = format.kind() == DeviceKind::Node;
@@ -65,7 +70,7 @@ pub(crate) fn save(description: &Description, name: &str, node: Node, storage: O
         ..own
     };
     if is_node && !commissioning.node_id.is_some_and(|node_id| (1..=127).contains(&node_id)) {
-        return Err(Refusal::new("a DCF or XDC is for one node").help("state its node-ID, from 1 to 127"));
+        return Err(BadRequest::new("a DCF or XDC is for one node").help("state its node-ID, from 1 to 127"));
     }
     let has_text = !description.is_project() && !description.is_network();
     let mut notes = Vec::new();
@@ -76,30 +81,30 @@ pub(crate) fn save(description: &Description, name: &str, node: Node, storage: O
             true => description.to_node(name, &commissioning),
             false => description.to_type(name),
         }
-        .map_err(Refusal::new)?
+        .map_err(BadRequest::new)?
     } else {
         let mut device = description.device().clone();
         if is_node {
             (device.commissioning, device.kind) = (Some(commissioning), DeviceKind::Node);
         }
         let mut options = WriteOptions { embed: true, ..WriteOptions::default() };
-        options.eds.compact = storage == Some(Storage::Compact);
+        options.eds.compact = storage == Some(CompactStorage::Compact);
         let written =
-            format::convert(device, Path::new(name), format, false, &options).map_err(Refusal::new)?;
+            format::convert(device, Path::new(name), format, false, &options).map_err(BadRequest::new)?;
         let lost = written.losses.iter().filter(|loss| loss.kind == LossKind::Lost);
         notes.extend(lost.map(ToString::to_string));
         written.bytes
     };
-    Ok((vec![File { name: name.to_owned(), bytes }], notes))
+    Ok((vec![PageFile { name: name.to_owned(), bytes }], notes))
 }
 
 /// The tables of a target, as `objdict generate` writes them.
 pub(crate) fn tables(description: &Description, target: &str) -> Files {
-    let target = Target::named(target).map_err(Refusal::new)?;
+    let target = Target::named(target).map_err(BadRequest::new)?;
     let findings = objdict::check(description);
     if let Some(stopping) = findings.iter().find(|finding| finding.stops(target.name())) {
         let message = format!("tables would be wrong: {}", stopping.message);
-        return Err(Refusal::new(message).help("correct the errors first"));
+        return Err(BadRequest::new(message).help("correct the errors first"));
     }
     let source = description.source();
     let options = generate::Options {
@@ -107,15 +112,15 @@ pub(crate) fn tables(description: &Description, target: &str) -> Files {
         source_hash: Some(hash(source.text().as_bytes())),
         ..generate::Options::default()
     };
-    let made = generate::generate(description.device(), target, &options).map_err(Refusal::new)?;
-    let files = made.files.into_iter().map(|file| File { name: file.path, bytes: file.contents });
+    let made = generate::generate(description.device(), target, &options).map_err(BadRequest::new)?;
+    let files = made.files.into_iter().map(|file| PageFile { name: file.path, bytes: file.contents });
     Ok((files.collect(), made.notes.iter().map(ToString::to_string).collect()))
 }
 
 /// The documentation, as `objdict docs` writes it.
 pub(crate) fn page(description: &Description, extension: &str) -> Files {
     let form = Form::of_extension(extension)
-        .ok_or_else(|| Refusal::new(format_args!("`{extension}` is not a form of documentation")))?;
+        .ok_or_else(|| BadRequest::new(format_args!("`{extension}` is not a form of documentation")))?;
     let findings = grouped(description, objdict::check(description));
     let findings: Vec<Finding> = findings
         .iter()
@@ -134,11 +139,11 @@ pub(crate) fn page(description: &Description, extension: &str) -> Files {
     };
     let text = document::write(&subject, form, &Options::default());
     let name = format!("{}.{extension}", stem(name));
-    Ok((vec![File { name, bytes: text.into_bytes() }], Vec::new()))
+    Ok((vec![PageFile { name, bytes: text.into_bytes() }], Vec::new()))
 }
 
 /// The messages of the node, as `objdict convert … -o FILE.dbc` writes them.
-pub(crate) fn dbc(description: &Description, node: Node) -> Files {
+pub(crate) fn dbc(description: &Description, node: RequestedNode) -> Files {
     let device = description.device();
     let node_id = node_id(description, node)?;
     let name = device.commissioning.as_ref().and_then(|node| node.node_name.as_deref());
@@ -147,16 +152,16 @@ pub(crate) fn dbc(description: &Description, node: Node) -> Files {
     let lost = written.omissions.iter().filter(|omission| omission.is_lost);
     let notes = lost.map(|omission| format!("{}: {}", omission.place, omission.reason)).collect();
     let name = format!("{}.dbc", stem(description.source().name()));
-    Ok((vec![File { name, bytes: written.bytes }], notes))
+    Ok((vec![PageFile { name, bytes: written.bytes }], notes))
 }
 
 /// The downloads that configure the node.
-pub(crate) fn concise(description: &Description, node: Node, all: bool) -> Files {
+pub(crate) fn concise(description: &Description, node: RequestedNode, all: bool) -> Files {
     let scope = if all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: node.node_id, scope, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(description.device(), &options).map_err(|error| {
         let help = error.help().map(ToString::to_string);
-        Refusal { help, ..Refusal::new(error) }
+        BadRequest { help, ..BadRequest::new(error) }
     })?;
     let mut notes: Vec<String> =
         plan.skipped.iter().map(|skipped| format!("{}: {}", skipped.place, skipped.reason)).collect();
@@ -164,22 +169,22 @@ pub(crate) fn concise(description: &Description, node: Node, all: bool) -> Files
         notes.push("nothing is configured to another value than its default: the stream is empty".to_owned());
     }
     let missing = |file: &objdict::download::NeededFile| {
-        Err(Refusal::new(format_args!(
+        Err(BadRequest::new(format_args!(
             "the data of {:04X}h:{:02X} are in the file `{}`",
             file.index, file.sub, file.name
         ))
         .help("make the concise DCF with the command beside that file"))
     };
     let configuration = plan.into_concise(missing)?;
-    let bytes = configuration.write().map_err(Refusal::new)?;
-    Ok((vec![File { name: format!("{}.cdcf", stem(description.source().name())), bytes }], notes))
+    let bytes = configuration.write().map_err(BadRequest::new)?;
+    Ok((vec![PageFile { name: format!("{}.cdcf", stem(description.source().name())), bytes }], notes))
 }
 
-fn node_id(description: &Description, node: Node) -> Result<u8, Refusal> {
+fn node_id(description: &Description, node: RequestedNode) -> Result<u8, BadRequest> {
     let node_id = node.node_id.or(description.device().node_id());
     node_id
         .filter(|node_id| (1..=127).contains(node_id))
-        .ok_or_else(|| Refusal::new("missing node-ID").help("state the node-ID, from 1 to 127"))
+        .ok_or_else(|| BadRequest::new("missing node-ID").help("state the node-ID, from 1 to 127"))
 }
 
 /// The name of a file without its last ending.

@@ -18,14 +18,14 @@ mod request;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use self::document::Document;
-use self::files::File;
+use self::document::EditedDocument;
+use self::files::PageFile;
 use self::log::Log;
 
 /// What is open: a text that is edited, or a log.
 #[derive(Debug)]
 enum Open {
-    Text(Box<Document>),
+    Text(Box<EditedDocument>),
     Log(Box<Log>),
 }
 
@@ -36,7 +36,7 @@ pub struct Workbench {
     /// By their numbers; `None` where one was closed.
     documents: Vec<Option<Open>>,
     /// What the last answer names.
-    files: Vec<File>,
+    files: Vec<PageFile>,
 }
 
 #[wasm_bindgen]

@@ -8,7 +8,7 @@ use objdict::traffic::{BusReport, BusSums, Buses, Descriptions, MergedLogs, Name
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::answer::{Answer, Refusal, data};
+use crate::answer::{Answer, BadRequest, data};
 use crate::document::text_report;
 
 /// So many frames are kept as rows; sums and findings are over all.
@@ -20,14 +20,14 @@ pub(crate) struct Log {
     name: String,
     bytes: Vec<u8>,
     form: LogForm,
-    rows: Vec<Row>,
+    rows: Vec<LogRow>,
     /// The filter that was asked for last, and the positions of the rows that pass it.
     passing: Option<(Filter, Vec<usize>)>,
 }
 
 /// A frame in words.
 #[derive(Debug)]
-struct Row {
+struct LogRow {
     line: u64,
     node: Option<u8>,
     kind: FrameKind,
@@ -49,7 +49,7 @@ pub(crate) struct Filter {
 }
 
 impl Filter {
-    fn passes(&self, row: &Row, text: &str) -> bool {
+    fn passes(&self, row: &LogRow, text: &str) -> bool {
         (self.nodes.is_empty() || row.node.is_some_and(|node| self.nodes.contains(&node)))
             && (self.kinds.is_empty() || self.kinds.iter().any(|kind| kind == row.kind.word()))
             && (text.is_empty() || row.text.to_lowercase().contains(text))
@@ -58,7 +58,7 @@ impl Filter {
 
 /// What a page shows of a log beside its frames.
 #[derive(Debug, Serialize)]
-struct Summary {
+struct LogSummary {
     form: &'static str,
     /// The number of frames that are kept as rows.
     rows: usize,
@@ -100,11 +100,11 @@ impl Log {
 
     /// Reads all frames with descriptions of nodes.
     pub(crate) fn decode(&mut self, descriptions: &Descriptions) -> Answer {
-        let failed = |error| Refusal::new(format_args!("cannot read the log: {error}"));
+        let failed = |error| BadRequest::new(format_args!("cannot read the log: {error}"));
         let mut buses = Buses::new(&[], descriptions);
         let notes =
             if buses.is_open() { buses.find(&mut self.reader()).map_err(failed)? } else { Vec::new() };
-        let (mut rows, mut sums): (Vec<Row>, Vec<BusSums>) = (Vec::new(), Vec::new());
+        let (mut rows, mut sums): (Vec<LogRow>, Vec<BusSums>) = (Vec::new(), Vec::new());
         let mut logs = self.reader();
         while let Some((log, frame)) = logs.next_frame().map_err(failed)? {
             let at = buses.of(log, &frame, &logs);
@@ -117,7 +117,7 @@ impl Log {
             sums[at].add(&decoded, &frame, origin, bus);
             if rows.len() < MAX_ROWS {
                 let text = text(&frame, &bus.channel, &bus.words(&decoded, &frame));
-                rows.push(Row { line: origin.line, node: decoded.node_id, kind: decoded.kind, text });
+                rows.push(LogRow { line: origin.line, node: decoded.node_id, kind: decoded.kind, text });
             }
         }
         let buses: Vec<BusReport> =
@@ -125,7 +125,7 @@ impl Log {
         let (lines, found) = findings(&buses, 0, self.name.clone());
         let report = text_report(&lines, found)?;
         let reader = &logs.0[0].reader;
-        let summary = Summary {
+        let summary = LogSummary {
             form: self.form.name(),
             rows: rows.len(),
             buses,
@@ -152,7 +152,7 @@ impl Log {
             None => first,
         };
         let shown = passing.iter().skip(first).take(count).map(|&at| {
-            let Row { line, node, kind, text } = &self.rows[at];
+            let LogRow { line, node, kind, text } = &self.rows[at];
             json!({ "line": line, "node": node, "kind": kind.word(), "cells": text.split('\t').collect::<Vec<_>>() })
         });
         json!({ "total": passing.len(), "first": first, "rows": shown.collect::<Vec<_>>() })

@@ -13,9 +13,9 @@ use objdict::source::{Buffers, with_buffers};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answer::{Answer, Refusal, data};
-use crate::document::{self, Document};
-use crate::files::{File, Files};
+use crate::answer::{Answer, BadRequest, data};
+use crate::document::{self, EditedDocument};
+use crate::files::{Files, PageFile};
 use crate::outline::mappable;
 
 /// The open files, which are read in place of a disk.
@@ -23,7 +23,7 @@ use crate::outline::mappable;
 pub(crate) struct OpenFiles(BTreeMap<String, Vec<u8>>);
 
 impl OpenFiles {
-    pub(crate) fn new<'d>(documents: impl Iterator<Item = &'d Document>) -> Rc<Self> {
+    pub(crate) fn new<'d>(documents: impl Iterator<Item = &'d EditedDocument>) -> Rc<Self> {
         Rc::new(Self(documents.map(|document| (document.name().to_owned(), document.bytes())).collect()))
     }
 }
@@ -55,9 +55,9 @@ pub(crate) enum LinkChange {
 }
 
 /// The network of a document, whose nodes are described by the other ones.
-pub(crate) fn read(document: &Document, files: Rc<OpenFiles>) -> Result<NetworkFile, Refusal> {
+pub(crate) fn read(document: &EditedDocument, files: Rc<OpenFiles>) -> Result<NetworkFile, BadRequest> {
     if !document.is_network() {
-        return Err(Refusal::new(format_args!("`{}` is not a network", document.name())));
+        return Err(BadRequest::new(format_args!("`{}` is not a network", document.name())));
     }
     let source = document::source(document.name(), document.bytes())?;
     let folder = Path::new(document.name()).parent().unwrap_or(Path::new(""));
@@ -68,9 +68,9 @@ pub(crate) fn read(document: &Document, files: Rc<OpenFiles>) -> Result<NetworkF
 }
 
 /// The text of a network of the open descriptions.
-pub(crate) fn start(files: Rc<OpenFiles>) -> Result<String, Refusal> {
+pub(crate) fn start(files: Rc<OpenFiles>) -> Result<String, BadRequest> {
     let names: Vec<_> = files.0.keys().map(Into::into).collect();
-    with_buffers(files, || init(&names, &PathOptions::default())).map_err(Refusal::from)
+    with_buffers(files, || init(&names, &PathOptions::default())).map_err(BadRequest::from)
 }
 
 /// All that a page shows of a network. Of a text that is no network there are only findings.
@@ -150,42 +150,42 @@ fn timing_of(timing: &Timing) -> Value {
 }
 
 /// The bytes of the text with a link changed.
-pub(crate) fn linked(file: &NetworkFile, change: &LinkChange) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn linked(file: &NetworkFile, change: &LinkChange) -> Result<Vec<u8>, BadRequest> {
     let edit = match change {
         LinkChange::Add { from, to } => LinkEdit::Add { from, to },
         LinkChange::Move { link, end, to } => LinkEdit::Move { link: *link, end: *end, to },
         LinkChange::Remove { link } => LinkEdit::Remove { link: *link },
     };
     let edits = file.link_edits(edit).ok_or_else(|| {
-        Refusal::new("the text has no place for this link").help(
+        BadRequest::new("the text has no place for this link").help(
             "links are tables `[[link]]` of a network.toml; change other files in the text, or make a network.toml of the descriptions",
         )
     })?;
-    edits.to_bytes().map_err(Refusal::new)
+    edits.to_bytes().map_err(BadRequest::new)
 }
 
 /// A target of `objdict network build`, by its name.
-type Making = fn(&Build<'_>) -> Result<Vec<BuiltFile>, Refusal>;
+type Making = fn(&Build<'_>) -> Result<Vec<BuiltFile>, BadRequest>;
 
 const TARGETS: [(&str, Making); 8] = [
     ("lely", |build| {
-        build.lely(&LelyOptions { mode: DcfgenMode::Corrected, remote_pdos: false }).map_err(Refusal::new)
+        build.lely(&LelyOptions { mode: DcfgenMode::Corrected, remote_pdos: false }).map_err(BadRequest::new)
     }),
-    ("concise", |build| build.concise().map_err(Refusal::new)),
-    ("dcf", |build| build.dcfs().map_err(Refusal::new)),
-    ("manager", |build| build.manager().map(|file| vec![file]).map_err(Refusal::new)),
+    ("concise", |build| build.concise().map_err(BadRequest::new)),
+    ("dcf", |build| build.dcfs().map_err(BadRequest::new)),
+    ("manager", |build| build.manager().map(|file| vec![file]).map_err(BadRequest::new)),
     ("busyml", |build| Ok(build.bus_yml())),
-    ("cpj", |build| build.node_list().map_err(Refusal::new)),
+    ("cpj", |build| build.node_list().map_err(BadRequest::new)),
     ("c", |build| tables(build, "c")),
     ("rust", |build| tables(build, "rust")),
 ];
 
 /// The tables of the manager for its own firmware.
-fn tables(build: &Build<'_>, target: &str) -> Result<Vec<BuiltFile>, Refusal> {
-    let device = build.manager_device().map_err(Refusal::new)?;
-    let target = Target::named(target).map_err(Refusal::new)?;
+fn tables(build: &Build<'_>, target: &str) -> Result<Vec<BuiltFile>, BadRequest> {
+    let device = build.manager_device().map_err(BadRequest::new)?;
+    let target = Target::named(target).map_err(BadRequest::new)?;
     let options = generate::Options { node_id: device.node_id(), ..generate::Options::default() };
-    let made = generate(&device, target, &options).map_err(Refusal::new)?;
+    let made = generate(&device, target, &options).map_err(BadRequest::new)?;
     Ok(made.files.into_iter().map(|file| BuiltFile { name: file.path, bytes: file.contents }).collect())
 }
 
@@ -198,22 +198,22 @@ pub(crate) fn build(file: &NetworkFile) -> Files {
             "the network has {errors} error{}, so nothing is built",
             if errors == 1 { "" } else { "s" }
         );
-        return Err(Refusal::new(message).help("correct the errors first"));
+        return Err(BadRequest::new(message).help("correct the errors first"));
     }
-    let build = file.build(DcfgenMode::Corrected).map_err(Refusal::new)?;
+    let build = file.build(DcfgenMode::Corrected).map_err(BadRequest::new)?;
     let (mut files, mut notes) = (Vec::new(), Vec::new());
     for (folder, make) in TARGETS {
         match make(&build) {
             Ok(made) => files.extend(
                 made.into_iter()
-                    .map(|BuiltFile { name, bytes }| File { name: format!("{folder}/{name}"), bytes }),
+                    .map(|BuiltFile { name, bytes }| PageFile { name: format!("{folder}/{name}"), bytes }),
             ),
             Err(refusal) => notes.push(format!("{folder}: {}", refusal.message)),
         }
     }
     let overview: Overview = build.overview("en");
     let picture = graph::svg(&overview, |can_id| can_id.to_string()) + "\n";
-    files.push(File { name: "network.svg".to_owned(), bytes: picture.into_bytes() });
-    files.push(File { name: "network.dot".to_owned(), bytes: graph::dot(&overview).into_bytes() });
+    files.push(PageFile { name: "network.svg".to_owned(), bytes: picture.into_bytes() });
+    files.push(PageFile { name: "network.dot".to_owned(), bytes: graph::dot(&overview).into_bytes() });
     Ok((files, notes))
 }

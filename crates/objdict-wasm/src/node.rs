@@ -9,13 +9,13 @@ use objdict::model::{Commissioning, Device};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answer::Refusal;
-use crate::files::File;
+use crate::answer::BadRequest;
+use crate::files::PageFile;
 
 /// What a node is to be.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Wanted {
+pub(crate) struct WantedNode {
     /// The name of the file.
     pub(crate) name: String,
     node_id: u8,
@@ -39,10 +39,13 @@ pub(crate) fn modules(device: &Device) -> Value {
 }
 
 /// The DCF or XDC of the node, and what is to be said about it.
-pub(crate) fn configured(description: &Description, wanted: &Wanted) -> Result<(File, Vec<String>), Refusal> {
+pub(crate) fn configured(
+    description: &Description,
+    wanted: &WantedNode,
+) -> Result<(PageFile, Vec<String>), BadRequest> {
     let own = description.device();
     if !(1..=127).contains(&wanted.node_id) {
-        return Err(Refusal::new(format_args!("the node-ID {} is not valid", wanted.node_id))
+        return Err(BadRequest::new(format_args!("the node-ID {} is not valid", wanted.node_id))
             .help("state a node-ID from 1 to 127"));
     }
     let stated = own.commissioning.clone().unwrap_or_default();
@@ -56,7 +59,7 @@ pub(crate) fn configured(description: &Description, wanted: &Wanted) -> Result<(
         true => None,
         false => Some(flatten(own, &wanted.modules).map_err(|problems| {
             let first = problems.first().map(ToString::to_string).unwrap_or_default();
-            Refusal::new(first).help("choose other modules, or another order")
+            BadRequest::new(first).help("choose other modules, or another order")
         })?),
     };
     let mut base = Cow::Borrowed(plugged.as_ref().unwrap_or(own));
@@ -69,13 +72,16 @@ pub(crate) fn configured(description: &Description, wanted: &Wanted) -> Result<(
     }
     let settings = wanted.settings.iter().map(|text| Setting::value(text));
     let settings: Vec<Setting> = settings.collect::<Result<_, _>>().map_err(|error| {
-        Refusal::new(error).help("write the address of an entry and its value, as in `1017=1000`")
+        BadRequest::new(error).help("write the address of an entry and its value, as in `1017=1000`")
     })?;
     let Configuration { values, downloads } =
         configuration(&base, wanted.node_id, &settings).map_err(|problems| {
             let first = problems.into_iter().next();
             let help = first.as_ref().and_then(|problem| problem.help.as_ref().map(ToString::to_string));
-            Refusal { help, ..Refusal::new(first.map(|problem| problem.to_string()).unwrap_or_default()) }
+            BadRequest {
+                help,
+                ..BadRequest::new(first.map(|problem| problem.to_string()).unwrap_or_default())
+            }
         })?;
     let assignments = [followers, values].concat();
     let parts = NodeSettings {
@@ -84,7 +90,7 @@ pub(crate) fn configured(description: &Description, wanted: &Wanted) -> Result<(
         assignments: &assignments,
         downloads: &downloads,
     };
-    let made = description.configured(&wanted.name, &parts).map_err(Refusal::new)?;
+    let made = description.configured(&wanted.name, &parts).map_err(BadRequest::new)?;
     let mut notes: Vec<String> = kept
         .iter()
         .map(|(at, id)| {
@@ -101,5 +107,5 @@ pub(crate) fn configured(description: &Description, wanted: &Wanted) -> Result<(
                 .to_owned(),
         );
     }
-    Ok((File { name: wanted.name.clone(), bytes: made.bytes }, notes))
+    Ok((PageFile { name: wanted.name.clone(), bytes: made.bytes }, notes))
 }

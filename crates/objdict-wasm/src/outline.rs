@@ -13,14 +13,14 @@ pub(crate) struct Outline<'a> {
     profile: Option<u16>,
     node_id: Option<u8>,
     is_node: bool,
-    objects: Vec<ObjectRow<'a>>,
+    objects: Vec<OutlineRow<'a>>,
     pdos: Vec<PdoRow>,
     mappable: Vec<Mappable>,
 }
 
 /// An object, as a row of a list.
 #[derive(Debug, Serialize)]
-struct ObjectRow<'a> {
+struct OutlineRow<'a> {
     index: u16,
     name: &'a str,
     /// `VAR`, `ARRAY` …
@@ -108,7 +108,7 @@ pub(crate) fn outline(description: &Description) -> Outline<'_> {
     }
 }
 
-fn row<'a>(description: &Description, index: u16, object: &'a Object) -> ObjectRow<'a> {
+fn row<'a>(description: &Description, index: u16, object: &'a Object) -> OutlineRow<'a> {
     let type_of = |entry: &Entry| entry.data_type.map(|data_type| data_type.to_string());
     let has_subs = object.object_type().has_subs();
     let subs = object.entries().filter(|_| has_subs).map(|(sub, entry)| SubRow {
@@ -117,7 +117,7 @@ fn row<'a>(description: &Description, index: u16, object: &'a Object) -> ObjectR
         data_type: type_of(&entry),
     });
     let span = description.locate(&Place::object(index));
-    ObjectRow {
+    OutlineRow {
         index,
         name: object.name(),
         kind: object.object_type().name(),

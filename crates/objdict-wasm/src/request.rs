@@ -13,9 +13,9 @@ use objdict::traffic::Descriptions;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answer::{Answer, Refusal, data};
-use crate::document::{Document, FieldChange, TextEdit};
-use crate::files::{self, File, Files, Made, Node, Storage};
+use crate::answer::{Answer, BadRequest, data};
+use crate::document::{EditedDocument, FieldChange, TextEdit};
+use crate::files::{self, CompactStorage, Files, Made, PageFile, RequestedNode};
 use crate::log::{Filter, Log};
 use crate::network::{LinkChange, OpenFiles};
 use crate::{Open, Workbench, form, log, network, node, outline};
@@ -23,7 +23,7 @@ use crate::{Open, Workbench, form, log, network, node, outline};
 /// A request.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "kebab-case", deny_unknown_fields)]
-enum Request {
+enum PageRequest {
     /// Opens a file, whose bytes come beside it.
     Open {
         name: String,
@@ -116,7 +116,7 @@ enum Request {
         node_id: Option<u8>,
         bit_rate: Option<u16>,
         /// Compact storage of an EDS or DCF that is written anew: kept, or a section for each entry.
-        storage: Option<Storage>,
+        storage: Option<CompactStorage>,
     },
     Generate {
         document: usize,
@@ -152,7 +152,7 @@ enum Request {
     /// A description as that of a node, opened as a DCF or XDC.
     Configure {
         document: usize,
-        node: node::Wanted,
+        node: node::WantedNode,
     },
     /// Nodes, messages, links, load and findings of a network.
     Network {
@@ -213,7 +213,7 @@ enum FeatureChoice {
 }
 
 impl NewDevice {
-    fn wanted(self) -> Result<Wanted, Refusal> {
+    fn wanted(self) -> Result<Wanted, BadRequest> {
         let (year, month, day) = self.date;
         let mut features = Features::default();
         for (word, choice) in self.features {
@@ -223,7 +223,7 @@ impl NewDevice {
                 FeatureChoice::Name(name) => FeatureValue::Name(name),
                 FeatureChoice::Names(names) => FeatureValue::Names(names),
             };
-            features.set(&word, &value).map_err(Refusal::new)?;
+            features.set(&word, &value).map_err(BadRequest::new)?;
         }
         Ok(Wanted {
             profile: self.profile,
@@ -243,87 +243,100 @@ impl NewDevice {
 
 impl Workbench {
     pub(crate) fn answer(&mut self, request: &str, bytes: Vec<u8>) -> Answer {
-        let request: Request = serde_json::from_str(request).map_err(Refusal::new)?;
+        let request: PageRequest = serde_json::from_str(request).map_err(BadRequest::new)?;
         match request {
-            Request::Open { name } => self.open(&name, bytes),
-            Request::Close { document } => {
+            PageRequest::Open { name } => self.open(&name, bytes),
+            PageRequest::Close { document } => {
                 self.documents.get_mut(document).map(Option::take);
                 data(())
             }
-            Request::State { document } => match self.opened(document)? {
+            PageRequest::State { document } => match self.opened(document)? {
                 Open::Text(text) => data(text.state()),
                 Open::Log(log) => data(log.state()),
             },
-            Request::Original { document } => data(self.document(document)?.original_text()?),
-            Request::Outline { document } => data(outline::outline(self.document(document)?.description()?)),
-            Request::Form { document, index } => {
-                let form = form::form(self.document(document)?.description()?, index);
-                data(form.ok_or_else(|| Refusal::new(format_args!("the device has no object {index:04X}h")))?)
+            PageRequest::Original { document } => data(self.document(document)?.original_text()?),
+            PageRequest::Outline { document } => {
+                data(outline::outline(self.document(document)?.description()?))
             }
-            Request::Check { document, fixes, tools } => {
+            PageRequest::Form { document, index } => {
+                let form = form::form(self.document(document)?.description()?, index);
+                data(
+                    form.ok_or_else(|| {
+                        BadRequest::new(format_args!("the device has no object {index:04X}h"))
+                    })?,
+                )
+            }
+            PageRequest::Check { document, fixes, tools } => {
                 self.document(document)?.report(fixes, &options(&tools)?)
             }
-            Request::Tools {} => data(Tool::ALL.into_iter().map(Tool::name).collect::<Vec<_>>()),
-            Request::Edit { document, edits } => self.change(document, |document| document.edit(edits)),
-            Request::Encode { document, encoding } => {
+            PageRequest::Tools {} => data(Tool::ALL.into_iter().map(Tool::name).collect::<Vec<_>>()),
+            PageRequest::Edit { document, edits } => self.change(document, |document| document.edit(edits)),
+            PageRequest::Encode { document, encoding } => {
                 self.change(document, |document| document.encode(&encoding))
             }
-            Request::Change { document, changes } => {
+            PageRequest::Change { document, changes } => {
                 self.change(document, |document| document.change(&changes))
             }
-            Request::Patch { document, patch } => self.change(document, |document| document.patch(&patch)),
-            Request::FixAll { document, r#unsafe, tools } => {
+            PageRequest::Patch { document, patch } => {
+                self.change(document, |document| document.patch(&patch))
+            }
+            PageRequest::FixAll { document, r#unsafe, tools } => {
                 let safety = if r#unsafe { Applicability::Unsafe } else { Applicability::Safe };
                 let options = options(&tools)?;
                 self.change(document, |document| document.fix_all(safety, &options))
             }
-            Request::AddObjects { document, profile, indexes } => {
+            PageRequest::AddObjects { document, profile, indexes } => {
                 self.change(document, |document| document.add_objects(profile, &indexes))
             }
-            Request::ProfileObjects { document, profile } => {
+            PageRequest::ProfileObjects { document, profile } => {
                 let device = self.document(document)?.device()?;
                 data(profile_objects(profile, |index| device.objects.contains_key(&index)))
             }
-            Request::Undo { document } => self.change(document, Document::undo),
-            Request::Redo { document } => self.change(document, Document::redo),
-            Request::Bytes { document } => {
+            PageRequest::Undo { document } => self.change(document, EditedDocument::undo),
+            PageRequest::Redo { document } => self.change(document, EditedDocument::redo),
+            PageRequest::Bytes { document } => {
                 let document = self.document(document)?;
-                let file = files::File { name: document.name().to_owned(), bytes: document.bytes() };
+                let file = files::PageFile { name: document.name().to_owned(), bytes: document.bytes() };
                 self.made(Ok((vec![file], Vec::new())))
             }
-            Request::Save { document, name, node_id, bit_rate, storage } => {
+            PageRequest::Save { document, name, node_id, bit_rate, storage } => {
                 let document = self.document(document)?;
                 let made = match document.is_network() {
-                    true => Ok((vec![File { name, bytes: document.bytes() }], Vec::new())),
-                    false => files::save(document.description()?, &name, Node { node_id, bit_rate }, storage),
+                    true => Ok((vec![PageFile { name, bytes: document.bytes() }], Vec::new())),
+                    false => files::save(
+                        document.description()?,
+                        &name,
+                        RequestedNode { node_id, bit_rate },
+                        storage,
+                    ),
                 };
                 self.made(made)
             }
-            Request::Generate { document, target } => {
+            PageRequest::Generate { document, target } => {
                 let made = files::tables(self.document(document)?.description()?, &target);
                 self.made(made)
             }
-            Request::Docs { document, form } => {
+            PageRequest::Docs { document, form } => {
                 let made = files::page(self.document(document)?.description()?, &form);
                 self.made(made)
             }
-            Request::Dbc { document, node_id } => {
-                let node = Node { node_id, bit_rate: None };
+            PageRequest::Dbc { document, node_id } => {
+                let node = RequestedNode { node_id, bit_rate: None };
                 let made = files::dbc(self.document(document)?.description()?, node);
                 self.made(made)
             }
-            Request::Concise { document, node_id, all } => {
-                let node = Node { node_id, bit_rate: None };
+            PageRequest::Concise { document, node_id, all } => {
+                let node = RequestedNode { node_id, bit_rate: None };
                 let made = files::concise(self.document(document)?.description()?, node, all);
                 self.made(made)
             }
-            Request::Compare { old, new } => self.compare(old, new),
-            Request::Profiles {} => data(profiles()),
-            Request::New(new) => self.start(&new.wanted()?),
-            Request::Modules { document } => data(node::modules(self.document(document)?.device()?)),
-            Request::Configure { document, node } => {
+            PageRequest::Compare { old, new } => self.compare(old, new),
+            PageRequest::Profiles {} => data(profiles()),
+            PageRequest::New(new) => self.start(&new.wanted()?),
+            PageRequest::Modules { document } => data(node::modules(self.document(document)?.device()?)),
+            PageRequest::Configure { document, node } => {
                 let (file, notes) = node::configured(self.document(document)?.description()?, &node)?;
-                let document = Document::open(&file.name, file.bytes)?;
+                let document = EditedDocument::open(&file.name, file.bytes)?;
                 self.insert(Open::Text(Box::new(document)), notes)
             }
             request => self.answer_about_buses(request),
@@ -331,26 +344,26 @@ impl Workbench {
     }
 
     /// Requests about networks and logs, which are about several documents.
-    fn answer_about_buses(&mut self, request: Request) -> Answer {
+    fn answer_about_buses(&mut self, request: PageRequest) -> Answer {
         match request {
-            Request::Network { document } => network::view(&self.network(document)?),
-            Request::NewNetwork {} => {
+            PageRequest::Network { document } => network::view(&self.network(document)?),
+            PageRequest::NewNetwork {} => {
                 let described = self.texts().filter(|document| !document.is_network());
                 let text = network::start(OpenFiles::new(described))?;
                 self.insert(
-                    Open::Text(Box::new(Document::network("network.toml", text.into_bytes())?)),
+                    Open::Text(Box::new(EditedDocument::network("network.toml", text.into_bytes())?)),
                     Vec::new(),
                 )
             }
-            Request::Link { document, link } => {
+            PageRequest::Link { document, link } => {
                 let bytes = network::linked(&self.network(document)?, &link)?;
                 self.change(document, |document| document.replace(bytes))
             }
-            Request::Build { document } => {
+            PageRequest::Build { document } => {
                 let made = network::build(&self.network(document)?);
                 self.made(made)
             }
-            Request::Decode { document, with } => {
+            PageRequest::Decode { document, with } => {
                 let mut descriptions = Descriptions::default();
                 for number in with {
                     let other = self.document(number)?;
@@ -361,29 +374,29 @@ impl Workbench {
                 }
                 self.log(document)?.decode(&descriptions)
             }
-            Request::Frames { document, filter, first, count, line } => {
+            PageRequest::Frames { document, filter, first, count, line } => {
                 data(self.log(document)?.rows(&filter, first, count, line))
             }
-            _ => Err(Refusal::new("the request is not known")),
+            _ => Err(BadRequest::new("the request is not known")),
         }
     }
 
     /// The texts that are open.
-    fn texts(&self) -> impl Iterator<Item = &Document> {
+    fn texts(&self) -> impl Iterator<Item = &EditedDocument> {
         self.documents.iter().flatten().filter_map(|open| match open {
             Open::Text(document) => Some(&**document),
             Open::Log(_) => None,
         })
     }
 
-    fn network(&self, number: usize) -> Result<NetworkFile, Refusal> {
+    fn network(&self, number: usize) -> Result<NetworkFile, BadRequest> {
         network::read(self.document(number)?, OpenFiles::new(self.texts()))
     }
 
-    fn log(&mut self, number: usize) -> Result<&mut Log, Refusal> {
+    fn log(&mut self, number: usize) -> Result<&mut Log, BadRequest> {
         match self.documents.get_mut(number).and_then(Option::as_mut) {
             Some(Open::Log(log)) => Ok(log),
-            _ => Err(Refusal::new("the document is not a log")),
+            _ => Err(BadRequest::new("the document is not a log")),
         }
     }
 
@@ -395,9 +408,9 @@ impl Workbench {
         let is_network = identified.is_network() || identified == ContentKind::Unknown && is_called;
         let log = || (identified == ContentKind::Unknown).then(|| Log::open(name, &bytes))?;
         let opened = match (is_network, log()) {
-            (true, _) => Open::Text(Box::new(Document::network(name, bytes)?)),
+            (true, _) => Open::Text(Box::new(EditedDocument::network(name, bytes)?)),
             (false, Some(log)) => Open::Log(Box::new(log)),
-            (false, None) => Open::Text(Box::new(Document::open(name, bytes)?)),
+            (false, None) => Open::Text(Box::new(EditedDocument::open(name, bytes)?)),
         };
         self.insert(opened, Vec::new())
     }
@@ -416,12 +429,12 @@ impl Workbench {
         Ok(format!("{{\"document\":{number},\"state\":{state},\"notes\":{}}}", data(notes)?))
     }
 
-    fn opened(&self, number: usize) -> Result<&Open, Refusal> {
+    fn opened(&self, number: usize) -> Result<&Open, BadRequest> {
         let open = self.documents.get(number).and_then(Option::as_ref);
-        open.ok_or_else(|| Refusal::new("the document is not open"))
+        open.ok_or_else(|| BadRequest::new("the document is not open"))
     }
 
-    fn document(&self, number: usize) -> Result<&Document, Refusal> {
+    fn document(&self, number: usize) -> Result<&EditedDocument, BadRequest> {
         match self.opened(number)? {
             Open::Text(document) => Ok(document),
             Open::Log(log) => Err(is_log(log)),
@@ -429,14 +442,18 @@ impl Workbench {
     }
 
     /// Changes a document, and says what it is now.
-    fn change(&mut self, number: usize, change: impl FnOnce(&mut Document) -> Result<(), Refusal>) -> Answer {
+    fn change(
+        &mut self,
+        number: usize,
+        change: impl FnOnce(&mut EditedDocument) -> Result<(), BadRequest>,
+    ) -> Answer {
         match self.documents.get_mut(number).and_then(Option::as_mut) {
             Some(Open::Text(document)) => {
                 change(document)?;
                 data(document.state())
             }
             Some(Open::Log(log)) => Err(is_log(log)),
-            None => Err(Refusal::new("the document is not open")),
+            None => Err(BadRequest::new("the document is not open")),
         }
     }
 
@@ -469,20 +486,22 @@ impl Workbench {
     }
 
     fn start(&mut self, wanted: &Wanted) -> Answer {
-        let device = scaffold(wanted).map_err(|error| Refusal::new(&error).help(error.help()))?;
-        let written = format::write(&device, Format::Eds, &WriteOptions::default()).map_err(Refusal::new)?;
+        let device = scaffold(wanted).map_err(|error| BadRequest::new(&error).help(error.help()))?;
+        let written =
+            format::write(&device, Format::Eds, &WriteOptions::default()).map_err(BadRequest::new)?;
         self.open(&wanted.file_name, written.bytes)
     }
 }
 
-fn is_log(log: &Log) -> Refusal {
-    Refusal::new(format_args!("`{}` is a log, which is not edited", log.name()))
+fn is_log(log: &Log) -> BadRequest {
+    BadRequest::new(format_args!("`{}` is a log, which is not edited", log.name()))
 }
 
 /// What is checked with the reactions of tools.
-fn options(tools: &[String]) -> Result<Options, Refusal> {
+fn options(tools: &[String]) -> Result<Options, BadRequest> {
     let tool = |name: &String| {
-        Tool::named(name).ok_or_else(|| Refusal::new(format_args!("the reactions of `{name}` are not known")))
+        Tool::named(name)
+            .ok_or_else(|| BadRequest::new(format_args!("the reactions of `{name}` are not known")))
     };
     let tools = tools.iter().map(tool).collect::<Result<_, _>>()?;
     Ok(Options { tools, ..Options::default() })

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::error::OutputError;
-use super::manifest::{Hash, Log, Manifest, NAME};
+use super::manifest::{Hash, Manifest, NAME, WriteLog};
 use super::names::require_portable;
 use super::save::{Saved, save};
 use super::used::Used;
@@ -29,14 +29,14 @@ pub struct OutputFolder {
     pub(super) manifest: Manifest,
     /// The files of this run that are in the list.
     listed: BTreeMap<String, Hash>,
-    log: Option<Log>,
+    log: Option<WriteLog>,
     /// The names that this run has written to, as a system sees them that does not distinguish upper and lower case.
     pub(super) taken: HashSet<String>,
 }
 
 /// What is where a file is to be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Found {
+pub(super) enum FoundFile {
     /// Nothing, or a file that may be replaced.
     Replaceable,
     /// A file with the contents.
@@ -76,7 +76,7 @@ impl OutputFolder {
         path
     }
 
-    pub(super) fn find(&self, name: &str, contents: &[u8], used: &Used) -> Result<Found, OutputError> {
+    pub(super) fn find(&self, name: &str, contents: &[u8], used: &Used) -> Result<FoundFile, OutputError> {
         require_portable(name)?;
         let path = self.join(name);
         if name.eq_ignore_ascii_case(NAME) || self.taken.contains(&name.to_lowercase()) {
@@ -87,13 +87,13 @@ impl OutputFolder {
             Ok(former) => former,
             Err(_) if path.is_file() && !self.overwrite => return Err(OutputError::Foreign { path }),
             // nothing is there, or what is no file, of which the system says whether it can be written
-            Err(_) => return Ok(Found::Replaceable),
+            Err(_) => return Ok(FoundFile::Replaceable),
         };
         let is_marked = former.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
         match () {
-            () if former == contents => Ok(Found::Same),
-            () if self.overwrite || former.is_empty() || is_marked => Ok(Found::Replaceable),
-            () if self.manifest.has(name, &former) => Ok(Found::Replaceable),
+            () if former == contents => Ok(FoundFile::Same),
+            () if self.overwrite || former.is_empty() || is_marked => Ok(FoundFile::Replaceable),
+            () if self.manifest.has(name, &former) => Ok(FoundFile::Replaceable),
             () if self.manifest.files.contains_key(name) => Err(OutputError::Changed { path }),
             () => Err(OutputError::Foreign { path }),
         }
@@ -107,13 +107,13 @@ impl OutputFolder {
         let found = self.find(name, contents, used)?;
         let path = self.join(name);
         let is_marked = contents.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
-        let is_listed = found == Found::Same && self.manifest.has(name, contents);
+        let is_listed = found == FoundFile::Same && self.manifest.has(name, contents);
         if !is_marked && !is_listed {
             self.list(name, Hash::of(contents)).map_err(OutputError::unwritable(self.path.join(NAME)))?;
         }
         let saved = match found {
-            Found::Same => Saved::Unchanged,
-            Found::Replaceable => save(&path, contents).map_err(OutputError::unwritable(&path))?,
+            FoundFile::Same => Saved::Unchanged,
+            FoundFile::Replaceable => save(&path, contents).map_err(OutputError::unwritable(&path))?,
         };
         used.add(&path);
         self.taken.insert(name.to_lowercase());
@@ -124,7 +124,7 @@ impl OutputFolder {
     fn list(&mut self, name: &str, hash: Hash) -> io::Result<()> {
         let log = match &mut self.log {
             Some(log) => log,
-            log => log.insert(Log::open(&self.path, &self.origin)?),
+            log => log.insert(WriteLog::open(&self.path, &self.origin)?),
         };
         self.listed.insert(name.to_owned(), hash);
         log.add(name, hash)

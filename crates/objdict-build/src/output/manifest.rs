@@ -58,7 +58,7 @@ impl fmt::Debug for Hash {
 
 /// What is known of a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Record {
+pub(super) struct FileRecord {
     /// What it may hold: several while it is being replaced, and when that was interrupted.
     pub(super) hashes: BTreeSet<Hash>,
     /// What wrote it.
@@ -67,7 +67,7 @@ pub(super) struct Record {
 
 /// What a file of the list is now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum State {
+pub enum FileState {
     /// As it was written.
     Same,
     /// Another content.
@@ -81,7 +81,7 @@ pub enum State {
 /// The files that objdict wrote into a folder, by their names there.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Manifest {
-    pub(super) files: BTreeMap<String, Record>,
+    pub(super) files: BTreeMap<String, FileRecord>,
 }
 
 impl Manifest {
@@ -115,7 +115,7 @@ impl Manifest {
     /// A last line without its end was cut, and is skipped.
     fn parse(text: &str) -> Self {
         let text = text.rfind('\n').map_or("", |end| &text[..=end]);
-        let mut files: BTreeMap<String, Record> = BTreeMap::new();
+        let mut files: BTreeMap<String, FileRecord> = BTreeMap::new();
         let mut origin = "";
         for line in text.lines().skip(1) {
             if let Some(heading) = line.strip_prefix("# ") {
@@ -147,7 +147,7 @@ impl Manifest {
 
     /// What becomes of a file that was written as a whole.
     pub(super) fn set(&mut self, name: &str, hash: Hash, origin: &str) {
-        let record = Record { hashes: BTreeSet::from([hash]), origin: origin.to_owned() };
+        let record = FileRecord { hashes: BTreeSet::from([hash]), origin: origin.to_owned() };
         self.files.insert(name.to_owned(), record);
     }
 
@@ -162,31 +162,31 @@ impl Manifest {
     }
 
     /// The files with what they are now, by their names.
-    pub fn verify(&self, folder: &Path) -> impl Iterator<Item = (&str, io::Result<State>)> {
+    pub fn verify(&self, folder: &Path) -> impl Iterator<Item = (&str, io::Result<FileState>)> {
         self.files.iter().map(move |(name, record)| (name.as_str(), record.state(&folder.join(name))))
     }
 }
 
-impl Record {
-    fn state(&self, path: &Path) -> io::Result<State> {
+impl FileRecord {
+    fn state(&self, path: &Path) -> io::Result<FileState> {
         let bytes = match std::fs::read(path) {
             Ok(bytes) => bytes,
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(State::Missing),
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(FileState::Missing),
             Err(error) => return Err(error),
         };
         Ok(match self.hashes.contains(&Hash::of(&bytes)) {
-            false => State::Changed,
-            true if self.hashes.len() > 1 => State::Interrupted,
-            true => State::Same,
+            false => FileState::Changed,
+            true if self.hashes.len() > 1 => FileState::Interrupted,
+            true => FileState::Same,
         })
     }
 }
 
 /// Files that are about to be written, so that they are known should the run end before the list is written.
 #[derive(Debug)]
-pub(super) struct Log(File);
+pub(super) struct WriteLog(File);
 
-impl Log {
+impl WriteLog {
     /// Goes on with the list of a folder, or begins it.
     pub(super) fn open(folder: &Path, origin: &str) -> io::Result<Self> {
         std::fs::create_dir_all(folder)?;

@@ -15,6 +15,6 @@ mod used;
 
 pub use self::error::OutputError;
 pub use self::folder::OutputFolder;
-pub use self::manifest::{Hash, Manifest, State};
+pub use self::manifest::{FileState, Hash, Manifest};
 pub use self::save::{Saved, abandon, save};
 pub use self::used::Used;

@@ -11,17 +11,17 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::error::OutputError;
-use super::folder::{Found, OutputFolder};
-use super::manifest::{Hash, Log, Manifest, NAME};
+use super::folder::{FoundFile, OutputFolder};
+use super::manifest::{Hash, Manifest, NAME, WriteLog};
 use super::names::require_portable;
 use super::save::{ENDING, Temporary, pending};
 use super::used::Used;
 
 /// A file that is to be in the folder.
-struct Wanted<'a> {
+struct WantedFile<'a> {
     name: &'a str,
     contents: &'a [u8],
-    found: Found,
+    found: FoundFile,
 }
 
 impl OutputFolder {
@@ -41,11 +41,11 @@ impl OutputFolder {
         let mut wanted = Vec::with_capacity(files.len());
         for &(name, contents) in files {
             let found = self.find(name, contents, used)?;
-            if found == Found::Replaceable {
+            if found == FoundFile::Replaceable {
                 require_file(&folder.join(name)).map_err(failed(shown.join(name)))?;
             }
             self.taken.insert(name.to_lowercase());
-            wanted.push(Wanted { name, contents, found });
+            wanted.push(WantedFile { name, contents, found });
         }
         let is_stale = |name: &&String| {
             let is_ours = self.manifest.files.get(*name).is_some_and(|record| record.origin == self.origin);
@@ -54,8 +54,8 @@ impl OutputFolder {
         let stale = self.manifest.files.keys().filter(is_stale).cloned().collect();
         let mut manifest = self.manifest.clone();
         wanted.iter().for_each(|file| manifest.set(file.name, Hash::of(file.contents), &self.origin));
-        let is_same = manifest == self.manifest && wanted.iter().all(|file| file.found == Found::Same);
-        let replacement = Replacement { folder: &folder, wanted, manifest, former: &self.manifest };
+        let is_same = manifest == self.manifest && wanted.iter().all(|file| file.found == FoundFile::Same);
+        let replacement = FolderReplacement { folder: &folder, wanted, manifest, former: &self.manifest };
         replacement.clean_up();
         if !is_same && !replacement.by_exchange().map_err(failed(shown.clone()))? {
             replacement.in_place(&self.origin).map_err(failed(shown))?;
@@ -66,17 +66,17 @@ impl OutputFolder {
 }
 
 /// What a folder gets.
-struct Replacement<'a> {
+struct FolderReplacement<'a> {
     /// Its full path.
     folder: &'a Path,
-    wanted: Vec<Wanted<'a>>,
+    wanted: Vec<WantedFile<'a>>,
     /// The list in the end.
     manifest: Manifest,
     /// The list that is there.
     former: &'a Manifest,
 }
 
-impl Replacement<'_> {
+impl FolderReplacement<'_> {
     /// Removes what runs have left that were killed.
     fn clean_up(&self) {
         let names = self.manifest.files.keys().map(String::as_str);
@@ -105,7 +105,7 @@ impl Replacement<'_> {
         let wanted = |name: &str| self.wanted.iter().find(|file| file.name == name);
         for name in self.manifest.files.keys() {
             let (old, path) = (self.folder.join(name), new.0.join(name));
-            match wanted(name).filter(|file| file.found != Found::Same) {
+            match wanted(name).filter(|file| file.found != FoundFile::Same) {
                 Some(file) => write(&path, file.contents, &old)?,
                 None if !old.exists() => {}
                 None => fs::hard_link(&old, &path).or_else(|_| fs::copy(&old, &path).map(|_| ()))?,
@@ -153,12 +153,12 @@ impl Replacement<'_> {
             let (_, new) = Temporary::beside(path)?;
             write(&new.0, contents, path).map(|()| new)
         };
-        let changed = || self.wanted.iter().filter(|file| file.found != Found::Same);
+        let changed = || self.wanted.iter().filter(|file| file.found != FoundFile::Same);
         let new = changed().map(|file| beside(&self.folder.join(file.name), file.contents));
         let new: Vec<Temporary> = new.collect::<io::Result<_>>()?;
         let list = self.folder.join(NAME);
         let new_list = beside(&list, self.manifest.text().as_bytes())?;
-        let mut log = Log::open(self.folder, origin)?;
+        let mut log = WriteLog::open(self.folder, origin)?;
         changed().try_for_each(|file| log.add(file.name, Hash::of(file.contents)))?;
         // Windows does not replace a file that is open
         drop(log);

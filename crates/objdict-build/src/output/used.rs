@@ -11,25 +11,25 @@ use super::save::{Saved, save};
 
 /// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
 #[cfg(any(unix, all(windows, feature = "command")))]
-type Identity = (u64, u64);
+type FileIdentity = (u64, u64);
 #[cfg(not(any(unix, all(windows, feature = "command"))))]
-type Identity = PathBuf;
+type FileIdentity = PathBuf;
 
 /// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
 #[cfg(unix)]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     use std::os::unix::fs::MetadataExt;
     path.metadata().ok().filter(std::fs::Metadata::is_file).map(|file| (file.dev(), file.ino()))
 }
 
 #[cfg(all(windows, feature = "command"))]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     let file = path.is_file().then(|| information(path)).flatten()?;
     Some((file.volume_serial_number(), file.file_index()))
 }
 
 #[cfg(not(any(unix, all(windows, feature = "command"))))]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     path.canonicalize().ok().filter(|path| path.is_file())
 }
 
@@ -41,7 +41,7 @@ pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information>
 
 /// The files that a run reads or has written.
 #[derive(Debug, Default)]
-pub struct Used(HashSet<Identity>);
+pub struct Used(HashSet<FileIdentity>);
 
 impl Used {
     /// Notes that the run uses a file.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Conversion, Described, Error, Generation, Request};
+use super::{Conversion, DescribedDevice, Error, Generation, Request};
 use objdict_format::input::{FileKind, Reading};
 use objdict_format::patch::{Patch, Patched};
 use objdict_format::{Description, Format, LossKind, ReadError, WriteOptions, convert};
@@ -58,7 +58,7 @@ impl Request {
     }
 }
 
-impl Described {
+impl DescribedDevice {
     /// The warnings about the configuration, and those about patches.
     pub(super) fn with_lines_of_patches(&self, mut lines: Vec<String>) -> Vec<String> {
         if let Self::Text(description) = self {

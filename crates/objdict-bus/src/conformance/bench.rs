@@ -4,11 +4,11 @@ use std::collections::VecDeque;
 
 use objdict_device::{Abort, Frame, NmtCommand, Received};
 
-use super::described::{Described, abort_code, answer, hex, place};
-use super::{Step, Verdict, ensure, failed, impossible};
-use crate::client::{Client, Progress};
+use super::described::{DescribedEntries, abort_code, answer, hex, place};
+use super::{CheckStep, Verdict, ensure, failed, impossible};
+use crate::client::{Client, ClientProgress};
 use crate::dictionary::number;
-use crate::node::Services;
+use crate::node::NodeServices;
 
 /// Microseconds of a millisecond.
 pub(super) const MS: u64 = 1000;
@@ -30,12 +30,12 @@ pub(super) const OPERATIONAL: u8 = 0x05;
 pub(super) const PRE_OPERATIONAL: u8 = 0x7F;
 
 /// A frame of the node and when it came.
-pub(super) type Sent = (u64, Frame);
+pub(super) type SentFrame = (u64, Frame);
 
 /// A node that was switched on, at a time in microseconds.
 pub(super) struct Bench<'d> {
-    pub(super) described: &'d Described,
-    node: Box<dyn Services>,
+    pub(super) described: &'d DescribedEntries,
+    node: Box<dyn NodeServices>,
     client: Client,
     pub(super) now: u64,
     /// What the node sent when it was switched on.
@@ -43,7 +43,7 @@ pub(super) struct Bench<'d> {
 }
 
 impl<'d> Bench<'d> {
-    pub(super) fn new(described: &'d Described, mut node: Box<dyn Services>) -> Self {
+    pub(super) fn new(described: &'d DescribedEntries, mut node: Box<dyn NodeServices>) -> Self {
         let boot_up = node.boot(0);
         let client = Client::new(described.node_id);
         let mut bench = Self { described, node, client, now: 0, boot_up };
@@ -81,7 +81,7 @@ impl<'d> Bench<'d> {
     }
 
     /// Lets time pass, and returns what the node sends. It is polled when it says that it must be.
-    pub(super) fn run(&mut self, time: u64) -> Vec<Sent> {
+    pub(super) fn run(&mut self, time: u64) -> Vec<SentFrame> {
         let (end, mut sent) = (self.now + time, Vec::new());
         while let Some(due) = self.node.next(self.now).filter(|due| *due <= end) {
             self.now = due.max(self.now);
@@ -104,7 +104,7 @@ impl<'d> Bench<'d> {
     }
 
     /// The times at which frames with a CAN-ID come, and their data.
-    pub(super) fn listen(&mut self, id: u16, time: u64) -> Vec<Sent> {
+    pub(super) fn listen(&mut self, id: u16, time: u64) -> Vec<SentFrame> {
         self.run(time).into_iter().filter(|(_, frame)| frame.id() == id).collect()
     }
 
@@ -132,7 +132,7 @@ impl<'d> Bench<'d> {
         self.request([0x40, 0x00, 0x10, 0, 0, 0, 0, 0]).is_some()
     }
 
-    fn transfer(&mut self, id: [u16; 2], first: Progress) -> Result<Vec<u8>, Abort> {
+    fn transfer(&mut self, id: [u16; 2], first: ClientProgress) -> Result<Vec<u8>, Abort> {
         let (mut progress, mut answers) = (first, VecDeque::new());
         loop {
             if let Some(frame) = progress.frame {
@@ -147,7 +147,7 @@ impl<'d> Bench<'d> {
                 Some(answer) => self.client.receive(&answer, now),
                 None => self.client.poll(now),
             };
-            if progress == Progress::default() && answers.is_empty() {
+            if progress == ClientProgress::default() && answers.is_empty() {
                 let late = self.listen(id[1], MS);
                 answers.extend(late.into_iter().map(|(_, frame)| frame));
             }
@@ -179,7 +179,7 @@ impl<'d> Bench<'d> {
     }
 
     /// The value of an entry that the description says is readable.
-    pub(super) fn read(&mut self, index: u16, sub: u8) -> Step<Vec<u8>> {
+    pub(super) fn read(&mut self, index: u16, sub: u8) -> CheckStep<Vec<u8>> {
         let entry = self.described.needs(index, sub)?;
         if !entry.is_readable() {
             return impossible(format!("{} is {}", place(index, sub), entry.access.name()));
@@ -189,12 +189,12 @@ impl<'d> Bench<'d> {
     }
 
     /// The value of a number.
-    pub(super) fn number(&mut self, index: u16, sub: u8) -> Step<u64> {
+    pub(super) fn number(&mut self, index: u16, sub: u8) -> CheckStep<u64> {
         self.read(index, sub).map(|bytes| number(&bytes))
     }
 
     /// Checks the value of an entry.
-    pub(super) fn expect(&mut self, index: u16, sub: u8, expected: &[u8]) -> Step {
+    pub(super) fn expect(&mut self, index: u16, sub: u8, expected: &[u8]) -> CheckStep {
         let value = self.read(index, sub)?;
         ensure(value == expected, || {
             format!("{} is {}, not {}", place(index, sub), hex(&value), hex(expected))
@@ -202,7 +202,7 @@ impl<'d> Bench<'d> {
     }
 
     /// The bytes of a number that the description says can be written.
-    fn writable(&self, index: u16, sub: u8, number: u64) -> Step<Vec<u8>> {
+    fn writable(&self, index: u16, sub: u8, number: u64) -> CheckStep<Vec<u8>> {
         let entry = self.described.needs_writable(index, sub)?;
         let bytes = number.to_le_bytes();
         let fits = |size: &usize| *size <= 8 && bytes[*size..].iter().all(|byte| *byte == 0);
@@ -215,7 +215,7 @@ impl<'d> Bench<'d> {
     }
 
     /// Writes a number that the description and CiA 301 allow.
-    pub(super) fn write(&mut self, index: u16, sub: u8, number: u64) -> Step {
+    pub(super) fn write(&mut self, index: u16, sub: u8, number: u64) -> CheckStep {
         let bytes = self.writable(index, sub, number)?;
         self.download(index, sub, &bytes).or_else(|abort| {
             failed(format!("writing {} to {}: {}", hex(&bytes), place(index, sub), abort_code(abort)))
@@ -223,13 +223,13 @@ impl<'d> Bench<'d> {
     }
 
     /// Writes a number that the node must refuse.
-    pub(super) fn refuse(&mut self, index: u16, sub: u8, number: u64, abort: Abort) -> Step {
+    pub(super) fn refuse(&mut self, index: u16, sub: u8, number: u64, abort: Abort) -> CheckStep {
         let bytes = self.writable(index, sub, number)?;
         self.refuse_bytes(index, sub, &bytes, abort)
     }
 
     /// Writes a value that the node must refuse.
-    pub(super) fn refuse_bytes(&mut self, index: u16, sub: u8, bytes: &[u8], abort: Abort) -> Step {
+    pub(super) fn refuse_bytes(&mut self, index: u16, sub: u8, bytes: &[u8], abort: Abort) -> CheckStep {
         let result = self.download(index, sub, bytes);
         ensure(result == Err(abort), || {
             let place = place(index, sub);
@@ -247,7 +247,7 @@ impl<'d> Bench<'d> {
     }
 
     /// The period of the heartbeat in microseconds, after it was switched on if it can be.
-    pub(super) fn start_heartbeat(&mut self) -> Step<u64> {
+    pub(super) fn start_heartbeat(&mut self) -> CheckStep<u64> {
         let entry = self.described.needs(0x1017, 0)?;
         if entry.size() != Some(2) {
             return impossible("1017h does not have two bytes");
@@ -264,7 +264,7 @@ impl<'d> Bench<'d> {
     }
 
     /// The period of the heartbeat, if the description lets the node have one.
-    pub(super) fn watch(&mut self) -> Step<Option<u64>> {
+    pub(super) fn watch(&mut self) -> CheckStep<Option<u64>> {
         match self.start_heartbeat() {
             Ok(period) => Ok(Some(period)),
             Err(Verdict::Failed(text)) => failed(text),
@@ -273,7 +273,7 @@ impl<'d> Bench<'d> {
     }
 
     /// Checks the NMT state: as a heartbeat with this period says, else as far as SDO servers show it.
-    pub(super) fn expect_state(&mut self, heartbeat: Option<u64>, expected: u8) -> Step {
+    pub(super) fn expect_state(&mut self, heartbeat: Option<u64>, expected: u8) -> CheckStep {
         if let Some(period) = heartbeat {
             let heartbeats = self.listen(0x700 + self.node_id(), 2 * period);
             let state = heartbeats.last().map(|(_, frame)| frame.data().to_vec()).unwrap_or_default();

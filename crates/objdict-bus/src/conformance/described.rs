@@ -3,12 +3,12 @@
 use objdict_device::{Abort, Dictionary};
 use objdict_node::download::AbortCode;
 
-use super::{Step, absent, impossible};
+use super::{CheckStep, absent, impossible};
 use crate::dictionary::{LiveDictionary, number};
 use crate::model::{Access, DataType, Device, Entry, PdoKind, TypeKind};
 
 /// The entries of a description on a node, in ascending order.
-pub(super) struct Described {
+pub(super) struct DescribedEntries {
     pub(super) node_id: u8,
     pub(super) entries: Vec<DescribedEntry>,
     /// Whether the device has an LSS slave.
@@ -142,7 +142,7 @@ impl DescribedEntry {
     }
 }
 
-impl Described {
+impl DescribedEntries {
     pub(super) fn new(device: &Device, node_id: u8, live: &LiveDictionary) -> Self {
         let mut entries = Vec::new();
         for (&index, object) in device.objects.iter() {
@@ -182,7 +182,7 @@ impl Described {
     }
 
     /// An entry that a check is about.
-    pub(super) fn needs(&self, index: u16, sub: u8) -> Step<&DescribedEntry> {
+    pub(super) fn needs(&self, index: u16, sub: u8) -> CheckStep<&DescribedEntry> {
         match self.find(index, sub) {
             Some(entry) => Ok(entry),
             None if sub == 0 => absent(format!("{index:04X}h")),
@@ -191,7 +191,7 @@ impl Described {
     }
 
     /// An entry that a check writes.
-    pub(super) fn needs_writable(&self, index: u16, sub: u8) -> Step<&DescribedEntry> {
+    pub(super) fn needs_writable(&self, index: u16, sub: u8) -> CheckStep<&DescribedEntry> {
         let entry = self.needs(index, sub)?;
         if entry.is_writable() {
             Ok(entry)
@@ -216,7 +216,7 @@ impl Described {
         &self,
         what: &str,
         is_meant: impl Fn(&DescribedEntry) -> bool,
-    ) -> Step<&DescribedEntry> {
+    ) -> CheckStep<&DescribedEntry> {
         let is_plain = |entry: &&DescribedEntry| is_meant(entry) && !has_rules(entry.index);
         let own = self.entries.iter().filter(|entry| entry.index >= 0x2000).find(is_plain);
         match own.or_else(|| self.entries.iter().find(is_plain)) {

@@ -3,10 +3,10 @@
 
 use objdict_device::{Abort, Frame};
 
-use super::bench::{Bench, MS, RESET_COMMUNICATION, STOP, Sent};
+use super::bench::{Bench, MS, RESET_COMMUNICATION, STOP, SentFrame};
 use super::described::{DescribedEntry, hex};
 use super::sync::{send_sync, send_wrong_sync};
-use super::{Step, checks, ensure, impossible};
+use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "emergency":
     "7.2.7" "an error is reported once, and that it is gone" once;
@@ -26,7 +26,7 @@ checks! { "emergency":
 }
 
 /// The CAN-ID of the messages.
-pub(super) fn can_id(bench: &Bench<'_>) -> Step<u16> {
+pub(super) fn can_id(bench: &Bench<'_>) -> CheckStep<u16> {
     let standard = 0x80 + u64::from(bench.described.node_id);
     let is_known = bench.described.find(0x1014, 0).is_some_and(DescribedEntry::is_readable);
     let cob_id = if is_known { bench.described.number(0x1014, 0) } else { standard };
@@ -42,7 +42,7 @@ pub(super) fn inhibit_time(bench: &Bench<'_>) -> u64 {
 }
 
 /// Checks that there is one message, with this error and these bits of the register.
-pub(super) fn expect_message(sent: &[Sent], code: u16, register: u8) -> Step {
+pub(super) fn expect_message(sent: &[SentFrame], code: u16, register: u8) -> CheckStep {
     let [(_, frame)] = sent else {
         return super::failed(format!("{} emergency messages, not one", sent.len()));
     };
@@ -53,7 +53,7 @@ pub(super) fn expect_message(sent: &[Sent], code: u16, register: u8) -> Step {
 }
 
 /// A history whose number the node can count.
-fn needs_history(bench: &Bench<'_>) -> Step {
+fn needs_history(bench: &Bench<'_>) -> CheckStep {
     bench.described.needs(0x1003, 1)?;
     match bench.described.needs(0x1003, 0)?.size() {
         Some(1) => Ok(()),
@@ -62,7 +62,7 @@ fn needs_history(bench: &Bench<'_>) -> Step {
 }
 
 /// Checks that an error is the last one in the history, where there is one.
-pub(super) fn expect_history(bench: &mut Bench<'_>, code: u16) -> Step {
+pub(super) fn expect_history(bench: &mut Bench<'_>, code: u16) -> CheckStep {
     if needs_history(bench).is_err() {
         return Ok(());
     }
@@ -71,16 +71,16 @@ pub(super) fn expect_history(bench: &mut Bench<'_>, code: u16) -> Step {
 }
 
 /// Messages among frames.
-fn messages(bench: &mut Bench<'_>, frames: Vec<Frame>, id: u16) -> Vec<Sent> {
+fn messages(bench: &mut Bench<'_>, frames: Vec<Frame>, id: u16) -> Vec<SentFrame> {
     let now = bench.now;
-    let mut sent: Vec<Sent> = frames.into_iter().map(|frame| (now, frame)).collect();
+    let mut sent: Vec<SentFrame> = frames.into_iter().map(|frame| (now, frame)).collect();
     sent.extend(bench.run(MS));
     sent.retain(|(_, frame)| frame.id() == id);
     sent
 }
 
 /// Causes an error; the messages that follow at once.
-fn cause(bench: &mut Bench<'_>, id: u16) -> Step<Vec<Sent>> {
+fn cause(bench: &mut Bench<'_>, id: u16) -> CheckStep<Vec<SentFrame>> {
     if super::sync::sync_id(bench)? == id {
         return impossible("emergency messages have the CAN-ID of SYNC");
     }
@@ -90,12 +90,12 @@ fn cause(bench: &mut Bench<'_>, id: u16) -> Step<Vec<Sent>> {
 }
 
 /// Ends the error by a SYNC of the right length.
-fn end(bench: &mut Bench<'_>, id: u16) -> Step<Vec<Sent>> {
+fn end(bench: &mut Bench<'_>, id: u16) -> CheckStep<Vec<SentFrame>> {
     let frames = send_sync(bench, 1)?;
     Ok(messages(bench, frames, id))
 }
 
-fn once(bench: &mut Bench<'_>) -> Step {
+fn once(bench: &mut Bench<'_>) -> CheckStep {
     let id = can_id(bench)?;
     let first = cause(bench, id)?;
     expect_message(&first, 0x8240, 0x11)?;
@@ -106,7 +106,7 @@ fn once(bench: &mut Bench<'_>) -> Step {
     expect_message(&gone, 0, 0)
 }
 
-fn register(bench: &mut Bench<'_>) -> Step {
+fn register(bench: &mut Bench<'_>) -> CheckStep {
     if bench.described.needs(0x1001, 0)?.size() != Some(1) {
         return impossible("1001h does not have one byte");
     }
@@ -116,7 +116,7 @@ fn register(bench: &mut Bench<'_>) -> Step {
     bench.expect(0x1001, 0, &[0])
 }
 
-fn history(bench: &mut Bench<'_>) -> Step {
+fn history(bench: &mut Bench<'_>) -> CheckStep {
     needs_history(bench)?;
     cause(bench, 0x7FF)?;
     bench.expect(0x1003, 0, &[1])?;
@@ -127,7 +127,7 @@ fn history(bench: &mut Bench<'_>) -> Step {
     bench.expect(0x1003, 0, &[1 + u8::from(room)])
 }
 
-fn clear(bench: &mut Bench<'_>) -> Step {
+fn clear(bench: &mut Bench<'_>) -> CheckStep {
     needs_history(bench)?;
     bench.described.needs_writable(0x1003, 0)?;
     cause(bench, 0x7FF)?;
@@ -135,19 +135,19 @@ fn clear(bench: &mut Bench<'_>) -> Step {
     bench.expect(0x1003, 0, &[0])
 }
 
-fn disable(bench: &mut Bench<'_>) -> Step {
+fn disable(bench: &mut Bench<'_>) -> CheckStep {
     let id = can_id(bench)?;
     bench.write(0x1014, 0, 0x8000_0000 | u64::from(id))
 }
 
-fn disabled(bench: &mut Bench<'_>) -> Step {
+fn disabled(bench: &mut Bench<'_>) -> CheckStep {
     let id = can_id(bench)?;
     disable(bench)?;
     let sent = cause(bench, id)?;
     ensure(sent.is_empty(), || "an emergency message".into())
 }
 
-fn moved(bench: &mut Bench<'_>) -> Step {
+fn moved(bench: &mut Bench<'_>) -> CheckStep {
     const OTHER: u16 = 0x6D0;
     disable(bench)?;
     bench.write(0x1014, 0, u64::from(OTHER))?;
@@ -155,7 +155,7 @@ fn moved(bench: &mut Bench<'_>) -> Step {
     expect_message(&sent, 0x8240, 0x11)
 }
 
-fn inhibited(bench: &mut Bench<'_>) -> Step {
+fn inhibited(bench: &mut Bench<'_>) -> CheckStep {
     const TIME: u64 = 500;
     let id = can_id(bench)?;
     bench.write(0x1015, 0, TIME)?;
@@ -169,7 +169,7 @@ fn inhibited(bench: &mut Bench<'_>) -> Step {
     ensure(passed == TIME * 100, || format!("the second message comes after {passed} µs"))
 }
 
-fn stopped(bench: &mut Bench<'_>) -> Step {
+fn stopped(bench: &mut Bench<'_>) -> CheckStep {
     let id = can_id(bench)?;
     bench.start();
     bench.command(STOP);
@@ -178,7 +178,7 @@ fn stopped(bench: &mut Bench<'_>) -> Step {
     ensure(sent.is_empty(), || "an emergency message".into())
 }
 
-fn reset(bench: &mut Bench<'_>) -> Step {
+fn reset(bench: &mut Bench<'_>) -> CheckStep {
     let id = can_id(bench)?;
     cause(bench, id)?;
     bench.command(RESET_COMMUNICATION);

@@ -4,7 +4,7 @@ use objdict_device::Abort;
 
 use super::bench::{Bench, MS, OPERATIONAL, PRE_OPERATIONAL, STOP, STOPPED};
 use super::emergency::{expect_history, expect_message};
-use super::{Step, checks, ensure, impossible};
+use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "heartbeat":
     "7.2.8.3.2" "the period of 1017h" period;
@@ -31,7 +31,7 @@ const OTHER: u8 = 0x64;
 const MONITORED: u64 = (OTHER as u64) << 16 | TIME;
 const TIME: u64 = 200;
 
-fn period(bench: &mut Bench<'_>) -> Step {
+fn period(bench: &mut Bench<'_>) -> CheckStep {
     let period = bench.start_heartbeat()?;
     bench.run(period);
     let heartbeats = bench.listen(0x700 + bench.node_id(), 5 * period);
@@ -40,7 +40,7 @@ fn period(bench: &mut Bench<'_>) -> Step {
     ensure(times.len() == 5 && is_regular, || format!("{} heartbeats within five periods", times.len()))
 }
 
-fn phase(bench: &mut Bench<'_>) -> Step {
+fn phase(bench: &mut Bench<'_>) -> CheckStep {
     let period = bench.start_heartbeat()?;
     let id = 0x700 + bench.node_id();
     let first = bench.listen(id, 2 * period).last().map_or(0, |(time, _)| *time);
@@ -53,14 +53,14 @@ fn phase(bench: &mut Bench<'_>) -> Step {
     })
 }
 
-fn off(bench: &mut Bench<'_>) -> Step {
+fn off(bench: &mut Bench<'_>) -> CheckStep {
     let period = bench.start_heartbeat()?;
     bench.write(0x1017, 0, 0)?;
     let heartbeats = bench.listen(0x700 + bench.node_id(), 3 * period);
     ensure(heartbeats.is_empty(), || format!("{} heartbeats", heartbeats.len()))
 }
 
-fn monitor(bench: &mut Bench<'_>) -> Step {
+fn monitor(bench: &mut Bench<'_>) -> CheckStep {
     if bench.described.node_id == OTHER {
         return impossible("the node has the node-ID of the one that it would monitor");
     }
@@ -78,24 +78,24 @@ fn beat(bench: &mut Bench<'_>) {
 }
 
 /// Monitors a node, lets it come, does something, and lets it be lost.
-fn lose_after(bench: &mut Bench<'_>, then: impl FnOnce(&mut Bench<'_>) -> Step) -> Step {
+fn lose_after(bench: &mut Bench<'_>, then: impl FnOnce(&mut Bench<'_>) -> CheckStep) -> CheckStep {
     monitor(bench)?;
     beat(bench);
     then(bench)
 }
 
-fn silent(bench: &mut Bench<'_>) -> Step {
+fn silent(bench: &mut Bench<'_>) -> CheckStep {
     let id = super::emergency::can_id(bench)?;
     let messages = bench.listen(id, 3 * TIME * MS);
     ensure(messages.is_empty(), || "an emergency message".into())
 }
 
-fn waits(bench: &mut Bench<'_>) -> Step {
+fn waits(bench: &mut Bench<'_>) -> CheckStep {
     monitor(bench)?;
     silent(bench)
 }
 
-fn lost(bench: &mut Bench<'_>) -> Step {
+fn lost(bench: &mut Bench<'_>) -> CheckStep {
     lose_after(bench, |bench| {
         // in time
         bench.run((TIME - 1) * MS);
@@ -110,7 +110,7 @@ fn lost(bench: &mut Bench<'_>) -> Step {
     expect_history(bench, 0x8130)
 }
 
-fn back(bench: &mut Bench<'_>) -> Step {
+fn back(bench: &mut Bench<'_>) -> CheckStep {
     lose_after(bench, |_| Ok(()))?;
     bench.run(2 * TIME * MS);
     bench.run(super::emergency::inhibit_time(bench));
@@ -121,7 +121,7 @@ fn back(bench: &mut Bench<'_>) -> Step {
     expect_message(&sent, 0, 0)
 }
 
-fn behaviour(bench: &mut Bench<'_>, value: Option<u64>, expected: u8) -> Step {
+fn behaviour(bench: &mut Bench<'_>, value: Option<u64>, expected: u8) -> CheckStep {
     if let Some(value) = value {
         bench.write(0x1029, 1, value)?;
     }

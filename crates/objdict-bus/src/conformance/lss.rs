@@ -4,7 +4,7 @@ use objdict_device::{Frame, LssReceived, LssSlave};
 
 use super::bench::{Bench, MS};
 use super::described::hex;
-use super::{Step, absent, checks, ensure, impossible};
+use super::{CheckStep, absent, checks, ensure, impossible};
 
 checks! { "LSS":
     "CiA 305" "the waiting state answers no inquiry" |bench| line(bench)?.says(&[0x5A], NOTHING);
@@ -29,23 +29,23 @@ const RATES: [[u16; 1]; 10] = [[1000], [800], [500], [250], [125], [100], [50], 
 const NOTHING: &[u8] = &[];
 
 /// A slave, and the time.
-struct Line {
+struct LssLine {
     slave: LssSlave,
     identity: [u32; 4],
     now: u64,
 }
 
 /// A slave with the identity of the description and the node-ID.
-fn line(bench: &mut Bench<'_>) -> Step<Line> {
+fn line(bench: &mut Bench<'_>) -> CheckStep<LssLine> {
     let node_id = bench.described.node_id;
     with(bench, Some(node_id))
 }
 
-fn without_node_id(bench: &mut Bench<'_>) -> Step<Line> {
+fn without_node_id(bench: &mut Bench<'_>) -> CheckStep<LssLine> {
     with(bench, None)
 }
 
-fn with(bench: &mut Bench<'_>, node_id: Option<u8>) -> Step<Line> {
+fn with(bench: &mut Bench<'_>, node_id: Option<u8>) -> CheckStep<LssLine> {
     if !bench.described.has_lss {
         return absent("LSS");
     }
@@ -54,10 +54,10 @@ fn with(bench: &mut Bench<'_>, node_id: Option<u8>) -> Step<Line> {
         *number = bench.number(0x1018, sub)? as u32;
     }
     let slave = LssSlave::new(identity, node_id);
-    Ok(Line { slave, identity, now: 0 })
+    Ok(LssLine { slave, identity, now: 0 })
 }
 
-impl Line {
+impl LssLine {
     fn request(&mut self, request: &[u8]) -> LssReceived {
         let mut bytes = [0; 8];
         bytes[..request.len()].copy_from_slice(request);
@@ -66,7 +66,7 @@ impl Line {
     }
 
     /// Checks the answer, whose further bytes are 0.
-    fn says(&mut self, request: &[u8], expected: &[u8]) -> Step {
+    fn says(&mut self, request: &[u8], expected: &[u8]) -> CheckStep {
         let received = self.request(request);
         let data = match &received {
             LssReceived::Answer(frame) if frame.id() == 0x7E4 => frame.data(),
@@ -79,18 +79,18 @@ impl Line {
     }
 
     /// A service with a number.
-    fn says_to(&mut self, command: u8, number: u32, expected: &[u8]) -> Step {
+    fn says_to(&mut self, command: u8, number: u32, expected: &[u8]) -> CheckStep {
         let [a, b, c, d] = number.to_le_bytes();
         self.says(&[command, a, b, c, d], expected)
     }
 
     /// Switches to the configuration state.
-    fn configure(&mut self) -> Step {
+    fn configure(&mut self) -> CheckStep {
         self.says(&[0x04, 1], NOTHING)
     }
 }
 
-fn inquire(bench: &mut Bench<'_>) -> Step {
+fn inquire(bench: &mut Bench<'_>) -> CheckStep {
     let mut line = line(bench)?;
     line.configure()?;
     for (command, number) in (0x5A..).zip(line.identity) {
@@ -101,7 +101,7 @@ fn inquire(bench: &mut Bench<'_>) -> Step {
 }
 
 /// Sends the identity by these services, the last of which is answered, unless a number is that of another device.
-fn by_identity(bench: &mut Bench<'_>, commands: &[u8], answer: u8) -> Step {
+fn by_identity(bench: &mut Bench<'_>, commands: &[u8], answer: u8) -> CheckStep {
     let mut line = line(bench)?;
     let [vendor, product, revision, serial] = line.identity;
     let own = |command: u8| match command {
@@ -130,13 +130,13 @@ fn by_identity(bench: &mut Bench<'_>, commands: &[u8], answer: u8) -> Step {
 }
 
 /// As a master does it that knows nothing: it asks for a bit, and the answer says that the bit is 0.
-fn fastscan(bench: &mut Bench<'_>) -> Step {
+fn fastscan(bench: &mut Bench<'_>) -> CheckStep {
     let mut line = without_node_id(bench)?;
     line.says(&[0x51, 0, 0, 0, 0, 0x80], &[0x4F])?;
     let mut found = [0_u32; 4];
     for part in 0..4_u8 {
         let mut number = 0_u32;
-        let scan = |line: &mut Line, number: u32, bit: u8, next: u8| {
+        let scan = |line: &mut LssLine, number: u32, bit: u8, next: u8| {
             let [a, b, c, d] = number.to_le_bytes();
             line.request(&[0x51, a, b, c, d, bit, part, next]) != LssReceived::Ignored
         };
@@ -150,7 +150,7 @@ fn fastscan(bench: &mut Bench<'_>) -> Step {
     line.says(&[0x5E], &[0x5E, 0xFF])
 }
 
-fn node_id(bench: &mut Bench<'_>) -> Step {
+fn node_id(bench: &mut Bench<'_>) -> CheckStep {
     let (mut line, old, new) = (line(bench)?, bench.described.node_id, bench.neighbour());
     line.configure()?;
     line.says(&[0x11, new], &[0x11])?;
@@ -159,7 +159,7 @@ fn node_id(bench: &mut Bench<'_>) -> Step {
     ensure(valid == Some(new), || format!("the node-ID after the reset is {valid:?}"))
 }
 
-fn first_node_id(bench: &mut Bench<'_>) -> Step {
+fn first_node_id(bench: &mut Bench<'_>) -> CheckStep {
     let (mut line, new) = (without_node_id(bench)?, bench.neighbour());
     line.configure()?;
     line.says(&[0x11, new], &[0x11])?;
@@ -168,7 +168,7 @@ fn first_node_id(bench: &mut Bench<'_>) -> Step {
 }
 
 /// A slave in the configuration state whose driver has a bit rate of the description, and its row.
-fn with_bit_rate(bench: &mut Bench<'_>) -> Step<(Line, u8)> {
+fn with_bit_rate(bench: &mut Bench<'_>) -> CheckStep<(LssLine, u8)> {
     let (mut line, rates) = (line(bench)?, &bench.described.bit_rates);
     let Some((row, rate)) = (0..).zip(&RATES).find(|(_, rate)| rates.contains(&rate[0])) else {
         return impossible("the description has no bit rate of CiA 305");
@@ -178,14 +178,14 @@ fn with_bit_rate(bench: &mut Bench<'_>) -> Step<(Line, u8)> {
     Ok((line, row))
 }
 
-fn bit_rates(bench: &mut Bench<'_>) -> Step {
+fn bit_rates(bench: &mut Bench<'_>) -> CheckStep {
     let (mut line, row) = with_bit_rate(bench)?;
     line.says(&[0x13, 0, row], &[0x13])?;
     line.says(&[0x13, 0, (row + 1) % 9], &[0x13, 1])?;
     line.says(&[0x13, 1, row], &[0x13, 1])
 }
 
-fn activate(bench: &mut Bench<'_>) -> Step {
+fn activate(bench: &mut Bench<'_>) -> CheckStep {
     const DELAY: u64 = 100 * MS;
     let (mut line, row) = with_bit_rate(bench)?;
     line.says(&[0x13, 0, row], &[0x13])?;
@@ -202,7 +202,7 @@ fn activate(bench: &mut Bench<'_>) -> Step {
     line.says(&[0x5E], &[0x5E, bench.described.node_id])
 }
 
-fn store(bench: &mut Bench<'_>) -> Step {
+fn store(bench: &mut Bench<'_>) -> CheckStep {
     let (mut line, new) = (line(bench)?, bench.neighbour());
     line.slave = line.slave.clone().with_storage();
     line.configure()?;

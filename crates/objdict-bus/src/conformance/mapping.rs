@@ -3,8 +3,8 @@
 use objdict_device::Abort;
 
 use super::bench::{Bench, MS};
-use super::pdo::{Kind, Mapped, Pdo, RPDO, TPDO, map, mappable, mapping_of, set_up};
-use super::{Step, absent, checks, ensure};
+use super::pdo::{CheckedPdo, MappedTarget, PdoDirection, RPDO, TPDO, map, mappable, mapping_of, set_up};
+use super::{CheckStep, absent, checks, ensure};
 
 checks! { "PDO mapping":
     "7.5.2.38" "a TPDO with another mapping sends its values" tpdo_procedure;
@@ -27,7 +27,7 @@ checks! { "PDO mapping":
 }
 
 /// A PDO that is not valid and has no mapped entry.
-fn emptied(bench: &mut Bench<'_>, kind: Kind, settings: &[(u8, u64)]) -> Step<Pdo> {
+fn emptied(bench: &mut Bench<'_>, kind: PdoDirection, settings: &[(u8, u64)]) -> CheckStep<CheckedPdo> {
     let pdo = set_up(bench, kind, settings)?;
     for sub in 0..=1 {
         bench.described.needs_writable(pdo.mapping(), sub)?;
@@ -37,12 +37,12 @@ fn emptied(bench: &mut Bench<'_>, kind: Kind, settings: &[(u8, u64)]) -> Step<Pd
     Ok(pdo)
 }
 
-fn tpdo_procedure(bench: &mut Bench<'_>) -> Step {
+fn tpdo_procedure(bench: &mut Bench<'_>) -> CheckStep {
     let entry = mappable(bench, TPDO)?;
     let pdo = emptied(bench, TPDO, &[(2, 255)]).or_else(|_| emptied(bench, TPDO, &[(2, 254)]))?;
     map(bench, pdo.mapping(), &[entry])?;
     pdo.enable(bench)?;
-    let pdo = Pdo { mapped: vec![entry], ..pdo };
+    let pdo = CheckedPdo { mapped: vec![entry], ..pdo };
     let expected = pdo.packed(bench)?;
     let mut sent = bench.start();
     sent.extend(bench.run(MS).into_iter().map(|(_, frame)| frame));
@@ -51,10 +51,10 @@ fn tpdo_procedure(bench: &mut Bench<'_>) -> Step {
 }
 
 /// Maps an entry behind `before`, and writes another value to it.
-fn write_behind(bench: &mut Bench<'_>, before: &[Mapped]) -> Step {
+fn write_behind(bench: &mut Bench<'_>, before: &[MappedTarget]) -> CheckStep {
     let entry = mappable(bench, RPDO)?;
     let pdo = emptied(bench, RPDO, &[(2, 255)]).or_else(|_| emptied(bench, RPDO, &[(2, 254)]))?;
-    let mapped: Vec<Mapped> = before.iter().copied().chain([entry]).collect();
+    let mapped: Vec<MappedTarget> = before.iter().copied().chain([entry]).collect();
     for sub in (1..).take(mapped.len()) {
         bench.described.needs_writable(pdo.mapping(), sub)?;
     }
@@ -72,40 +72,40 @@ fn write_behind(bench: &mut Bench<'_>, before: &[Mapped]) -> Step {
     bench.expect(index, sub, &new)
 }
 
-fn rpdo_procedure(bench: &mut Bench<'_>) -> Step {
+fn rpdo_procedure(bench: &mut Bench<'_>) -> CheckStep {
     write_behind(bench, &[])
 }
 
-fn dummy(bench: &mut Bench<'_>) -> Step {
+fn dummy(bench: &mut Bench<'_>) -> CheckStep {
     if mappable(bench, RPDO)?.2 > 48 {
         return absent("a mappable entry of at most six bytes");
     }
     write_behind(bench, &[(6, 0, 16)])
 }
 
-fn while_valid(bench: &mut Bench<'_>, kind: Kind) -> Step {
+fn while_valid(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
     let pdo = set_up(bench, kind, &[])?;
     bench.refuse(pdo.mapping(), 0, 0, Abort::UnsupportedAccess)
 }
 
-fn while_counted(bench: &mut Bench<'_>, kind: Kind) -> Step {
+fn while_counted(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
     let pdo = emptied(bench, kind, &[])?;
     let entry = mappable(bench, kind)?;
     map(bench, pdo.mapping(), &[entry])?;
     bench.refuse(pdo.mapping(), 1, mapping_of(entry), Abort::UnsupportedAccess)
 }
 
-fn refused(bench: &mut Bench<'_>, kind: Kind, entry: Mapped) -> Step {
+fn refused(bench: &mut Bench<'_>, kind: PdoDirection, entry: MappedTarget) -> CheckStep {
     let pdo = emptied(bench, kind, &[])?;
     bench.refuse(pdo.mapping(), 1, mapping_of(entry), Abort::NotMappable)
 }
 
-fn wrong_length(bench: &mut Bench<'_>, kind: Kind) -> Step {
+fn wrong_length(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
     let (index, sub, bits) = mappable(bench, kind)?;
     refused(bench, kind, (index, sub, if bits == 8 { 16 } else { 8 }))
 }
 
-fn not_mappable(bench: &Bench<'_>) -> Step<Mapped> {
+fn not_mappable(bench: &Bench<'_>) -> CheckStep<MappedTarget> {
     let entry = bench.described.entries.iter().find(|entry| entry.fits == [false; 2] && entry.is_integer());
     match entry {
         Some(entry) => Ok((entry.index, entry.sub, (8 * entry.size().unwrap_or(0)) as u8)),
@@ -113,7 +113,7 @@ fn not_mappable(bench: &Bench<'_>) -> Step<Mapped> {
     }
 }
 
-fn too_many(bench: &mut Bench<'_>, kind: Kind) -> Step {
+fn too_many(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
     let pdo = emptied(bench, kind, &[])?;
     let most = bench
         .described
@@ -125,7 +125,7 @@ fn too_many(bench: &mut Bench<'_>, kind: Kind) -> Step {
     bench.refuse(pdo.mapping(), 0, u64::from(most) + 1, Abort::PdoTooLong)
 }
 
-fn too_long(bench: &mut Bench<'_>, kind: Kind) -> Step {
+fn too_long(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
     let pdo = emptied(bench, kind, &[])?;
     let entry = mappable(bench, kind)?;
     let count = 64 / entry.2 + 1;

@@ -24,10 +24,10 @@ use objdict_device::Dictionary;
 
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::model::Device;
-use crate::node::Services;
+use crate::node::NodeServices;
 use bench::Bench;
-use described::Described;
-use transfers::{Exchange, Target};
+use described::DescribedEntries;
+use transfers::{ClientExchange, RequestTarget};
 
 /// The result of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,28 +84,28 @@ impl Conformance {
 }
 
 /// Why a check ends before its end.
-type Step<T = ()> = Result<T, Verdict>;
+type CheckStep<T = ()> = Result<T, Verdict>;
 
 /// A check of a service: each begins with a node that has just been switched on.
-struct Check {
+struct ServiceCheck {
     service: &'static str,
     name: &'static str,
     section: &'static str,
-    run: Run,
+    run: CheckRun,
 }
 
 /// How a check is made.
-enum Run {
+enum CheckRun {
     /// By requests to the SDO server about an entry.
-    Frames(Target, &'static [Exchange]),
-    Function(fn(&mut Bench<'_>) -> Step),
+    Frames(RequestTarget, &'static [ClientExchange]),
+    Function(fn(&mut Bench<'_>) -> CheckStep),
 }
 
-impl Check {
-    fn run(&self, bench: &mut Bench<'_>) -> Step {
+impl ServiceCheck {
+    fn run(&self, bench: &mut Bench<'_>) -> CheckStep {
         match self.run {
-            Run::Frames(target, exchanges) => transfers::run(bench, target, exchanges),
-            Run::Function(run) => run(bench),
+            CheckRun::Frames(target, exchanges) => transfers::run(bench, target, exchanges),
+            CheckRun::Function(run) => run(bench),
         }
     }
 }
@@ -113,17 +113,17 @@ impl Check {
 /// The checks of a service: section, name, function.
 macro_rules! checks {
     ($service:tt: $($section:literal $name:literal $run:expr;)*) => {
-        pub(super) const CHECKS: &[super::Check] = &[$(super::Check {
+        pub(super) const CHECKS: &[super::ServiceCheck] = &[$(super::ServiceCheck {
             service: $service,
             name: $name,
             section: $section,
-            run: super::Run::Function($run),
+            run: super::CheckRun::Function($run),
         }),*];
     };
 }
 use checks;
 
-const SERVICES: [&[Check]; 14] = [
+const SERVICES: [&[ServiceCheck]; 14] = [
     nmt::CHECKS,
     error_control::CHECKS,
     sdo::CHECKS,
@@ -154,7 +154,7 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
     let device = PowerOn::Defaults.values_of(device);
     let live = LiveDictionary::of_table(&device, node_id);
     let pdos = live.pdos();
-    let described = Described::new(&device, node_id, &live);
+    let described = DescribedEntries::new(&device, node_id, &live);
     let dictionary = dictionary(live);
     let bench = || Bench::new(&described, node(&described, dictionary.clone(), &pdos));
     let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
@@ -170,10 +170,10 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
 
 /// The node, with a memory for a program if the description has one.
 fn node<D: Dictionary + 'static>(
-    described: &Described,
+    described: &DescribedEntries,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
-) -> Box<dyn Services> {
+) -> Box<dyn NodeServices> {
     let node_id = described.node_id;
     if !program::is_described(described) {
         return crate::node::lone(node_id, dictionary, pdos);
@@ -181,23 +181,23 @@ fn node<D: Dictionary + 'static>(
     crate::node::lone(node_id, program::with_memory(dictionary), pdos)
 }
 
-fn verdict(step: Step) -> Verdict {
+fn verdict(step: CheckStep) -> Verdict {
     step.err().unwrap_or(Verdict::Passed)
 }
 
-fn failed<T>(text: impl Into<String>) -> Step<T> {
+fn failed<T>(text: impl Into<String>) -> CheckStep<T> {
     Err(Verdict::Failed(text.into()))
 }
 
-fn impossible<T>(text: impl Into<String>) -> Step<T> {
+fn impossible<T>(text: impl Into<String>) -> CheckStep<T> {
     Err(Verdict::Impossible(text.into()))
 }
 
-fn absent<T>(text: impl Into<String>) -> Step<T> {
+fn absent<T>(text: impl Into<String>) -> CheckStep<T> {
     Err(Verdict::Absent(text.into()))
 }
 
 /// Fails unless a condition holds.
-fn ensure(holds: bool, text: impl FnOnce() -> String) -> Step {
+fn ensure(holds: bool, text: impl FnOnce() -> String) -> CheckStep {
     if holds { Ok(()) } else { failed(text()) }
 }

@@ -7,7 +7,7 @@ use super::bench::{
     STOPPED,
 };
 use super::described::DescribedEntry;
-use super::{Step, checks, ensure};
+use super::{CheckStep, checks, ensure};
 
 checks! { "NMT":
     "7.2.8.3.3" "boot-up message after power-on" boot_up;
@@ -34,7 +34,7 @@ checks! { "NMT":
     "7.3.2.2" "no SDO is answered in stopped" |bench| { bench.command(STOP); let answers = bench.answers(); ensure(!answers, || "an SDO is answered".into()) };
 }
 
-fn boot_up(bench: &mut Bench<'_>) -> Step {
+fn boot_up(bench: &mut Bench<'_>) -> CheckStep {
     let expected = Frame::new(0x700 + bench.node_id(), &[0]);
     ensure(Some(bench.boot_up) == expected, || {
         "the boot-up message is not 700h + node-ID with the byte 0".into()
@@ -47,14 +47,14 @@ fn state_after_boot(bench: &Bench<'_>) -> u8 {
     if starts && bench.described.number(0x1F80, 0) & 5 == 0 { OPERATIONAL } else { PRE_OPERATIONAL }
 }
 
-fn command(bench: &mut Bench<'_>, before: u8, command: u8, expected: u8) -> Step {
+fn command(bench: &mut Bench<'_>, before: u8, command: u8, expected: u8) -> CheckStep {
     let watch = bench.watch()?;
     bench.command(before);
     bench.command(command);
     bench.expect_state(watch, expected)
 }
 
-fn reset(bench: &mut Bench<'_>, before: u8, command: u8) -> Step {
+fn reset(bench: &mut Bench<'_>, before: u8, command: u8) -> CheckStep {
     bench.command(before);
     let boot_up = Frame::new(0x700 + bench.node_id(), &[0]);
     let sent = bench.command(command);
@@ -64,7 +64,7 @@ fn reset(bench: &mut Bench<'_>, before: u8, command: u8) -> Step {
 }
 
 /// Whether a frame stops a pre-operational node.
-fn frame(bench: &mut Bench<'_>, data: &[u8], stops: bool) -> Step {
+fn frame(bench: &mut Bench<'_>, data: &[u8], stops: bool) -> CheckStep {
     let watch = bench.watch()?;
     bench.command(ENTER_PRE_OPERATIONAL);
     bench.send(0, data);

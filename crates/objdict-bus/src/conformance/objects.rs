@@ -3,19 +3,19 @@
 use objdict_device::Abort;
 
 use super::bench::Bench;
-use super::described::{Described, DescribedEntry, abort_code, answer, has_rules, hex, place};
-use super::{ConformanceCheck, Step, ensure, failed, program, verdict};
+use super::described::{DescribedEntries, DescribedEntry, abort_code, answer, has_rules, hex, place};
+use super::{CheckStep, ConformanceCheck, ensure, failed, program, verdict};
 use crate::model::TypeKind;
 
 /// A check for each object. All are read before one is written.
-pub(super) fn checks(described: &Described, bench: &mut Bench<'_>) -> Vec<ConformanceCheck> {
+pub(super) fn checks(described: &DescribedEntries, bench: &mut Bench<'_>) -> Vec<ConformanceCheck> {
     let mut indexes: Vec<u16> = described.entries.iter().map(|entry| entry.index).collect();
     indexes.dedup();
     let readings = indexes
         .into_iter()
         .map(|index| (index, described.object(index).try_for_each(|entry| check_reading(bench, entry))));
-    let readings: Vec<(u16, Step)> = readings.collect();
-    let check = |(index, reading): (u16, Step)| {
+    let readings: Vec<(u16, CheckStep)> = readings.collect();
+    let check = |(index, reading): (u16, CheckStep)| {
         let written = |_| described.object(index).try_for_each(|entry| check_download(bench, entry));
         ConformanceCheck {
             service: service_of(index),
@@ -36,7 +36,7 @@ const fn service_of(index: u16) -> &'static str {
     }
 }
 
-fn check_download(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
+fn check_download(bench: &mut Bench<'_>, entry: &DescribedEntry) -> CheckStep {
     if !entry.is_writable() {
         let bytes = vec![0; entry.size().unwrap_or(1)];
         return bench.refuse_bytes(entry.index, entry.sub, &bytes, Abort::ReadOnly);
@@ -58,7 +58,7 @@ fn expected(entry: &DescribedEntry) -> Vec<u8> {
     }
 }
 
-fn check_reading(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
+fn check_reading(bench: &mut Bench<'_>, entry: &DescribedEntry) -> CheckStep {
     let (index, sub) = (entry.index, entry.sub);
     let values = [("", bench.upload(index, sub)), (" by blocks", bench.upload_block(index, sub))];
     let initial = of_program(bench, entry);
@@ -96,7 +96,7 @@ fn is_empty_domain(entry: &DescribedEntry, value: &Result<Vec<u8>, Abort>) -> bo
     entry.data_type.kind() == TypeKind::Domain && entry.default.is_empty() && *value == Err(Abort::NoData)
 }
 
-fn check_length(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
+fn check_length(bench: &mut Bench<'_>, entry: &DescribedEntry) -> CheckStep {
     let Some(size) = entry.size() else { return Ok(()) };
     let (index, sub) = (entry.index, entry.sub);
     bench.refuse_bytes(index, sub, &vec![0; size + 1], Abort::TooLong)?;
@@ -109,7 +109,7 @@ fn check_length(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
     })
 }
 
-fn check_writing(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
+fn check_writing(bench: &mut Bench<'_>, entry: &DescribedEntry) -> CheckStep {
     let before = expected(entry);
     check_limits(bench, entry)?;
     for value in values(entry, &before) {
@@ -137,7 +137,7 @@ fn values(entry: &DescribedEntry, before: &[u8]) -> Vec<Vec<u8>> {
     limits.chain(entry.other_than(before)).chain(last).collect()
 }
 
-fn check_limits(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
+fn check_limits(bench: &mut Bench<'_>, entry: &DescribedEntry) -> CheckStep {
     let below = entry.low.and_then(|low| entry.bytes_of(low - 1));
     let above = entry.high.and_then(|high| entry.bytes_of(high + 1));
     if let Some(bytes) = below {

@@ -5,7 +5,7 @@ use objdict_device::{Abort, Frame};
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::described::{DescribedEntry, hex, place};
 use super::sync::{send_sync, sync_id};
-use super::{Step, absent, checks, ensure, impossible};
+use super::{CheckStep, absent, checks, ensure, impossible};
 
 checks! { "TPDO":
     "7.2.2" "each event-driven TPDO once when operational, with its values" all_with_values;
@@ -31,7 +31,7 @@ checks! { "TPDO":
 
 /// A kind of PDOs.
 #[derive(Clone, Copy)]
-pub(super) struct Kind {
+pub(super) struct PdoDirection {
     name: &'static str,
     /// The index of the first communication parameters.
     first: u16,
@@ -41,17 +41,17 @@ pub(super) struct Kind {
     direction: usize,
 }
 
-pub(super) const RPDO: Kind = Kind { name: "RPDO", first: 0x1400, id: 0x6C2, direction: 0 };
-pub(super) const TPDO: Kind = Kind { name: "TPDO", first: 0x1800, id: 0x6C1, direction: 1 };
+pub(super) const RPDO: PdoDirection = PdoDirection { name: "RPDO", first: 0x1400, id: 0x6C2, direction: 0 };
+pub(super) const TPDO: PdoDirection = PdoDirection { name: "TPDO", first: 0x1800, id: 0x6C1, direction: 1 };
 
 /// Index, sub-index and length in bits of a mapped entry.
-pub(super) type Mapped = (u16, u8, u8);
+pub(super) type MappedTarget = (u16, u8, u8);
 
 /// A PDO that the checks have set up and made valid.
-pub(super) struct Pdo {
+pub(super) struct CheckedPdo {
     pub(super) communication: u16,
     pub(super) id: u16,
-    pub(super) mapped: Vec<Mapped>,
+    pub(super) mapped: Vec<MappedTarget>,
 }
 
 /// The bits of a COB-ID.
@@ -59,7 +59,7 @@ const NOT_VALID: u64 = 1 << 31;
 const NO_REMOTE: u64 = 1 << 30;
 const EXTENDED: u64 = 1 << 29;
 
-impl Pdo {
+impl CheckedPdo {
     pub(super) fn mapping(&self) -> u16 {
         self.communication | 0x200
     }
@@ -69,22 +69,22 @@ impl Pdo {
         bench.described.number(self.communication, 1) & NO_REMOTE
     }
 
-    pub(super) fn disable(&self, bench: &mut Bench<'_>) -> Step {
+    pub(super) fn disable(&self, bench: &mut Bench<'_>) -> CheckStep {
         let bits = self.bit_30(bench);
         bench.write(self.communication, 1, NOT_VALID | bits | u64::from(self.id))
     }
 
-    pub(super) fn enable(&self, bench: &mut Bench<'_>) -> Step {
+    pub(super) fn enable(&self, bench: &mut Bench<'_>) -> CheckStep {
         let bits = self.bit_30(bench);
         bench.write(self.communication, 1, bits | u64::from(self.id))
     }
 
-    pub(super) fn refuse_cob_id(&self, bench: &mut Bench<'_>, cob_id: u64) -> Step {
+    pub(super) fn refuse_cob_id(&self, bench: &mut Bench<'_>, cob_id: u64) -> CheckStep {
         bench.refuse(self.communication, 1, self.bit_30(bench) | cob_id, Abort::InvalidValue)
     }
 
     /// The frame that the present values make.
-    pub(super) fn packed(&self, bench: &mut Bench<'_>) -> Step<Vec<u8>> {
+    pub(super) fn packed(&self, bench: &mut Bench<'_>) -> CheckStep<Vec<u8>> {
         let (mut frame, mut length) = (0_u64, 0_u32);
         for &(index, sub, bits) in &self.mapped {
             let value = if index < 8 { 0 } else { bench.number(index, sub)? };
@@ -101,7 +101,7 @@ impl Pdo {
 }
 
 /// The communication parameters of all PDOs of a kind.
-pub(super) fn all(bench: &Bench<'_>, kind: Kind) -> Vec<u16> {
+pub(super) fn all(bench: &Bench<'_>, kind: PdoDirection) -> Vec<u16> {
     let range = kind.first..=kind.first + 0x1FF;
     let entries =
         bench.described.entries.iter().filter(|entry| entry.sub == 1 && range.contains(&entry.index));
@@ -109,7 +109,7 @@ pub(super) fn all(bench: &Bench<'_>, kind: Kind) -> Vec<u16> {
 }
 
 /// The mapping that the description has.
-pub(super) fn default_mapping(bench: &Bench<'_>, communication: u16) -> Vec<Mapped> {
+pub(super) fn default_mapping(bench: &Bench<'_>, communication: u16) -> Vec<MappedTarget> {
     let mapping = communication | 0x200;
     let count = bench.described.number(mapping, 0).min(64) as u8;
     let entries = (1..=count).map(|sub| bench.described.number(mapping, sub));
@@ -117,18 +117,18 @@ pub(super) fn default_mapping(bench: &Bench<'_>, communication: u16) -> Vec<Mapp
 }
 
 /// Whether a mapping is one that the node can have, and that the checks can follow.
-fn is_usable(bench: &Bench<'_>, mapped: &[Mapped], kind: Kind) -> bool {
+fn is_usable(bench: &Bench<'_>, mapped: &[MappedTarget], kind: PdoDirection) -> bool {
     let bits: u32 = mapped.iter().map(|mapped| u32::from(mapped.2)).sum();
-    let is_known = |&(index, sub, bits): &Mapped| {
+    let is_known = |&(index, sub, bits): &MappedTarget| {
         let is_dummy = kind.direction == 0 && (1..8).contains(&index) && bits > 0;
         is_dummy || bench.described.find(index, sub).is_some_and(|entry| fits(entry, bits, kind))
     };
-    let is_seen = |&(index, sub, _): &Mapped| kind.direction == 1 || is_observable(bench, index, sub);
+    let is_seen = |&(index, sub, _): &MappedTarget| kind.direction == 1 || is_observable(bench, index, sub);
     (1..=64).contains(&bits) && mapped.iter().all(is_known) && mapped.iter().any(is_seen)
 }
 
 /// Whether an entry has this length and the access that the direction needs.
-fn fits(entry: &DescribedEntry, bits: u8, kind: Kind) -> bool {
+fn fits(entry: &DescribedEntry, bits: u8, kind: PdoDirection) -> bool {
     let has_length = entry.size().is_some_and(|size| usize::from(bits) == 8 * size)
         || (entry.size() == Some(1) && bits == 1 && !entry.is_integer());
     has_length && if kind.direction == 1 { entry.is_readable() } else { entry.is_writable() }
@@ -145,7 +145,7 @@ pub(super) fn is_observable(bench: &Bench<'_>, index: u16, sub: u8) -> bool {
 }
 
 /// An entry that can be mapped.
-pub(super) fn mappable(bench: &Bench<'_>, kind: Kind) -> Step<Mapped> {
+pub(super) fn mappable(bench: &Bench<'_>, kind: PdoDirection) -> CheckStep<MappedTarget> {
     let bits = |entry: &DescribedEntry| entry.size().map_or(0, |size| (8 * size).min(255) as u8);
     let is_meant = |entry: &&DescribedEntry| {
         let is_seen = kind.direction == 1 || is_observable(bench, entry.index, entry.sub);
@@ -158,12 +158,16 @@ pub(super) fn mappable(bench: &Bench<'_>, kind: Kind) -> Step<Mapped> {
 }
 
 /// The first TPDO with these parameters, valid and in pre-operational.
-pub(super) fn tpdo(bench: &mut Bench<'_>, settings: &[(u8, u64)]) -> Step<Pdo> {
+pub(super) fn tpdo(bench: &mut Bench<'_>, settings: &[(u8, u64)]) -> CheckStep<CheckedPdo> {
     set_up(bench, TPDO, settings)
 }
 
 /// The first PDO that the description lets have these parameters (sub-index, value), valid and in pre-operational.
-pub(super) fn set_up(bench: &mut Bench<'_>, kind: Kind, settings: &[(u8, u64)]) -> Step<Pdo> {
+pub(super) fn set_up(
+    bench: &mut Bench<'_>,
+    kind: PdoDirection,
+    settings: &[(u8, u64)],
+) -> CheckStep<CheckedPdo> {
     bench.command(ENTER_PRE_OPERATIONAL);
     let mut reason = None;
     for communication in all(bench, kind) {
@@ -178,10 +182,10 @@ pub(super) fn set_up(bench: &mut Bench<'_>, kind: Kind, settings: &[(u8, u64)]) 
 /// The PDO, and the entry to map if the mapping of the description is none that can be followed.
 fn plan(
     bench: &Bench<'_>,
-    kind: Kind,
+    kind: PdoDirection,
     communication: u16,
     settings: &[(u8, u64)],
-) -> Step<(Pdo, Option<Mapped>)> {
+) -> CheckStep<(CheckedPdo, Option<MappedTarget>)> {
     let described = bench.described;
     let cob_id = described.number(communication, 1);
     if described.needs(communication, 1)?.size() != Some(4) {
@@ -206,17 +210,22 @@ fn plan(
     let id = if can_change.is_ok() { kind.id } else { (cob_id & 0x7FF) as u16 };
     let mapped = default_mapping(bench, communication);
     if is_usable(bench, &mapped, kind) {
-        return Ok((Pdo { communication, id, mapped }, None));
+        return Ok((CheckedPdo { communication, id, mapped }, None));
     }
     for sub in 0..=1 {
         described.needs_writable(communication | 0x200, sub)?;
     }
     can_change?;
     let entry = mappable(bench, kind)?;
-    Ok((Pdo { communication, id, mapped: vec![entry] }, Some(entry)))
+    Ok((CheckedPdo { communication, id, mapped: vec![entry] }, Some(entry)))
 }
 
-fn make(bench: &mut Bench<'_>, pdo: Pdo, settings: &[(u8, u64)], mapping: Option<Mapped>) -> Step<Pdo> {
+fn make(
+    bench: &mut Bench<'_>,
+    pdo: CheckedPdo,
+    settings: &[(u8, u64)],
+    mapping: Option<MappedTarget>,
+) -> CheckStep<CheckedPdo> {
     let communication = pdo.communication;
     let can_change = bench.described.needs_writable(communication, 1).is_ok();
     if can_change {
@@ -238,12 +247,12 @@ fn make(bench: &mut Bench<'_>, pdo: Pdo, settings: &[(u8, u64)], mapping: Option
 }
 
 /// The number of a mapping entry.
-pub(super) fn mapping_of((index, sub, bits): Mapped) -> u64 {
+pub(super) fn mapping_of((index, sub, bits): MappedTarget) -> u64 {
     u64::from(index) << 16 | u64::from(sub) << 8 | u64::from(bits)
 }
 
 /// Maps entries to a PDO that is not valid.
-pub(super) fn map(bench: &mut Bench<'_>, mapping: u16, mapped: &[Mapped]) -> Step {
+pub(super) fn map(bench: &mut Bench<'_>, mapping: u16, mapped: &[MappedTarget]) -> CheckStep {
     bench.write(mapping, 0, 0)?;
     for (sub, entry) in (1..).zip(mapped) {
         bench.write(mapping, sub, mapping_of(*entry))?;
@@ -251,7 +260,7 @@ pub(super) fn map(bench: &mut Bench<'_>, mapping: u16, mapped: &[Mapped]) -> Ste
     bench.write(mapping, 0, mapped.len() as u64)
 }
 
-fn all_with_values(bench: &mut Bench<'_>) -> Step {
+fn all_with_values(bench: &mut Bench<'_>) -> CheckStep {
     let mut count = 0;
     bench.command(ENTER_PRE_OPERATIONAL);
     let mut expected = Vec::new();
@@ -264,7 +273,7 @@ fn all_with_values(bench: &mut Bench<'_>) -> Step {
             None => true,
         };
         if cob_id & (NOT_VALID | EXTENDED) == 0 && is_event_driven && is_usable(bench, &mapped, TPDO) {
-            let pdo = Pdo { communication, id: (cob_id & 0x7FF) as u16, mapped };
+            let pdo = CheckedPdo { communication, id: (cob_id & 0x7FF) as u16, mapped };
             let data = pdo.packed(bench)?;
             expected.push((pdo, data));
         }
@@ -280,7 +289,7 @@ fn all_with_values(bench: &mut Bench<'_>) -> Step {
 }
 
 /// Sends SYNCs to an operational node, and counts the frames.
-fn at_syncs(bench: &mut Bench<'_>, transmission_type: u64, syncs: u64, expected: usize) -> Step {
+fn at_syncs(bench: &mut Bench<'_>, transmission_type: u64, syncs: u64, expected: usize) -> CheckStep {
     let pdo = tpdo(bench, &[(2, transmission_type)])?;
     let sent = bench.start();
     ensure(pdo.among(&sent) == 0, || "it is sent without a SYNC".into())?;
@@ -296,7 +305,7 @@ fn at_syncs(bench: &mut Bench<'_>, transmission_type: u64, syncs: u64, expected:
     ensure(count == expected, || format!("{count} frames after {syncs} SYNCs, not {expected}"))
 }
 
-fn event_driven(bench: &mut Bench<'_>, transmission_type: u64) -> Step {
+fn event_driven(bench: &mut Bench<'_>, transmission_type: u64) -> CheckStep {
     let pdo = tpdo(bench, &[(2, transmission_type)])?;
     let timer = bench.described.number(pdo.communication, 5);
     let data = pdo.packed(bench)?;
@@ -310,14 +319,14 @@ fn event_driven(bench: &mut Bench<'_>, transmission_type: u64) -> Step {
 }
 
 /// The times between the frames of an operational node.
-fn spaces(bench: &mut Bench<'_>, pdo: &Pdo, time: u64) -> Vec<u64> {
+fn spaces(bench: &mut Bench<'_>, pdo: &CheckedPdo, time: u64) -> Vec<u64> {
     let begun = bench.start().iter().any(|frame| frame.id() == pdo.id).then_some(bench.now);
     let sent = bench.listen(pdo.id, time);
     let times: Vec<u64> = begun.into_iter().chain(sent.iter().map(|(time, _)| *time)).collect();
     times.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
-fn event_timer(bench: &mut Bench<'_>) -> Step {
+fn event_timer(bench: &mut Bench<'_>) -> CheckStep {
     let pdo = tpdo(bench, &[(2, 255), (5, 20)]).or_else(|_| tpdo(bench, &[(2, 254), (5, 20)]))?;
     let inhibited = bench.described.number(pdo.communication, 3).min(0xFFFF) * 100;
     let space = inhibited.max(20 * MS);
@@ -325,14 +334,14 @@ fn event_timer(bench: &mut Bench<'_>) -> Step {
     ensure(spaces == [space; 5], || format!("frames come after {spaces:?} µs"))
 }
 
-fn inhibit_time(bench: &mut Bench<'_>) -> Step {
+fn inhibit_time(bench: &mut Bench<'_>) -> CheckStep {
     let pdo = tpdo(bench, &[(2, 255), (5, 10), (3, 500)])
         .or_else(|_| tpdo(bench, &[(2, 254), (5, 10), (3, 500)]))?;
     let spaces = spaces(bench, &pdo, 250 * MS);
     ensure(spaces == [50 * MS; 5], || format!("frames come after {spaces:?} µs"))
 }
 
-fn sync_start(bench: &mut Bench<'_>) -> Step {
+fn sync_start(bench: &mut Bench<'_>) -> CheckStep {
     let pdo = tpdo(bench, &[(2, 2), (6, 3)])?;
     bench.described.needs(0x1019, 0)?;
     if bench.described.number(0x1019, 0) == 0 {
@@ -348,11 +357,11 @@ fn sync_start(bench: &mut Bench<'_>) -> Step {
 }
 
 /// The frames at four SYNCs.
-fn count_at_syncs(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<usize> {
+fn count_at_syncs(bench: &mut Bench<'_>, pdo: &CheckedPdo) -> CheckStep<usize> {
     (1..=4).try_fold(0, |count, counter| Ok(count + pdo.among(&send_sync(bench, counter)?)))
 }
 
-fn silent_in(bench: &mut Bench<'_>, command: u8) -> Step {
+fn silent_in(bench: &mut Bench<'_>, command: u8) -> CheckStep {
     let pdo = tpdo(bench, &[(2, 1)])?;
     bench.start();
     bench.command(command);
@@ -360,7 +369,7 @@ fn silent_in(bench: &mut Bench<'_>, command: u8) -> Step {
     ensure(count == 0, || format!("{count} frames"))
 }
 
-fn not_valid(bench: &mut Bench<'_>) -> Step {
+fn not_valid(bench: &mut Bench<'_>) -> CheckStep {
     let pdo = tpdo(bench, &[(2, 1)])?;
     bench.start();
     pdo.disable(bench)?;
@@ -369,7 +378,7 @@ fn not_valid(bench: &mut Bench<'_>) -> Step {
 }
 
 /// 241 to 251 are reserved; 252 and 253 are for remote frames.
-pub(super) fn reserved_types(bench: &mut Bench<'_>, kind: Kind) -> Step {
+pub(super) fn reserved_types(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
     let pdo = set_up(bench, kind, &[])?;
     for transmission_type in 241..=253 {
         bench.refuse(pdo.communication, 2, transmission_type, Abort::InvalidValue)?;

@@ -4,8 +4,8 @@ use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashErrorKind, ReadNo
 use objdict_device::{Abort, Dictionary, Region, WithProgram};
 
 use super::bench::Bench;
-use super::described::{Described, abort_code, hex};
-use super::{Step, checks, ensure};
+use super::described::{DescribedEntries, abort_code, hex};
+use super::{CheckStep, checks, ensure};
 
 checks! { "programs":
     "CiA 302-3" "1F51h: clear, 1F50h: download, 1F51h: start" |bench| { load(bench, &PROGRAM)?; bench.write(CONTROL, 1, START)?; state_is(bench, 1) };
@@ -38,13 +38,13 @@ const PROGRAM: [u8; LENGTH] = [0x5A; LENGTH];
 
 /// The memory of the program.
 #[derive(Clone, Debug)]
-pub(super) struct Memory([u8; ROOM]);
+pub(super) struct ProgramMemory([u8; ROOM]);
 
-impl ErrorType for Memory {
+impl ErrorType for ProgramMemory {
     type Error = NorFlashErrorKind;
 }
 
-impl ReadNorFlash for Memory {
+impl ReadNorFlash for ProgramMemory {
     const READ_SIZE: usize = 1;
 
     fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Self::Error> {
@@ -59,7 +59,7 @@ impl ReadNorFlash for Memory {
     }
 }
 
-impl NorFlash for Memory {
+impl NorFlash for ProgramMemory {
     const WRITE_SIZE: usize = 8;
     const ERASE_SIZE: usize = ROOM;
 
@@ -79,13 +79,13 @@ impl NorFlash for Memory {
 
 /// A dictionary with a memory for a program, and none in it.
 #[expect(clippy::expect_used, reason = "the region is the whole memory")]
-pub(super) fn with_memory<D: Dictionary>(dictionary: D) -> WithProgram<D, Memory> {
-    let region = Region::new(Memory([0xFF; ROOM]), 0, ROOM as u32).expect("a region");
+pub(super) fn with_memory<D: Dictionary>(dictionary: D) -> WithProgram<D, ProgramMemory> {
+    let region = Region::new(ProgramMemory([0xFF; ROOM]), 0, ROOM as u32).expect("a region");
     WithProgram::new(dictionary, region, 0)
 }
 
 /// Whether the description has what downloads and starts a program.
-pub(super) fn is_described(described: &Described) -> bool {
+pub(super) fn is_described(described: &DescribedEntries) -> bool {
     [DATA, CONTROL].into_iter().all(|index| described.needs_writable(index, 1).is_ok())
 }
 
@@ -99,40 +99,40 @@ pub(super) fn initial(index: u16, sub: u8) -> Option<Result<u8, Abort>> {
     }
 }
 
-fn ok(result: Result<(), Abort>) -> Step {
+fn ok(result: Result<(), Abort>) -> CheckStep {
     result.or_else(|abort| super::failed(abort_code(abort)))
 }
 
-fn clear(bench: &mut Bench<'_>) -> Step {
+fn clear(bench: &mut Bench<'_>) -> CheckStep {
     bench.described.needs_writable(DATA, 1)?;
     bench.write(CONTROL, 1, STOP)?;
     bench.write(CONTROL, 1, CLEAR)?;
     Ok(())
 }
 
-fn load(bench: &mut Bench<'_>, program: &[u8]) -> Step {
+fn load(bench: &mut Bench<'_>, program: &[u8]) -> CheckStep {
     clear(bench)?;
     ok(bench.download(DATA, 1, program))
 }
 
 /// Checks 1F51h, if it can be read.
-fn state_is(bench: &mut Bench<'_>, expected: u8) -> Step {
+fn state_is(bench: &mut Bench<'_>, expected: u8) -> CheckStep {
     let value = bench.read(CONTROL, 1)?;
     ensure(value.first() == Some(&expected), || format!("1F51h sub 1 is {}", hex(&value)))
 }
 
 /// Checks the error in 1F57h.
-fn status_is(bench: &mut Bench<'_>, error: u64) -> Step {
+fn status_is(bench: &mut Bench<'_>, error: u64) -> CheckStep {
     let status = bench.number(STATUS, 1)?;
     ensure(status == error << 1, || format!("1F57h sub 1 is {status:X}h"))
 }
 
-fn identified(bench: &mut Bench<'_>, program: &[u8]) -> Step<u64> {
+fn identified(bench: &mut Bench<'_>, program: &[u8]) -> CheckStep<u64> {
     load(bench, program)?;
     bench.number(0x1F56, 1)
 }
 
-fn give_up(bench: &mut Bench<'_>) -> Step {
+fn give_up(bench: &mut Bench<'_>) -> CheckStep {
     clear(bench)?;
     bench.request([0x20, 0x50, 0x1F, 1, 0, 0, 0, 0]);
     bench.request([0x00, 1, 2, 3, 4, 5, 6, 7]);

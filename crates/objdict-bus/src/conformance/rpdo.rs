@@ -3,9 +3,9 @@
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::described::DescribedEntry;
 use super::emergency::{can_id, expect_history, expect_message};
-use super::pdo::{Pdo, RPDO, is_observable, reserved_types, set_up};
+use super::pdo::{CheckedPdo, RPDO, is_observable, reserved_types, set_up};
 use super::sync::{send_sync, sync_id};
-use super::{Step, checks, ensure, impossible};
+use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "RPDO":
     "7.2.2.2" "type 0: written at the next SYNC" |bench| at_sync(bench, 0);
@@ -28,7 +28,7 @@ checks! { "RPDO":
 }
 
 /// A frame that gives a mapped entry another value: the frame, the entry, and its old and new value.
-struct Change {
+struct RpdoChange {
     frame: Vec<u8>,
     index: u16,
     sub: u8,
@@ -36,7 +36,7 @@ struct Change {
     new: Vec<u8>,
 }
 
-fn change(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Change> {
+fn change(bench: &mut Bench<'_>, pdo: &CheckedPdo) -> CheckStep<RpdoChange> {
     let mut frame = pdo_bytes(bench, pdo)?;
     let length = frame.len();
     frame.resize(8, 0);
@@ -50,7 +50,7 @@ fn change(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Change> {
                 let word =
                     |bytes: &[u8]| bytes.iter().rev().fold(0_u64, |word, &byte| word << 8 | u64::from(byte));
                 bits ^= (word(&old) ^ word(&new)) << first;
-                return Ok(Change { frame: bits.to_le_bytes()[..length].to_vec(), index, sub, old, new });
+                return Ok(RpdoChange { frame: bits.to_le_bytes()[..length].to_vec(), index, sub, old, new });
             }
         }
         first += u32::from(width);
@@ -59,8 +59,8 @@ fn change(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Change> {
 }
 
 /// The present values as a frame; 0 for those that cannot be read.
-fn pdo_bytes(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Vec<u8>> {
-    let is_readable = |&(index, sub, _): &super::pdo::Mapped| {
+fn pdo_bytes(bench: &mut Bench<'_>, pdo: &CheckedPdo) -> CheckStep<Vec<u8>> {
+    let is_readable = |&(index, sub, _): &super::pdo::MappedTarget| {
         bench.described.find(index, sub).is_none_or(DescribedEntry::is_readable)
     };
     let mapped = pdo
@@ -68,10 +68,10 @@ fn pdo_bytes(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Vec<u8>> {
         .iter()
         .map(|mapped| if is_readable(mapped) { *mapped } else { (5, 0, mapped.2) })
         .collect();
-    Pdo { communication: pdo.communication, id: pdo.id, mapped }.packed(bench)
+    CheckedPdo { communication: pdo.communication, id: pdo.id, mapped }.packed(bench)
 }
 
-fn at_once(bench: &mut Bench<'_>, transmission_type: u64) -> Step {
+fn at_once(bench: &mut Bench<'_>, transmission_type: u64) -> CheckStep {
     let pdo = set_up(bench, RPDO, &[(2, transmission_type)])?;
     let change = change(bench, &pdo)?;
     bench.start();
@@ -79,7 +79,7 @@ fn at_once(bench: &mut Bench<'_>, transmission_type: u64) -> Step {
     bench.expect(change.index, change.sub, &change.new)
 }
 
-fn at_sync(bench: &mut Bench<'_>, transmission_type: u64) -> Step {
+fn at_sync(bench: &mut Bench<'_>, transmission_type: u64) -> CheckStep {
     let pdo = set_up(bench, RPDO, &[(2, transmission_type)])?;
     let change = change(bench, &pdo)?;
     bench.start();
@@ -90,11 +90,14 @@ fn at_sync(bench: &mut Bench<'_>, transmission_type: u64) -> Step {
 }
 
 /// An event-driven RPDO.
-fn event_driven(bench: &mut Bench<'_>) -> Step<Pdo> {
+fn event_driven(bench: &mut Bench<'_>) -> CheckStep<CheckedPdo> {
     set_up(bench, RPDO, &[(2, 255)]).or_else(|_| set_up(bench, RPDO, &[(2, 254)]))
 }
 
-fn ignored(bench: &mut Bench<'_>, prepare: impl FnOnce(&mut Bench<'_>, &Pdo) -> Step) -> Step {
+fn ignored(
+    bench: &mut Bench<'_>,
+    prepare: impl FnOnce(&mut Bench<'_>, &CheckedPdo) -> CheckStep,
+) -> CheckStep {
     let pdo = event_driven(bench)?;
     let change = change(bench, &pdo)?;
     bench.start();
@@ -105,7 +108,7 @@ fn ignored(bench: &mut Bench<'_>, prepare: impl FnOnce(&mut Bench<'_>, &Pdo) -> 
 }
 
 /// What the node says after a frame.
-fn messages_after(bench: &mut Bench<'_>, id: u16, data: &[u8]) -> Step<Vec<super::bench::Sent>> {
+fn messages_after(bench: &mut Bench<'_>, id: u16, data: &[u8]) -> CheckStep<Vec<super::bench::SentFrame>> {
     let emergency = can_id(bench)?;
     let mut sent: Vec<_> = bench.send(id, data).into_iter().map(|frame| (0, frame)).collect();
     sent.extend(bench.run(MS));
@@ -113,7 +116,7 @@ fn messages_after(bench: &mut Bench<'_>, id: u16, data: &[u8]) -> Step<Vec<super
     Ok(sent)
 }
 
-fn too_short(bench: &mut Bench<'_>) -> Step {
+fn too_short(bench: &mut Bench<'_>) -> CheckStep {
     let pdo = event_driven(bench)?;
     let change = change(bench, &pdo)?;
     bench.start();
@@ -123,7 +126,7 @@ fn too_short(bench: &mut Bench<'_>) -> Step {
     bench.expect(change.index, change.sub, &change.old)
 }
 
-fn too_long(bench: &mut Bench<'_>) -> Step {
+fn too_long(bench: &mut Bench<'_>) -> CheckStep {
     let pdo = event_driven(bench)?;
     let mut change = change(bench, &pdo)?;
     if change.frame.len() == 8 {
@@ -137,7 +140,7 @@ fn too_long(bench: &mut Bench<'_>) -> Step {
     bench.expect(change.index, change.sub, &change.new)
 }
 
-fn overdue(bench: &mut Bench<'_>) -> Step {
+fn overdue(bench: &mut Bench<'_>) -> CheckStep {
     let pdo =
         set_up(bench, RPDO, &[(2, 255), (5, 50)]).or_else(|_| set_up(bench, RPDO, &[(2, 254), (5, 50)]))?;
     let frame = pdo_bytes(bench, &pdo)?;
@@ -153,11 +156,11 @@ fn overdue(bench: &mut Bench<'_>) -> Step {
     expect_history(bench, 0x8250)
 }
 
-fn both(bench: &mut Bench<'_>) -> Step {
+fn both(bench: &mut Bench<'_>) -> CheckStep {
     let first = event_driven(bench)?;
     let [one, other] = two_changes(bench)?;
-    let second = Pdo { communication: one.communication, id: first.id, mapped: one.mapped };
-    let third = Pdo { communication: other.communication, id: first.id, mapped: other.mapped };
+    let second = CheckedPdo { communication: one.communication, id: first.id, mapped: one.mapped };
+    let third = CheckedPdo { communication: other.communication, id: first.id, mapped: other.mapped };
     for pdo in [&second, &third] {
         let cob_id = bench.described.number(pdo.communication, 1);
         bench.write(pdo.communication, 1, cob_id | 1 << 31).or_else(|_| pdo.disable(bench))?;
@@ -174,9 +177,9 @@ fn both(bench: &mut Bench<'_>) -> Step {
 }
 
 /// Two event-driven RPDOs of one length with other entries and no limits, as the description maps them.
-fn two_changes(bench: &Bench<'_>) -> Step<[Pdo; 2]> {
+fn two_changes(bench: &Bench<'_>) -> CheckStep<[CheckedPdo; 2]> {
     let described = bench.described;
-    let is_free = |&(index, sub, bits): &super::pdo::Mapped| {
+    let is_free = |&(index, sub, bits): &super::pdo::MappedTarget| {
         let entry = described.find(index, sub);
         is_observable(bench, index, sub)
             && entry.is_some_and(|entry| {
@@ -188,15 +191,15 @@ fn two_changes(bench: &Bench<'_>) -> Step<[Pdo; 2]> {
             && described.number(communication, 1) >> 29 & 1 == 0
             && (described.find(communication, 2).is_none() || described.number(communication, 2) >= 254)
     });
-    let mut usable: Vec<Pdo> = usable
-        .map(|communication| Pdo {
+    let mut usable: Vec<CheckedPdo> = usable
+        .map(|communication| CheckedPdo {
             communication,
             id: 0,
             mapped: super::pdo::default_mapping(bench, communication),
         })
         .filter(|pdo| !pdo.mapped.is_empty() && pdo.mapped.iter().all(is_free))
         .collect();
-    let bits = |pdo: &Pdo| pdo.mapped.iter().map(|mapped| u32::from(mapped.2)).sum::<u32>();
+    let bits = |pdo: &CheckedPdo| pdo.mapped.iter().map(|mapped| u32::from(mapped.2)).sum::<u32>();
     usable.retain(|pdo| bits(pdo) <= 64);
     while let Some(one) = usable.pop() {
         let other = usable.iter().position(|other| {

@@ -4,7 +4,7 @@ use objdict_device::Abort;
 
 use super::bench::{Bench, MS};
 use super::described::{DescribedEntry, answer, hex, place};
-use super::{Step, checks, ensure, impossible};
+use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "SDO":
     "7.2.4.3" "expedited upload" |bench| upload(bench, 1..=4, false);
@@ -32,7 +32,7 @@ const LONGEST: usize = 1 << 15;
 /// The CAN-IDs that the checks give a second channel.
 const CHANNEL: [u16; 2] = [0x6B0, 0x6B1];
 
-fn upload(bench: &mut Bench<'_>, lengths_of: std::ops::RangeInclusive<usize>, in_blocks: bool) -> Step {
+fn upload(bench: &mut Bench<'_>, lengths_of: std::ops::RangeInclusive<usize>, in_blocks: bool) -> CheckStep {
     let what = format!("a readable value of {} to {} bytes", lengths_of.start(), lengths_of.end());
     let entry = bench
         .described
@@ -42,7 +42,7 @@ fn upload(bench: &mut Bench<'_>, lengths_of: std::ops::RangeInclusive<usize>, in
     expect_value(&value, &expected, index, sub)
 }
 
-fn expect_value(value: &Result<Vec<u8>, Abort>, expected: &[u8], index: u16, sub: u8) -> Step {
+fn expect_value(value: &Result<Vec<u8>, Abort>, expected: &[u8], index: u16, sub: u8) -> CheckStep {
     ensure(value.as_deref() == Ok(expected), || {
         let value =
             value.as_ref().map_or_else(|abort| super::described::abort_code(*abort), |value| hex(value));
@@ -51,7 +51,7 @@ fn expect_value(value: &Result<Vec<u8>, Abort>, expected: &[u8], index: u16, sub
 }
 
 /// A value to write, with so many bytes, and its entry.
-fn written(bench: &Bench<'_>, lengths: std::ops::RangeInclusive<usize>) -> Step<(u16, u8, Vec<u8>)> {
+fn written(bench: &Bench<'_>, lengths: std::ops::RangeInclusive<usize>) -> CheckStep<(u16, u8, Vec<u8>)> {
     let what = format!("a writable value of {} bytes", lengths.start());
     let value = |entry: &DescribedEntry| {
         entry.other_than(&entry.default).filter(|value| lengths.contains(&value.len()))
@@ -62,7 +62,7 @@ fn written(bench: &Bench<'_>, lengths: std::ops::RangeInclusive<usize>) -> Step<
     Ok((entry.index, entry.sub, value(entry).unwrap_or_default()))
 }
 
-fn download(bench: &mut Bench<'_>, lengths: std::ops::RangeInclusive<usize>, in_blocks: bool) -> Step {
+fn download(bench: &mut Bench<'_>, lengths: std::ops::RangeInclusive<usize>, in_blocks: bool) -> CheckStep {
     let (index, sub, value) = written(bench, lengths)?;
     let result =
         if in_blocks { bench.download_block(index, sub, &value) } else { bench.download(index, sub, &value) };
@@ -75,7 +75,7 @@ fn start(command: u8, index: u16, sub: u8, data: [u8; 4]) -> [u8; 8] {
     [command, low, high, sub, a, b, c, d]
 }
 
-fn expect_answer(answer: Option<[u8; 8]>, expected: &[u8]) -> Step {
+fn expect_answer(answer: Option<[u8; 8]>, expected: &[u8]) -> CheckStep {
     let is_expected = answer.is_some_and(|answer| answer.starts_with(expected));
     ensure(is_expected, || {
         format!(
@@ -86,7 +86,7 @@ fn expect_answer(answer: Option<[u8; 8]>, expected: &[u8]) -> Step {
     })
 }
 
-fn without_length(bench: &mut Bench<'_>) -> Step {
+fn without_length(bench: &mut Bench<'_>) -> CheckStep {
     let (index, sub, value) = written(bench, 1..=4)?;
     let mut data = [0; 4];
     data[..value.len()].copy_from_slice(&value);
@@ -104,7 +104,7 @@ struct BlockDownload {
 }
 
 /// Begins a block download of two segments or more.
-fn begin_block(bench: &mut Bench<'_>) -> Step<BlockDownload> {
+fn begin_block(bench: &mut Bench<'_>) -> CheckStep<BlockDownload> {
     let (index, sub, value) = written(bench, 8..=LONGEST)?;
     let answered = bench.request(start(0xC2, index, sub, (value.len() as u32).to_le_bytes()));
     expect_answer(answered, &[0xA4])?;
@@ -122,7 +122,7 @@ fn begin_block(bench: &mut Bench<'_>) -> Step<BlockDownload> {
     Ok(BlockDownload { index, sub, segments, value })
 }
 
-fn end_block(bench: &mut Bench<'_>, index: u16, sub: u8, value: &[u8]) -> Step {
+fn end_block(bench: &mut Bench<'_>, index: u16, sub: u8, value: &[u8]) -> CheckStep {
     let unused = (7 - value.len() % 7) % 7;
     let answered = bench.request([0xC1 | (unused as u8) << 2, 0, 0, 0, 0, 0, 0, 0]);
     expect_answer(answered, &[0xA1])?;
@@ -135,7 +135,7 @@ fn renumbered(mut segment: [u8; 8], number: usize) -> [u8; 8] {
     segment
 }
 
-fn lost_segment(bench: &mut Bench<'_>) -> Step {
+fn lost_segment(bench: &mut Bench<'_>) -> CheckStep {
     let BlockDownload { index, sub, value, segments } = begin_block(bench)?;
     for (at, segment) in segments.iter().enumerate() {
         let is_last = at + 1 == segments.len();
@@ -154,7 +154,7 @@ fn lost_segment(bench: &mut Bench<'_>) -> Step {
 }
 
 /// Sends the segments from one on in a new sub-block.
-fn send_rest(bench: &mut Bench<'_>, segments: &[[u8; 8]], from: usize) -> Step {
+fn send_rest(bench: &mut Bench<'_>, segments: &[[u8; 8]], from: usize) -> CheckStep {
     for (at, segment) in segments.iter().enumerate().skip(from) {
         let number = at - from + 1;
         let answered = bench.request(renumbered(*segment, number));
@@ -165,7 +165,7 @@ fn send_rest(bench: &mut Bench<'_>, segments: &[[u8; 8]], from: usize) -> Step {
     Ok(())
 }
 
-fn lost_end(bench: &mut Bench<'_>) -> Step {
+fn lost_end(bench: &mut Bench<'_>) -> CheckStep {
     let BlockDownload { index, sub, value, segments } = begin_block(bench)?;
     bench.request(segments[0]);
     let late = bench.listen(0x580 + bench.node_id(), 400 * MS);
@@ -176,7 +176,7 @@ fn lost_end(bench: &mut Bench<'_>) -> Step {
 }
 
 /// Reads a long value by blocks of some segments, of which the client first has only the one before `lost`.
-fn read_block(bench: &mut Bench<'_>, size: u8, lost: Option<u8>) -> Step {
+fn read_block(bench: &mut Bench<'_>, size: u8, lost: Option<u8>) -> CheckStep {
     let entry = bench.described.first("a readable value of more than 14 bytes", |entry| {
         entry.is_readable() && entry.default.len() > 14
     })?;
@@ -211,15 +211,15 @@ fn read_block(bench: &mut Bench<'_>, size: u8, lost: Option<u8>) -> Step {
     super::failed("the transfer does not end")
 }
 
-fn lost_upload(bench: &mut Bench<'_>) -> Step {
+fn lost_upload(bench: &mut Bench<'_>) -> CheckStep {
     read_block(bench, 127, Some(2))
 }
 
-fn small_blocks(bench: &mut Bench<'_>) -> Step {
+fn small_blocks(bench: &mut Bench<'_>) -> CheckStep {
     read_block(bench, 2, None)
 }
 
-fn default_channel(bench: &mut Bench<'_>) -> Step {
+fn default_channel(bench: &mut Bench<'_>) -> CheckStep {
     let node_id = u32::from(bench.node_id());
     bench.described.needs(0x1200, 1)?;
     for (sub, id) in [(1, 0x600), (2, 0x580)] {
@@ -232,7 +232,7 @@ fn default_channel(bench: &mut Bench<'_>) -> Step {
     Ok(())
 }
 
-fn close(bench: &mut Bench<'_>) -> Step {
+fn close(bench: &mut Bench<'_>) -> CheckStep {
     for sub in 1..=2 {
         let cob_id = bench.described.number(0x1201, sub) & 0x7FF;
         bench.write(0x1201, sub, 1 << 31 | cob_id)?;
@@ -240,7 +240,7 @@ fn close(bench: &mut Bench<'_>) -> Step {
     Ok(())
 }
 
-fn open(bench: &mut Bench<'_>) -> Step {
+fn open(bench: &mut Bench<'_>) -> CheckStep {
     close(bench)?;
     for (sub, id) in (1..).zip(CHANNEL) {
         bench.write(0x1201, sub, id.into())?;
@@ -248,7 +248,7 @@ fn open(bench: &mut Bench<'_>) -> Step {
     Ok(())
 }
 
-fn second_channel(bench: &mut Bench<'_>) -> Step {
+fn second_channel(bench: &mut Bench<'_>) -> CheckStep {
     open(bench)?;
     let expected = bench.read(0x1000, 0)?;
     let value = bench.upload_by(CHANNEL, 0x1000, 0);

@@ -4,7 +4,7 @@ use objdict_device::Abort;
 
 use super::bench::{Bench, RESET_COMMUNICATION, RESET_NODE};
 use super::described::{DescribedEntry, hex, place};
-use super::{Step, absent, checks, ensure, impossible};
+use super::{CheckStep, absent, checks, ensure, impossible};
 
 checks! { "storage":
     "7.3.2.2.1" "reset node gives back the values of 2000h to 9FFFh" |bench| reset(bench, RESET_NODE, true, true);
@@ -24,7 +24,7 @@ const SAVE: u64 = u32::from_le_bytes(*b"save") as u64;
 const LOAD: u64 = u32::from_le_bytes(*b"load") as u64;
 
 /// The first entry of the application, or of CiA 301, that takes another value than its default; and both.
-fn changeable(bench: &Bench<'_>, is_application: bool) -> Step<(u16, u8, Vec<u8>, Vec<u8>)> {
+fn changeable(bench: &Bench<'_>, is_application: bool) -> CheckStep<(u16, u8, Vec<u8>, Vec<u8>)> {
     let is_meant = |entry: &&DescribedEntry| {
         let is_in_range = (entry.index >= 0x2000) == is_application && entry.index < 0xA000;
         let is_value = entry.is_readable() && entry.is_writable() && entry.is_integer();
@@ -46,14 +46,14 @@ const fn is_beyond(entry: &DescribedEntry) -> bool {
     matches!(entry.index, 0x1F00..=0x1FFF)
 }
 
-fn write(bench: &mut Bench<'_>, index: u16, sub: u8, value: &[u8]) -> Step {
+fn write(bench: &mut Bench<'_>, index: u16, sub: u8, value: &[u8]) -> CheckStep {
     let written = bench.download(index, sub, value);
     ensure(written.is_ok(), || {
         format!("writing {} to {}: {}", hex(value), place(index, sub), super::described::answer(&written))
     })
 }
 
-fn reset(bench: &mut Bench<'_>, command: u8, is_application: bool, gives_back: bool) -> Step {
+fn reset(bench: &mut Bench<'_>, command: u8, is_application: bool, gives_back: bool) -> CheckStep {
     let (index, sub, default, other) = changeable(bench, is_application)?;
     write(bench, index, sub, &other)?;
     bench.command(command);
@@ -61,7 +61,7 @@ fn reset(bench: &mut Bench<'_>, command: u8, is_application: bool, gives_back: b
 }
 
 /// Whether 1010h or 1011h can do something on command.
-fn needs_storage(bench: &mut Bench<'_>, index: u16) -> Step {
+fn needs_storage(bench: &mut Bench<'_>, index: u16) -> CheckStep {
     bench.described.needs_writable(index, 1)?;
     let ability = bench.number(index, 1)?;
     let is_meant = index == 0x1011 || ability & 1 == 1;
@@ -72,7 +72,7 @@ fn needs_storage(bench: &mut Bench<'_>, index: u16) -> Step {
     }
 }
 
-fn store(bench: &mut Bench<'_>) -> Step {
+fn store(bench: &mut Bench<'_>) -> CheckStep {
     needs_storage(bench, 0x1010)?;
     let (index, sub, default, other) = changeable(bench, true).or_else(|_| changeable(bench, false))?;
     write(bench, index, sub, &other)?;
@@ -82,7 +82,7 @@ fn store(bench: &mut Bench<'_>) -> Step {
     bench.expect(index, sub, &other)
 }
 
-fn restore(bench: &mut Bench<'_>) -> Step {
+fn restore(bench: &mut Bench<'_>) -> CheckStep {
     needs_storage(bench, 0x1011)?;
     needs_storage(bench, 0x1010)?;
     let (index, sub, default, other) = changeable(bench, true).or_else(|_| changeable(bench, false))?;
@@ -94,7 +94,7 @@ fn restore(bench: &mut Bench<'_>) -> Step {
     bench.expect(index, sub, &default)
 }
 
-fn configure(bench: &mut Bench<'_>, changes: bool) -> Step {
+fn configure(bench: &mut Bench<'_>, changes: bool) -> CheckStep {
     let (index, sub, default, other) = changeable(bench, true).or_else(|_| changeable(bench, false))?;
     for sub in 1..=2 {
         bench.write(0x1020, sub, 0x4321)?;

@@ -5,7 +5,7 @@ use objdict_device::{Abort, Frame};
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::emergency::{can_id, expect_history, expect_message};
 use super::pdo::tpdo;
-use super::{Step, checks, ensure, impossible};
+use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "SYNC":
     "7.2.5" "bit 30 of 1005h: the period of 1006h" period;
@@ -27,7 +27,7 @@ checks! { "SYNC":
 const PERIOD: u64 = 10_000;
 
 /// The CAN-ID of SYNC.
-pub(super) fn sync_id(bench: &Bench<'_>) -> Step<u16> {
+pub(super) fn sync_id(bench: &Bench<'_>) -> CheckStep<u16> {
     let id = match bench.described.find(0x1005, 0) {
         Some(_) => (bench.described.number(0x1005, 0) & 0x7FF) as u16,
         None => 0x80,
@@ -41,25 +41,25 @@ pub(super) fn counts(bench: &Bench<'_>) -> bool {
 }
 
 /// Sends SYNC with the length that the node expects.
-pub(super) fn send_sync(bench: &mut Bench<'_>, counter: u8) -> Step<Vec<Frame>> {
+pub(super) fn send_sync(bench: &mut Bench<'_>, counter: u8) -> CheckStep<Vec<Frame>> {
     let id = sync_id(bench)?;
     Ok(if counts(bench) { bench.send(id, &[counter]) } else { bench.send(id, &[]) })
 }
 
 /// Sets the period to 0, so that others may change.
-fn idle(bench: &mut Bench<'_>) -> Step {
+fn idle(bench: &mut Bench<'_>) -> CheckStep {
     bench.described.needs(0x1019, 0)?;
     if bench.described.number(0x1006, 0) == 0 { Ok(()) } else { bench.write(0x1006, 0, 0) }
 }
 
-fn produce(bench: &mut Bench<'_>) -> Step {
+fn produce(bench: &mut Bench<'_>) -> CheckStep {
     bench.command(ENTER_PRE_OPERATIONAL);
     bench.write(0x1006, 0, PERIOD)?;
     let id = u64::from(sync_id(bench)?);
     bench.write(0x1005, 0, 0x4000_0000 | id)
 }
 
-fn without_period(bench: &mut Bench<'_>) -> Step {
+fn without_period(bench: &mut Bench<'_>) -> CheckStep {
     bench.described.needs_writable(0x1005, 0)?;
     if bench.described.has_object(0x1006) {
         return impossible("there is 1006h");
@@ -68,7 +68,7 @@ fn without_period(bench: &mut Bench<'_>) -> Step {
     bench.refuse(0x1005, 0, 0x4000_0000 | id, Abort::InvalidValue)
 }
 
-fn lengths(bench: &mut Bench<'_>, length: usize) -> Step<Vec<Vec<u8>>> {
+fn lengths(bench: &mut Bench<'_>, length: usize) -> CheckStep<Vec<Vec<u8>>> {
     let id = sync_id(bench)?;
     let syncs = bench.listen(id, 6 * PERIOD);
     let is_regular = syncs.windows(2).all(|pair| pair[1].0 - pair[0].0 == PERIOD);
@@ -80,14 +80,14 @@ fn lengths(bench: &mut Bench<'_>, length: usize) -> Step<Vec<Vec<u8>>> {
     Ok(data)
 }
 
-fn period(bench: &mut Bench<'_>) -> Step {
+fn period(bench: &mut Bench<'_>) -> CheckStep {
     produce(bench)?;
     let length = usize::from(counts(bench));
     lengths(bench, length).map(drop)
 }
 
 /// Lets the node send SYNC with a counter up to 3.
-fn produce_counted(bench: &mut Bench<'_>) -> Step {
+fn produce_counted(bench: &mut Bench<'_>) -> CheckStep {
     idle(bench)?;
     bench.write(0x1019, 0, 3)?;
     produce(bench)
@@ -97,13 +97,13 @@ fn is_counted(data: &[Vec<u8>]) -> bool {
     data.windows(2).all(|pair| matches!(pair, [a, b] if a.len() == 1 && *b == [a[0] % 3 + 1]))
 }
 
-fn counter(bench: &mut Bench<'_>) -> Step {
+fn counter(bench: &mut Bench<'_>) -> CheckStep {
     produce_counted(bench)?;
     let data = lengths(bench, 1)?;
     ensure(is_counted(&data), || format!("the counters are {data:?}"))
 }
 
-fn restart(bench: &mut Bench<'_>) -> Step {
+fn restart(bench: &mut Bench<'_>) -> CheckStep {
     produce_counted(bench)?;
     bench.run(PERIOD * 3 / 2);
     bench.command(STOP);
@@ -122,12 +122,12 @@ fn restart(bench: &mut Bench<'_>) -> Step {
 }
 
 /// A SYNC with a byte more or less than it must have, to an operational node.
-pub(super) fn send_wrong_sync(bench: &mut Bench<'_>) -> Step<Vec<Frame>> {
+pub(super) fn send_wrong_sync(bench: &mut Bench<'_>) -> CheckStep<Vec<Frame>> {
     let id = sync_id(bench)?;
     Ok(if counts(bench) { bench.send(id, &[]) } else { bench.send(id, &[1]) })
 }
 
-fn wrong_length(bench: &mut Bench<'_>) -> Step {
+fn wrong_length(bench: &mut Bench<'_>) -> CheckStep {
     bench.start();
     let id = can_id(bench)?;
     if id == sync_id(bench)? {

@@ -3,7 +3,7 @@
 use objdict_device::Abort;
 
 use super::bench::Bench;
-use super::{Step, checks};
+use super::{CheckStep, checks};
 
 checks! { "TIME":
     "7.5.2.15" "1012h: bit 30 is refused" |bench| refused(bench, 0x4000_0100);
@@ -11,6 +11,6 @@ checks! { "TIME":
     "7.5.2.15" "1012h: a CAN-ID of 29 bits is refused" |bench| refused(bench, 0x2000_0100);
 }
 
-fn refused(bench: &mut Bench<'_>, cob_id: u64) -> Step {
+fn refused(bench: &mut Bench<'_>, cob_id: u64) -> CheckStep {
     bench.refuse(0x1012, 0, cob_id, Abort::InvalidValue)
 }

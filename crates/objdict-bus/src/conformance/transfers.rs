@@ -4,11 +4,11 @@ use objdict_device::Abort;
 
 use super::bench::{Bench, MS};
 use super::described::{abort_code, hex};
-use super::{Check, Run, Step, failed};
+use super::{CheckRun, CheckStep, ServiceCheck, failed};
 
 /// The entry that a request is about.
 #[derive(Clone, Copy)]
-pub(super) enum Target {
+pub(super) enum RequestTarget {
     /// An index without an object.
     NoObject,
     /// A sub-index that an object does not have.
@@ -23,29 +23,29 @@ pub(super) enum Target {
     /// A number of two bytes or more.
     Word,
 }
-use Target::{NoObject, NoSub, ReadOnly, Readable, Segmented, Word, Writable, WriteOnly};
+use RequestTarget::{NoObject, NoSub, ReadOnly, Readable, Segmented, Word, Writable, WriteOnly};
 
 /// What the client does, and what the node answers.
-pub(super) enum Exchange {
+pub(super) enum ClientExchange {
     /// A request with the entry: first byte, last four bytes.
-    Start(u8, [u8; 4], Answer),
+    Start(u8, [u8; 4], ServerAnswer),
     /// A request without the entry.
-    Go([u8; 8], Answer),
+    Go([u8; 8], ServerAnswer),
     /// Nothing for so many milliseconds.
-    Wait(u64, Answer),
+    Wait(u64, ServerAnswer),
 }
-use Exchange::{Go, Start, Wait};
+use ClientExchange::{Go, Start, Wait};
 
-pub(super) enum Answer {
+pub(super) enum ServerAnswer {
     Abort(Abort),
     /// An answer with this command: the first three bits.
     Command(u8),
     Nothing,
 }
-use Answer::Nothing;
+use ServerAnswer::Nothing;
 
-const fn abort(abort: Abort) -> Answer {
-    Answer::Abort(abort)
+const fn abort(abort: Abort) -> ServerAnswer {
+    ServerAnswer::Abort(abort)
 }
 
 const UPLOAD: u8 = 0x40;
@@ -59,25 +59,25 @@ const FOUR: [u8; 4] = [4, 0, 0, 0];
 const BLOCK: [u8; 4] = [127, 0, 0, 0];
 const HUGE: [u8; 4] = [0, 0, 1, 0];
 
-const UPLOADS: Answer = Answer::Command(0x40);
-const TAKES: Answer = Answer::Command(0x60);
-const TAKES_SEGMENT: Answer = Answer::Command(0x20);
-const TAKES_BLOCK: Answer = Answer::Command(0xA0);
-const GIVES_BLOCK: Answer = Answer::Command(0xC0);
+const UPLOADS: ServerAnswer = ServerAnswer::Command(0x40);
+const TAKES: ServerAnswer = ServerAnswer::Command(0x60);
+const TAKES_SEGMENT: ServerAnswer = ServerAnswer::Command(0x20);
+const TAKES_BLOCK: ServerAnswer = ServerAnswer::Command(0xA0);
+const GIVES_BLOCK: ServerAnswer = ServerAnswer::Command(0xC0);
 
 /// A request of one byte.
-const fn only(command: u8, answer: Answer) -> Exchange {
+const fn only(command: u8, answer: ServerAnswer) -> ClientExchange {
     Go([command, 0, 0, 0, 0, 0, 0, 0], answer)
 }
 
 /// The rows: name, entry, and what is said in order.
 macro_rules! refusals {
     ($($name:literal $target:ident [$($exchange:expr),*];)*) => {
-        pub(super) const CHECKS: &[Check] = &[$(Check {
+        pub(super) const CHECKS: &[ServiceCheck] = &[$(ServiceCheck {
             service: "SDO aborts",
             name: $name,
             section: "7.2.4.3.17",
-            run: Run::Frames($target, &[$($exchange),*]),
+            run: CheckRun::Frames($target, &[$($exchange),*]),
         }),*];
     };
 }
@@ -108,7 +108,7 @@ refusals! {
     "0504 0002h: a block size of 0" Readable [Start(BLOCK_UPLOAD, [0; 4], abort(Abort::BlockSize))];
     "0504 0002h: a block size of 128" Readable [Start(BLOCK_UPLOAD, [128, 0, 0, 0], abort(Abort::BlockSize))];
     "0504 0003h: the segment 0 in a block download" Writable [Start(BLOCK_DOWNLOAD, [0; 4], TAKES_BLOCK), only(0x00, abort(Abort::SequenceNumber))];
-    "0504 0003h: the acknowledgement of a segment that was not sent" Readable [Start(BLOCK_UPLOAD, BLOCK, GIVES_BLOCK), Go([0xA3, 0, 0, 0, 0, 0, 0, 0], Answer::Command(0x80)), Go([0xA2, 127, 127, 0, 0, 0, 0, 0], abort(Abort::SequenceNumber))];
+    "0504 0003h: the acknowledgement of a segment that was not sent" Readable [Start(BLOCK_UPLOAD, BLOCK, GIVES_BLOCK), Go([0xA3, 0, 0, 0, 0, 0, 0, 0], ServerAnswer::Command(0x80)), Go([0xA2, 127, 127, 0, 0, 0, 0, 0], abort(Abort::SequenceNumber))];
     "0504 0004h: a wrong CRC in a block download" Writable [Start(BLOCK_DOWNLOAD, [0; 4], TAKES_BLOCK), Go([0x81, 1, 2, 3, 4, 5, 6, 7], TAKES_BLOCK), Go([0xC1, 0, 0, 0, 0, 0, 0, 0], abort(Abort::Crc))];
     "0607 0012h: a stated length beyond that of the entry" Writable [Start(DOWNLOAD_OF_LENGTH, HUGE, abort(Abort::TooLong))];
     "0607 0012h: a block download of a length beyond that of the entry" Writable [Start(BLOCK_DOWNLOAD_OF_LENGTH, HUGE, abort(Abort::TooLong))];
@@ -119,12 +119,12 @@ refusals! {
     "an abort of the client ends a download" Writable [Start(DOWNLOAD, [0; 4], TAKES), Start(0x80, [0, 0, 4, 5], Nothing), only(0x0D, abort(Abort::UnknownCommand))];
     "an abort of the client ends a block download" Writable [Start(BLOCK_DOWNLOAD, [0; 4], TAKES_BLOCK), Start(0x80, [0, 0, 4, 5], Nothing), only(0xC1, abort(Abort::UnknownCommand))];
     "an abort without a transfer is not answered" Readable [Start(0x80, [0, 0, 4, 5], Nothing)];
-    "a new request replaces a transfer" Segmented [Start(UPLOAD, [0; 4], UPLOADS), only(0x60, Answer::Command(0)), Start(UPLOAD, [0; 4], UPLOADS), only(0x60, Answer::Command(0))];
+    "a new request replaces a transfer" Segmented [Start(UPLOAD, [0; 4], UPLOADS), only(0x60, ServerAnswer::Command(0)), Start(UPLOAD, [0; 4], UPLOADS), only(0x60, ServerAnswer::Command(0))];
     "a new download replaces a download" Writable [Start(DOWNLOAD, [0; 4], TAKES), only(0x0C, TAKES_SEGMENT), Start(DOWNLOAD, [0; 4], TAKES), only(0x1D, abort(Abort::ToggleBit))];
 }
 
 /// Runs the requests of a row.
-pub(super) fn run(bench: &mut Bench<'_>, target: Target, exchanges: &[Exchange]) -> Step {
+pub(super) fn run(bench: &mut Bench<'_>, target: RequestTarget, exchanges: &[ClientExchange]) -> CheckStep {
     let (index, sub) = entry(bench, target)?;
     let [low, high] = index.to_le_bytes();
     for exchange in exchanges {
@@ -149,24 +149,26 @@ pub(super) fn run(bench: &mut Bench<'_>, target: Target, exchanges: &[Exchange])
     Ok(())
 }
 
-fn is_expected(answered: Option<[u8; 8]>, expected: &Answer) -> bool {
+fn is_expected(answered: Option<[u8; 8]>, expected: &ServerAnswer) -> bool {
     match (answered, expected) {
         (None, Nothing) => true,
-        (Some([0x80, _, _, _, code @ ..]), Answer::Abort(abort)) => u32::from_le_bytes(code) == abort.code(),
-        (Some([command, ..]), Answer::Command(expected)) => command & 0xE0 == *expected,
+        (Some([0x80, _, _, _, code @ ..]), ServerAnswer::Abort(abort)) => {
+            u32::from_le_bytes(code) == abort.code()
+        }
+        (Some([command, ..]), ServerAnswer::Command(expected)) => command & 0xE0 == *expected,
         _ => false,
     }
 }
 
-fn words(expected: &Answer) -> String {
+fn words(expected: &ServerAnswer) -> String {
     match expected {
         Nothing => "nothing".to_owned(),
-        Answer::Abort(abort) => format!("the abort {}", abort_code(*abort)),
-        Answer::Command(command) => format!("the command {command:02X}"),
+        ServerAnswer::Abort(abort) => format!("the abort {}", abort_code(*abort)),
+        ServerAnswer::Command(command) => format!("the command {command:02X}"),
     }
 }
 
-fn entry(bench: &Bench<'_>, target: Target) -> Step<(u16, u8)> {
+fn entry(bench: &Bench<'_>, target: RequestTarget) -> CheckStep<(u16, u8)> {
     let described = bench.described;
     let found = match target {
         NoObject => return Ok((described.unused(), 0)),

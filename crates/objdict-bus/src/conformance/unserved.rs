@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use objdict_generate::{UNSERVED, Unserved};
 
 use super::bench::Bench;
-use super::described::{Described, DescribedEntry};
-use super::{ConformanceCheck, Step, Verdict, absent, checks, verdict};
+use super::described::{DescribedEntries, DescribedEntry};
+use super::{CheckStep, ConformanceCheck, Verdict, absent, checks, verdict};
 
 const SERVICE: &str = "not served";
 
@@ -17,12 +17,12 @@ checks! { SERVICE:
     "CiA 302-3" "programs after the first one" further_programs;
 }
 
-fn not_served_if(has: bool, what: &str) -> Step {
+fn not_served_if(has: bool, what: &str) -> CheckStep {
     if has { Err(Verdict::NotServed) } else { absent(what) }
 }
 
 /// A check for each service whose objects the node does not serve.
-pub(super) fn of_objects(described: &Described) -> impl Iterator<Item = ConformanceCheck> {
+pub(super) fn of_objects(described: &DescribedEntries) -> impl Iterator<Item = ConformanceCheck> {
     UNSERVED.iter().filter_map(|Unserved { indexes, service, .. }| {
         let (name, section) = (*service)?;
         let has = described.entries.iter().any(|entry| indexes.contains(&entry.index));
@@ -39,24 +39,24 @@ fn defaults(bench: &Bench<'_>, indexes: RangeInclusive<u16>, sub: u8) -> impl It
     entries.map(|entry| described.number(entry.index, entry.sub))
 }
 
-fn mpdo(bench: &mut Bench<'_>) -> Step {
+fn mpdo(bench: &mut Bench<'_>) -> CheckStep {
     let has = [0x1600..=0x17FF, 0x1A00..=0x1BFF]
         .into_iter()
         .any(|mappings| defaults(bench, mappings, 0).any(|count| count >= 254));
     not_served_if(has, "an MPDO")
 }
 
-fn further_programs(bench: &mut Bench<'_>) -> Step {
+fn further_programs(bench: &mut Bench<'_>) -> CheckStep {
     let has = bench.described.object(0x1F50).any(|entry| entry.sub > 1);
     not_served_if(has, "a second program")
 }
 
-fn remote(bench: &mut Bench<'_>) -> Step {
+fn remote(bench: &mut Bench<'_>) -> CheckStep {
     let has = defaults(bench, 0x1800..=0x19FF, 2).any(|kind| matches!(kind, 252 | 253));
     not_served_if(has, "a PDO with transmission type 252 or 253")
 }
 
-fn extended(bench: &mut Bench<'_>) -> Step {
+fn extended(bench: &mut Bench<'_>) -> CheckStep {
     let cob_ids = [(0x1005..=0x1005, 0), (0x1014..=0x1014, 0), (0x1400..=0x15FF, 1), (0x1800..=0x19FF, 1)];
     let has = cob_ids
         .into_iter()

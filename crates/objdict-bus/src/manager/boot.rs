@@ -3,7 +3,8 @@
 use objdict_device::{Abort, NmtState};
 
 use super::{
-    BootFailure, GUARDING, Manager, Monitor, PATIENCE, Progress, RESET_COMMUNICATION, RESET_NODE, Step,
+    BootFailure, ClientProgress, GUARDING, Monitor, PATIENCE, RESET_COMMUNICATION, RESET_NODE,
+    RunningManager, SlaveStep,
 };
 use crate::dictionary::number;
 use crate::node::{MILLISECOND, SimulatedNode, error_control};
@@ -11,13 +12,13 @@ use crate::node::{MILLISECOND, SimulatedNode, error_control};
 /// What 1011h takes.
 const LOAD: &[u8] = b"load";
 
-impl Manager {
+impl RunningManager {
     /// Begins to boot a node.
     pub(super) fn begin(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
         let slave = &mut self.slaves[at];
         (slave.monitor, slave.is_running, slave.accepted) = (Monitor::None, false, 0);
         if slave.assignment.boots() {
-            self.read(at, Step::DeviceType, (0x1000, 0), own, now);
+            self.read(at, SlaveStep::DeviceType, (0x1000, 0), own, now);
         } else {
             self.control(at, own, now);
         }
@@ -26,10 +27,12 @@ impl Manager {
     /// A node is there.
     pub(super) fn take_boot_up(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
         match self.slaves[at].step {
-            Step::Idle | Step::BootUp(_) | Step::Retry(_) | Step::Finished => self.begin(at, own, now),
-            Step::State(_) => self.reset(at, own, now),
-            Step::Reset(_) => self.check_software(at, own, now),
-            Step::Restored(_) => self.configure(at, 0, own, now),
+            SlaveStep::Idle | SlaveStep::BootUp(_) | SlaveStep::Retry(_) | SlaveStep::Finished => {
+                self.begin(at, own, now)
+            }
+            SlaveStep::State(_) => self.reset(at, own, now),
+            SlaveStep::Reset(_) => self.check_software(at, own, now),
+            SlaveStep::Restored(_) => self.configure(at, 0, own, now),
             _ => {}
         }
     }
@@ -43,12 +46,12 @@ impl Manager {
             Monitor::Guarding(next, _) => Monitor::Guarding(next, 0),
         };
         match slave.step {
-            Step::State(_) if state & 0x7F == NmtState::Operational.code() => {
+            SlaveStep::State(_) if state & 0x7F == NmtState::Operational.code() => {
                 slave.is_running = true;
                 self.control(at, own, now);
             }
-            Step::State(_) => self.reset(at, own, now),
-            Step::Monitor(_) => self.finish(at, None, own, now),
+            SlaveStep::State(_) => self.reset(at, own, now),
+            SlaveStep::Monitor(_) => self.finish(at, None, own, now),
             _ => {}
         }
     }
@@ -57,17 +60,17 @@ impl Manager {
     pub(super) fn give_up_waiting(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
         let slave = &self.slaves[at];
         let failure = match slave.step {
-            Step::BootUp(_) | Step::Retry(_) => return self.begin(at, own, now),
-            Step::State(_) if slave.consumer_time != 0 => BootFailure::NoState(slave.consumer_time),
-            Step::State(_) => BootFailure::NoGuarding,
-            Step::Monitor(_) => BootFailure::NoHeartbeat(slave.consumer_time),
+            SlaveStep::BootUp(_) | SlaveStep::Retry(_) => return self.begin(at, own, now),
+            SlaveStep::State(_) if slave.consumer_time != 0 => BootFailure::NoState(slave.consumer_time),
+            SlaveStep::State(_) => BootFailure::NoGuarding,
+            SlaveStep::Monitor(_) => BootFailure::NoHeartbeat(slave.consumer_time),
             _ => BootFailure::NoRestart,
         };
         self.finish(at, Some(failure), own, now);
     }
 
     /// Goes on with a transfer.
-    pub(super) fn advance(&mut self, at: usize, progress: Progress, own: &mut SimulatedNode, now: u64) {
+    pub(super) fn advance(&mut self, at: usize, progress: ClientProgress, own: &mut SimulatedNode, now: u64) {
         if let Some(frame) = progress.frame {
             own.send(now, frame);
         }
@@ -80,14 +83,14 @@ impl Manager {
     fn conclude(&mut self, at: usize, result: Result<Vec<u8>, Abort>, own: &mut SimulatedNode, now: u64) {
         let number = |result: Result<Vec<u8>, Abort>| result.map(|bytes| number(&bytes) as u32);
         match (self.slaves[at].step.clone(), result) {
-            (Step::DeviceType, Err(abort @ Abort::Timeout)) => self.miss(at, abort, own, now),
+            (SlaveStep::DeviceType, Err(abort @ Abort::Timeout)) => self.miss(at, abort, own, now),
             // it answers, and will not answer otherwise when it is asked again
-            (Step::DeviceType, Err(abort)) => {
+            (SlaveStep::DeviceType, Err(abort)) => {
                 self.finish(at, Some(BootFailure::NoAnswer(abort)), own, now);
             }
-            (Step::DeviceType, result) => self.compare(at, (0x1000, 0), number(result), own, now),
-            (Step::Identity(sub), result) => self.compare(at, (0x1018, sub), number(result), own, now),
-            (Step::Software, result) => {
+            (SlaveStep::DeviceType, result) => self.compare(at, (0x1000, 0), number(result), own, now),
+            (SlaveStep::Identity(sub), result) => self.compare(at, (0x1018, sub), number(result), own, now),
+            (SlaveStep::Software, result) => {
                 let (expected, found) = (self.slaves[at].software, number(result));
                 if found == Ok(expected) {
                     self.check_configuration(at, own, now);
@@ -95,29 +98,29 @@ impl Manager {
                     self.finish(at, Some(BootFailure::Software { expected, found }), own, now);
                 }
             }
-            (Step::Verification(sub), result) => {
+            (SlaveStep::Verification(sub), result) => {
                 let is_kept = number(result) == Ok(self.slaves[at].configured_at[usize::from(sub == 2)]);
                 match (is_kept, sub) {
-                    (true, 1) => self.read(at, Step::Verification(2), (0x1020, 2), own, now),
+                    (true, 1) => self.read(at, SlaveStep::Verification(2), (0x1020, 2), own, now),
                     (true, _) => self.control(at, own, now),
                     (false, _) => self.restore(at, own, now),
                 }
             }
-            (Step::Restore, Ok(_)) => {
+            (SlaveStep::Restore, Ok(_)) => {
                 let (node_id, sub) = (self.slaves[at].node_id, self.slaves[at].restore);
                 let command = if sub == 2 { RESET_COMMUNICATION } else { RESET_NODE };
-                self.slaves[at].step = Step::Restored(now + PATIENCE);
+                self.slaves[at].step = SlaveStep::Restored(now + PATIENCE);
                 self.command(command, node_id, own, now);
             }
-            (Step::Restore, Err(abort)) => {
+            (SlaveStep::Restore, Err(abort)) => {
                 let failure = BootFailure::Restore(self.slaves[at].restore, abort);
                 self.finish(at, Some(failure), own, now);
             }
-            (Step::Download(number), Ok(_)) => {
+            (SlaveStep::Download(number), Ok(_)) => {
                 self.slaves[at].accepted = number + 1;
                 self.configure(at, number + 1, own, now);
             }
-            (Step::Download(number), Err(abort)) => {
+            (SlaveStep::Download(number), Err(abort)) => {
                 let download = self.slaves[at].downloads.iter().flatten().nth(number);
                 let (index, sub) = download.map_or((0, 0), |download| (download.index, download.sub));
                 let failure = BootFailure::Download { number: number + 1, index, sub, abort };
@@ -127,7 +130,14 @@ impl Manager {
         }
     }
 
-    fn read(&mut self, at: usize, step: Step, (index, sub): (u16, u8), own: &mut SimulatedNode, now: u64) {
+    fn read(
+        &mut self,
+        at: usize,
+        step: SlaveStep,
+        (index, sub): (u16, u8),
+        own: &mut SimulatedNode,
+        now: u64,
+    ) {
         let slave = &mut self.slaves[at];
         slave.step = step;
         let progress = slave.client.upload(index, sub, now);
@@ -142,7 +152,7 @@ impl Manager {
             return self.finish(at, Some(BootFailure::NoAnswer(abort)), own, now);
         }
         slave.failure = Some(BootFailure::NoAnswer(abort));
-        slave.step = Step::Retry(now + PATIENCE);
+        slave.step = SlaveStep::Retry(now + PATIENCE);
     }
 
     /// Compares an entry with what is expected; 0 is not compared.
@@ -161,7 +171,7 @@ impl Manager {
             return self.finish(at, Some(BootFailure::Identity { index, sub, expected, found }), own, now);
         }
         match (position + 1..=4).find(|sub| slave.expected[usize::from(*sub)] != 0) {
-            Some(sub) => self.read(at, Step::Identity(sub), (0x1018, sub), own, now),
+            Some(sub) => self.read(at, SlaveStep::Identity(sub), (0x1018, sub), own, now),
             None if slave.assignment.is_kept_alive() => self.look(at, own, now),
             None => self.check_software(at, own, now),
         }
@@ -173,14 +183,14 @@ impl Manager {
         slave.step = match slave.consumer_time {
             0 => {
                 own.queue_remote(error_control(slave.node_id), now);
-                Step::State(now + GUARDING)
+                SlaveStep::State(now + GUARDING)
             }
-            time => Step::State(now + u64::from(time) * MILLISECOND),
+            time => SlaveStep::State(now + u64::from(time) * MILLISECOND),
         };
     }
 
     fn reset(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
-        self.slaves[at].step = Step::Reset(now + PATIENCE);
+        self.slaves[at].step = SlaveStep::Reset(now + PATIENCE);
         self.command(RESET_COMMUNICATION, self.slaves[at].node_id, own, now);
     }
 
@@ -189,7 +199,7 @@ impl Manager {
         match (slave.assignment.checks_software(), slave.software) {
             (false, _) => self.check_configuration(at, own, now),
             (true, 0) => self.finish(at, Some(BootFailure::NoSoftwareExpected), own, now),
-            (true, _) => self.read(at, Step::Software, (0x1F56, 1), own, now),
+            (true, _) => self.read(at, SlaveStep::Software, (0x1F56, 1), own, now),
         }
     }
 
@@ -198,7 +208,7 @@ impl Manager {
         if self.slaves[at].configured_at.contains(&0) {
             self.restore(at, own, now);
         } else {
-            self.read(at, Step::Verification(1), (0x1020, 1), own, now);
+            self.read(at, SlaveStep::Verification(1), (0x1020, 1), own, now);
         }
     }
 
@@ -207,7 +217,7 @@ impl Manager {
         if !slave.assignment.restores() || slave.restore == 0 {
             return self.configure(at, 0, own, now);
         }
-        slave.step = Step::Restore;
+        slave.step = SlaveStep::Restore;
         let progress = slave.client.download(0x1011, slave.restore, LOAD.to_vec(), now);
         self.advance(at, progress, own, now);
     }
@@ -223,7 +233,7 @@ impl Manager {
             }
         };
         let Some(download) = download else { return self.control(at, own, now) };
-        slave.step = Step::Download(number);
+        slave.step = SlaveStep::Download(number);
         let progress = slave.client.download(download.index, download.sub, download.data, now);
         self.advance(at, progress, own, now);
     }
@@ -234,6 +244,6 @@ impl Manager {
         if slave.consumer_time == 0 {
             return self.finish(at, None, own, now);
         }
-        slave.step = Step::Monitor(now + u64::from(slave.consumer_time) * MILLISECOND);
+        slave.step = SlaveStep::Monitor(now + u64::from(slave.consumer_time) * MILLISECOND);
     }
 }

@@ -7,10 +7,10 @@ mod slave;
 use objdict_device::{Frame, NmtState};
 
 pub use self::failure::BootFailure;
-pub(crate) use self::slave::Assignment;
 pub use self::slave::Configurations;
-use self::slave::{Monitor, Slave, Step};
-use crate::client::Progress;
+pub(crate) use self::slave::SlaveAssignment;
+use self::slave::{ManagedSlave, Monitor, SlaveStep};
+use crate::client::ClientProgress;
 use crate::dictionary::LiveDictionary;
 use crate::frame::BusFrame;
 use crate::node::{MILLISECOND, SimulatedNode, error_control};
@@ -45,9 +45,9 @@ pub enum Milestone {
 
 /// The bits of 1F80h.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Startup(u32);
+pub(crate) struct StartupBits(u32);
 
-impl Startup {
+impl StartupBits {
     const fn has(self, bit: u32) -> bool {
         self.0 >> bit & 1 == 1
     }
@@ -77,8 +77,8 @@ impl Startup {
 }
 
 /// The manager. Its own services are those of a node.
-pub(crate) struct Manager {
-    startup: Startup,
+pub(crate) struct RunningManager {
+    startup: StartupBits,
     /// Within this time mandatory nodes must answer (1F89h), in nanoseconds; 0: for ever.
     boot_time: u64,
     /// The time between two commands (102Ah), in nanoseconds.
@@ -86,7 +86,7 @@ pub(crate) struct Manager {
     began: u64,
     /// When the next command may be sent.
     next_command: u64,
-    slaves: Vec<Slave>,
+    slaves: Vec<ManagedSlave>,
     /// Whether a mandatory node failed.
     is_halted: bool,
     /// Whether the start-up is over.
@@ -95,29 +95,32 @@ pub(crate) struct Manager {
     milestones: Vec<(u8, Milestone)>,
 }
 
-impl Manager {
+impl RunningManager {
     /// The manager whose objects are in a dictionary.
     pub(crate) fn new(node_id: u8, dictionary: &LiveDictionary, configurations: &Configurations) -> Self {
-        let is_slave = |id: &u8| *id != node_id && Assignment(dictionary.word(0x1F81, *id)).is_slave();
+        let is_slave = |id: &u8| *id != node_id && SlaveAssignment(dictionary.word(0x1F81, *id)).is_slave();
         Self {
-            startup: Startup(dictionary.word(0x1F80, 0)),
+            startup: StartupBits(dictionary.word(0x1F80, 0)),
             boot_time: u64::from(dictionary.word(0x1F89, 0)) * MILLISECOND,
             inhibit_time: u64::from(dictionary.word(0x102A, 0)) * MILLISECOND / 10,
             began: 0,
             next_command: 0,
-            slaves: (1..=127).filter(is_slave).map(|id| Slave::new(id, dictionary, configurations)).collect(),
+            slaves: (1..=127)
+                .filter(is_slave)
+                .map(|id| ManagedSlave::new(id, dictionary, configurations))
+                .collect(),
             is_halted: false,
             is_started: false,
             milestones: Vec::new(),
         }
     }
 
-    pub(crate) const fn startup(&self) -> Startup {
+    pub(crate) const fn startup(&self) -> StartupBits {
         self.startup
     }
 
     /// The nodes that it manages.
-    pub(crate) fn assignments(&self) -> impl Iterator<Item = (u8, Assignment)> {
+    pub(crate) fn assignments(&self) -> impl Iterator<Item = (u8, SlaveAssignment)> {
         self.slaves.iter().map(|slave| (slave.node_id, slave.assignment))
     }
 
@@ -146,7 +149,7 @@ impl Manager {
             if slave.assignment.is_kept_alive() {
                 self.begin(at, own, now);
             } else if slave.assignment.is_mandatory() {
-                slave.step = Step::BootUp(now + BOOT_UP);
+                slave.step = SlaveStep::BootUp(now + BOOT_UP);
             }
         }
         self.go_on(own, now);
@@ -180,9 +183,9 @@ impl Manager {
         }
     }
 
-    /// When [`Manager::poll`] has to be called.
+    /// When [`RunningManager::poll`] has to be called.
     pub(crate) fn next(&self) -> Option<u64> {
-        let of = |slave: &Slave| {
+        let of = |slave: &ManagedSlave| {
             let monitor = match slave.monitor {
                 Monitor::None => None,
                 Monitor::Heartbeat(last) => Some(last + u64::from(slave.consumer_time) * MILLISECOND + 1),
@@ -195,7 +198,7 @@ impl Manager {
 
     /// Whether it waits for nothing but boot-up messages.
     pub(crate) fn is_idle(&self) -> bool {
-        self.slaves.iter().all(|slave| matches!(slave.step, Step::Idle | Step::Finished))
+        self.slaves.iter().all(|slave| matches!(slave.step, SlaveStep::Idle | SlaveStep::Finished))
     }
 
     /// Sends an NMT command, to all nodes if the node-ID is 0.
@@ -209,7 +212,8 @@ impl Manager {
 
     /// Becomes operational when all mandatory nodes are booted.
     fn go_on(&mut self, own: &mut SimulatedNode, now: u64) {
-        let is_waiting = |slave: &Slave| slave.assignment.is_mandatory() && slave.step != Step::Finished;
+        let is_waiting =
+            |slave: &ManagedSlave| slave.assignment.is_mandatory() && slave.step != SlaveStep::Finished;
         if self.is_started || self.is_halted || self.slaves.iter().any(is_waiting) {
             return;
         }
@@ -235,7 +239,7 @@ impl Manager {
     /// Ends the boot of a node, and starts it if that is wanted.
     fn finish(&mut self, at: usize, failure: Option<BootFailure>, own: &mut SimulatedNode, now: u64) {
         let slave = &mut self.slaves[at];
-        (slave.step, slave.has_booted) = (Step::Finished, failure.is_none());
+        (slave.step, slave.has_booted) = (SlaveStep::Finished, failure.is_none());
         let milestone = match &failure {
             Some(failure) => Milestone::Failed(failure.clone()),
             None if slave.is_running => Milestone::Running,

@@ -13,9 +13,9 @@ pub type Configurations = BTreeMap<u8, Result<Vec<Download>, String>>;
 
 /// The bits of 1F81h (CiA 302-2).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Assignment(pub(crate) u32);
+pub(crate) struct SlaveAssignment(pub(crate) u32);
 
-impl Assignment {
+impl SlaveAssignment {
     /// Whether the node is in the network list.
     pub(crate) const fn is_slave(self) -> bool {
         self.0 & 1 != 0
@@ -52,7 +52,7 @@ impl Assignment {
 
 /// The state of the process "boot NMT slave". Times are in nanoseconds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum SlaveStep {
     /// Waits for the boot-up message.
     Idle,
     /// The same, but at that time it asks in any case.
@@ -83,7 +83,7 @@ pub(super) enum Step {
     Finished,
 }
 
-impl Step {
+impl SlaveStep {
     /// When it has to be looked at.
     pub(super) const fn until(&self) -> Option<u64> {
         match self {
@@ -109,9 +109,9 @@ pub(super) enum Monitor {
 }
 
 /// A node that the manager manages, with what the objects of the manager say of it.
-pub(super) struct Slave {
+pub(super) struct ManagedSlave {
     pub(super) node_id: u8,
-    pub(super) assignment: Assignment,
+    pub(super) assignment: SlaveAssignment,
     /// Device type and identity (1F84h to 1F88h).
     pub(super) expected: [u32; 5],
     /// Software (1F55h).
@@ -124,7 +124,7 @@ pub(super) struct Slave {
     pub(super) consumer_time: u16,
     pub(super) downloads: Result<Vec<Download>, String>,
     pub(super) client: Client,
-    pub(super) step: Step,
+    pub(super) step: SlaveStep,
     pub(super) monitor: Monitor,
     /// Whether it was operational already when the manager looked.
     pub(super) is_running: bool,
@@ -135,14 +135,14 @@ pub(super) struct Slave {
     pub(super) accepted: usize,
 }
 
-impl Slave {
+impl ManagedSlave {
     pub(super) fn new(node_id: u8, dictionary: &LiveDictionary, configurations: &Configurations) -> Self {
         let word = |index: u16| dictionary.word(index, node_id);
         let consumers = (1..=127).map(|sub| dictionary.word(0x1016, sub));
         let mut watching = consumers.filter(|consumer| consumer >> 16 & 0x7F == u32::from(node_id));
         Self {
             node_id,
-            assignment: Assignment(word(0x1F81)),
+            assignment: SlaveAssignment(word(0x1F81)),
             expected: [0x1F84, 0x1F85, 0x1F86, 0x1F87, 0x1F88].map(word),
             software: word(0x1F55),
             configured_at: [0x1F26, 0x1F27].map(word),
@@ -150,7 +150,7 @@ impl Slave {
             consumer_time: watching.next_back().unwrap_or(0) as u16,
             downloads: configurations.get(&node_id).cloned().unwrap_or(Ok(Vec::new())),
             client: Client::new(node_id),
-            step: Step::Idle,
+            step: SlaveStep::Idle,
             monitor: Monitor::None,
             is_running: false,
             has_booted: false,

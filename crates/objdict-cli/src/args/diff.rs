@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::network::AllowedPathArgs;
 use super::new::{date, number};
 use super::output::ReportArgs;
-use crate::changes::Choice;
+use crate::changes::ChangeChoice;
 use crate::input::InputArgs;
 use crate::settings::ConfigFileArgs;
 use crate::values::{node_id, one_of};
@@ -27,10 +27,10 @@ pub(crate) struct DiffArgs {
     /// Report only these changes: a rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or
     /// objects as in `show` or 2000-2FFF; repeatable, or separated by commas
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
-    pub select: Vec<Choice>,
+    pub select: Vec<ChangeChoice>,
     /// Do not report these changes; repeatable, or separated by commas
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
-    pub ignore: Vec<Choice>,
+    pub ignore: Vec<ChangeChoice>,
     /// Lowest verdict that fails the run: compatible, risky or breaking [default: breaking]
     #[arg(long, value_parser = one_of(&VERDICTS), value_name = "VERDICT", hide_possible_values = true)]
     pub deny: Option<Severity>,

@@ -9,7 +9,7 @@ use crate::baseline::BaselineArgs;
 use crate::outcome::Failure;
 use crate::patches::PatchArgs;
 use crate::save::OverwriteArgs;
-use crate::settings::{ConfigFileArgs, Settings, SettingsArgs};
+use crate::settings::{CommandSettings, ConfigFileArgs, SettingsArgs};
 use crate::values::one_of;
 use objdict_model::model::Date;
 use objdict_model::source::Folder;
@@ -99,7 +99,7 @@ impl NetworkInputArgs {
     pub(crate) fn options(&self, network: &Path) -> Result<PathOptions, Failure> {
         let of_config = SettingsArgs::from(&self.config);
         let mut patches = self.patch.patches.clone();
-        patches.extend(Settings::new(&of_config)?.patches_of(network)?);
+        patches.extend(CommandSettings::new(&of_config)?.patches_of(network)?);
         let variables = self.paths.define.iter().cloned().collect();
         Ok(PathOptions { variables, patches, ..self.paths.paths.options() })
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::args::DiffArgs;
 use crate::convert::{read_data, refusal};
-use crate::dcf::{Content, content};
+use crate::dcf::{PackedContent, content};
 use crate::input::{ExpandArgs, name_of};
 use crate::outcome::Failure;
 use objdict_format::identify::{ContentKind, identify_source};
@@ -15,7 +15,7 @@ use objdict_network_file::NetworkFile;
 use objdict_node::download::{ConciseDcf, Objection, PlanOptions};
 
 /// A stored configuration.
-struct Stored {
+struct StoredConfiguration {
     /// How messages call it.
     name: String,
     configuration: ConciseDcf,
@@ -44,7 +44,7 @@ fn is_network(path: &Path) -> bool {
     })
 }
 
-impl Stored {
+impl StoredConfiguration {
     fn refused(&self, old: &Device, new: &Device) -> Vec<DeviceChange> {
         let before = self.configuration.verify(old, self.node_id);
         let change = |objection: &Objection| {
@@ -63,12 +63,12 @@ impl Stored {
 }
 
 /// The configuration in a concise DCF, a DCF or an XDC.
-fn of_node(args: &DiffArgs, path: &Path, [old, new]: [&Device; 2]) -> Result<Stored, Failure> {
+fn of_node(args: &DiffArgs, path: &Path, [old, new]: [&Device; 2]) -> Result<StoredConfiguration, Failure> {
     let of_devices = args.node_id.or_else(|| new.node_id()).or_else(|| old.node_id());
     let expand = ExpandArgs { implicit_pdos: true };
     let (configuration, node_id) = match content(path, &args.input, &expand, of_devices)? {
-        Content::Stream(configuration) => (configuration, of_devices),
-        Content::Device(node) => {
+        PackedContent::Stream(configuration) => (configuration, of_devices),
+        PackedContent::Device(node) => {
             let node_id = args.node_id.or_else(|| node.node_id()).or(of_devices);
             let options = PlanOptions { node_id, ..PlanOptions::default() };
             let plan = ConciseDcf::plan(&ConciseDcf::rebased(&node, new), &options);
@@ -77,11 +77,11 @@ fn of_node(args: &DiffArgs, path: &Path, [old, new]: [&Device; 2]) -> Result<Sto
             (plan.into_concise(|file| read_data(&folder, file))?, node_id)
         }
     };
-    Ok(Stored { name: "the configuration".to_owned(), configuration, node_id })
+    Ok(StoredConfiguration { name: "the configuration".to_owned(), configuration, node_id })
 }
 
 /// The configurations of the nodes of a network that are the old device, by vendor-ID and product code.
-fn of_network(args: &DiffArgs, path: &Path, old: &Device) -> Result<Vec<Stored>, Failure> {
+fn of_network(args: &DiffArgs, path: &Path, old: &Device) -> Result<Vec<StoredConfiguration>, Failure> {
     let file = NetworkFile::open(path, &args.paths.options()).map_err(Failure::new)?;
     let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else {
         let help = format!("`objdict network check {}` says why", name_of(path));
@@ -90,8 +90,8 @@ fn of_network(args: &DiffArgs, path: &Path, old: &Device) -> Result<Vec<Stored>,
     let identity = |device: &Device| device.identity().vendor_id.zip(device.identity().product_code);
     let wanted = identity(old);
     let nodes = compiled.nodes().filter(|node| wanted.is_some() && identity(&node.device) == wanted);
-    let stored: Vec<Stored> = nodes
-        .map(|node| Stored {
+    let stored: Vec<StoredConfiguration> = nodes
+        .map(|node| StoredConfiguration {
             name: format!("node `{}`", network.nodes[node.node].name.value),
             configuration: node.arranged_or_stated().clone(),
             node_id: Some(node.node_id),

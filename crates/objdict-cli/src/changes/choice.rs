@@ -13,7 +13,7 @@ use objdict_project::registry;
 
 /// Changes of a kind, with a verdict, that affect an audience, or of objects.
 #[derive(Clone, Debug)]
-pub(crate) enum Choice {
+pub(crate) enum ChangeChoice {
     Rules(Selection),
     Verdict(ChangeVerdict),
     Audience(Audience),
@@ -21,7 +21,7 @@ pub(crate) enum Choice {
     Indexes(RangeInclusive<u16>),
 }
 
-impl FromStr for Choice {
+impl FromStr for ChangeChoice {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -50,7 +50,7 @@ fn unknown(text: &str) -> String {
     format!("`{text}` is no rule of the group {CHANGE}, no object, and none of {}", listing(words))
 }
 
-impl Choice {
+impl ChangeChoice {
     /// Whether a change between two devices is one of these.
     pub(super) fn has(&self, change: &DeviceChange, devices: [&Device; 2]) -> bool {
         match self {

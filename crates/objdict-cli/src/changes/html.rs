@@ -2,13 +2,17 @@
 
 use std::io::{self, Write};
 
-use super::{Comparison, Side, address};
+use super::{ComparedDescriptions, ComparedSide, address};
 use crate::output::Output;
 use objdict_document::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
 use objdict_lint::changes::{Audience, ChangeImpact, ChangeVerdict, DeviceChange};
 use objdict_model::model::{Device, PdoKind, Place};
 
-pub(super) fn write(comparison: &Comparison, devices: [&Device; 2], out: &mut Output) -> io::Result<()> {
+pub(super) fn write(
+    comparison: &ComparedDescriptions,
+    devices: [&Device; 2],
+    out: &mut Output,
+) -> io::Result<()> {
     let expanded = devices.map(Device::with_implicit_pdos);
     let names = [comparison.old.name(), comparison.new.name()];
     let page = ChangesPage {
@@ -22,7 +26,7 @@ pub(super) fn write(comparison: &Comparison, devices: [&Device; 2], out: &mut Ou
     out.raw()?.write_all(page.html().as_bytes())
 }
 
-fn row(comparison: &Comparison, change: &DeviceChange) -> ChangeRow {
+fn row(comparison: &ComparedDescriptions, change: &DeviceChange) -> ChangeRow {
     let effect = |effect: &ChangeImpact| ChangeEffect {
         audience: effect.audience.name(),
         title: effect.audience.title(),
@@ -45,7 +49,7 @@ fn row(comparison: &Comparison, change: &DeviceChange) -> ChangeRow {
     }
 }
 
-fn at(side: &Side, place: Option<&Place>) -> String {
+fn at(side: &ComparedSide, place: Option<&Place>) -> String {
     let at = place.and_then(|place| side.locate(place));
     at.map_or_else(String::new, |at| format!("{}:{}", at.line, at.column))
 }

@@ -8,10 +8,10 @@ use objdict_lint::changes::{DeviceChange, identifier_changed};
 use objdict_model::diagnostic::Text;
 use objdict_model::model::Device;
 
-type Names = BTreeMap<(u16, Option<u8>), Identifier>;
+type EntryIdentifiers = BTreeMap<(u16, Option<u8>), Identifier>;
 
 /// The identifiers of a device; none if no table can be generated of it.
-fn names(device: &Device) -> Names {
+fn names(device: &Device) -> EntryIdentifiers {
     let names = generate::identifiers(device).unwrap_or_default();
     names.into_iter().map(|name| ((name.index, name.sub), name)).collect()
 }

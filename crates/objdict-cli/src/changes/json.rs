@@ -5,7 +5,7 @@ use std::io;
 
 use serde::Serialize;
 
-use super::{Comparison, Side};
+use super::{ComparedDescriptions, ComparedSide};
 use crate::output::Output;
 use objdict_lint::changes::{ChangeImpact, ChangeVerdict, DeviceChange};
 use objdict_model::json::Version;
@@ -13,7 +13,7 @@ use objdict_model::model::{Device, HexText, Place};
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct ChangesJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The old description.
@@ -25,9 +25,9 @@ pub(crate) struct Document<'a> {
     #[cfg_attr(feature = "schema", schemars(with = "Option<VerdictName>"))]
     verdict: Option<&'static str>,
     /// The changes in the order of the dictionary; those of the device as a whole come last.
-    changes: Vec<Row<'a>>,
+    changes: Vec<ChangeJson<'a>>,
     /// The number of changes.
-    summary: Summary,
+    summary: ChangeCounts,
 }
 
 /// A description, and the versions that it states.
@@ -52,7 +52,7 @@ struct DescriptionFacts<'a> {
 /// A change.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Change"))]
-struct Row<'a> {
+struct ChangeJson<'a> {
     /// The id of the rule; `objdict explain` prints its page.
     rule: &'static str,
     /// The worst of its verdicts.
@@ -112,7 +112,7 @@ struct ChangePlace<'a> {
 /// The number of changes by verdict.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ChangeCounts"))]
-struct Summary {
+struct ChangeCounts {
     /// The number of breaking changes.
     breaking: usize,
     /// The number of risky changes.
@@ -135,14 +135,14 @@ enum VerdictName {
     Breaking,
 }
 
-pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
-    let document = Document {
+pub(super) fn write(comparison: &ComparedDescriptions, out: &mut Output) -> io::Result<()> {
+    let document = ChangesJson {
         version: Version,
         old: facts(&comparison.old),
         new: facts(&comparison.new),
         verdict: comparison.verdict().map(ChangeVerdict::name),
         changes: comparison.changes.iter().map(|change| row(comparison, change)).collect(),
-        summary: Summary {
+        summary: ChangeCounts {
             breaking: comparison.count(ChangeVerdict::Breaking),
             risky: comparison.count(ChangeVerdict::Risky),
             compatible: comparison.count(ChangeVerdict::Compatible),
@@ -151,7 +151,7 @@ pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()>
     out.pretty_json(&document)
 }
 
-fn facts(side: &Side) -> DescriptionFacts<'_> {
+fn facts(side: &ComparedSide) -> DescriptionFacts<'_> {
     let device = side.device().ok();
     let info = device.and_then(|device| device.file_info.as_ref());
     DescriptionFacts {
@@ -163,13 +163,13 @@ fn facts(side: &Side) -> DescriptionFacts<'_> {
     }
 }
 
-fn row<'a>(comparison: &'a Comparison, change: &'a DeviceChange) -> Row<'a> {
+fn row<'a>(comparison: &'a ComparedDescriptions, change: &'a DeviceChange) -> ChangeJson<'a> {
     let source = change.rule.info.source;
     let effect = |effect: &ChangeImpact| {
         let ChangeImpact { audience, verdict, reason } = *effect;
         (audience.name(), EffectRow { verdict: verdict.name(), reason, source })
     };
-    Row {
+    ChangeJson {
         rule: change.rule.info.id,
         verdict: change.verdict().name(),
         index: change.index.map(HexText),
@@ -183,7 +183,7 @@ fn row<'a>(comparison: &'a Comparison, change: &'a DeviceChange) -> Row<'a> {
     }
 }
 
-fn at<'a>(side: &'a Side, place: &Place) -> Option<ChangePlace<'a>> {
+fn at<'a>(side: &'a ComparedSide, place: &Place) -> Option<ChangePlace<'a>> {
     let at = side.locate(place)?;
     Some(ChangePlace { file: &side.file, line: at.line, column: at.column, place: place.to_string() })
 }

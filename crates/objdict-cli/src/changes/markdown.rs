@@ -2,12 +2,12 @@
 
 use std::io::{self, Write};
 
-use super::{Comparison, address};
+use super::{ComparedDescriptions, address};
 use crate::output::Output;
 use objdict_lint::changes::{Audience, ChangeVerdict};
 use objdict_model::diagnostic::one_line;
 
-pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
+pub(super) fn write(comparison: &ComparedDescriptions, out: &mut Output) -> io::Result<()> {
     let names = [&comparison.old, &comparison.new].map(|side| escaped(&side.name()));
     writeln!(out, "# {} → {}\n\n{}", names[0], names[1], comparison.summary())?;
     for verdict in ChangeVerdict::ALL.into_iter().rev() {

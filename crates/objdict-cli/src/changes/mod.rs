@@ -13,14 +13,14 @@ mod text;
 
 use std::path::Path;
 
-pub(super) use self::choice::Choice;
+pub(super) use self::choice::ChangeChoice;
 #[cfg(feature = "schema")]
-pub(super) use self::json::Document as ChangesDocument;
-use self::side::{Side, sides};
+pub(super) use self::json::ChangesJson as ChangesDocument;
+use self::side::{ComparedSide, sides};
 use super::args::{DiffArgs, DiffFormat};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::settings::{Settings, SettingsArgs};
+use super::settings::{CommandSettings, SettingsArgs};
 use objdict_lint::changes::{ChangeVerdict, DeviceChange, compare};
 use objdict_lint::{Level, Severities};
 use objdict_model::diagnostic::Findings;
@@ -28,9 +28,9 @@ use objdict_model::diagnostic::Severity;
 use objdict_project::report::{Github, Report, Subject};
 
 /// Both descriptions and what changes between them.
-struct Comparison {
-    old: Side,
-    new: Side,
+struct ComparedDescriptions {
+    old: ComparedSide,
+    new: ComparedSide,
     changes: Vec<DeviceChange>,
 }
 
@@ -40,13 +40,14 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
     let mut changes = compare(devices[0], devices[1]);
     identifiers::add(&mut changes, devices[0], devices[1]);
     changes.extend(against::refused(args, devices)?);
-    let is_one_of =
-        |choices: &[Choice], change: &DeviceChange| choices.iter().any(|choice| choice.has(change, devices));
+    let is_one_of = |choices: &[ChangeChoice], change: &DeviceChange| {
+        choices.iter().any(|choice| choice.has(change, devices))
+    };
     changes.retain(|change| args.select.is_empty() || is_one_of(&args.select, change));
     changes.retain(|change| !is_one_of(&args.ignore, change));
     let severities = severities(args)?;
     changes.retain(|change| severities.of(&change.rule.info) != Some(Level::Off));
-    let comparison = Comparison { old, new, changes };
+    let comparison = ComparedDescriptions { old, new, changes };
     match args.format {
         DiffFormat::Text => text::write(&comparison, out)?,
         DiffFormat::Json => json::write(&comparison, out)?,
@@ -68,13 +69,13 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
 /// The severities that the configuration of the new description has for changes.
 fn severities(args: &DiffArgs) -> Result<Severities, Failure> {
     let (of_config, path) = (SettingsArgs::from(&args.config), args.sides.newer());
-    let mut settings = Settings::new(&of_config)?;
+    let mut settings = CommandSettings::new(&of_config)?;
     let project = settings.project_of(path)?;
     let severities = settings.options(path, project.as_deref()).severities;
     settings.unusable().next().map_or(Ok(severities), Err)
 }
 
-impl Comparison {
+impl ComparedDescriptions {
     /// The number of changes of a verdict.
     fn count(&self, verdict: ChangeVerdict) -> usize {
         self.changes.iter().filter(|change| change.verdict() == verdict).count()
@@ -108,8 +109,8 @@ fn address(change: &DeviceChange) -> String {
 }
 
 /// What was removed is annotated in the old file, all else in the new one.
-fn github(comparison: &Comparison, out: &mut Output) -> Result<(), Failure> {
-    let Comparison { old, new, changes } = comparison;
+fn github(comparison: &ComparedDescriptions, out: &mut Output) -> Result<(), Failure> {
+    let ComparedDescriptions { old, new, changes } = comparison;
     let (here, gone): (Vec<&DeviceChange>, Vec<&DeviceChange>) =
         changes.iter().partition(|change| change.new_place.is_some());
     let mut raw = out.raw()?;

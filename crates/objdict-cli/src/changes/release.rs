@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::side::{Side, sides};
+use super::side::{ComparedSide, sides};
 use crate::args::ReleaseArgs;
 use crate::fix::{Fixing, amend};
 use crate::input::Input;
@@ -76,7 +76,7 @@ fn write_report(
 }
 
 /// Refuses the description of a node.
-fn require_type(side: &Side) -> Result<(), Failure> {
+fn require_type(side: &ComparedSide) -> Result<(), Failure> {
     let device: &Device = side.device()?;
     if device.kind == DeviceKind::Type {
         return Ok(());
@@ -87,7 +87,7 @@ fn require_type(side: &Side) -> Result<(), Failure> {
 }
 
 /// The new description with its text.
-fn described(side: Side) -> Result<Description, Failure> {
+fn described(side: ComparedSide) -> Result<Description, Failure> {
     let message = format!("`{}` is read as {} and has no text of an EDS or XDD", side.name(), side.format);
     match side.input {
         Input::Description(description) => Ok(*description),

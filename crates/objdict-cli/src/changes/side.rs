@@ -11,7 +11,7 @@ use objdict_model::model::{Device, Place};
 use objdict_model::source::LineColumn;
 
 /// One of the descriptions.
-pub(super) struct Side {
+pub(super) struct ComparedSide {
     /// The file as it was given; behind a revision, as git has it.
     pub(super) file: String,
     /// What it was read as.
@@ -20,21 +20,21 @@ pub(super) struct Side {
 }
 
 /// The old and the new description.
-pub(super) fn sides(args: &SidesArgs, input: &InputArgs) -> Result<[Side; 2], Failure> {
+pub(super) fn sides(args: &SidesArgs, input: &InputArgs) -> Result<[ComparedSide; 2], Failure> {
     let new = args.newer();
     let old = match &args.git {
-        None => Side::new(source_name(&args.old), input.read_one(&args.old)?)?,
+        None => ComparedSide::new(source_name(&args.old), input.read_one(&args.old)?)?,
         Some(revision) => {
             let file = format!("{revision}:{}", source_name(new));
             let bytes = git::read(revision, new, input.size.max_size)?;
             let read = input.reading().read_one(&file, bytes)?;
-            Side::new(file, read)?
+            ComparedSide::new(file, read)?
         }
     };
-    Ok([old, Side::new(source_name(new), input.read_one(new)?)?])
+    Ok([old, ComparedSide::new(source_name(new), input.read_one(new)?)?])
 }
 
-impl Side {
+impl ComparedSide {
     fn new(file: String, (kind, input): (FileKind, Input)) -> Result<Self, Failure> {
         let side = Self { file, format: kind.name(), input };
         side.device()?;

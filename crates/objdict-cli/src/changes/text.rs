@@ -2,13 +2,13 @@
 
 use std::io::{self, Write};
 
-use super::side::Side;
-use super::{Comparison, address};
+use super::side::ComparedSide;
+use super::{ComparedDescriptions, address};
 use crate::output::Output;
 use objdict_lint::changes::{Audience, ChangeVerdict, DeviceChange};
 use objdict_model::model::Place;
 
-pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
+pub(super) fn write(comparison: &ComparedDescriptions, out: &mut Output) -> io::Result<()> {
     for same in comparison.changes.chunk_by(is_of_next_entry) {
         write_changes(comparison, same, out)?;
     }
@@ -24,7 +24,11 @@ fn is_of_next_entry(first: &DeviceChange, second: &DeviceChange) -> bool {
 }
 
 /// Writes changes that differ in the sub-index alone; the places are those of the first.
-fn write_changes(comparison: &Comparison, same: &[DeviceChange], out: &mut Output) -> io::Result<()> {
+fn write_changes(
+    comparison: &ComparedDescriptions,
+    same: &[DeviceChange],
+    out: &mut Output,
+) -> io::Result<()> {
     let [change, rest @ ..] = same else { return Ok(()) };
     let verdict = change.verdict();
     let rule = change.rule.info.id;
@@ -48,7 +52,7 @@ fn write_changes(comparison: &Comparison, same: &[DeviceChange], out: &mut Outpu
 }
 
 /// A place as `file:line:column`.
-fn at(side: &Side, place: &Place) -> Option<String> {
+fn at(side: &ComparedSide, place: &Place) -> Option<String> {
     let at = side.locate(place)?;
     Some(format!("{}:{}:{}", side.name(), at.line, at.column))
 }

@@ -23,7 +23,7 @@ use objdict_network::DcfgenMode;
 use objdict_network_file::{ConfiguredNode, location};
 
 /// A node of the bus.
-struct Node {
+struct DbcNode {
     /// Of the file that describes it.
     job: Job,
     from: FileKind,
@@ -89,7 +89,7 @@ pub(super) fn convert(
 }
 
 /// The nodes in all files, each with its own node-ID.
-fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
+fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(DbcNode, u8)>, Failure> {
     let mut found = Vec::new();
     for job in jobs {
         let bytes = args.input.size.read(&job.input)?;
@@ -109,7 +109,7 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
         }
     }
     let is_one = found.len() == 1;
-    let mut nodes: Vec<(Node, u8)> = Vec::new();
+    let mut nodes: Vec<(DbcNode, u8)> = Vec::new();
     for node in found {
         let file = name_of(&node.job.input);
         // for several nodes the argument is for those that state none
@@ -135,7 +135,7 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
 }
 
 /// The nodes of a network after their configuration, and its manager.
-fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure> {
+fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<DbcNode>, Failure> {
     let name = name_of(&job.input);
     if job.input == Path::new("-") {
         let failure = Failure::new("a network cannot be read from the standard input");
@@ -155,7 +155,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure>
     let node = |node: ConfiguredNode| {
         let description = node.node.and_then(|position| file.description(position));
         let input = description.map_or_else(|| job.input.clone(), |of| of.source().name().into());
-        Node {
+        DbcNode {
             job: Job { input, ..job.clone() },
             from: description.map_or(FileKind::Json, |of| of.format().into()),
             device: node.device,
@@ -168,7 +168,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure>
 }
 
 /// The nodes of a network that are present, from the files that the list names. The list says which nodes they are.
-fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<Node>, Failure> {
+fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<DbcNode>, Failure> {
     let file = name_of(&job.input);
     let networks = list.networks.as_slice();
     let network = match (args.input.device, networks) {
@@ -198,18 +198,18 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<N
         let reading = Reading { from: None, device: None, ..args.input.reading_with(&job.patches) };
         let (from, input) = reading.read(&source_name(&own.input), bytes)?;
         for found in nodes_in(args, &own, from, devices_in(&reading, &own, input)?) {
-            nodes.push(Node { node_id: Some(node.id), name: node.name.clone(), ..found });
+            nodes.push(DbcNode { node_id: Some(node.id), name: node.name.clone(), ..found });
         }
     }
     Ok(nodes)
 }
 
 /// The nodes that devices of a file are.
-fn nodes_in(args: &ConvertArgs, job: &Job, from: FileKind, devices: Vec<Device>) -> Vec<Node> {
+fn nodes_in(args: &ConvertArgs, job: &Job, from: FileKind, devices: Vec<Device>) -> Vec<DbcNode> {
     let node = |device: Device| {
         let device = args.expand.device(&device).into_owned();
         let node_id = device.node_id();
-        Node { job: job.clone(), from, node_id, device, name: None, is_counterpart: false }
+        DbcNode { job: job.clone(), from, node_id, device, name: None, is_counterpart: false }
     };
     devices.into_iter().map(node).collect()
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::super::annotation::Described;
+use super::super::annotation::DescribedStream;
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, name_of};
 use super::super::node::{commissioning, former_node_id, restated, valid_node_id};
@@ -20,12 +20,12 @@ use objdict_node::configure::rebase;
 use objdict_node::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
 
 /// What a file became.
-pub(super) struct Converted {
+pub(super) struct ConvertedFile {
     pub bytes: Vec<u8>,
     pub losses: Vec<Loss>,
 }
 
-impl Converted {
+impl ConvertedFile {
     /// Of which nothing is lost.
     pub(super) fn whole(bytes: Vec<u8>) -> Self {
         Self { bytes, losses: Vec::new() }
@@ -38,7 +38,7 @@ pub(super) fn of_description(
     job: &Job,
     description: Description,
     from: FileKind,
-) -> Result<Converted, Failure> {
+) -> Result<ConvertedFile, Failure> {
     let max_losses = args.input.max_losses(description.source().text().len());
     let device = description.device();
     if *device == (Device { kind: device.kind, ..Device::default() }) {
@@ -64,7 +64,7 @@ pub(super) fn of_description(
         if to == Format::Xdc {
             valid_node_id(description.device().commissioning.as_ref().and_then(|node| node.node_id))?;
         }
-        return Ok(Converted::whole(description.source().to_bytes()));
+        return Ok(ConvertedFile::whole(description.source().to_bytes()));
     }
     let file_name = base_name(&job.output);
     let node = match to.kind() {
@@ -88,7 +88,7 @@ pub(super) fn of_description(
     let mut options = WriteOptions { max_losses, ..WriteOptions::default() };
     options.eds.encoding = Some(encoding);
     let losses = format::losses(&expected, &bytes, to, &options)?;
-    Ok(Converted { bytes, losses })
+    Ok(ConvertedFile { bytes, losses })
 }
 
 /// Refuses a file that refers to texts that it does not have, unless the output keeps the references.
@@ -127,23 +127,24 @@ pub(super) fn of_device(
     device: Device,
     embed: bool,
     max_losses: usize,
-) -> Result<Converted, Failure> {
+) -> Result<ConvertedFile, Failure> {
     let expanded = match args.expand.device(&device) {
         Cow::Owned(expanded) => Some(expanded),
         Cow::Borrowed(_) => None,
     };
     let device = expanded.unwrap_or(device);
     match job.to {
-        FileKind::Json => Ok(Converted::whole(json::write_device(&device).into_bytes())),
+        FileKind::Json => Ok(ConvertedFile::whole(json::write_device(&device).into_bytes())),
         FileKind::Cdcf => {
             let configuration = configuration(args, job, &device)?;
-            configuration.write().map(Converted::whole).map_err(Failure::new)
+            configuration.write().map(ConvertedFile::whole).map_err(Failure::new)
         }
         FileKind::CdcfText => {
             let configuration = configuration(args, job, &device)?;
-            let described = Described { device: Some(&device), node_id: args.node_id.or(device.node_id()) };
+            let described =
+                DescribedStream { device: Some(&device), node_id: args.node_id.or(device.node_id()) };
             let text = concise::print(&configuration, |download| described.annotate(download));
-            Ok(Converted::whole(text.into_bytes()))
+            Ok(ConvertedFile::whole(text.into_bytes()))
         }
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode | FileKind::Objdictgen => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
@@ -166,14 +167,14 @@ fn anew(
     device: Device,
     embed: bool,
     max_losses: usize,
-) -> Result<Converted, Failure> {
+) -> Result<ConvertedFile, Failure> {
     let mut options = args.canonical.options(args.input.encoding);
     options.embed = embed;
     options.max_losses = max_losses;
     options.xdd_version = args.xdd_version.unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
     let written = format::convert(device, &job.output, format, args.keep_disabled, &options)?;
-    Ok(Converted { bytes: written.bytes, losses: written.losses })
+    Ok(ConvertedFile { bytes: written.bytes, losses: written.losses })
 }
 
 fn base_name(path: &Path) -> String {

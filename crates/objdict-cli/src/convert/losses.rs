@@ -32,19 +32,19 @@ struct FileLosses {
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct LossesJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The converted files.
     files: &'a [FileLosses],
     /// The losses of all files.
-    summary: Summary,
+    summary: LossCounts,
 }
 
 /// The losses of all files, by what became of the data.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Summary {
+struct LossCounts {
     /// The number of data that are lost.
     lost: usize,
     /// The number of data that belong to a node, or not on the bus.
@@ -77,13 +77,13 @@ impl LossReport {
 
     /// One JSON document (docs/json.md), with a line feed at its end.
     pub(super) fn to_json(&self) -> String {
-        let summary = Summary {
+        let summary = LossCounts {
             lost: self.count(LossKind::Lost),
             left_out: self.count(LossKind::LeftOut),
             invented: self.count(LossKind::Invented),
             carried: self.count(LossKind::Embedded),
         };
-        let document = Document { version: Version, files: &self.files, summary };
+        let document = LossesJson { version: Version, files: &self.files, summary };
         // all keys are texts, so there is nothing that could fail
         let mut text = json::pretty(&document).unwrap_or_default();
         text.push('\n');

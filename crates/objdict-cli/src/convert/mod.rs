@@ -7,20 +7,20 @@ mod losses;
 
 use std::io::Write;
 
-use self::device::Converted;
+use self::device::ConvertedFile;
 pub(super) use self::device::{read_data, refusal, tell_skipped};
 use self::jobs::Job;
-#[cfg(feature = "schema")]
-pub(super) use self::losses::Document as LossDocument;
 use self::losses::LossReport;
-use super::annotation::Described;
+#[cfg(feature = "schema")]
+pub(super) use self::losses::LossesJson as LossDocument;
+use super::annotation::DescribedStream;
 use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of, source_name};
 use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::progress::{Progress, give_way};
-use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
-use super::settings::{Settings, SettingsArgs};
+use super::save::{SaveFolder, Saved, is_stdout, keep, require_other, save};
+use super::settings::{CommandSettings, SettingsArgs};
 use objdict_format::{Description, LossKind, ReadError, json};
 use objdict_node::concise;
 use objdict_node::download::ConciseDcf;
@@ -28,7 +28,7 @@ use objdict_node::download::ConciseDcf;
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut jobs = jobs::plan(args)?;
     let settings = SettingsArgs::from(&args.config);
-    let mut settings = Settings::new(&settings)?;
+    let mut settings = CommandSettings::new(&settings)?;
     for job in &mut jobs {
         job.patches = settings.patches_of(&job.input)?;
     }
@@ -37,7 +37,7 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     args.loss_report.iter().try_for_each(|path| require_other(path))?;
     let mut report = LossReport::default();
     let mut all_done = true;
-    let mut place = Place::new(args, &jobs)?;
+    let mut place = OutputPlace::new(args, &jobs)?;
     let progress = Progress::new("converting", jobs.len());
     for jobs in jobs.chunk_by(|job, next| job.output == next.output) {
         let done = match jobs {
@@ -69,18 +69,18 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
 }
 
 /// Where files go.
-enum Place {
+enum OutputPlace {
     /// To the path that the arguments name.
     Named,
     /// Into a folder.
-    Folder(Folder),
+    Folder(SaveFolder),
 }
 
-impl Place {
+impl OutputPlace {
     fn new(args: &ConvertArgs, jobs: &[Job]) -> Result<Self, Failure> {
         match &args.output {
             Some(folder) if jobs.iter().any(|job| job.is_named) => {
-                Ok(Self::Folder(Folder::open(folder, "convert", &args.overwrite)?))
+                Ok(Self::Folder(SaveFolder::open(folder, "convert", &args.overwrite)?))
             }
             _ => Ok(Self::Named),
         }
@@ -107,7 +107,7 @@ impl Place {
 fn convert_one(
     args: &ConvertArgs,
     job: &Job,
-    place: &mut Place,
+    place: &mut OutputPlace,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
@@ -161,12 +161,12 @@ fn written(description: Description) -> Result<Description, Failure> {
 fn finish(
     job: &Job,
     from: FileKind,
-    converted: Converted,
-    place: &mut Place,
+    converted: ConvertedFile,
+    place: &mut OutputPlace,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let Converted { bytes, losses } = converted;
+    let ConvertedFile { bytes, losses } = converted;
     if bytes.is_empty() {
         let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
         return Err(failure.help("`objdict check` shows what it lacks"));
@@ -196,15 +196,15 @@ fn finish(
 }
 
 /// What is made of a concise DCF.
-fn of_configuration(job: &Job, configuration: &ConciseDcf) -> Result<Converted, Failure> {
+fn of_configuration(job: &Job, configuration: &ConciseDcf) -> Result<ConvertedFile, Failure> {
     match job.to {
-        FileKind::Json => Ok(Converted::whole(json::write_configuration(configuration).into_bytes())),
+        FileKind::Json => Ok(ConvertedFile::whole(json::write_configuration(configuration).into_bytes())),
         FileKind::CdcfText => {
-            let described = Described { device: None, node_id: None };
+            let described = DescribedStream { device: None, node_id: None };
             let text = concise::print(configuration, |download| described.annotate(download));
-            Ok(Converted::whole(text.into_bytes()))
+            Ok(ConvertedFile::whole(text.into_bytes()))
         }
-        FileKind::Cdcf => configuration.write().map(Converted::whole).map_err(Failure::new),
+        FileKind::Cdcf => configuration.write().map(ConvertedFile::whole).map_err(Failure::new),
         to => {
             let name = to.name();
             let message =

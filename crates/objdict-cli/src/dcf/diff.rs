@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::super::annotation::Described;
+use super::super::annotation::DescribedStream;
 use super::super::args::DcfDiffArgs;
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
@@ -24,7 +24,7 @@ pub(super) fn run(args: &DcfDiffArgs, out: &mut Output) -> Result<Outcome, Failu
 /// Prints what two streams write differently.
 pub(crate) fn differences(
     differences: &Differences,
-    described: Described<'_>,
+    described: DescribedStream<'_>,
     out: &mut Output,
 ) -> Result<(), Failure> {
     for difference in &differences.entries {

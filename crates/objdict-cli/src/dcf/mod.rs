@@ -9,10 +9,10 @@ use std::io::Write;
 use std::path::Path;
 
 pub(super) use self::diff::differences;
-pub(super) use self::pack::{Content, content};
+pub(super) use self::pack::{PackedContent, content};
 #[cfg(feature = "schema")]
-pub(super) use self::verify::Document as VerifyDocument;
-use super::annotation::Described;
+pub(super) use self::verify::VerifyJson as VerifyDocument;
+use super::annotation::DescribedStream;
 use super::args::{DcfCommand, NamingArgs};
 use super::input::{ExpandArgs, Input, InputArgs, name_of, source_name};
 use super::outcome::{Failure, Outcome};
@@ -122,9 +122,9 @@ impl NamingArgs {
         self.eds.as_ref().map(|path| device(path, &self.input, &self.expand)).transpose()
     }
 
-    fn described<'a>(&self, device: Option<&'a Device>) -> Described<'a> {
+    fn described<'a>(&self, device: Option<&'a Device>) -> DescribedStream<'a> {
         let node_id = self.node_id.or_else(|| device?.node_id());
-        Described { device, node_id }
+        DescribedStream { device, node_id }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::annotation::Described;
+use super::super::annotation::DescribedStream;
 use super::super::args::{BlobFormat, PackArgs};
 use super::super::convert::{read_data, refusal, tell_skipped};
 use super::super::input::{ExpandArgs, Input, InputArgs, source_name};
@@ -18,12 +18,12 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
     let eds = args.eds.as_ref().map(|path| device(path, &args.input, &args.expand)).transpose()?;
     let stream_node_id = node_id(args, None, eds.as_ref());
     let (configuration, own) = match content(&args.file, &args.input, &args.expand, stream_node_id)? {
-        Content::Device(device) => (planned(args, &device, eds.as_ref())?, Some(device)),
-        Content::Stream(configuration) => (configuration, None),
+        PackedContent::Device(device) => (planned(args, &device, eds.as_ref())?, Some(device)),
+        PackedContent::Stream(configuration) => (configuration, None),
     };
     let mut outcome = Outcome::Clean;
     let node_id = node_id(args, own.as_deref(), eds.as_ref());
-    let described = Described { device: eds.as_ref().or(own.as_deref()), node_id };
+    let described = DescribedStream { device: eds.as_ref().or(own.as_deref()), node_id };
     if let Some(against) = described.device {
         let verification = configuration.verify(against, node_id);
         tell(&verify::text(&verification, described));
@@ -51,7 +51,7 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
 }
 
 /// What is in the file of a configuration.
-pub(crate) enum Content {
+pub(crate) enum PackedContent {
     Device(Box<Device>),
     /// In any of its spellings.
     Stream(ConciseDcf),
@@ -63,21 +63,23 @@ pub(crate) fn content(
     input: &InputArgs,
     expand: &ExpandArgs,
     node_id: Option<u8>,
-) -> Result<Content, Failure> {
+) -> Result<PackedContent, Failure> {
     let name = source_name(path);
     let bytes = input.size.read(path)?; // once: it may be the standard input
     let reading = input.reading();
     let is_stream = hex_of(&bytes, input).is_some()
         || matches!(reading.recognised(&name, bytes.clone())?.0, FileKind::Cdcf | FileKind::CdcfText);
     if is_stream {
-        return stream_of(&name, bytes, input, node_id).map(Content::Stream);
+        return stream_of(&name, bytes, input, node_id).map(PackedContent::Stream);
     }
     match reading.read_one(&name, bytes)? {
         (_, Input::Description(description)) => {
-            Ok(Content::Device(Box::new(expand.device(description.device()).into_owned())))
+            Ok(PackedContent::Device(Box::new(expand.device(description.device()).into_owned())))
         }
-        (_, Input::Device(device)) => Ok(Content::Device(Box::new(expand.device(&device).into_owned()))),
-        (_, Input::Concise(configuration)) => Ok(Content::Stream(configuration)),
+        (_, Input::Device(device)) => {
+            Ok(PackedContent::Device(Box::new(expand.device(&device).into_owned())))
+        }
+        (_, Input::Concise(configuration)) => Ok(PackedContent::Stream(configuration)),
         (_, Input::NodeList(_)) => {
             Err(Failure::new(format_args!("`{name}` is a node list and holds no values"))
                 .help(format!("`objdict show {name}` names the files of its nodes")))

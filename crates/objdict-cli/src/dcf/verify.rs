@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::super::annotation::Described;
+use super::super::annotation::DescribedStream;
 use super::super::args::{PlainFormat, VerifyArgs};
 use super::super::input::{name_of, source_name};
 use super::super::outcome::{Failure, Outcome};
@@ -23,7 +23,7 @@ pub(super) fn run(args: &VerifyArgs, out: &mut Output) -> Result<Outcome, Failur
         PlainFormat::Text => {
             let refused = verification.refusals().count();
             let verdict = if refused == 0 { "none refused".to_owned() } else { format!("{refused} refused") };
-            let described = Described { device: Some(&device), node_id };
+            let described = DescribedStream { device: Some(&device), node_id };
             writeln!(out, "{}: {}, {verdict}", name_of(&args.blob), count(&configuration))?;
             out.write_all(text(&verification, described).as_bytes())?;
         }
@@ -33,7 +33,7 @@ pub(super) fn run(args: &VerifyArgs, out: &mut Output) -> Result<Outcome, Failur
 }
 
 /// What is said of the downloads, the first one that is refused first; what is said of several of them once.
-pub(super) fn text(verification: &Verification, described: Described<'_>) -> String {
+pub(super) fn text(verification: &Verification, described: DescribedStream<'_>) -> String {
     let mut text = String::new();
     let first = verification.refusals().next();
     let others = verification.objections.iter().filter(|&objection| Some(objection) != first);
@@ -60,7 +60,7 @@ pub(super) fn text(verification: &Verification, described: Described<'_>) -> Str
 }
 
 /// What is said of the first download of a group and also of the others.
-fn one(group: &[&Objection], described: Described<'_>) -> String {
+fn one(group: &[&Objection], described: DescribedStream<'_>) -> String {
     let Some((objection, others)) = group.split_first() else { return String::new() };
     let kind = &objection.kind;
     let severity = if kind.is_refusal() { "error" } else { "warning" };
@@ -89,7 +89,7 @@ fn one(group: &[&Objection], described: Described<'_>) -> String {
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct VerifyJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The file with the downloads, as it was given.
@@ -97,7 +97,7 @@ pub(crate) struct Document<'a> {
     /// Whether the node accepts all downloads.
     accepted: bool,
     /// The downloads that the node refuses, or that are hardly intended.
-    objections: Vec<Row>,
+    objections: Vec<VerifyRow>,
     /// The entries whose present value depends on a missing node-ID.
     unknown: Vec<String>,
 }
@@ -105,7 +105,7 @@ pub(crate) struct Document<'a> {
 /// What is said of a download.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Objection"))]
-struct Row {
+struct VerifyRow {
     /// The offset of the download in the stream.
     offset: usize,
     /// Its number, counted from 1.
@@ -128,7 +128,7 @@ struct Row {
 }
 
 fn write_json(file: &str, verification: &Verification, out: &mut Output) -> io::Result<()> {
-    let row = |objection: &Objection| Row {
+    let row = |objection: &Objection| VerifyRow {
         offset: objection.offset,
         download: objection.number,
         index: HexText(objection.index),
@@ -138,7 +138,7 @@ fn write_json(file: &str, verification: &Verification, out: &mut Output) -> io::
         message: objection.kind.to_string(),
         help: objection.kind.help(),
     };
-    let document = Document {
+    let document = VerifyJson {
         version: Version,
         file,
         accepted: verification.is_accepted(),

@@ -6,13 +6,13 @@ use super::super::check::Reporter;
 use super::super::input::source_name;
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::settings::Settings;
+use super::super::settings::CommandSettings;
 use objdict_traffic as traffic;
 use objdict_traffic::BusReport;
 
 pub(super) fn run(args: &DecodeArgs, reports: &[BusReport], out: &mut Output) -> Result<Outcome, Failure> {
     let Some(report) = args.report() else { return Err(Failure::new("findings have no CSV")) };
-    let mut settings = Settings::new(&args.settings)?;
+    let mut settings = CommandSettings::new(&args.settings)?;
     // the messages have times and values, so a baseline would know none of another log
     let baseline = BaselineArgs::default();
     let mut reporter = Reporter::new(&report, &baseline, out)?;

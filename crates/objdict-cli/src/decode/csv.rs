@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io;
 
 use super::super::output::Output;
-use super::{Printer, Shown, digits, id_of, write_raw};
+use super::{FramePrinter, ShownFrame, digits, id_of, write_raw};
 use objdict_document::csv_field;
 use objdict_document::describe::frames::{FrameKind, PdoSignal};
 use objdict_traffic::log::LogTime;
@@ -39,10 +39,10 @@ fn plain(signal: &PdoSignal<'_>) -> String {
     }
 }
 
-impl Printer for LongCsv {
-    fn frame(&mut self, shown: &Shown<'_, '_>, out: &mut Output) -> io::Result<()> {
+impl FramePrinter for LongCsv {
+    fn frame(&mut self, shown: &ShownFrame<'_, '_>, out: &mut Output) -> io::Result<()> {
         self.heading(out)?;
-        let Shown { frame, decoded, bus, .. } = shown;
+        let ShownFrame { frame, decoded, bus, .. } = shown;
         let (time, id) = (frame.time.to_string(), id_of(frame));
         let node = decoded.node_id.map_or_else(String::new, |node_id| node_id.to_string());
         let start = [&*time, &*bus.channel, &*id, decoded.kind.word(), &*node];
@@ -94,7 +94,7 @@ impl WideCsv {
         Self { max_rows, columns: Vec::new(), positions: BTreeMap::new(), rows: Vec::new(), left_out: 0 }
     }
 
-    fn column(&mut self, shown: &Shown<'_, '_>, node_id: u8, signal: &PdoSignal<'_>) -> usize {
+    fn column(&mut self, shown: &ShownFrame<'_, '_>, node_id: u8, signal: &PdoSignal<'_>) -> usize {
         let key = (shown.at, node_id, signal.index, signal.sub);
         let columns = &mut self.columns;
         *self.positions.entry(key).or_insert_with(|| {
@@ -110,9 +110,9 @@ impl WideCsv {
     }
 }
 
-impl Printer for WideCsv {
-    fn frame(&mut self, shown: &Shown<'_, '_>, _out: &mut Output) -> io::Result<()> {
-        let Shown { frame, decoded, bus, .. } = shown;
+impl FramePrinter for WideCsv {
+    fn frame(&mut self, shown: &ShownFrame<'_, '_>, _out: &mut Output) -> io::Result<()> {
+        let ShownFrame { frame, decoded, bus, .. } = shown;
         let Some(node_id) = decoded.node_id.filter(|_| decoded.kind == FrameKind::Pdo) else { return Ok(()) };
         let frame_of_bus = raw(frame);
         let signals = bus.reader.signals(decoded, &frame_of_bus);

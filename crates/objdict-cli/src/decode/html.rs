@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::super::outcome::{Failure, note};
 use super::super::save::save;
-use super::summary::{self, Document, MESSAGES, NODES};
+use super::summary::{self, MESSAGES, NODES, TrafficSummaryJson};
 use objdict_document::TrafficTable;
 use objdict_model::diagnostic::plural;
 use objdict_traffic::{BusReport, Buses, PageTexts, Recording};
@@ -13,7 +13,7 @@ use objdict_traffic::{BusReport, Buses, PageTexts, Recording};
 pub(super) fn write(
     path: &Path,
     recording: &Recording,
-    document: &Document,
+    document: &TrafficSummaryJson,
     buses: &Buses<'_>,
 ) -> Result<(), Failure> {
     for text in recording.unused() {

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use self::csv::{LongCsv, WideCsv};
 #[cfg(feature = "schema")]
-pub(super) use self::summary::Document as SummaryDocument;
+pub(super) use self::summary::TrafficSummaryJson as SummaryDocument;
 use self::text::{JsonLines, TextLines};
 use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
 use super::input::{Input, name_of, source_name};
@@ -53,7 +53,7 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         let outcome = sums(args, &mut buses, &mut logs, out)?;
         return Ok(outcome.max(report_bad_lines(&logs)?));
     }
-    let mut printer: Box<dyn Printer> = match (args.format, args.wide) {
+    let mut printer: Box<dyn FramePrinter> = match (args.format, args.wide) {
         (DecodeFormat::Json, _) => Box::new(JsonLines),
         (DecodeFormat::Csv, false) => Box::new(LongCsv::default()),
         (DecodeFormat::Csv, true) => Box::new(WideCsv::new(args.max_rows)),
@@ -92,7 +92,7 @@ fn sums(
 }
 
 /// A frame that is shown.
-struct Shown<'s, 'd> {
+struct ShownFrame<'s, 'd> {
     frame: &'s LoggedFrame,
     decoded: DecodedFrame,
     bus: &'s Bus<'d>,
@@ -118,8 +118,8 @@ fn require_format(args: &DecodeArgs) -> Result<(), Failure> {
 }
 
 /// What writes frames.
-trait Printer {
-    fn frame(&mut self, shown: &Shown<'_, '_>, out: &mut Output) -> io::Result<()>;
+trait FramePrinter {
+    fn frame(&mut self, shown: &ShownFrame<'_, '_>, out: &mut Output) -> io::Result<()>;
 
     fn end(&mut self, _out: &mut Output) -> io::Result<()> {
         Ok(())
@@ -131,7 +131,7 @@ fn each_frame<'d>(
     args: &DecodeArgs,
     buses: &mut Buses<'d>,
     logs: &mut Logs,
-    mut show: impl FnMut(Shown<'_, 'd>) -> io::Result<()>,
+    mut show: impl FnMut(ShownFrame<'_, 'd>) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let has_filter = args.filter.is_set();
     while let Some((log, frame)) = logs.next_frame().map_err(|error| unreadable(&error))? {
@@ -143,7 +143,7 @@ fn each_frame<'d>(
         }
         let bus = &buses.all[at];
         if !has_filter || args.filter.passes(&decoded, &frame, bus) {
-            show(Shown { frame: &frame, decoded, bus, at, origin: logs.origin(log) })?;
+            show(ShownFrame { frame: &frame, decoded, bus, at, origin: logs.origin(log) })?;
         }
     }
     Ok(())

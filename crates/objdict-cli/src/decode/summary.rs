@@ -8,7 +8,7 @@ use super::super::args::{DecodeArgs, DecodeFormat};
 use super::super::input::source_name;
 use super::super::outcome::Failure;
 use super::super::output::Output;
-use super::super::table::{Table, fit};
+use super::super::table::{TextTable, fit};
 use super::{Logs, each_frame};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
@@ -26,7 +26,7 @@ const EVENTS: usize = 20;
 /// The sums over logs.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document {
+pub(crate) struct TrafficSummaryJson {
     /// The version of the document.
     version: Version<1>,
     /// The logs as they were given.
@@ -43,7 +43,7 @@ pub(super) fn gather(
     buses: &mut Buses<'_>,
     logs: &mut Logs,
     mut recording: Option<&mut Recording>,
-) -> Result<Document, Failure> {
+) -> Result<TrafficSummaryJson, Failure> {
     let mut sums: Vec<BusSums> = Vec::new();
     each_frame(args, buses, logs, |shown| {
         while sums.len() <= shown.at {
@@ -55,7 +55,7 @@ pub(super) fn gather(
         }
         Ok(())
     })?;
-    Ok(Document {
+    Ok(TrafficSummaryJson {
         version: Version,
         logs: args.logs.iter().map(|path| source_name(path)).collect(),
         bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
@@ -63,7 +63,7 @@ pub(super) fn gather(
     })
 }
 
-impl Document {
+impl TrafficSummaryJson {
     /// The logs as they were given.
     pub(super) fn logs(&self) -> &[String] {
         &self.logs
@@ -99,11 +99,11 @@ pub(super) const MESSAGES: [&str; 8] =
 
 fn write_bus(bus: &BusReport, out: &mut Output) -> io::Result<()> {
     writeln!(out, "{}\n{}\n", title(bus), kinds(bus))?;
-    let mut nodes = Table::new(NODES, CELL);
+    let mut nodes = TextTable::new(NODES, CELL);
     node_rows(bus).for_each(|row| nodes.row(row));
     nodes.write(out)?;
     writeln!(out)?;
-    let mut messages = Table::new(MESSAGES, CELL);
+    let mut messages = TextTable::new(MESSAGES, CELL);
     message_rows(bus).for_each(|row| messages.row(row));
     messages.write(out)?;
     events("Lost heartbeats", &bus.lost_heartbeats, out)?;

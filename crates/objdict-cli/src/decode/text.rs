@@ -3,14 +3,14 @@
 use std::io::{self, Write};
 
 use super::super::output::Output;
-use super::{Printer, Shown, digits, id_of, write_raw};
+use super::{FramePrinter, ShownFrame, digits, id_of, write_raw};
 
 /// A line for each frame: time, channel, CAN-ID, data, words.
 pub(super) struct TextLines;
 
-impl Printer for TextLines {
-    fn frame(&mut self, shown: &Shown<'_, '_>, out: &mut Output) -> io::Result<()> {
-        let Shown { frame, decoded, bus, .. } = shown;
+impl FramePrinter for TextLines {
+    fn frame(&mut self, shown: &ShownFrame<'_, '_>, out: &mut Output) -> io::Result<()> {
+        let ShownFrame { frame, decoded, bus, .. } = shown;
         let data = if frame.is_remote { "remote".to_owned() } else { digits(frame.data(), " ") };
         let channel = if bus.channel.is_empty() { String::new() } else { format!("{}  ", bus.channel) };
         let words = bus.words(decoded, frame);
@@ -22,8 +22,8 @@ impl Printer for TextLines {
 /// A line of JSON for each frame.
 pub(super) struct JsonLines;
 
-impl Printer for JsonLines {
-    fn frame(&mut self, shown: &Shown<'_, '_>, out: &mut Output) -> io::Result<()> {
+impl FramePrinter for JsonLines {
+    fn frame(&mut self, shown: &ShownFrame<'_, '_>, out: &mut Output) -> io::Result<()> {
         write_raw(out, &(shown.bus.json(&shown.decoded, shown.frame) + "\n"))
     }
 }

@@ -10,13 +10,13 @@ use serde_json::Value;
 
 use self::network::DocumentedNetwork;
 use super::args::DocsArgs;
-use super::files::{self, File};
+use super::files::{self, InputFile};
 use super::input::{FileKind, Input, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Folder, Saved, is_folder, is_stdout, save};
-use super::settings::Settings;
+use super::save::{SaveFolder, Saved, is_folder, is_stdout, save};
+use super::settings::CommandSettings;
 use objdict_document as document;
 use objdict_document::{CodeName, Finding, Form, Identifiers, Options, Site, SiteFile, Subject};
 use objdict_format::Description;
@@ -65,7 +65,7 @@ impl Documented {
 
 pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let form = form(args)?;
-    let mut settings = Settings::new(&args.settings)?;
+    let mut settings = CommandSettings::new(&args.settings)?;
     let (files, failures) = files::gather(&args.files, &mut settings)?;
     let mut outcome = Outcome::Clean;
     for failure in failures {
@@ -76,7 +76,7 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         failure.print();
         outcome = Outcome::Failed;
     }
-    let mut read = Read::default();
+    let mut read = DocumentedFile::default();
     let has_pages = files.len() > 1 || !is_file(args);
     let progress = Progress::new("reading", files.len());
     for file in &files {
@@ -100,7 +100,13 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
 }
 
 /// Writes what was read of so many files: one page, or a site.
-fn write(args: &DocsArgs, read: Read, files: usize, form: Form, out: &mut Output) -> Result<(), Failure> {
+fn write(
+    args: &DocsArgs,
+    read: DocumentedFile,
+    files: usize,
+    form: Form,
+    out: &mut Output,
+) -> Result<(), Failure> {
     let (title, node_id, language) = (args.title.clone(), args.settings.node_id(), args.lang.clone());
     let options = Options { title, node_id, language, workbench: args.workbench.clone() };
     match (read.devices.as_slice(), read.networks.as_slice()) {
@@ -109,7 +115,7 @@ fn write(args: &DocsArgs, read: Read, files: usize, form: Form, out: &mut Output
             let page = document::write(&one.subject(), form, &options);
             match is_folder(&args.output) {
                 true => {
-                    let mut folder = Folder::open(&args.output, "docs", &args.overwrite)?;
+                    let mut folder = SaveFolder::open(&args.output, "docs", &args.overwrite)?;
                     save_page(args, &mut folder, &one.page_name(form).to_string_lossy(), &page, out)?;
                     folder.finish()
                 }
@@ -135,18 +141,18 @@ fn is_file(args: &DocsArgs) -> bool {
 
 /// What is documented.
 #[derive(Default)]
-struct Read {
+struct DocumentedFile {
     devices: Vec<Documented>,
     networks: Vec<DocumentedNetwork>,
 }
 
-impl Read {
+impl DocumentedFile {
     /// Adds the devices or the network of a file; `has_pages` says whether the nodes of a network have pages.
     fn add(
         &mut self,
         args: &DocsArgs,
-        settings: &Settings,
-        file: &File,
+        settings: &CommandSettings,
+        file: &InputFile,
         has_pages: bool,
         outcome: &mut Outcome,
     ) -> Result<(), Failure> {
@@ -202,7 +208,7 @@ impl Read {
 }
 
 /// The language that was asked for is one that objdict writes in, or one that a description has texts in.
-fn require_language(args: &DocsArgs, read: &Read) -> Result<(), Failure> {
+fn require_language(args: &DocsArgs, read: &DocumentedFile) -> Result<(), Failure> {
     let Some(asked) = args.lang.as_deref().filter(|tag| Language::of_tag(tag).is_none()) else {
         return Ok(());
     };
@@ -247,8 +253,8 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
 /// The devices of a file; one of CANopenEditor may have several.
 fn devices(
     args: &DocsArgs,
-    settings: &Settings,
-    file: &File,
+    settings: &CommandSettings,
+    file: &InputFile,
     kind: FileKind,
     input: Input,
 ) -> Result<Vec<Documented>, Failure> {
@@ -318,7 +324,7 @@ fn write_one(args: &DocsArgs, page: &str, out: &mut Output) -> Result<(), Failur
 
 fn save_page(
     args: &DocsArgs,
-    folder: &mut Folder,
+    folder: &mut SaveFolder,
     name: &str,
     page: &str,
     out: &mut Output,
@@ -337,7 +343,7 @@ fn tell_saved(path: &Path, page: &str, saved: Saved, out: &mut Output) -> Result
 
 fn write_site(
     args: &DocsArgs,
-    read: Read,
+    read: DocumentedFile,
     form: Form,
     options: &Options,
     out: &mut Output,
@@ -345,7 +351,7 @@ fn write_site(
     if is_stdout(&args.output) {
         return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
-    let mut folder = Folder::open(&args.output, "docs", &args.overwrite)?;
+    let mut folder = SaveFolder::open(&args.output, "docs", &args.overwrite)?;
     // it is written last, and each page as soon as it is made
     folder.admit(&format!("index.{}", form.extension()), &[])?;
     let progress = Progress::new("writing", read.all().count());

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use super::super::args::DocsArgs;
-use super::super::files::File;
+use super::super::files::InputFile;
 use super::super::input::{Input, name_of};
 use super::super::network;
 use super::super::outcome::{Failure, Outcome};
-use super::super::settings::Settings;
+use super::super::settings::CommandSettings;
 use super::{Documented, described, file_name, reported};
 use objdict_document::{Finding, SiteNetwork};
 use objdict_format::input::Reading;
@@ -29,8 +29,8 @@ impl DocumentedNetwork {
     /// Reads a network; `has_pages` says whether its nodes have pages. A node whose DCF cannot be written has none.
     pub(super) fn read(
         args: &DocsArgs,
-        settings: &Settings,
-        file: &File,
+        settings: &CommandSettings,
+        file: &InputFile,
         has_pages: bool,
         outcome: &mut Outcome,
     ) -> Result<Self, Failure> {

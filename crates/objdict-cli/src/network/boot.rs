@@ -10,7 +10,7 @@ use super::super::input::name_of;
 use super::super::outcome::{Failure, Outcome, note};
 use super::super::output::Output;
 use super::super::save::keep;
-use super::super::table::{Table, fit};
+use super::super::table::{TextTable, fit};
 use super::{open_despite_errors, source_names_of};
 use objdict_bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use objdict_document::describe::frames::{FrameReader, Talker, nmt_state};
@@ -45,7 +45,7 @@ pub(super) fn run(args: &NetworkBootArgs, out: &mut Output) -> Result<Outcome, F
         ..Conditions::default()
     };
     let run = boot(plant, &conditions);
-    let report = Report { run: &run, bit_rate: plant.bit_rate };
+    let report = BootReport { run: &run, bit_rate: plant.bit_rate };
     match args.format {
         ShowFormat::Json => report.json(&source_names_of(&args.files), notes, args.summary, out)?,
         ShowFormat::Table => {
@@ -110,7 +110,7 @@ fn read(folder: &Path) -> Result<Vec<BuiltFile>, Failure> {
 }
 
 /// A run with what its frames say.
-struct Report<'r> {
+struct BootReport<'r> {
     run: &'r Run,
     bit_rate: u16,
 }
@@ -118,7 +118,7 @@ struct Report<'r> {
 /// A line of the trace.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Line {
+struct TraceLine {
     /// When it happened, in microseconds.
     time: u64,
     #[serde(flatten)]
@@ -147,7 +147,7 @@ struct FrameColumns {
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct BootJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The files as they were given, with a blank between them.
@@ -172,16 +172,16 @@ pub(crate) struct Document<'a> {
     /// Why the network is not booted.
     problems: Vec<String>,
     /// The manager, then the nodes by node-ID.
-    nodes: Vec<NodeRow<'a>>,
+    nodes: Vec<NodeJson<'a>>,
     /// What happened; absent with `--summary`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    trace: Option<Vec<Line>>,
+    trace: Option<Vec<TraceLine>>,
 }
 
 /// A node.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Node"))]
-struct NodeRow<'a> {
+struct NodeJson<'a> {
     /// The node-ID.
     node_id: u8,
     /// The name in the network.
@@ -208,9 +208,9 @@ struct NodeRow<'a> {
     emergencies: usize,
 }
 
-impl<'r> Report<'r> {
+impl<'r> BootReport<'r> {
     /// The lines of all events.
-    fn lines(&self) -> impl Iterator<Item = Line> + '_ {
+    fn lines(&self) -> impl Iterator<Item = TraceLine> + '_ {
         let talkers = self.run.nodes.iter().filter_map(|node| {
             let (name, node_id) = (node.name.as_str(), node.node_id);
             Some(Talker { name, node_id, device: node.device.as_ref()? })
@@ -219,7 +219,7 @@ impl<'r> Report<'r> {
         self.run.events.iter().map(move |event| self.line(event, &mut reader))
     }
 
-    fn line(&self, event: &Event, reader: &mut FrameReader<'_>) -> Line {
+    fn line(&self, event: &Event, reader: &mut FrameReader<'_>) -> TraceLine {
         let time = event.time / 1000;
         let name = |at: usize| self.run.nodes[at].name.clone();
         let (node, text) = match &event.kind {
@@ -233,7 +233,7 @@ impl<'r> Report<'r> {
             }
             _ => (0, String::new()),
         };
-        Line { time, frame: None, node: Some(name(node)), text }
+        TraceLine { time, frame: None, node: Some(name(node)), text }
     }
 
     fn milestone(&self, node: usize, milestone: &Milestone) -> String {
@@ -251,7 +251,7 @@ impl<'r> Report<'r> {
     }
 
     fn trace(&self, out: &mut dyn Write) -> io::Result<()> {
-        for Line { time, frame, text, .. } in self.lines() {
+        for TraceLine { time, frame, text, .. } in self.lines() {
             let (can_id, data) = frame.map_or_else(Default::default, |frame| (frame.can_id, frame.data));
             let line = format!("{:>11} ms  {can_id:3}  {data:<23}  {text}", milliseconds(time));
             writeln!(out, "{}", fit(line.trim_end(), WORDS))?;
@@ -261,7 +261,7 @@ impl<'r> Report<'r> {
 
     fn summary(&self, out: &mut dyn Write) -> io::Result<()> {
         let headings = ["Node", "Name", "", "State", "Booted", "Operational", "Downloads", "EMCY"];
-        let mut table = Table::new(headings, CELL);
+        let mut table = TextTable::new(headings, CELL);
         let time = |time: Option<u64>| {
             time.map_or_else(String::new, |time| format!("{} ms", milliseconds(time / 1000)))
         };
@@ -348,7 +348,7 @@ impl<'r> Report<'r> {
 
     fn json(&self, file: &str, notes: &[String], is_short: bool, out: &mut Output) -> io::Result<()> {
         let micro = |time: Option<u64>| time.map(|time| time / 1000);
-        let row = |node: &'r NodeRun| NodeRow {
+        let row = |node: &'r NodeRun| NodeJson {
             node_id: node.node_id,
             name: &node.name,
             is_manager: node.is_manager,
@@ -363,7 +363,7 @@ impl<'r> Report<'r> {
             downloads: node.downloads,
             emergencies: node.emergencies,
         };
-        let document = Document {
+        let document = BootJson {
             version: Version,
             file,
             notes,
@@ -382,7 +382,7 @@ impl<'r> Report<'r> {
     }
 }
 
-fn frame_line(time: u64, sender: String, frame: &BusFrame, reader: &mut FrameReader<'_>) -> Line {
+fn frame_line(time: u64, sender: String, frame: &BusFrame, reader: &mut FrameReader<'_>) -> TraceLine {
     let words = reader.read(frame.id(), frame.data(), frame.is_remote());
     let bytes: Vec<String> = frame.data().iter().map(|byte| format!("{byte:02X}")).collect();
     let data = if frame.is_remote() { "remote".to_owned() } else { bytes.join(" ") };
@@ -392,7 +392,7 @@ fn frame_line(time: u64, sender: String, frame: &BusFrame, reader: &mut FrameRea
         is_remote: frame.is_remote(),
         service: words.service.map(|service| service.to_string()),
     };
-    Line { time, frame: Some(frame), node: Some(sender), text: words.text }
+    TraceLine { time, frame: Some(frame), node: Some(sender), text: words.text }
 }
 
 /// Microseconds as milliseconds.

@@ -8,8 +8,8 @@ use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::input::name_of;
 use super::super::outcome::{Failure, Outcome, note, tell};
 use super::super::output::Output;
-use super::super::save::Folder;
-use super::super::settings::{Settings, SettingsArgs};
+use super::super::save::SaveFolder;
+use super::super::settings::{CommandSettings, SettingsArgs};
 use super::{findings, names_of, open_one};
 use objdict_build::pipeline::report_lines;
 use objdict_generate::{Options, Target, generate};
@@ -22,7 +22,7 @@ use objdict_project::report::{Subject, Tally, grouped, listed};
 pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open_one(&args.files, &args.input)?;
     let settings = SettingsArgs::from(&args.input.config);
-    let findings = findings(&file, &args.files[0], &mut Settings::new(&settings)?)?;
+    let findings = findings(&file, &args.files[0], &mut CommandSettings::new(&settings)?)?;
     // as `network check` shows and counts them
     let reported: Vec<_> = Subject::of_network(&file, findings.clone())
         .into_iter()
@@ -62,7 +62,7 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     if !is_verified && !args.force {
         return Ok(Outcome::Findings);
     }
-    let folder = Folder::open(&args.output, &origin(args), &args.overwrite)?;
+    let folder = SaveFolder::open(&args.output, &origin(args), &args.overwrite)?;
     let contents: Vec<_> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
     for name in folder.replace(&contents)? {
         let path = args.output.join(name);

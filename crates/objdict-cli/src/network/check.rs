@@ -4,12 +4,12 @@ use super::super::args::NetworkCheckArgs;
 use super::super::check::Reporter;
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::settings::Settings;
+use super::super::settings::CommandSettings;
 use super::{findings, of_descriptions, open, parted};
 use objdict_project::report::Subject;
 
 pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let mut settings = Settings::new(&args.settings)?;
+    let mut settings = CommandSettings::new(&args.settings)?;
     let input = args.paths.with(&args.patch, args.settings.config_file());
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
     let (networks, descriptions) = parted(&args.files);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::slice;
 
-use super::super::annotation::Described;
+use super::super::annotation::DescribedStream;
 use super::super::args::NetworkDiffArgs;
 use super::super::dcf::differences;
 use super::super::outcome::{Failure, Outcome};
@@ -14,11 +14,11 @@ use objdict_model::diagnostic::one_line;
 use objdict_network::{End, Overview, Resolved, Service};
 
 /// A network in lines, by what they are about.
-type Sections = BTreeMap<(Order, String), Vec<String>>;
+type DiffSections = BTreeMap<(SectionOrder, String), Vec<String>>;
 
 /// The order of the sections.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Order {
+enum SectionOrder {
     Bus,
     Nodes,
     Messages,
@@ -43,17 +43,17 @@ pub(super) fn run(args: &NetworkDiffArgs, out: &mut Output) -> Result<Outcome, F
     Ok(if is_same { Outcome::Clean } else { Outcome::Findings })
 }
 
-fn sections(resolved: &Resolved) -> Sections {
+fn sections(resolved: &Resolved) -> DiffSections {
     let overview = Overview::new(resolved.network(), resolved.compiled());
-    let mut sections = Sections::new();
+    let mut sections = DiffSections::new();
     let bus = overview.name.iter().map(|name| format!("name {name}"));
     let bus = bus.chain(overview.bit_rate.map(|rate| format!("{rate} kbit/s")));
-    sections.insert((Order::Bus, "bus".to_owned()), bus.collect());
+    sections.insert((SectionOrder::Bus, "bus".to_owned()), bus.collect());
     let nodes = overview.nodes.iter().map(|node| {
         let node_id = node.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string());
         format!("{node_id} {}: {}", node.name, node.description)
     });
-    sections.insert((Order::Nodes, "nodes".to_owned()), nodes.collect());
+    sections.insert((SectionOrder::Nodes, "nodes".to_owned()), nodes.collect());
     let messages = overview.messages.iter().flat_map(|message| {
         let line =
             move |verb: &str, end: &End| format!("{} {verb} {end}: {}", message.can_id, message.trigger);
@@ -64,14 +64,14 @@ fn sections(resolved: &Resolved) -> Sections {
         let received = message.receivers.iter().filter(move |end| !follows(end));
         sent.chain(received.map(move |end| line("to", end)))
     });
-    sections.insert((Order::Messages, "CAN-IDs".to_owned()), messages.collect());
+    sections.insert((SectionOrder::Messages, "CAN-IDs".to_owned()), messages.collect());
     if let Some(plan) = &overview.boot {
         let title = format!("boot plan of {}", plan.manager);
-        sections.insert((Order::Boot, title), plan.general.clone());
+        sections.insert((SectionOrder::Boot, title), plan.general.clone());
         for node in &plan.nodes {
             let mandatory = if node.is_mandatory { "mandatory" } else { "optional" };
             let steps = std::iter::once(mandatory.to_owned()).chain(node.steps.iter().cloned());
-            sections.insert((Order::Boot, format!("boot of {}", node.name)), steps.collect());
+            sections.insert((SectionOrder::Boot, format!("boot of {}", node.name)), steps.collect());
         }
     }
     sections
@@ -109,7 +109,7 @@ fn configuration<'n>(
     }
     let node = &second.network().nodes[new.node];
     let described =
-        Described { device: Some(&node.device), node_id: node.node_id.map(|node_id| node_id.value) };
+        DescribedStream { device: Some(&node.device), node_id: node.node_id.map(|node_id| node_id.value) };
     writeln!(out, "downloads of {}:", one_line(name))?;
     differences(&found, described, out)?;
     Ok(false)

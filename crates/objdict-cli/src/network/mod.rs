@@ -13,17 +13,17 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 #[cfg(feature = "schema")]
-pub(super) use self::boot::Document as BootDocument;
+pub(super) use self::boot::BootJson as BootDocument;
 #[cfg(feature = "schema")]
-pub(super) use self::show::Document as ShowDocument;
+pub(super) use self::show::BootJson as ShowDocument;
 #[cfg(feature = "schema")]
-pub(super) use self::timing::Document as TimingDocument;
+pub(super) use self::timing::BootJson as TimingDocument;
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
 use super::input::{name_of, source_name};
 use super::outcome::{Failure, Outcome, tell};
 use super::output::Output;
 use super::save::keep;
-use super::settings::Settings;
+use super::settings::CommandSettings;
 use objdict_format::ReadError;
 use objdict_format::identify::ContentKind;
 use objdict_model::diagnostic::plural;
@@ -64,7 +64,7 @@ fn of_descriptions(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Networ
 }
 
 /// The findings of a network with the severities of its configuration.
-fn findings(file: &NetworkFile, path: &Path, settings: &mut Settings) -> Result<Findings, Failure> {
+fn findings(file: &NetworkFile, path: &Path, settings: &mut CommandSettings) -> Result<Findings, Failure> {
     let project = settings.project_of(path)?;
     Ok(settings.options(path, project.as_deref()).severities.apply(file.check()))
 }

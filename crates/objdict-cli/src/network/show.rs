@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::super::args::{NetworkShowArgs, ShowFormat};
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::table::{Table, fit};
+use super::super::table::{TextTable, fit};
 use super::{overview, source_names_of};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
@@ -21,7 +21,7 @@ const CELL: usize = 72;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct NetworkJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The file as it was given; several with a blank between them.
@@ -35,7 +35,7 @@ pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, F
     match args.format {
         ShowFormat::Json => {
             let document =
-                Document { version: Version, file: &source_names_of(&args.files), overview: &overview };
+                NetworkJson { version: Version, file: &source_names_of(&args.files), overview: &overview };
             out.json(&document)?;
         }
         ShowFormat::Table => tables(&overview, out)?,
@@ -85,7 +85,7 @@ fn milliseconds(time: u16) -> String {
 
 fn nodes(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
     let headings = ["Node", "Name", "", "Description", "Heartbeat", "Guarding", "Downloads", "Bytes"];
-    let mut table = Table::new(headings, CELL);
+    let mut table = TextTable::new(headings, CELL);
     for node in &overview.nodes {
         table.row([
             node.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string()),
@@ -111,7 +111,7 @@ fn is_unlinked(overview: &Overview, link: &LinkRow) -> bool {
 
 /// A line for each node.
 fn unlinked(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(["Node", "No node receives", "No node sends"], CELL * 2);
+    let mut table = TextTable::new(["Node", "No node receives", "No node sends"], CELL * 2);
     for row in &overview.unlinked {
         let pdos = |kind: PdoKind| {
             let of_kind = |end: &&UnlinkedEnd| matches!(end.service, Service::Pdo(pdo) if pdo.kind == kind);
@@ -125,7 +125,7 @@ fn unlinked(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn links(links: &[&LinkRow], out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(["CAN-ID", "From", "Entry", "To", "Entry"], CELL);
+    let mut table = TextTable::new(["CAN-ID", "From", "Entry", "To", "Entry"], CELL);
     for link in links {
         let end = |end: &Option<End>| end.as_ref().map_or_else(|| "no node".to_owned(), End::to_string);
         let ends = [link.can_id.to_string(), end(&link.sender), end(&link.receiver)];
@@ -144,7 +144,7 @@ fn links(links: &[&LinkRow], out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn can_ids(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(["CAN-ID", "From", "To", "Bytes", "Trigger", "Period"], CELL);
+    let mut table = TextTable::new(["CAN-ID", "From", "To", "Bytes", "Trigger", "Period"], CELL);
     // what only waits by default is not on the bus
     let waits = |message: &&MessageRow| {
         let is_unlinked = |end: &End| overview.is_unlinked(message.can_id, end);
@@ -182,7 +182,7 @@ fn period(time: u64) -> String {
 /// What configures a node, in order.
 fn downloads(node: &NodeRow, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\nDownloads to {}\n", fit(&node.name, CELL))?;
-    let mut table = Table::new(["Entry", "Value"], CELL);
+    let mut table = TextTable::new(["Entry", "Value"], CELL);
     for DownloadRow { entry, value } in &node.configuration {
         table.row([entry.to_string(), value.clone()]);
     }

@@ -7,7 +7,7 @@ use super::super::args::NetworkVerifyArgs;
 use super::super::input::name_of;
 use super::super::outcome::{Failure, Outcome, note};
 use super::super::output::Output;
-pub(crate) use objdict_build::pipeline::{Manifest, State};
+pub(crate) use objdict_build::pipeline::{FileState, Manifest};
 use objdict_model::diagnostic::plural;
 
 pub(super) fn run(args: &NetworkVerifyArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -22,10 +22,10 @@ pub(super) fn run(args: &NetworkVerifyArgs, out: &mut Output) -> Result<Outcome,
         let state = state.map_err(|error| Failure::new(format_args!("cannot read `{name}`: {error}")))?;
         files += 1;
         let problem = match state {
-            State::Same => continue,
-            State::Changed => "changed",
-            State::Missing => "missing",
-            State::Interrupted => {
+            FileState::Same => continue,
+            FileState::Changed => "changed",
+            FileState::Missing => "missing",
+            FileState::Interrupted => {
                 is_interrupted = true;
                 continue;
             }

@@ -6,13 +6,13 @@ use std::sync::{Mutex, PoisonError};
 
 use serde::Serialize;
 
-use super::http::Refusal;
+use super::http::HttpRefusal;
 use crate::args::OpenArgs;
-use crate::files::{File, gather_with};
+use crate::files::{InputFile, gather_with};
 use crate::input::{SizeArgs, name_of, source_name};
 use crate::outcome::{Failure, note};
 use crate::save::save_in_place;
-use crate::settings::{Settings, SettingsArgs};
+use crate::settings::{CommandSettings, SettingsArgs};
 use objdict_build::pipeline::Hash;
 use objdict_format::identify::{ContentKind, identify};
 use objdict_network_file::{NetworkFile, PathOptions, may_be_network};
@@ -22,7 +22,7 @@ const MAX_OPEN: usize = 20;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-enum Kind {
+enum OpenKind {
     Description,
     Network,
     Other,
@@ -30,14 +30,14 @@ enum Kind {
 
 /// A file, as the page lists it.
 #[derive(Debug, Serialize)]
-struct Served {
+struct ServedFile {
     #[serde(skip)]
     path: PathBuf,
     /// What `path` was when the command started: it must not become a link to another file.
     #[serde(skip)]
     real: PathBuf,
     name: String,
-    kind: Kind,
+    kind: OpenKind,
     /// Of a network, the numbers of the descriptions of its nodes.
     nodes: BTreeSet<usize>,
     is_open: bool,
@@ -46,18 +46,19 @@ struct Served {
 
 /// All of them.
 #[derive(Debug)]
-pub(super) struct Files {
-    list: Vec<Served>,
+pub(super) struct ServedFiles {
+    list: Vec<ServedFile>,
     size: SizeArgs,
     /// A file is compared and written by one request at a time.
     writing: Mutex<()>,
 }
 
-impl Files {
+impl ServedFiles {
     /// The files that the arguments name, and the descriptions of networks among them.
     pub(super) fn gather(args: &OpenArgs) -> Result<Self, Failure> {
         let settings = SettingsArgs::from(&args.config);
-        let (found, failures) = gather_with(&args.files, &mut Settings::new(&settings)?, may_be_network)?;
+        let (found, failures) =
+            gather_with(&args.files, &mut CommandSettings::new(&settings)?, may_be_network)?;
         let mut failures = failures.into_iter();
         failures.next().map_or(Ok(()), Err)?;
         let size = SizeArgs { max_size: args.size.max_size };
@@ -69,7 +70,7 @@ impl Files {
                 added => added?,
             }
         }
-        let networks = (0..files.list.len()).filter(|&number| files.list[number].kind == Kind::Network);
+        let networks = (0..files.list.len()).filter(|&number| files.list[number].kind == OpenKind::Network);
         for number in networks.collect::<Vec<_>>() {
             files.add_nodes(number)?;
         }
@@ -92,17 +93,17 @@ impl Files {
         self.list.len()
     }
 
-    fn add(&mut self, file: &File) -> Result<(), Failure> {
+    fn add(&mut self, file: &InputFile) -> Result<(), Failure> {
         let path = &file.path;
         if file.is_named && path.exists() && !path.is_file() || path == Path::new("-") {
             let message = format!("`{}` is not a file, so it cannot be saved in place", name_of(path));
             return Err(Failure::new(message).help("write it to a file and open that"));
         }
         let kind = match is_clear(path) && !file.is_named {
-            true => Kind::Description,
+            true => OpenKind::Description,
             false => kind_of(path, &self.size.bytes(path)?),
         };
-        if kind == Kind::Other && !file.is_named {
+        if kind == OpenKind::Other && !file.is_named {
             return Ok(());
         }
         self.push(path, kind, file.is_named, file.is_outside).map(drop)
@@ -114,14 +115,20 @@ impl Files {
         let is_read_only = network.is_read_only;
         let network = NetworkFile::open(&network.path, &PathOptions::default()).map_err(Failure::new)?;
         let files = network.files.iter().filter(|path| path.is_file());
-        let nodes = files.map(|path| self.push(path, Kind::Description, false, is_read_only));
+        let nodes = files.map(|path| self.push(path, OpenKind::Description, false, is_read_only));
         let nodes: BTreeSet<usize> = nodes.collect::<Result<_, Failure>>()?;
         self.list[number].nodes = nodes;
         Ok(())
     }
 
     /// The number of a file, which is in the list once.
-    fn push(&mut self, path: &Path, kind: Kind, is_open: bool, is_read_only: bool) -> Result<usize, Failure> {
+    fn push(
+        &mut self,
+        path: &Path,
+        kind: OpenKind,
+        is_open: bool,
+        is_read_only: bool,
+    ) -> Result<usize, Failure> {
         let failed = |error| Failure::new(format_args!("cannot read `{}`: {error}", name_of(path)));
         let real = path.canonicalize().map_err(failed)?;
         if let Some(number) = self.list.iter().position(|known| known.real == real) {
@@ -133,35 +140,35 @@ impl Files {
         let path = path.strip_prefix(here).unwrap_or(path);
         let name = source_name(path.strip_prefix(".").unwrap_or(path));
         let path = path.to_owned();
-        self.list.push(Served { path, real, name, kind, nodes: BTreeSet::new(), is_open, is_read_only });
+        self.list.push(ServedFile { path, real, name, kind, nodes: BTreeSet::new(), is_open, is_read_only });
         Ok(self.list.len() - 1)
     }
 
     /// The bytes of a file, and the tag that they have.
-    pub(super) fn read(&self, number: usize) -> Result<(Vec<u8>, String), Refusal> {
+    pub(super) fn read(&self, number: usize) -> Result<(Vec<u8>, String), HttpRefusal> {
         let file = self.get(number)?;
-        let bytes = self.size.bytes(&file.path).map_err(|failure| Refusal(404, failure))?;
+        let bytes = self.size.bytes(&file.path).map_err(|failure| HttpRefusal(404, failure))?;
         let tag = tag(&bytes);
         Ok((bytes, tag))
     }
 
     /// Replaces a file that still has the bytes of a tag, and returns the tag of the new ones.
-    pub(super) fn write(&self, number: usize, expected: &str, bytes: &[u8]) -> Result<String, Refusal> {
+    pub(super) fn write(&self, number: usize, expected: &str, bytes: &[u8]) -> Result<String, HttpRefusal> {
         let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
         let file = self.get(number)?;
         let name = name_of(&file.path);
         if file.is_read_only {
             let message = format!("`{name}` is not changed: a link leads out of the folder");
-            return Err(Refusal::new(403, message).help("name the file to change it"));
+            return Err(HttpRefusal::new(403, message).help("name the file to change it"));
         }
         if self.read(number)?.1 != expected {
             let help =
                 "save your version under another name, or close the file and open it again from the list";
             let message =
                 format!("`{name}` was changed by another program since it was read, so it was not saved");
-            return Err(Refusal::new(412, message).help(help));
+            return Err(HttpRefusal::new(412, message).help(help));
         }
-        save_in_place(&file.path, bytes).map_err(|failure| Refusal(500, failure))?;
+        save_in_place(&file.path, bytes).map_err(|failure| HttpRefusal(500, failure))?;
         note(&format!("saved {name}\n"));
         Ok(tag(bytes))
     }
@@ -170,13 +177,13 @@ impl Files {
         self.size.max_size
     }
 
-    fn get(&self, number: usize) -> Result<&Served, Refusal> {
-        let file = self.list.get(number).ok_or_else(|| Refusal::new(404, "no file has this number"))?;
+    fn get(&self, number: usize) -> Result<&ServedFile, HttpRefusal> {
+        let file = self.list.get(number).ok_or_else(|| HttpRefusal::new(404, "no file has this number"))?;
         if file.path.canonicalize().is_ok_and(|real| real == file.real) {
             return Ok(file);
         }
         let message = format!("`{}` was moved, removed or replaced by a link", name_of(&file.path));
-        Err(Refusal::new(404, message).help("start `objdict open` again"))
+        Err(HttpRefusal::new(404, message).help("start `objdict open` again"))
     }
 }
 
@@ -190,10 +197,10 @@ fn is_clear(path: &Path) -> bool {
     !may_be_network(path)
 }
 
-fn kind_of(path: &Path, bytes: &[u8]) -> Kind {
+fn kind_of(path: &Path, bytes: &[u8]) -> OpenKind {
     match identify(&source_name(path), bytes).kind {
-        ContentKind::NodeList | ContentKind::BusConfiguration | ContentKind::Network => Kind::Network,
-        kind if kind.format().is_some() => Kind::Description,
-        _ => Kind::Other,
+        ContentKind::NodeList | ContentKind::BusConfiguration | ContentKind::Network => OpenKind::Network,
+        kind if kind.format().is_some() => OpenKind::Description,
+        _ => OpenKind::Other,
     }
 }

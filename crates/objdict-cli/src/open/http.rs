@@ -20,9 +20,9 @@ const BODY_TIME: Duration = Duration::from_secs(60);
 const DRAIN_TIME: Duration = Duration::from_secs(2);
 
 /// Why a request is refused: the status, and what the page says.
-pub(super) struct Refusal(pub(super) u16, pub(super) Failure);
+pub(super) struct HttpRefusal(pub(super) u16, pub(super) Failure);
 
-impl Refusal {
+impl HttpRefusal {
     pub(super) fn new(status: u16, message: impl std::fmt::Display) -> Self {
         Self(status, Failure::new(message))
     }
@@ -50,16 +50,16 @@ impl Read for Timed {
 }
 
 /// A request, whose body is not read yet.
-pub(super) struct Request {
+pub(super) struct HttpRequest {
     stream: BufReader<Timed>,
     pub(super) method: String,
     pub(super) target: String,
     headers: Vec<(String, String)>,
 }
 
-impl Request {
+impl HttpRequest {
     /// The request of a connection; `None` when the other side sends nothing, as browsers do that connect in advance.
-    pub(super) fn read(stream: TcpStream) -> Option<Result<Self, Refusal>> {
+    pub(super) fn read(stream: TcpStream) -> Option<Result<Self, HttpRefusal>> {
         let mut stream = BufReader::new(Timed { stream, until: Instant::now() + HEAD_TIME });
         let mut head = stream.by_ref().take(MAX_HEAD);
         let mut lines: Vec<String> = Vec::new();
@@ -69,7 +69,7 @@ impl Request {
                 Ok(0) if lines.is_empty() => return None,
                 Ok(_) if line.ends_with(b"\n") => {}
                 _ if head.limit() == 0 => {
-                    return Some(Err(Refusal::new(431, "the head of the request is too long")));
+                    return Some(Err(HttpRefusal::new(431, "the head of the request is too long")));
                 }
                 _ => return None,
             }
@@ -97,7 +97,7 @@ impl Request {
     }
 
     /// The value of a header; one that is there twice could mean either.
-    pub(super) fn header(&self, name: &str) -> Result<Option<&str>, Refusal> {
+    pub(super) fn header(&self, name: &str) -> Result<Option<&str>, HttpRefusal> {
         let mut values = self.headers.iter().filter(|(own, _)| own == name).map(|(_, value)| &**value);
         match (values.next(), values.next()) {
             (value, None) => Ok(value),
@@ -106,16 +106,16 @@ impl Request {
     }
 
     /// The body, of at most so many bytes.
-    pub(super) fn body(&mut self, max: u64) -> Result<Vec<u8>, Refusal> {
+    pub(super) fn body(&mut self, max: u64) -> Result<Vec<u8>, HttpRefusal> {
         let length =
             self.header("content-length")?.filter(|_| matches!(self.header("transfer-encoding"), Ok(None)));
         let length =
-            length.ok_or_else(|| Refusal::new(411, "the request does not say how long its body is"))?;
+            length.ok_or_else(|| HttpRefusal::new(411, "the request does not say how long its body is"))?;
         let is_number = !length.is_empty() && length.bytes().all(|byte| byte.is_ascii_digit());
         let length: u64 = length.parse().ok().filter(|_| is_number).ok_or_else(malformed)?;
         if length > max {
             let message = format_args!("the file has {length} bytes, more than the limit of {max}");
-            return Err(Refusal::new(413, message).help("raise the limit with `--max-size`"));
+            return Err(HttpRefusal::new(413, message).help("raise the limit with `--max-size`"));
         }
         if self.header("expect")?.is_some() {
             // what cannot be written is not read either
@@ -125,32 +125,32 @@ impl Request {
         let mut body = Vec::new();
         match self.stream.by_ref().take(length).read_to_end(&mut body) {
             Ok(read) if read as u64 == length => Ok(body),
-            _ => Err(Refusal::new(400, "the body of the request is not complete")),
+            _ => Err(HttpRefusal::new(400, "the body of the request is not complete")),
         }
     }
 }
 
-fn malformed() -> Refusal {
-    Refusal::new(400, "the request is malformed")
+fn malformed() -> HttpRefusal {
+    HttpRefusal::new(400, "the request is malformed")
 }
 
 /// What is answered.
-pub(super) struct Response<'a> {
+pub(super) struct HttpResponse<'a> {
     pub(super) status: u16,
     pub(super) kind: &'static str,
     pub(super) etag: Option<String>,
     pub(super) body: Cow<'a, [u8]>,
 }
 
-impl From<Refusal> for Response<'_> {
-    fn from(Refusal(status, failure): Refusal) -> Self {
+impl From<HttpRefusal> for HttpResponse<'_> {
+    fn from(HttpRefusal(status, failure): HttpRefusal) -> Self {
         let error = json!({ "message": failure.message, "help": failure.help });
         let body = json!({ "error": error }).to_string().into_bytes();
         Self { status, kind: "application/json", etag: None, body: body.into() }
     }
 }
 
-impl Response<'_> {
+impl HttpResponse<'_> {
     /// Sends it and ends the connection. No other page may frame, read or keep what it has.
     pub(super) fn send(&self, mut stream: &TcpStream) -> io::Result<()> {
         let etag = self.etag.as_ref().map(|etag| format!("ETag: {etag}\r\n")).unwrap_or_default();

@@ -14,8 +14,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use super::files::Files;
-use super::http::{Refusal, Request, Response};
+use super::files::ServedFiles;
+use super::http::{HttpRefusal, HttpRequest, HttpResponse};
 use crate::Texts;
 use crate::args::OpenArgs;
 use crate::outcome::{Failure, Outcome, note};
@@ -25,8 +25,8 @@ use objdict_model::diagnostic::plural;
 /// So many connections are served at a time.
 const MAX_CONNECTIONS: usize = 32;
 
-struct Server {
-    files: Files,
+struct PageServer {
+    files: ServedFiles,
     page: String,
     port: u16,
     token: String,
@@ -34,14 +34,14 @@ struct Server {
 }
 
 pub(crate) fn run(args: &OpenArgs, texts: &Texts, out: &mut Output) -> Result<Outcome, Failure> {
-    let files = Files::gather(args)?;
+    let files = ServedFiles::gather(args)?;
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
         let message = format!("cannot listen on port {}: {error}", args.port);
         Failure::new(message).help("choose another one with `--port`, or leave it out")
     })?;
     let port = listener.local_addr()?.port();
     let server =
-        Server { files, page: page(texts)?, port, token: token()?, connections: AtomicUsize::new(0) };
+        PageServer { files, page: page(texts)?, port, token: token()?, connections: AtomicUsize::new(0) };
     let address = format!("http://127.0.0.1:{port}/{}/", server.token);
     writeln!(out, "{address}")?;
     out.finish()?;
@@ -101,7 +101,7 @@ fn start_browser(address: String) {
     });
 }
 
-fn serve(listener: &TcpListener, server: &Arc<Server>) -> Result<Outcome, Failure> {
+fn serve(listener: &TcpListener, server: &Arc<PageServer>) -> Result<Outcome, Failure> {
     loop {
         let Ok((stream, _)) = listener.accept() else {
             // as with too many open files, which are fewer later
@@ -123,22 +123,22 @@ fn serve(listener: &TcpListener, server: &Arc<Server>) -> Result<Outcome, Failur
     }
 }
 
-impl Server {
+impl PageServer {
     fn converse(&self, stream: TcpStream) {
         let Ok(answers) = stream.try_clone() else { return };
-        let Some(request) = Request::read(stream) else { return };
+        let Some(request) = HttpRequest::read(stream) else { return };
         let response = request.and_then(|mut request| self.answer(&mut request));
         // a page that was closed meanwhile needs no answer
-        let _ = response.unwrap_or_else(Response::from).send(&answers);
+        let _ = response.unwrap_or_else(HttpResponse::from).send(&answers);
     }
 
-    fn answer(&self, request: &mut Request) -> Result<Response<'_>, Refusal> {
+    fn answer(&self, request: &mut HttpRequest) -> Result<HttpResponse<'_>, HttpRefusal> {
         let path = self.admit(request)?;
-        let ok = |kind, etag, body| Response { status: 200, kind, etag, body };
+        let ok = |kind, etag, body| HttpResponse { status: 200, kind, etag, body };
         match (&*request.method, &*path) {
             ("GET", "") => Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into())),
             ("GET", "files") => {
-                let list = self.files.list().map_err(|failure| Refusal(500, failure))?;
+                let list = self.files.list().map_err(|failure| HttpRefusal(500, failure))?;
                 Ok(ok("application/json", None, list.into()))
             }
             ("GET", path) => {
@@ -147,34 +147,35 @@ impl Server {
             }
             ("PUT", path) => {
                 let number = number(path)?;
-                let unstated =
-                    || Refusal::new(428, "the request does not say which version of the file it replaces");
+                let unstated = || {
+                    HttpRefusal::new(428, "the request does not say which version of the file it replaces")
+                };
                 let expected = request.header("if-match")?.ok_or_else(unstated)?.to_owned();
                 let body = request.body(self.files.max_size())?;
                 let etag = self.files.write(number, &expected, &body)?;
                 Ok(ok("text/plain", Some(etag), [].as_slice().into()))
             }
-            _ => Err(Refusal::new(405, "only `GET` and `PUT` are answered")),
+            _ => Err(HttpRefusal::new(405, "only `GET` and `PUT` are answered")),
         }
     }
 
     /// The path of a request below the token. A page of another site has another `Origin`; and it has another `Host` if its name was made to
     /// mean this computer.
-    fn admit(&self, request: &Request) -> Result<String, Refusal> {
+    fn admit(&self, request: &HttpRequest) -> Result<String, HttpRefusal> {
         let hosts = ["127.0.0.1", "localhost"].map(|host| format!("{host}:{}", self.port));
         let host = request.header("host")?.unwrap_or_default();
         if !hosts.iter().any(|own| own == host) {
-            return Err(Refusal::new(403, "the request is for another host"));
+            return Err(HttpRefusal::new(403, "the request is for another host"));
         }
         let origin = request.header("origin")?;
         let is_own = origin.map_or(request.method == "GET", |origin| origin == format!("http://{host}"));
         if !is_own {
-            return Err(Refusal::new(403, "the request is from the page of another site"));
+            return Err(HttpRefusal::new(403, "the request is from the page of another site"));
         }
         let (token, path) =
             request.target.strip_prefix('/').and_then(|path| path.split_once('/')).unwrap_or_default();
         if !is_equal(token, &self.token) {
-            return Err(Refusal::new(403, "the address lacks its token")
+            return Err(HttpRefusal::new(403, "the address lacks its token")
                 .help("open the address that `objdict open` printed"));
         }
         Ok(path.split('?').next().unwrap_or_default().to_owned())
@@ -182,12 +183,12 @@ impl Server {
 }
 
 /// The number of a file in `files/3`.
-fn number(path: &str) -> Result<usize, Refusal> {
+fn number(path: &str) -> Result<usize, HttpRefusal> {
     let digits =
         path.strip_prefix("files/").filter(|digits| digits.bytes().all(|digit| digit.is_ascii_digit()));
     digits
         .and_then(|digits| digits.parse().ok())
-        .ok_or_else(|| Refusal::new(404, "the address names no file of the list"))
+        .ok_or_else(|| HttpRefusal::new(404, "the address names no file of the list"))
 }
 
 /// Compares in a time that does not depend on how much is equal.

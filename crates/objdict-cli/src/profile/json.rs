@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use objdict_model::json;
 use objdict_model::model::{Access, DataType, HexText, ObjectType, Plain};
-use objdict_profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
+use objdict_profile::{BitFieldFacts, EntryFacts, Mapping, Need, ObjectFacts, Profile};
 
 /// The version of the documents. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -19,7 +19,7 @@ pub(crate) struct ListDocument<'a> {
     /// The version of the document.
     version: json::Version<VERSION>,
     /// The documents.
-    profiles: Vec<Head<'a>>,
+    profiles: Vec<DemandingDocument<'a>>,
 }
 
 /// A profile, which is written object by object.
@@ -30,15 +30,15 @@ pub(crate) struct ProfileDocument<'a> {
     /// The version of the document.
     version: json::Version<VERSION>,
     /// The document.
-    profile: Head<'a>,
+    profile: DemandingDocument<'a>,
     /// Its objects, or the one that was asked for.
-    objects: Vec<Object<'a>>,
+    objects: Vec<ObjectJson<'a>>,
 }
 
 /// A document that demands something of a device.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Profile"))]
-struct Head<'a> {
+struct DemandingDocument<'a> {
     /// The number of objects.
     count: usize,
     /// The usual name.
@@ -61,13 +61,13 @@ struct Head<'a> {
 /// An object, or a range of equal objects.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Object<'a> {
+struct ObjectJson<'a> {
     /// The first of these objects that the device has determines the number of elements.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     as_many_as: Vec<HexText<u16>>,
     /// The sub-indexes; for a VAR one with sub-index 0.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    entries: Vec<Entry<'a>>,
+    entries: Vec<EntryJson<'a>>,
     /// The index, for a range the first one.
     index: HexText<u16>,
     /// The last index of a range.
@@ -91,13 +91,13 @@ struct Object<'a> {
 /// An entry, or a range of equal entries.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Entry<'a> {
+struct EntryJson<'a> {
     /// The access types that are accepted.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     access: &'a [Access],
     /// The bits and bit fields.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    bits: Vec<Bits<'a>>,
+    bits: Vec<BitJson<'a>>,
     /// The data types that are accepted.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     data_types: Vec<String>,
@@ -125,7 +125,7 @@ struct Entry<'a> {
 /// A bit or bit field of a value.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Bits<'a> {
+struct BitJson<'a> {
     /// The first bit.
     first: u8,
     /// The last bit.
@@ -175,8 +175,8 @@ fn lines(items: impl Iterator<Item = impl Serialize>, out: &mut dyn Write) -> io
     out.write_all(b"\n]}\n")
 }
 
-fn head(profile: &Profile) -> Head<'_> {
-    Head {
+fn head(profile: &Profile) -> DemandingDocument<'_> {
+    DemandingDocument {
         count: profile.objects().len(),
         document: &profile.document,
         edition: profile.version.as_deref(),
@@ -187,8 +187,8 @@ fn head(profile: &Profile) -> Head<'_> {
     }
 }
 
-fn object(facts: ObjectFacts<'_>) -> Object<'_> {
-    Object {
+fn object(facts: ObjectFacts<'_>) -> ObjectJson<'_> {
+    ObjectJson {
         as_many_as: facts.as_many_as.iter().copied().map(HexText).collect(),
         entries: facts.entries().map(entry).collect(),
         index: HexText(facts.first),
@@ -201,11 +201,11 @@ fn object(facts: ObjectFacts<'_>) -> Object<'_> {
     }
 }
 
-fn entry(facts: EntryFacts<'_>) -> Entry<'_> {
+fn entry(facts: EntryFacts<'_>) -> EntryJson<'_> {
     let bound = |number: i128| {
         i64::try_from(number).map_or_else(|_| Plain::Text(number.to_string().into()), Plain::Signed)
     };
-    Entry {
+    EntryJson {
         access: facts.access,
         bits: facts.bits().map(bits).collect(),
         data_types: facts.data_types.iter().map(DataType::to_string).collect(),
@@ -219,13 +219,13 @@ fn entry(facts: EntryFacts<'_>) -> Entry<'_> {
     }
 }
 
-fn bits(field: BitField<'_>) -> Bits<'_> {
+fn bits(field: BitFieldFacts<'_>) -> BitJson<'_> {
     let value = |(range, meaning): (std::ops::RangeInclusive<u64>, _)| BitValue {
         first: *range.start(),
         last: *range.end(),
         meaning,
     };
-    Bits {
+    BitJson {
         first: field.first,
         last: field.last,
         name: field.name,

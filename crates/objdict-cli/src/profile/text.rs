@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 
-use crate::table::Table;
+use crate::table::TextTable;
 use objdict_model::diagnostic::plural;
 use objdict_profile::{EntryFacts, Mapping, Need, ObjectFacts, Profile, Values};
 
@@ -15,7 +15,7 @@ const LINE: usize = 4000;
 
 /// The documents, a line each.
 pub(super) fn list<'a>(profiles: impl Iterator<Item = &'a Profile>, out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(["Profile", "Version", "Objects", "About"], usize::MAX);
+    let mut table = TextTable::new(["Profile", "Version", "Objects", "About"], usize::MAX);
     for profile in profiles {
         table.row([
             profile.document_number().to_owned(),
@@ -41,7 +41,7 @@ pub(super) fn profile(profile: &Profile, out: &mut dyn Write) -> io::Result<()> 
         (Some(number), false) => writeln!(out, "{objects}, for devices of profile {number}\n")?,
     }
     let headings = ["Index", "Name", "Object", "Type", "Need", "Access", "PDO", "Values", "Default"];
-    let mut table = Table::new(headings, CELL);
+    let mut table = TextTable::new(headings, CELL);
     for facts in profile.objects() {
         let [data_type, access, mapping, values, default] = shared_cells(&facts);
         let object_type = facts.object_types.first().map(ToString::to_string).unwrap_or_default();
@@ -58,7 +58,7 @@ pub(super) fn object(profile: &Profile, facts: &ObjectFacts<'_>, out: &mut dyn W
     if let Some(about) = facts.about {
         writeln!(out, "{about}\n")?;
     }
-    let mut lines = Table::new(["", ""], LINE);
+    let mut lines = TextTable::new(["", ""], LINE);
     let mut line = |name: &str, text: String| {
         if !text.is_empty() {
             lines.row([format!("  {name}"), text]);
@@ -101,7 +101,7 @@ pub(super) fn object(profile: &Profile, facts: &ObjectFacts<'_>, out: &mut dyn W
 
 fn entries(facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
     let headings = ["Sub", "Name", "Type", "Need", "Access", "PDO", "Values", "Default"];
-    let mut table = Table::new(headings, LINE);
+    let mut table = TextTable::new(headings, LINE);
     for entry in facts.entries() {
         let [data_type, access, mapping, values, default] = entry_cells(&entry);
         let (name, need) = (entry.name.to_owned(), need(entry.need));
@@ -111,7 +111,7 @@ fn entries(facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn bits(facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(["Sub", "Bits", "Name", "Value", "Meaning"], LINE);
+    let mut table = TextTable::new(["Sub", "Bits", "Name", "Value", "Meaning"], LINE);
     let mut any = false;
     for entry in facts.entries() {
         let mut sub = if facts.entries().len() > 1 { subs(&entry) } else { String::new() };

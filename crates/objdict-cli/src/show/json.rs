@@ -7,8 +7,8 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::Value as Json;
 
-use super::View;
-use objdict_document::describe::Reader;
+use super::ShownDevice;
+use objdict_document::describe::ValueReader;
 use objdict_model::json;
 use objdict_model::model::{
     Entry, ExplicitDownload, HexText, InvalidValue, Moment, Object, PdoMapping, Plain, Value,
@@ -21,7 +21,7 @@ const VERSION: u32 = 1;
 #[cfg(feature = "schema")]
 #[derive(schemars::JsonSchema)]
 #[allow(dead_code, reason = "its schema is all that is made of it")]
-pub(crate) struct Document<'a> {
+pub(crate) struct EntriesJson<'a> {
     /// The version of the document.
     version: objdict_model::json::Version<VERSION>,
     /// The file as it was given; `<stdin>` for the standard input.
@@ -31,7 +31,7 @@ pub(crate) struct Document<'a> {
     /// The node-ID that formulas are evaluated for.
     node_id: Option<u8>,
     /// The entries by index and sub-index.
-    entries: Vec<Row<'a>>,
+    entries: Vec<ShowRow<'a>>,
     /// The ordered downloads of a node; absent if it has none.
     #[schemars(skip_serializing_if = "Vec::is_empty")]
     downloads: Vec<Ordered<'a>>,
@@ -40,7 +40,7 @@ pub(crate) struct Document<'a> {
 /// An entry.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Entry"))]
-struct Row<'a> {
+struct ShowRow<'a> {
     /// The index of the object.
     index: HexText<u16>,
     /// The sub-index of the entry.
@@ -97,7 +97,7 @@ struct Ordered<'a> {
 
 /// Writes the entries of `objects` that `is_wanted` takes, one a line, then the ordered downloads.
 pub(super) fn write<'a>(
-    view: &View<'_>,
+    view: &ShownDevice<'_>,
     objects: impl Iterator<Item = (u16, &'a Object)>,
     is_wanted: impl Fn(u8) -> bool,
     downloads: &[ExplicitDownload],
@@ -132,10 +132,10 @@ pub(super) fn write<'a>(
     out.write_all(b"}\n")
 }
 
-fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row<'a> {
+fn row<'a>(reader: ValueReader, sub: u8, object: &'a Object, entry: &'a Entry) -> ShowRow<'a> {
     let value =
         |value: &Option<Value>| Some(reader.resolve(value.as_ref()?, entry.data_type).plain().into_owned());
-    Row {
+    ShowRow {
         index: HexText(reader.index),
         sub: HexText(sub),
         name: &entry.name,

@@ -8,15 +8,15 @@ use std::borrow::Cow;
 use std::io::Write;
 
 #[cfg(feature = "schema")]
-pub(super) use self::json::Document as EntriesDocument;
+pub(super) use self::json::EntriesJson as EntriesDocument;
 #[cfg(feature = "schema")]
-pub(super) use self::nodes::Document as NodeListDocument;
+pub(super) use self::nodes::NodesJson as NodeListDocument;
 use super::args::{ShowArgs, ShowFormat};
 use super::input::{Input, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::fit;
-use objdict_document::describe::Reader;
+use objdict_document::describe::ValueReader;
 use objdict_format::json as json_format;
 use objdict_model::diagnostic::nearest;
 use objdict_model::model::{Address, Device, Entry, Object};
@@ -25,7 +25,7 @@ use objdict_node::download::{ConciseDcf, Download};
 use objdict_node::resolve;
 
 /// A device to be shown.
-struct View<'a> {
+struct ShownDevice<'a> {
     file: &'a str,
     format: &'static str,
     device: &'a Device,
@@ -35,9 +35,9 @@ struct View<'a> {
     changed: bool,
 }
 
-impl View<'_> {
-    fn reader(&self, index: u16) -> Reader {
-        Reader { index, node_id: self.node_id }
+impl ShownDevice<'_> {
+    fn reader(&self, index: u16) -> ValueReader {
+        ValueReader { index, node_id: self.node_id }
     }
 
     /// Whether an entry is to be shown.
@@ -59,7 +59,7 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
     };
     let file = source_name(&args.file);
     let device = args.expand.device(device);
-    let view = View {
+    let view = ShownDevice {
         file: &file,
         format,
         device: &device,
@@ -107,7 +107,7 @@ fn show_configuration(configuration: &ConciseDcf, args: &ShowArgs, out: &mut Out
     Ok(())
 }
 
-fn show_device(view: &View<'_>, format: ShowFormat, out: &mut Output) -> Result<(), Failure> {
+fn show_device(view: &ShownDevice<'_>, format: ShowFormat, out: &mut Output) -> Result<(), Failure> {
     match format {
         ShowFormat::Table => text::device(view, out)?,
         ShowFormat::Json => {
@@ -118,7 +118,12 @@ fn show_device(view: &View<'_>, format: ShowFormat, out: &mut Output) -> Result<
     Ok(())
 }
 
-fn show_address(view: &View<'_>, at: Address, format: ShowFormat, out: &mut Output) -> Result<(), Failure> {
+fn show_address(
+    view: &ShownDevice<'_>,
+    at: Address,
+    format: ShowFormat,
+    out: &mut Output,
+) -> Result<(), Failure> {
     let Some(object) = view.device.object(at.index) else {
         return Err(no_object(view, at.index));
     };
@@ -141,7 +146,7 @@ fn show_address(view: &View<'_>, at: Address, format: ShowFormat, out: &mut Outp
 
 /// Several objects or entries, one after the other.
 fn show_addresses(
-    view: &View<'_>,
+    view: &ShownDevice<'_>,
     addresses: &[Address],
     format: ShowFormat,
     out: &mut Output,
@@ -162,7 +167,7 @@ fn show_addresses(
     Ok(())
 }
 
-fn unknown(view: &View<'_>, name: &str) -> Failure {
+fn unknown(view: &ShownDevice<'_>, name: &str) -> Failure {
     let names = view.device.objects.values().map(Object::name);
     let failure = Failure::new(format_args!("`{}` has no object `{name}`", view.file));
     match nearest(name, names) {
@@ -177,7 +182,7 @@ fn single(object: &Object) -> Option<(u8, Cow<'_, Entry>)> {
     if is_single { object.entry(0).map(|entry| (0, entry)) } else { None }
 }
 
-fn no_object(view: &View<'_>, index: u16) -> Failure {
+fn no_object(view: &ShownDevice<'_>, index: u16) -> Failure {
     let objects = &view.device.objects;
     let below = objects.range(..index).next_back();
     let above = objects.range(index..).next();

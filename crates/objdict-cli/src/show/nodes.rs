@@ -9,7 +9,7 @@ use crate::args::{ShowArgs, ShowFormat};
 use crate::input::{name_of, source_name};
 use crate::outcome::Failure;
 use crate::output::Output;
-use crate::table::{Table, fit};
+use crate::table::{TextTable, fit};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_model::model::{NodeList, Topology};
@@ -19,7 +19,7 @@ const CELL: usize = 60;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct NodesJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The file as it was given.
@@ -38,7 +38,7 @@ pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result
         ShowFormat::Table => write_tables(list, &args.file, out)?,
         ShowFormat::Json => {
             let document =
-                Document { version: Version, file: &source_name(&args.file), networks: &list.networks };
+                NodesJson { version: Version, file: &source_name(&args.file), networks: &list.networks };
             out.json(&document)?;
         }
     }
@@ -51,7 +51,7 @@ fn write_tables(list: &NodeList, file: &Path, out: &mut dyn Write) -> io::Result
             writeln!(out)?;
         }
         writeln!(out, "{}\n", fit(&summary(network), CELL * 4))?;
-        let mut table = Table::new(["Node", "Name", "Present", "DCF", "", "Reference"], CELL);
+        let mut table = TextTable::new(["Node", "Name", "Present", "DCF", "", "Reference"], CELL);
         for node in &network.nodes {
             let text = |text: &Option<String>| text.clone().unwrap_or_default();
             let dcf = node.dcf.as_deref();

@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
-use super::View;
-use crate::table::{Table, fit};
-use objdict_document::describe::{Decoder, Reader};
+use super::ShownDevice;
+use crate::table::{TextTable, fit};
+use objdict_document::describe::{Decoder, ValueReader};
 use objdict_model::diagnostic::plural;
 use objdict_model::model::{
     Device, DeviceKind, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, PdoKind, PdoMapping,
@@ -20,9 +20,9 @@ const HEADINGS: [&str; 11] =
     ["Index", "Sub", "Name", "Object", "Type", "Access", "PDO", "Default", "Value", "Low", "High"];
 
 /// All objects.
-pub(super) fn device(view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn device(view: &ShownDevice<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}\n", summary(view))?;
-    let mut table = Table::new(HEADINGS, CELL);
+    let mut table = TextTable::new(HEADINGS, CELL);
     for (&index, object) in &view.device.objects {
         object_rows(view, index, object, &mut table);
     }
@@ -31,12 +31,12 @@ pub(super) fn device(view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// The downloads that are made as stated, in their order.
-fn ordered(view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn ordered(view: &ShownDevice<'_>, out: &mut dyn Write) -> io::Result<()> {
     if view.device.downloads.is_empty() {
         return Ok(());
     }
     writeln!(out, "\nOrdered downloads\n")?;
-    let mut table = Table::new(["Index", "Sub", "Name", "Value", "When"], CELL);
+    let mut table = TextTable::new(["Index", "Sub", "Name", "Value", "When"], CELL);
     for ExplicitDownload { when, index, sub, value } in &view.device.downloads {
         let entry = view.device.entry(*index, *sub);
         let when = match when {
@@ -55,11 +55,16 @@ fn ordered(view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// One object: its table, and what its values mean.
-pub(super) fn object(view: &View<'_>, index: u16, object: &Object, out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(HEADINGS, CELL);
+pub(super) fn object(
+    view: &ShownDevice<'_>,
+    index: u16,
+    object: &Object,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let mut table = TextTable::new(HEADINGS, CELL);
     object_rows(view, index, object, &mut table);
     table.write(out)?;
-    let mut meanings = Table::new(["Sub", "Meaning"], LINE);
+    let mut meanings = TextTable::new(["Sub", "Meaning"], LINE);
     let mut any = false;
     let decoder = Decoder::english(view.device, view.node_id);
     for (sub, entry) in object.entries() {
@@ -84,7 +89,7 @@ pub(super) fn object(view: &View<'_>, index: u16, object: &Object, out: &mut dyn
 
 /// One entry, field by field.
 pub(super) fn entry(
-    view: &View<'_>,
+    view: &ShownDevice<'_>,
     (index, sub): (u16, u8),
     object: &Object,
     entry: &Entry,
@@ -92,7 +97,7 @@ pub(super) fn entry(
 ) -> io::Result<()> {
     let reader = view.reader(index);
     writeln!(out, "0x{index:04X}sub{sub:X}  {}\n", fit(&entry.name, LINE))?;
-    let mut lines = Table::new(["", ""], LINE);
+    let mut lines = TextTable::new(["", ""], LINE);
     let mut line = |name: &str, text: String| lines.row([format!("  {name}"), text]);
     if object.object_type().has_subs() {
         line("object", format!("{} ({})", object.name(), object.object_type()));
@@ -166,7 +171,7 @@ fn remarks(entry: &Entry) -> Vec<(&'static str, String)> {
     remarks
 }
 
-fn object_rows(view: &View<'_>, index: u16, object: &Object, table: &mut Table<11>) {
+fn object_rows(view: &ShownDevice<'_>, index: u16, object: &Object, table: &mut TextTable<11>) {
     let reader = view.reader(index);
     let shown_index = format!("0x{index:04X}");
     let object_type = object.object_type();
@@ -201,7 +206,7 @@ fn row(index: String, sub: String, name: &str, object_type: String, cells: [Stri
 }
 
 /// Type, access, PDO, default, value, low and high limit.
-fn entry_cells(reader: Reader, entry: &Entry) -> [String; 7] {
+fn entry_cells(reader: ValueReader, entry: &Entry) -> [String; 7] {
     let value = |field: &Field, value| reader.field(entry, field, value);
     [
         entry.implied_type().map(|data_type| data_type.to_string()).unwrap_or_default(),
@@ -225,7 +230,7 @@ fn pdo_mapping(entry: &Entry) -> &'static str {
 }
 
 /// Two lines: what the device is, and how much there is of it.
-fn summary(view: &View<'_>) -> String {
+fn summary(view: &ShownDevice<'_>) -> String {
     let device = view.device;
     let info = device.device_info.as_ref();
     let product = info.and_then(|info| info.product_name.as_deref()).filter(|name| !name.is_empty());

@@ -28,7 +28,7 @@ impl Mapped {
 
 /// A mapped entry that was found.
 #[derive(Clone, Copy, Debug)]
-struct Found {
+struct FoundEntry {
     place: Place,
     bits: u8,
 }
@@ -36,7 +36,7 @@ struct Found {
 /// The place of a dummy.
 const DUMMY: Place = Place(u32::MAX);
 
-impl Found {
+impl FoundEntry {
     fn of<D: Dictionary + ?Sized>(dictionary: &mut D, mapping: u16, sub: u8) -> Result<Self, Abort> {
         let mapped = Mapped::of(dictionary.number(mapping, sub)?);
         if mapped.bits == 0 {
@@ -50,7 +50,7 @@ impl Found {
 
 /// The mapping of a PDO.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mapping {
+pub(super) struct ActiveMapping {
     /// The index, such as 1A00h.
     index: u16,
     count: u8,
@@ -61,7 +61,7 @@ pub(super) struct Mapping {
     lengths: [u8; KEPT],
 }
 
-impl Mapping {
+impl ActiveMapping {
     pub(super) const fn new(index: u16) -> Self {
         Self { index, count: 0, bits: Ok(0), places: [DUMMY; KEPT], lengths: [0; KEPT] }
     }
@@ -79,12 +79,12 @@ impl Mapping {
     fn find<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<u8, Abort> {
         let mut bits = 0;
         for at in 0..self.count {
-            let found = Found::of(dictionary, self.index, at + 1)?;
+            let found = FoundEntry::of(dictionary, self.index, at + 1)?;
             bits += found.bits.min(65);
             if bits > 64 {
                 return Err(Abort::PdoTooLong);
             }
-            let (at, Found { place, bits }) = (usize::from(at), found);
+            let (at, FoundEntry { place, bits }) = (usize::from(at), found);
             if let (Some(kept), Some(length)) = (self.places.get_mut(at), self.lengths.get_mut(at)) {
                 (*kept, *length) = (place, bits);
             }
@@ -108,8 +108,8 @@ impl Mapping {
         for at in 0..self.count {
             let kept = (self.places.get(usize::from(at)), self.lengths.get(usize::from(at)));
             let found = match kept {
-                (Some(&place), Some(&bits)) => Found { place, bits },
-                _ => Found::of(dictionary, self.index, at + 1)?,
+                (Some(&place), Some(&bits)) => FoundEntry { place, bits },
+                _ => FoundEntry::of(dictionary, self.index, at + 1)?,
             };
             // an application may have changed the mapping since it was loaded
             let end = first.saturating_add(found.bits);

@@ -40,17 +40,17 @@ pub struct Pdos<const R: usize, const T: usize> {
 /// A PDO with the mapping of the description, as a struct of its values. The generated file implements it.
 pub trait Pdo: Sized {
     /// The values of the device.
-    type Data;
+    type PdoData;
     /// The index of its communication parameters, such as 1800h.
     const INDEX: u16;
     /// Length of a frame in bytes.
     const LENGTH: usize;
 
     /// Reads the present values.
-    fn load(data: &Self::Data) -> Self;
+    fn load(data: &Self::PdoData) -> Self;
 
     /// Writes the values without checking limits; constants are unchanged.
-    fn store(&self, data: &mut Self::Data);
+    fn store(&self, data: &mut Self::PdoData);
 
     /// The values as in a frame, with zeros beyond its length.
     fn to_bytes(&self) -> [u8; 8];
@@ -81,7 +81,7 @@ pub enum Reception {
 
 /// The communication parameters of a PDO.
 #[derive(Clone, Copy, Debug)]
-struct Parameters {
+struct PdoParameters {
     /// The index, such as 1800h.
     index: u16,
     cob_id: u32,
@@ -93,7 +93,7 @@ struct Parameters {
     sync_start: u8,
 }
 
-impl Parameters {
+impl PdoParameters {
     const fn new(index: u16) -> Self {
         Self {
             index,

@@ -1,14 +1,14 @@
 //! An RPDO.
 
-use super::mapping::Mapping;
-use super::{Parameters, Reception};
+use super::mapping::ActiveMapping;
+use super::{PdoParameters, Reception};
 use crate::frame::can_id;
 use crate::{Dictionary, Frame};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rpdo {
-    parameters: Parameters,
-    mapping: Mapping,
+    parameters: PdoParameters,
+    mapping: ActiveMapping,
     /// The data that wait for SYNC.
     held: Option<u64>,
     /// When it came last, as long as its absence was not reported.
@@ -17,8 +17,8 @@ pub(super) struct Rpdo {
 
 impl Rpdo {
     pub(super) const fn new(index: u16) -> Self {
-        let mapping = Mapping::new(index | super::MAPPING);
-        Self { parameters: Parameters::new(index), mapping, held: None, came: None }
+        let mapping = ActiveMapping::new(index | super::MAPPING);
+        Self { parameters: PdoParameters::new(index), mapping, held: None, came: None }
     }
 
     pub(super) const fn index(&self) -> u16 {

@@ -1,14 +1,14 @@
 //! A TPDO.
 
-use super::Parameters;
-use super::mapping::Mapping;
+use super::PdoParameters;
+use super::mapping::ActiveMapping;
 use crate::clock::earlier;
 use crate::{Dictionary, Frame};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tpdo {
-    parameters: Parameters,
-    mapping: Mapping,
+    parameters: PdoParameters,
+    mapping: ActiveMapping,
     /// Whether the application asked for it.
     requested: bool,
     /// Whether a SYNC asked for it.
@@ -21,7 +21,7 @@ pub(super) struct Tpdo {
 
 impl Tpdo {
     pub(super) const fn new(index: u16) -> Self {
-        let (parameters, mapping) = (Parameters::new(index), Mapping::new(index | super::MAPPING));
+        let (parameters, mapping) = (PdoParameters::new(index), ActiveMapping::new(index | super::MAPPING));
         Self { parameters, mapping, requested: false, due: false, syncs: None, sent: None }
     }
 

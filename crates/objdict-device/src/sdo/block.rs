@@ -1,7 +1,7 @@
 //! Block transfers (CiA 301 §7.2.4.3.9 to §7.2.4.3.15).
 
 use super::crc::crc;
-use super::{SdoServer, Transfer, with_command};
+use super::{SdoServer, ServerState, with_command};
 use crate::{Abort, Dictionary};
 
 /// Segments in a sub-block of a download: as many as there can be, because the buffer takes them all.
@@ -74,7 +74,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     ) -> Result<[u8; 8], Abort> {
         let length = (command & 2 != 0).then(|| u32::from_le_bytes(data));
         self.expect(dictionary, length)?;
-        self.transfer = Transfer::BlockDownload(Block::new(command, SEGMENTS));
+        self.transfer = ServerState::BlockDownload(Block::new(command, SEGMENTS));
         Ok(self.with_entry((0xA4, [SEGMENTS, 0, 0, 0])))
     }
 
@@ -104,9 +104,9 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         let answer = (is_last || sequence >= block.size).then(|| block.acknowledge());
         self.transfer = if is_last && in_order {
-            Transfer::BlockDownloadEnd(block)
+            ServerState::BlockDownloadEnd(block)
         } else {
-            Transfer::BlockDownload(block)
+            ServerState::BlockDownload(block)
         };
         Ok(answer)
     }
@@ -139,25 +139,25 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     ) -> Result<[u8; 8], Abort> {
         let size = block_size(size)?;
         let length = self.load(dictionary)?;
-        self.transfer = Transfer::BlockUploadStart(Block::new(command, size));
+        self.transfer = ServerState::BlockUploadStart(Block::new(command, size));
         Ok(self.with_entry((0xC6, (length as u32).to_le_bytes())))
     }
 
     /// What the client says in a block upload: start, acknowledged segments, or end.
     pub(super) fn go_on_with_upload(
         &mut self,
-        transfer: Transfer,
+        transfer: ServerState,
         bytes: [u8; 8],
     ) -> Result<Option<[u8; 8]>, Abort> {
         let [command, sequence, size, ..] = bytes;
         match (command & 3, transfer) {
-            (3, Transfer::BlockUploadStart(block)) => {
-                self.transfer = Transfer::BlockUpload(block);
+            (3, ServerState::BlockUploadStart(block)) => {
+                self.transfer = ServerState::BlockUpload(block);
                 Ok(None)
             }
-            (2, Transfer::BlockUpload(block)) => self.acknowledged(block, sequence, size),
-            (1, Transfer::BlockUploadEnd) => {
-                self.transfer = Transfer::None;
+            (2, ServerState::BlockUpload(block)) => self.acknowledged(block, sequence, size),
+            (1, ServerState::BlockUploadEnd) => {
+                self.transfer = ServerState::None;
                 Ok(None)
             }
             _ => Err(Abort::UnknownCommand),
@@ -170,12 +170,12 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             return Err(Abort::SequenceNumber);
         }
         if block.is_last && sequence == block.sequence {
-            self.transfer = Transfer::BlockUploadEnd;
+            self.transfer = ServerState::BlockUploadEnd;
             return Ok(Some(self.end_of_upload(block)));
         }
         self.done += 7 * usize::from(sequence);
         (block.size, block.sequence, block.is_last) = (block_size(size)?, 0, false);
-        self.transfer = Transfer::BlockUpload(block);
+        self.transfer = ServerState::BlockUpload(block);
         Ok(None)
     }
 
@@ -193,7 +193,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         &mut self,
         dictionary: &mut D,
     ) -> Result<Option<[u8; 8]>, Abort> {
-        let Transfer::BlockUpload(mut block) = self.transfer else { return Ok(None) };
+        let ServerState::BlockUpload(mut block) = self.transfer else { return Ok(None) };
         let start = self.done + 7 * usize::from(block.sequence);
         let (bytes, used, is_last) = self.segment(dictionary, start)?;
         if start == block.counted {
@@ -201,7 +201,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         block.sequence += 1;
         block.is_last = is_last;
-        self.transfer = Transfer::BlockUpload(block);
+        self.transfer = ServerState::BlockUpload(block);
         Ok(Some(with_command(block.sequence | if is_last { LAST } else { 0 }, bytes)))
     }
 }

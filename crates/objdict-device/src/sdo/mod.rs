@@ -23,7 +23,7 @@ pub struct SdoServer<const BUFFER: usize> {
     object: u16,
     node_id: u8,
     timeout: u64,
-    transfer: Transfer,
+    transfer: ServerState,
     /// The entry of the transfer as in a frame: index and sub-index.
     entry: [u8; 3],
     /// When the last frame came or went.
@@ -39,7 +39,7 @@ pub struct SdoServer<const BUFFER: usize> {
 
 /// What the server waits for.
 #[derive(Clone, Copy, Debug)]
-enum Transfer {
+enum ServerState {
     None,
     /// A segment with this toggle bit.
     Download {
@@ -57,7 +57,7 @@ enum Transfer {
 }
 
 /// The first byte and the last four of an answer with the entry in between.
-type Answer = (u8, [u8; 4]);
+type AnswerBytes = (u8, [u8; 4]);
 
 impl<const BUFFER: usize> SdoServer<BUFFER> {
     /// Time without a frame, in microseconds, after which a transfer is aborted, unless [`SdoServer::with_timeout`] says otherwise.
@@ -71,7 +71,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             object: 0x1200 | (number & 0x7F) as u16,
             node_id,
             timeout: Self::TIMEOUT,
-            transfer: Transfer::None,
+            transfer: ServerState::None,
             entry: [0; 3],
             since: 0,
             done: 0,
@@ -92,12 +92,12 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     /// Whether a transfer is under way.
     #[must_use]
     pub const fn is_busy(&self) -> bool {
-        !matches!(self.transfer, Transfer::None)
+        !matches!(self.transfer, ServerState::None)
     }
 
     /// Ends a transfer without an answer, as when the node stops or resets.
     pub const fn reset(&mut self) {
-        self.transfer = Transfer::None;
+        self.transfer = ServerState::None;
     }
 
     /// Takes a frame at a time in microseconds, and returns the answer. Frames that are not for this channel are ignored.
@@ -114,7 +114,9 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         self.since = now;
         let bytes = frame.bytes();
         let answer = match self.transfer {
-            Transfer::BlockDownload(block) if bytes[0] != 0x80 => self.take_segment(dictionary, block, bytes),
+            ServerState::BlockDownload(block) if bytes[0] != 0x80 => {
+                self.take_segment(dictionary, block, bytes)
+            }
             _ => self.answer(dictionary, bytes),
         };
         self.send(response, answer)
@@ -130,11 +132,11 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         let waited = now.saturating_sub(self.since);
         let due = match &mut self.transfer {
             _ if waited >= self.timeout => Err(Abort::Timeout),
-            Transfer::BlockUpload(block) if block.is_sending() => {
+            ServerState::BlockUpload(block) if block.is_sending() => {
                 self.since = now;
                 self.next_segment(dictionary)
             }
-            Transfer::BlockDownload(block)
+            ServerState::BlockDownload(block)
                 if waited >= self.timeout / 2 && block.may_be_late(self.length.is_some(), self.done) =>
             {
                 Ok(Some(block.acknowledge_late()))
@@ -149,9 +151,9 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     pub fn next(&self, now: u64) -> Option<u64> {
         let after = |time| Some(self.since.saturating_add(time));
         match &self.transfer {
-            Transfer::None => None,
-            Transfer::BlockUpload(block) if block.is_sending() => Some(now),
-            Transfer::BlockDownload(block) if block.may_be_late(self.length.is_some(), self.done) => {
+            ServerState::None => None,
+            ServerState::BlockUpload(block) if block.is_sending() => Some(now),
+            ServerState::BlockDownload(block) if block.may_be_late(self.length.is_some(), self.done) => {
                 after(self.timeout / 2)
             }
             _ => after(self.timeout),
@@ -171,13 +173,13 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
 
     fn send(&mut self, response: u32, answer: Result<Option<[u8; 8]>, Abort>) -> Option<Frame> {
         let bytes = answer.unwrap_or_else(|abort| {
-            self.transfer = Transfer::None;
+            self.transfer = ServerState::None;
             Some(self.with_entry((0x80, abort.code().to_le_bytes())))
         });
         Some(Frame::full(response, bytes?))
     }
 
-    const fn with_entry(&self, (command, [a, b, c, d]): Answer) -> [u8; 8] {
+    const fn with_entry(&self, (command, [a, b, c, d]): AnswerBytes) -> [u8; 8] {
         let [low, high, sub] = self.entry;
         [command, low, high, sub, a, b, c, d]
     }
@@ -200,7 +202,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         let starts =
             matches!(command >> 5, 1 | 2) || matches!(command & 0xE1, 0xC0) || matches!(command & 0xE3, 0xA0);
         if starts || !self.is_busy() {
-            self.transfer = Transfer::None;
+            self.transfer = ServerState::None;
             self.entry = entry;
         }
         match (command >> 5, transfer) {
@@ -208,14 +210,16 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             (2, _) => self.start_upload(dictionary).map(Some),
             (5, _) if starts => self.start_block_upload(dictionary, command, data).map(Some),
             (6, _) if starts => self.start_block_download(dictionary, command, data).map(Some),
-            (0, Transfer::Download { toggle }) => self.download_segment(dictionary, toggle, bytes).map(Some),
-            (3, Transfer::Upload { toggle }) => self.upload_segment(dictionary, toggle, command).map(Some),
+            (0, ServerState::Download { toggle }) => {
+                self.download_segment(dictionary, toggle, bytes).map(Some)
+            }
+            (3, ServerState::Upload { toggle }) => self.upload_segment(dictionary, toggle, command).map(Some),
             (4, _) => {
-                self.transfer = Transfer::None;
+                self.transfer = ServerState::None;
                 Ok(None)
             }
             (5, _) => self.go_on_with_upload(transfer, bytes),
-            (6, Transfer::BlockDownloadEnd(block)) if command & 1 == 1 => {
+            (6, ServerState::BlockDownloadEnd(block)) if command & 1 == 1 => {
                 self.end_block_download(dictionary, block, bytes).map(Some)
             }
             _ => Err(Abort::UnknownCommand),
@@ -233,7 +237,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         if command & EXPEDITED == 0 {
             let length = (command & SIZE != 0).then(|| u32::from_le_bytes(data));
             self.expect(dictionary, length)?;
-            self.transfer = Transfer::Download { toggle: 0 };
+            self.transfer = ServerState::Download { toggle: 0 };
         } else {
             let (index, sub) = self.address();
             let length = match command & SIZE {
@@ -294,7 +298,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         let used = 7 - usize::from(command >> 1 & 7);
         self.keep(dictionary, segment.get(..used).unwrap_or(&segment))?;
-        self.transfer = Transfer::Download { toggle: toggle ^ TOGGLE };
+        self.transfer = ServerState::Download { toggle: toggle ^ TOGGLE };
         if command & 1 != 0 {
             self.finish_download(dictionary)?;
         }
@@ -323,7 +327,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             return Err(Abort::TooShort);
         }
         let (index, sub) = self.address();
-        self.transfer = Transfer::None;
+        self.transfer = ServerState::None;
         if self.in_pieces {
             return dictionary.end_write(index, sub, self.done);
         }
@@ -348,7 +352,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     fn start_upload<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<[u8; 8], Abort> {
         let length = self.load(dictionary)?;
         if !(1..=4).contains(&length) {
-            self.transfer = Transfer::Upload { toggle: 0 };
+            self.transfer = ServerState::Upload { toggle: 0 };
             return Ok(self.with_entry((0x41, (length as u32).to_le_bytes())));
         }
         let ([a, b, c, d, ..], ..) = self.segment(dictionary, 0)?;
@@ -367,7 +371,8 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         let (bytes, used, is_last) = self.segment(dictionary, self.done)?;
         self.done += usize::from(used);
-        self.transfer = if is_last { Transfer::None } else { Transfer::Upload { toggle: toggle ^ 0x10 } };
+        self.transfer =
+            if is_last { ServerState::None } else { ServerState::Upload { toggle: toggle ^ 0x10 } };
         Ok(with_command(toggle | (7 - used) << 1 | u8::from(is_last), bytes))
     }
 

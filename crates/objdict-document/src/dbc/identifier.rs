@@ -11,7 +11,7 @@ const LONGEST_FULL: usize = 128;
 
 /// A name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Identifier {
+pub(super) struct DbcName {
     /// At most 32 characters.
     pub(super) short: String,
     /// The name in full if it is longer.
@@ -41,24 +41,24 @@ pub(super) fn words(text: &str) -> String {
 
 /// The names that are in use.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scope {
+pub(super) struct DbcNames {
     taken: HashSet<String>,
 }
 
-impl Scope {
+impl DbcNames {
     /// A name of these words. When it is in use, `suffix` is added, which makes it unique or nearly so.
-    pub(super) fn claim(&mut self, words: &str, suffix: &str) -> Identifier {
+    pub(super) fn claim(&mut self, words: &str, suffix: &str) -> DbcName {
         let full = match words {
             "" => self.free(&format!("x{suffix}"), suffix, LONGEST_FULL),
             words => self.free(words, suffix, LONGEST_FULL),
         };
         if full.len() <= LONGEST {
             self.taken.insert(full.clone());
-            return Identifier { short: full, full: None };
+            return DbcName { short: full, full: None };
         }
         let short = self.free(clip(&full, LONGEST), suffix, LONGEST);
         self.taken.extend([short.clone(), full.clone()]);
-        Identifier { short, full: Some(full) }
+        DbcName { short, full: Some(full) }
     }
 
     fn free(&self, name: &str, suffix: &str, longest: usize) -> String {
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn long_names_are_cut_and_stay_unique() {
-        let mut scope = Scope::default();
+        let mut scope = DbcNames::default();
         let long = "Velocity_demand_value_of_the_first_axis";
         let names = [
             scope.claim(long, "606B_00"),

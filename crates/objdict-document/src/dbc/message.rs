@@ -1,33 +1,33 @@
 //! Messages: the frames of a CAN-ID.
 
-use super::identifier::{Identifier, Scope};
-use super::signal::Signal;
+use super::identifier::{DbcName, DbcNames};
+use super::signal::DbcSignal;
 
 /// A message.
 #[derive(Clone, Debug)]
-pub(super) struct Message {
-    pub(super) id: CanId,
-    pub(super) name: Identifier,
+pub(super) struct DbcMessage {
+    pub(super) id: DbcCanId,
+    pub(super) name: DbcName,
     /// Length in bytes.
     pub(super) length: u32,
     /// The nodes that send it.
     pub(super) senders: Vec<usize>,
     /// In the order of the frame, with their names.
-    pub(super) signals: Vec<(Identifier, Signal)>,
+    pub(super) signals: Vec<(DbcName, DbcSignal)>,
     pub(super) comment: String,
     /// The time between two frames in milliseconds, if it is stated.
     pub(super) cycle: Option<u32>,
-    names: Scope,
+    names: DbcNames,
 }
 
 /// A CAN-ID: base frames first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct CanId {
+pub(super) struct DbcCanId {
     pub(super) is_extended: bool,
     pub(super) number: u32,
 }
 
-impl CanId {
+impl DbcCanId {
     /// A CAN-ID of 11 bits.
     pub(super) const fn base(number: u32) -> Self {
         Self { is_extended: false, number }
@@ -39,8 +39,8 @@ impl CanId {
     }
 }
 
-impl Message {
-    pub(super) fn new(id: CanId, name: Identifier, length: u32, comment: impl Into<String>) -> Self {
+impl DbcMessage {
+    pub(super) fn new(id: DbcCanId, name: DbcName, length: u32, comment: impl Into<String>) -> Self {
         Self {
             id,
             name,
@@ -49,12 +49,12 @@ impl Message {
             signals: Vec::new(),
             comment: comment.into(),
             cycle: None,
-            names: Scope::default(),
+            names: DbcNames::default(),
         }
     }
 
     /// Adds a signal.
-    pub(super) fn push(&mut self, signal: Signal) {
+    pub(super) fn push(&mut self, signal: DbcSignal) {
         let name = self.names.claim(&signal.words, &signal.suffix);
         self.signals.push((name, signal));
     }

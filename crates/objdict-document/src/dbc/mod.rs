@@ -18,7 +18,7 @@ mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use self::message::Message;
+use self::message::DbcMessage;
 use self::station::Station;
 pub(crate) use self::value::{Scaled, scaling_of};
 use crate::model::{Device, Part, Place};
@@ -86,18 +86,18 @@ pub fn write(nodes: &[BusNode<'_>], options: DbcOptions) -> Dbc {
 struct Database<'a> {
     options: DbcOptions,
     stations: Vec<Station<'a>>,
-    messages: Vec<Message>,
+    messages: Vec<DbcMessage>,
     omissions: Vec<Omission>,
     /// The entries with a signal: node, index, sub-index.
     carried: BTreeSet<(usize, u16, u8)>,
     /// The communication cycle periods in microseconds, by the CAN-ID of SYNC.
-    cycles: BTreeMap<message::CanId, u32>,
-    names: identifier::Scope,
+    cycles: BTreeMap<message::DbcCanId, u32>,
+    names: identifier::DbcNames,
 }
 
 impl<'a> Database<'a> {
     fn new(nodes: &[BusNode<'a>], options: DbcOptions) -> Self {
-        let mut names = identifier::Scope::default();
+        let mut names = identifier::DbcNames::default();
         let stations = nodes.iter().map(|node| Station::new(node, &mut names)).collect();
         Self {
             options,
@@ -106,7 +106,7 @@ impl<'a> Database<'a> {
             omissions: Vec::new(),
             carried: BTreeSet::new(),
             cycles: BTreeMap::new(),
-            names: identifier::Scope::default(),
+            names: identifier::DbcNames::default(),
         }
     }
 

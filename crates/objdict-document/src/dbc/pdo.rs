@@ -3,23 +3,23 @@
 use std::collections::BTreeMap;
 
 use super::identifier::words;
-use super::message::{CanId, Message};
-use super::signal::{Number, Signal};
-use super::value::Carried;
+use super::message::{DbcCanId, DbcMessage};
+use super::signal::{DbcSignal, NumberFormat};
+use super::value::DbcEntry;
 use super::{Database, Omission, services};
 use crate::describe::spelled;
-use crate::layout::{Content, Field, FieldKind, Layout};
+use crate::layout::{FieldKind, FrameContent, FrameLayout, LayoutField};
 use crate::model::{CobId, DataType, Pdo, PdoKind, Place, TypeKind, predefined, restricted};
 
 /// A PDO of a node.
 struct Port<'a> {
     node: usize,
     pdo: Pdo<'a>,
-    layout: Layout,
+    layout: FrameLayout,
 }
 
 /// Why a PDO has no message: the place, and whether the bus carries it.
-struct Refusal {
+struct PdoRefusal {
     place: Place,
     is_lost: bool,
     reason: String,
@@ -27,7 +27,7 @@ struct Refusal {
 
 impl Port<'_> {
     /// The place of a mapped object.
-    fn slot(&self, field: &Field) -> Place {
+    fn slot(&self, field: &LayoutField) -> Place {
         Place::entry(self.pdo.mapping_index(), field.slot)
     }
 }
@@ -35,15 +35,15 @@ impl Port<'_> {
 impl<'a> Database<'a> {
     /// The valid PDOs of all nodes.
     pub(super) fn add_pdos(&mut self) {
-        let mut frames: BTreeMap<CanId, Vec<Port<'a>>> = BTreeMap::new();
+        let mut frames: BTreeMap<DbcCanId, Vec<Port<'a>>> = BTreeMap::new();
         for node in 0..self.stations.len() {
             let device = self.stations[node].device;
             for pdo in device.pdos() {
-                let layout = Layout::new(device, &pdo, &|_| String::new());
+                let layout = FrameLayout::new(device, &pdo, &|_| String::new());
                 match can_id(&pdo, &layout, self.stations[node].node_id) {
                     Ok(id) => frames.entry(id).or_default().push(Port { node, pdo, layout }),
                     Err(_) if self.stations[node].is_counterpart => {}
-                    Err(Refusal { place, is_lost, reason }) => self.omit(node, place, is_lost, reason),
+                    Err(PdoRefusal { place, is_lost, reason }) => self.omit(node, place, is_lost, reason),
                 }
             }
         }
@@ -52,7 +52,7 @@ impl<'a> Database<'a> {
         }
     }
 
-    fn add_frame(&mut self, id: CanId, mut ports: Vec<Port<'a>>) {
+    fn add_frame(&mut self, id: DbcCanId, mut ports: Vec<Port<'a>>) {
         let is_counterpart = |port: &Port<'_>| self.stations[port.node].is_counterpart;
         if ports.iter().all(is_counterpart) {
             return; // the reason is that of the node's PDO
@@ -82,17 +82,17 @@ impl<'a> Database<'a> {
     }
 
     /// The message of a PDO.
-    fn message(&mut self, id: CanId, port: &Port<'a>) -> Message {
+    fn message(&mut self, id: DbcCanId, port: &Port<'a>) -> DbcMessage {
         let station = &self.stations[port.node];
         let name = words(&format!("{} {}{}", station.title, port.pdo.kind, port.pdo.number));
         let name = self.names.claim(&name, &station.node_id.to_string());
-        let mut message = Message::new(id, name, port.layout.bytes(), self.title(port));
+        let mut message = DbcMessage::new(id, name, port.layout.bytes(), self.title(port));
         if let Some(number) = port.pdo.transmission_type {
             let transmission = station.decoder.transmission_type(port.pdo.kind, number.into());
             message.comment.push_str(&format!(": {transmission}"));
         }
         match port.layout.content {
-            Content::SourceMultiplexed | Content::DestinationMultiplexed => {
+            FrameContent::SourceMultiplexed | FrameContent::DestinationMultiplexed => {
                 message.length = 8;
                 multiplexed().into_iter().for_each(|signal| message.push(signal));
             }
@@ -106,7 +106,7 @@ impl<'a> Database<'a> {
     }
 
     /// Adds the sender of a message, with the time between two frames: that of SYNC, or the event timer.
-    fn sent_by(&mut self, message: &mut Message, port: &Port<'a>) {
+    fn sent_by(&mut self, message: &mut DbcMessage, port: &Port<'a>) {
         message.senders.push(port.node);
         let Port { node, pdo, .. } = port;
         message.cycle = match pdo.transmission_type {
@@ -130,7 +130,7 @@ impl<'a> Database<'a> {
         format!("{pdo} of {} ({communication:04X}h, {mapping:04X}h)", self.stations[*node].title)
     }
 
-    fn put_fields(&mut self, message: &mut Message, port: &Port<'_>) {
+    fn put_fields(&mut self, message: &mut DbcMessage, port: &Port<'_>) {
         for field in &port.layout.fields {
             match self.signals(port, field) {
                 Ok(signals) => {
@@ -148,7 +148,7 @@ impl<'a> Database<'a> {
     }
 
     /// The signals of a mapped object; none for a dummy.
-    fn signals(&self, port: &Port<'_>, field: &Field) -> Result<Vec<Signal>, &'static str> {
+    fn signals(&self, port: &Port<'_>, field: &LayoutField) -> Result<Vec<DbcSignal>, &'static str> {
         let Some(object) = field.object else {
             return Err("it has no value, so the positions of the following objects are unknown");
         };
@@ -161,7 +161,7 @@ impl<'a> Database<'a> {
         }
         let station = &self.stations[port.node];
         let entry = station.device.entry(object.index, object.sub);
-        let carried = Carried { station, index: object.index, sub: object.sub, entry: entry.as_deref() };
+        let carried = DbcEntry { station, index: object.index, sub: object.sub, entry: entry.as_deref() };
         let mut signals = carried.signals(field.bits, self.options.bits)?;
         for signal in &mut signals {
             signal.first += start;
@@ -170,7 +170,7 @@ impl<'a> Database<'a> {
     }
 
     /// Adds another PDO with the CAN-ID of a message.
-    fn join(&mut self, message: &mut Message, main: &Port<'a>, other: &Port<'a>) {
+    fn join(&mut self, message: &mut DbcMessage, main: &Port<'a>, other: &Port<'a>) {
         if self.stations[other.node].is_counterpart {
             match other.pdo.kind {
                 PdoKind::Tpdo if message.senders.is_empty() => self.sent_by(message, other),
@@ -190,8 +190,8 @@ impl<'a> Database<'a> {
         let fields = other.layout.fields.iter();
         for field in fields.filter(|field| matches!(field.kind, FieldKind::Object | FieldKind::Missing)) {
             let Some(object) = field.object else { continue };
-            let key = |of: &Field| (of.first, of.bits, number_of(of));
-            let is_same = |of: &Field| of.first.is_some() && key(of) == key(field);
+            let key = |of: &LayoutField| (of.first, of.bits, number_of(of));
+            let is_same = |of: &LayoutField| of.first.is_some() && key(of) == key(field);
             if main.layout.fields.iter().any(is_same) {
                 self.carried.insert((other.node, object.index, object.sub));
             } else {
@@ -208,26 +208,26 @@ impl<'a> Database<'a> {
 }
 
 /// How the bits of a mapped object are a number.
-fn number_of(field: &Field) -> Number {
+fn number_of(field: &LayoutField) -> NumberFormat {
     match field.data_type.map(DataType::kind) {
-        Some(TypeKind::Signed(_)) => Number::Signed,
-        Some(TypeKind::Real32) => Number::Real32,
-        Some(TypeKind::Real64) => Number::Real64,
-        _ => Number::Unsigned,
+        Some(TypeKind::Signed(_)) => NumberFormat::Signed,
+        Some(TypeKind::Real32) => NumberFormat::Real32,
+        Some(TypeKind::Real64) => NumberFormat::Real64,
+        _ => NumberFormat::Unsigned,
     }
 }
 
 /// The CAN-ID of a PDO with a message.
-fn can_id(pdo: &Pdo<'_>, layout: &Layout, node_id: u8) -> Result<CanId, Refusal> {
+fn can_id(pdo: &Pdo<'_>, layout: &FrameLayout, node_id: u8) -> Result<DbcCanId, PdoRefusal> {
     let communication = Place::entry(pdo.communication_index(), 1);
-    let refuse = |place, is_lost, reason: String| Err(Refusal { place, is_lost, reason });
+    let refuse = |place, is_lost, reason: String| Err(PdoRefusal { place, is_lost, reason });
     let Some(cob_id) = pdo.cob_id else {
         return refuse(communication, true, "the COB-ID of the PDO is not stated".to_owned());
     };
     if !cob_id.is_valid() {
         return refuse(communication, false, "the PDO is not valid (bit 31 of its COB-ID)".to_owned());
     }
-    let id = CanId { is_extended: cob_id.is_extended(), number: cob_id.can_id(node_id) };
+    let id = DbcCanId { is_extended: cob_id.is_extended(), number: cob_id.can_id(node_id) };
     let owner = restricted(id.number).filter(|owner| !id.is_extended && *owner != "reserved");
     if let Some(owner) = owner {
         return refuse(
@@ -238,11 +238,11 @@ fn can_id(pdo: &Pdo<'_>, layout: &Layout, node_id: u8) -> Result<CanId, Refusal>
     }
     let mapping = Place::entry(pdo.mapping_index(), 0);
     match layout.content {
-        Content::Nothing => refuse(mapping, false, "nothing is mapped".to_owned()),
-        Content::Unstated if layout.fields.is_empty() => {
+        FrameContent::Nothing => refuse(mapping, false, "nothing is mapped".to_owned()),
+        FrameContent::Unstated if layout.fields.is_empty() => {
             refuse(mapping, true, "what is mapped is not stated".to_owned())
         }
-        Content::Reserved(count) => {
+        FrameContent::Reserved(count) => {
             refuse(mapping, true, format!("`{count}` is not a number of mapped objects"))
         }
         _ => Ok(id),
@@ -250,13 +250,13 @@ fn can_id(pdo: &Pdo<'_>, layout: &Layout, node_id: u8) -> Result<CanId, Refusal>
 }
 
 /// The frame of a multiplexed PDO (CiA 301 §7.2.2.6).
-fn multiplexed() -> [Signal; 5] {
+fn multiplexed() -> [DbcSignal; 5] {
     [
-        Signal::new("Node", 0, 7).with_values([(0, "all nodes")]),
-        Signal::new("Destination", 7, 1)
+        DbcSignal::new("Node", 0, 7).with_values([(0, "all nodes")]),
+        DbcSignal::new("Destination", 7, 1)
             .with_values([(0, "source addressing"), (1, "destination addressing")]),
-        Signal::new("Index", 8, 16),
-        Signal::new("Sub_index", 24, 8),
-        Signal::new("Data", 32, 32),
+        DbcSignal::new("Index", 8, 16),
+        DbcSignal::new("Sub_index", 24, 8),
+        DbcSignal::new("Data", 32, 32),
     ]
 }

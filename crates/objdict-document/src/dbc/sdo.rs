@@ -4,10 +4,10 @@ use objdict_device::Abort;
 
 use super::Database;
 use super::identifier::words;
-use super::message::{CanId, Message};
+use super::message::{DbcCanId, DbcMessage};
 use super::services::can_id;
-use super::signal::{Mux, Signal};
-use super::value::Carried;
+use super::signal::{DbcSignal, Mux};
+use super::value::DbcEntry;
 use crate::model::{Access, CobId, DataType, Place, predefined};
 
 /// The bits of a value in a frame.
@@ -108,7 +108,7 @@ impl Database<'_> {
         self.messages.push(message);
     }
 
-    fn sdo(&mut self, node: usize, id: CanId, number: u16, way: Way) -> Message {
+    fn sdo(&mut self, node: usize, id: DbcCanId, number: u16, way: Way) -> DbcMessage {
         let title = self.stations[node].title.clone();
         let (name, commands) = match way {
             Way::Request => ("SDO request", REQUESTS),
@@ -117,11 +117,13 @@ impl Database<'_> {
         let number = if number == 1 { String::new() } else { format!(" {number}") };
         let name = self.names.claim(&words(&format!("{title} {name}{number}")), &format!("{:X}", id.number));
         let comment = format!("SDO{number} of {title}: values of at most 4 bytes");
-        let mut message = Message::new(id, name, 8, comment);
+        let mut message = DbcMessage::new(id, name, 8, comment);
         let [with_value, without_value] = way.commands();
-        let within =
-            |signal: Signal, ranges: &[[u32; 2]]| Signal { mux: Mux::within(COMMAND, ranges), ..signal };
-        let mut command = Signal::new("Command", 5, 3).with_values(commands);
+        let within = |signal: DbcSignal, ranges: &[[u32; 2]]| DbcSignal {
+            mux: Mux::within(COMMAND, ranges),
+            ..signal
+        };
+        let mut command = DbcSignal::new("Command", 5, 3).with_values(commands);
         command.mux.selects = true;
         message.push(command);
         let signals = self.entries(node, way);
@@ -131,15 +133,15 @@ impl Database<'_> {
             Some((ranges.first()?[0].into(), name))
         });
         let names: Vec<(i128, String)> = names.collect();
-        let entry = Signal::new("Entry", 8, 24).with_values(names.iter().cloned());
+        let entry = DbcSignal::new("Entry", 8, 24).with_values(names.iter().cloned());
         let mut entry = within(entry, &[[with_value; 2]]);
         entry.mux.selects = true;
         message.push(entry);
         // its bits are those of a value in other frames
-        let alone = Signal::new("Entry_without_value", 8, 24).with_values(names);
+        let alone = DbcSignal::new("Entry_without_value", 8, 24).with_values(names);
         message.push(within(alone, &[[without_value; 2], [ABORT; 2]]));
-        message.push(within(Signal::new("Abort_code", 32, 32).with_values(aborts()), &[[ABORT; 2]]));
-        message.push(within(Signal::new("Data", 8, 56), &way.others()));
+        message.push(within(DbcSignal::new("Abort_code", 32, 32).with_values(aborts()), &[[ABORT; 2]]));
+        message.push(within(DbcSignal::new("Data", 8, 56), &way.others()));
         signals.into_iter().for_each(|signal| message.push(signal));
         // the manager is the client of the default SDO
         let client = self.manager().filter(|&manager| number.is_empty() && manager != node);
@@ -157,7 +159,7 @@ impl Database<'_> {
     }
 
     /// The signals of the entries that go this way.
-    fn entries(&mut self, node: usize, way: Way) -> Vec<Signal> {
+    fn entries(&mut self, node: usize, way: Way) -> Vec<DbcSignal> {
         let station = &self.stations[node];
         let mut signals = Vec::new();
         for (&index, object) in station.device.objects.range(0x1000..) {
@@ -168,10 +170,10 @@ impl Database<'_> {
                 });
                 let bits = entry.data_type.and_then(DataType::bit_length).map(u32::from);
                 let Some(bits) = bits.filter(|&bits| goes && bits <= LONGEST) else { continue };
-                let carried = Carried { station, index, sub, entry: Some(&entry) };
+                let carried = DbcEntry { station, index, sub, entry: Some(&entry) };
                 let Ok(own) = carried.signals(bits, false) else { continue };
                 self.carried.insert((node, index, sub));
-                signals.extend(own.into_iter().map(|signal| Signal {
+                signals.extend(own.into_iter().map(|signal| DbcSignal {
                     mux: Mux::within(ENTRY, &[[u32::from(index) | u32::from(sub) << 16; 2]]),
                     first: signal.first + FIRST,
                     ..signal

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::Database;
 use super::identifier::words;
-use super::message::{CanId, Message};
-use super::signal::Signal;
+use super::message::{DbcCanId, DbcMessage};
+use super::signal::DbcSignal;
 use crate::model::{CobId, Place, predefined};
 use crate::profile;
 
@@ -37,9 +37,9 @@ impl Database<'_> {
     }
 
     /// A message of a service whose name is unique.
-    fn service(&mut self, id: CanId, name: &str, length: u32, comment: impl Into<String>) -> Message {
+    fn service(&mut self, id: DbcCanId, name: &str, length: u32, comment: impl Into<String>) -> DbcMessage {
         let name = self.names.claim(&words(name), &format!("{:X}", id.number));
-        Message::new(id, name, length, comment)
+        DbcMessage::new(id, name, length, comment)
     }
 
     /// The position of the manager of the network, if a node states that it is.
@@ -49,11 +49,11 @@ impl Database<'_> {
     }
 
     fn add_nmt(&mut self) {
-        let mut message = self.service(CanId::base(0), "NMT", 2, "NMT: commands of the manager");
+        let mut message = self.service(DbcCanId::base(0), "NMT", 2, "NMT: commands of the manager");
         let nodes = self.stations.iter().map(|station| (station.node_id.into(), station.title.clone()));
         let nodes: Vec<(i128, String)> = [(0, "all nodes".to_owned())].into_iter().chain(nodes).collect();
-        message.push(Signal::new("Command", 0, 8).with_values(COMMANDS));
-        message.push(Signal::new("Node", 8, 8).with_values(nodes));
+        message.push(DbcSignal::new("Command", 0, 8).with_values(COMMANDS));
+        message.push(DbcSignal::new("Node", 8, 8).with_values(nodes));
         let manager = self.manager();
         message.senders.extend(manager);
         for node in (0..self.stations.len()).filter(|&node| manager != Some(node)) {
@@ -63,8 +63,8 @@ impl Database<'_> {
     }
 
     /// The nodes with a COB-ID of a service for the whole network, by CAN-ID.
-    fn users(&self, index: u16, usual: u16) -> BTreeMap<CanId, Vec<(usize, CobId)>> {
-        let mut users: BTreeMap<CanId, Vec<(usize, CobId)>> = BTreeMap::new();
+    fn users(&self, index: u16, usual: u16) -> BTreeMap<DbcCanId, Vec<(usize, CobId)>> {
+        let mut users: BTreeMap<DbcCanId, Vec<(usize, CobId)>> = BTreeMap::new();
         for (node, station) in self.stations.iter().enumerate() {
             if let Some(object) = station.device.object(index) {
                 let stated = object.value(0).map(|value| CobId::from_value(&value));
@@ -89,7 +89,7 @@ impl Database<'_> {
             let counts = facts.iter().any(|of| of.sync_counter_overflow.is_some_and(|highest| highest > 0));
             let mut message = self.service(id, "SYNC", u32::from(counts), "SYNC (1005h)");
             if counts {
-                message.push(Signal::new("Counter", 0, 8));
+                message.push(DbcSignal::new("Counter", 0, 8));
             }
             for ((node, cob_id), facts) in users.into_iter().zip(facts) {
                 if cob_id.bit_30() {
@@ -131,8 +131,8 @@ impl Database<'_> {
                 continue;
             }
             let mut message = self.service(id, "TIME", 6, "TIME (1012h)");
-            message.push(Signal::new("Milliseconds", 0, 28).in_unit("ms"));
-            message.push(Signal::new("Days_since_1984", 32, 16).in_unit("d"));
+            message.push(DbcSignal::new("Milliseconds", 0, 28).in_unit("ms"));
+            message.push(DbcSignal::new("Days_since_1984", 32, 16).in_unit("d"));
             for (node, cob_id) in users {
                 if cob_id.bit_30() {
                     message.senders.push(node);
@@ -161,9 +161,9 @@ impl Database<'_> {
             return self.omit(node, Place::entry(0x1014, 0), true, reason);
         }
         let mut message = self.service(id, &format!("{title} EMCY"), 8, format!("EMCY of {title} (1014h)"));
-        message.push(Signal::new("Error_code", 0, 16).with_values(crate::describe::error_codes()));
+        message.push(DbcSignal::new("Error_code", 0, 16).with_values(crate::describe::error_codes()));
         message.push(self.error_register(node));
-        message.push(Signal::new("Error_field", 24, 40));
+        message.push(DbcSignal::new("Error_field", 24, 40));
         message.senders.push(node);
         let watches = |other: &usize| {
             let numbers = self.stations[*other].device.object(0x1028);
@@ -178,26 +178,26 @@ impl Database<'_> {
     }
 
     /// 1001h in a frame of EMCY.
-    fn error_register(&self, node: usize) -> Signal {
+    fn error_register(&self, node: usize) -> DbcSignal {
         let documents = profile::of_object(self.stations[node].device, 0x1001).map(|(_, facts)| facts);
         let bits = profile::bits(documents, 0);
         let bits: Vec<String> = bits.iter().map(|bit| format!("{} {}", bit.first, bit.name)).collect();
         let comment = format!("1001h:00; bits: {}", bits.join(", "));
-        Signal { comment, ..Signal::new("Error_register", 16, 8) }
+        DbcSignal { comment, ..DbcSignal::new("Error_register", 16, 8) }
     }
 
     fn add_heartbeat(&mut self, node: usize) {
         let station = &self.stations[node];
-        let id = CanId::base(u32::from(predefined::ERROR_CONTROL) + u32::from(station.node_id));
+        let id = DbcCanId::base(u32::from(predefined::ERROR_CONTROL) + u32::from(station.node_id));
         let (title, facts) = (station.title.clone(), station.device.services());
         let is_guarded = station.device.object(0x100C).is_some();
         let comment = format!("heartbeat of {title} (1017h): boot-up, state of NMT");
         let mut message = self.service(id, &format!("{title} heartbeat"), 1, comment);
-        message.push(Signal::new("State", 0, 7).with_values(STATES));
+        message.push(DbcSignal::new("State", 0, 7).with_values(STATES));
         if is_guarded {
-            message.push(Signal {
+            message.push(DbcSignal {
                 comment: "changes with each answer to node guarding, 0 in a heartbeat".to_owned(),
-                ..Signal::new("Toggle", 7, 1)
+                ..DbcSignal::new("Toggle", 7, 1)
             });
         }
         message.senders.push(node);
@@ -212,11 +212,11 @@ impl Database<'_> {
         self.messages.push(message);
     }
 
-    pub(super) fn is_taken(&self, id: CanId) -> bool {
+    pub(super) fn is_taken(&self, id: DbcCanId) -> bool {
         self.messages.iter().any(|message| message.id == id)
     }
 }
 
-pub(super) fn can_id(cob_id: CobId, node_id: u8) -> CanId {
-    CanId { is_extended: cob_id.is_extended(), number: cob_id.can_id(node_id) }
+pub(super) fn can_id(cob_id: CobId, node_id: u8) -> DbcCanId {
+    DbcCanId { is_extended: cob_id.is_extended(), number: cob_id.can_id(node_id) }
 }

@@ -6,7 +6,7 @@ use super::decimal::Decimal;
 
 /// A signal.
 #[derive(Clone, Debug)]
-pub(super) struct Signal {
+pub(super) struct DbcSignal {
     /// The words of its name.
     pub(super) words: String,
     /// What is added to the name if several signals have the same: `6041_00`.
@@ -16,7 +16,7 @@ pub(super) struct Signal {
     pub(super) first: u32,
     /// Length in bits, 1 to 64.
     pub(super) bits: u32,
-    pub(super) number: Number,
+    pub(super) number: NumberFormat,
     pub(super) scale: Scale,
     /// The smallest and the largest value, scaled.
     pub(super) limits: Option<[Decimal; 2]>,
@@ -46,7 +46,7 @@ impl Mux {
 
 /// How bits are a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Number {
+pub(super) enum NumberFormat {
     Unsigned,
     Signed,
     Real32,
@@ -69,7 +69,7 @@ impl Scale {
     }
 }
 
-impl Signal {
+impl DbcSignal {
     /// A number without further meaning.
     pub(super) fn new(words: impl Into<String>, first: u32, bits: u32) -> Self {
         Self {
@@ -78,7 +78,7 @@ impl Signal {
             mux: Mux::default(),
             first,
             bits,
-            number: Number::Unsigned,
+            number: NumberFormat::Unsigned,
             scale: Scale::NONE,
             limits: None,
             unit: String::new(),
@@ -112,9 +112,9 @@ impl Signal {
     /// The smallest and the largest integer.
     pub(super) fn range(&self) -> (i128, i128) {
         match self.number {
-            Number::Unsigned => (0, (1 << self.bits) - 1),
-            Number::Signed => (-(1 << (self.bits - 1)), (1 << (self.bits - 1)) - 1),
-            Number::Real32 | Number::Real64 => (0, -1),
+            NumberFormat::Unsigned => (0, (1 << self.bits) - 1),
+            NumberFormat::Signed => (-(1 << (self.bits - 1)), (1 << (self.bits - 1)) - 1),
+            NumberFormat::Real32 | NumberFormat::Real64 => (0, -1),
         }
     }
 

@@ -1,7 +1,7 @@
 //! A node of the bus with what describes its values.
 
 use super::BusNode;
-use super::identifier::{Identifier, Scope, words};
+use super::identifier::{DbcName, DbcNames, words};
 use crate::describe::Decoder;
 use crate::model::{Device, Entry, Meanings};
 
@@ -12,7 +12,7 @@ pub(super) struct Station<'a> {
     pub(super) decoder: Decoder<'a>,
     pub(super) meanings: Meanings<'a>,
     /// The name on the bus.
-    pub(super) name: Identifier,
+    pub(super) name: DbcName,
     /// The name that the device states, or the node-ID.
     pub(super) title: String,
     /// Whether its PDOs are the other sides of those of the other nodes.
@@ -23,7 +23,7 @@ pub(super) struct Station<'a> {
 pub(super) const LANGUAGE: &str = "en";
 
 impl<'a> Station<'a> {
-    pub(super) fn new(node: &BusNode<'a>, names: &mut Scope) -> Self {
+    pub(super) fn new(node: &BusNode<'a>, names: &mut DbcNames) -> Self {
         let BusNode { device, node_id, name, is_counterpart } = *node;
         let stated = device.commissioning.as_ref().and_then(|of| of.node_name.as_deref());
         let product = device.device_info.as_ref().and_then(|info| info.product_name.as_deref());

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use super::Database;
-use super::identifier::Identifier;
-use super::message::Message;
-use super::signal::{Number, Signal};
+use super::identifier::DbcName;
+use super::message::DbcMessage;
+use super::signal::{DbcSignal, NumberFormat};
 use crate::source::transliterate;
 
 /// The node of frames that no known node sends or receives.
@@ -13,7 +13,7 @@ const NO_NODE: &str = "Vector__XXX";
 
 /// Writes a database.
 pub(super) fn write(database: &Database<'_>) -> Vec<u8> {
-    let mut text = Text { database, lines: String::new() };
+    let mut text = DbcWriter { database, lines: String::new() };
     text.nodes_and_messages();
     text.comments();
     text.attributes();
@@ -21,7 +21,7 @@ pub(super) fn write(database: &Database<'_>) -> Vec<u8> {
     text.lines.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect()
 }
 
-struct Text<'a> {
+struct DbcWriter<'a> {
     database: &'a Database<'a>,
     lines: String,
 }
@@ -34,8 +34,8 @@ macro_rules! line {
     };
 }
 
-impl Text<'_> {
-    fn signals(&self) -> impl Iterator<Item = (&Message, &Identifier, &Signal)> {
+impl DbcWriter<'_> {
+    fn signals(&self) -> impl Iterator<Item = (&DbcMessage, &DbcName, &DbcSignal)> {
         let messages = self.database.messages.iter();
         messages.flat_map(|message| message.signals.iter().map(move |(name, signal)| (message, name, signal)))
     }
@@ -53,7 +53,7 @@ impl Text<'_> {
             self.database.stations.iter().map(|station| station.name.short.as_str()).collect();
         line!(self, "BU_: {}\r\n", names.join(" "));
         for message in &self.database.messages {
-            let Message { id, name, length, senders, signals, .. } = message;
+            let DbcMessage { id, name, length, senders, signals, .. } = message;
             let sender = self.nodes(senders.first());
             line!(self, "BO_ {} {}: {length} {sender}", id.in_file(), name.short);
             for (name, signal) in signals {
@@ -67,7 +67,7 @@ impl Text<'_> {
         }
     }
 
-    fn signal(&self, name: &Identifier, signal: &Signal) -> String {
+    fn signal(&self, name: &DbcName, signal: &DbcSignal) -> String {
         let first = signal.mux.within.as_ref().and_then(|(_, ranges)| ranges.first());
         let mux = match (first, signal.mux.selects) {
             (None, false) => String::new(),
@@ -75,7 +75,7 @@ impl Text<'_> {
             (Some([value, _]), false) => format!(" m{value}"),
             (Some([value, _]), true) => format!(" m{value}M"),
         };
-        let sign = if signal.number == Number::Unsigned { '+' } else { '-' };
+        let sign = if signal.number == NumberFormat::Unsigned { '+' } else { '-' };
         let limits = signal.limits.map_or_else(|| "0|0".to_owned(), |[low, high]| format!("{low}|{high}"));
         format!(
             " SG_ {}{mux} : {}|{}@1{sign} ({},{}) [{limits}] {} {}",
@@ -159,9 +159,9 @@ impl Text<'_> {
         }
         for (message, name, signal) in self.signals() {
             let kind = match signal.number {
-                Number::Unsigned | Number::Signed => continue,
-                Number::Real32 => 1,
-                Number::Real64 => 2,
+                NumberFormat::Unsigned | NumberFormat::Signed => continue,
+                NumberFormat::Real32 => 1,
+                NumberFormat::Real64 => 2,
             };
             let _ = write!(lines, "SIG_VALTYPE_ {} {} : {kind};\r\n", message.id.in_file(), name.short);
         }

@@ -1,7 +1,7 @@
 //! Signals of an entry: how its bits are a number, and what the number means.
 
 use super::decimal::Decimal;
-use super::signal::{Number, Scale, Signal};
+use super::signal::{DbcSignal, NumberFormat, Scale};
 use super::station::{LANGUAGE, Station};
 use crate::model::{DataType, Device, Entry, Meaning, Meanings, ObjectType, Scaling, TypeKind, Value};
 use crate::profile::{self, EntryFacts, ObjectFacts};
@@ -10,7 +10,7 @@ use crate::profile::{self, EntryFacts, ObjectFacts};
 const LARGEST_RANGE: u64 = 16;
 
 /// An entry of a node.
-pub(super) struct Carried<'a> {
+pub(super) struct DbcEntry<'a> {
     pub(super) station: &'a Station<'a>,
     pub(super) index: u16,
     pub(super) sub: u8,
@@ -19,7 +19,7 @@ pub(super) struct Carried<'a> {
 }
 
 /// A part of a value with a name.
-struct Part<'a> {
+struct ValuePart<'a> {
     first: u32,
     bits: u32,
     name: &'a str,
@@ -28,16 +28,16 @@ struct Part<'a> {
     scaling: Scaling<'a>,
 }
 
-impl<'a> Carried<'a> {
+impl<'a> DbcEntry<'a> {
     /// The signals of a value of this many bits, which begins at bit 0: one, or with `split` one for each named bit field.
     ///
     /// # Errors
     /// Why a signal cannot hold it.
-    pub(super) fn signals(&self, bits: u32, split: bool) -> Result<Vec<Signal>, &'static str> {
+    pub(super) fn signals(&self, bits: u32, split: bool) -> Result<Vec<DbcSignal>, &'static str> {
         let Some(entry) = self.entry else {
             let words = format!("x{:04X}_{:02X}", self.index, self.sub);
             let comment = format!("{}, not in the description", self.place());
-            return Ok(vec![Signal { comment, ..Signal::new(words, 0, bits) }]);
+            return Ok(vec![DbcSignal { comment, ..DbcSignal::new(words, 0, bits) }]);
         };
         if bits == 0 {
             return Err("no bits are mapped");
@@ -51,25 +51,25 @@ impl<'a> Carried<'a> {
             Some(TypeKind::Real32 | TypeKind::Real64) if kind_bits(kind) > bits => {
                 return Err("a part of a REAL is not a number");
             }
-            Some(TypeKind::Real32) => (Number::Real32, 32),
-            Some(TypeKind::Real64) => (Number::Real64, 64),
-            Some(TypeKind::Boolean) => (Number::Unsigned, 1),
-            Some(TypeKind::Unsigned(size)) => (Number::Unsigned, size.into()),
-            Some(TypeKind::Signed(size)) => (Number::Signed, size.into()),
+            Some(TypeKind::Real32) => (NumberFormat::Real32, 32),
+            Some(TypeKind::Real64) => (NumberFormat::Real64, 64),
+            Some(TypeKind::Boolean) => (NumberFormat::Unsigned, 1),
+            Some(TypeKind::Unsigned(size)) => (NumberFormat::Unsigned, size.into()),
+            Some(TypeKind::Signed(size)) => (NumberFormat::Signed, size.into()),
             None | Some(TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved) => {
-                (Number::Unsigned, 64)
+                (NumberFormat::Unsigned, 64)
             }
         };
-        let signal = Signal { number, ..self.named(entry, "", 0, bits.min(size)) };
+        let signal = DbcSignal { number, ..self.named(entry, "", 0, bits.min(size)) };
         Ok(self.described(entry, signal, split))
     }
 
     /// A signal with the name of the entry.
-    fn named(&self, entry: &Entry, part: &str, first: u32, bits: u32) -> Signal {
+    fn named(&self, entry: &Entry, part: &str, first: u32, bits: u32) -> DbcSignal {
         let words = self.station.signal_words(self.index, self.sub, entry);
         let words = if part.is_empty() { words } else { format!("{words}_{part}") };
         let suffix = format!("{:04X}_{:02X}", self.index, self.sub);
-        Signal { suffix, comment: self.comment(entry), ..Signal::new(words, first, bits) }
+        DbcSignal { suffix, comment: self.comment(entry), ..DbcSignal::new(words, first, bits) }
     }
 
     /// `6041h:00`.
@@ -92,7 +92,7 @@ impl<'a> Carried<'a> {
     }
 
     /// Milliseconds and days.
-    fn time(&self, entry: &Entry, bits: u32) -> Result<Vec<Signal>, &'static str> {
+    fn time(&self, entry: &Entry, bits: u32) -> Result<Vec<DbcSignal>, &'static str> {
         if bits < 48 {
             return Err("a part of a time is not a number");
         }
@@ -101,7 +101,7 @@ impl<'a> Carried<'a> {
     }
 
     /// The signal with scale, unit, limits and names, or the signals of its parts.
-    fn described(&self, entry: &'a Entry, mut signal: Signal, split: bool) -> Vec<Signal> {
+    fn described(&self, entry: &'a Entry, mut signal: DbcSignal, split: bool) -> Vec<DbcSignal> {
         let documents: Vec<_> =
             profile::of_object(self.station.device, self.index).map(|(_, facts)| facts).collect();
         let (scale, unit) = self.scale(entry, &documents);
@@ -112,7 +112,7 @@ impl<'a> Carried<'a> {
             [] => vec![signal],
             [whole] if whole.first == 0 && whole.bits >= signal.bits => {
                 let bits = signal.bits;
-                let is_signed = signal.number == Number::Signed;
+                let is_signed = signal.number == NumberFormat::Signed;
                 // documents name the bits of negative numbers
                 let negative = |number: i128| is_signed && number >> (bits - 1) == 1;
                 let own = |number| if negative(number) { number - (1 << bits) } else { number };
@@ -131,16 +131,16 @@ impl<'a> Carried<'a> {
     }
 
     /// A signal for each part; of parts that overlap the one with fewer bits.
-    fn split(&self, entry: &Entry, word: &Signal, parts: &[Part<'_>]) -> Vec<Signal> {
+    fn split(&self, entry: &Entry, word: &DbcSignal, parts: &[ValuePart<'_>]) -> Vec<DbcSignal> {
         let mut parts: Vec<_> = parts.iter().filter(|part| part.first + part.bits <= word.bits).collect();
         parts.sort_by_key(|part| (part.bits, part.first));
-        let mut signals: Vec<Signal> = Vec::new();
+        let mut signals: Vec<DbcSignal> = Vec::new();
         for part in parts {
             let end = part.first + part.bits;
             if signals.iter().all(|other| other.end() <= part.first || end <= other.first) {
                 let name = super::identifier::words(part.name);
                 let mut signal = self.named(entry, &name, part.first, part.bits);
-                signal.number = if part.is_signed { Number::Signed } else { Number::Unsigned };
+                signal.number = if part.is_signed { NumberFormat::Signed } else { NumberFormat::Unsigned };
                 signal.suffix = part.first.to_string();
                 (signal.scale, signal.unit) = of_description(part.scaling);
                 signal.comment.push_str(&format!("; bits: {}", part.in_words()));
@@ -152,11 +152,11 @@ impl<'a> Carried<'a> {
     }
 
     /// Named parts of the value: those of the description, else those of documents. An enumeration is one part.
-    fn parts(&self, documents: &[ObjectFacts<'static>]) -> Vec<Part<'a>> {
+    fn parts(&self, documents: &[ObjectFacts<'static>]) -> Vec<ValuePart<'a>> {
         match self.station.meanings.of(self.index, self.sub) {
             Some(Meaning::Enumeration(found)) => {
                 let values = found.values.iter().map(|value| (value.number, value.name)).collect();
-                vec![Part {
+                vec![ValuePart {
                     first: 0,
                     bits: 64,
                     name: "",
@@ -165,10 +165,11 @@ impl<'a> Carried<'a> {
                     scaling: Scaling::default(),
                 }]
             }
-            Some(Meaning::BitStruct(word)) => word.fields.iter().map(Part::of_description).collect(),
-            None => {
-                profile::bits(documents.iter().copied(), self.sub).iter().map(Part::of_document).collect()
-            }
+            Some(Meaning::BitStruct(word)) => word.fields.iter().map(ValuePart::of_description).collect(),
+            None => profile::bits(documents.iter().copied(), self.sub)
+                .iter()
+                .map(ValuePart::of_document)
+                .collect(),
         }
     }
 
@@ -181,17 +182,17 @@ impl<'a> Carried<'a> {
     fn limits(
         &self,
         entry: &Entry,
-        signal: &Signal,
+        signal: &DbcSignal,
         documents: &[ObjectFacts<'_>],
         may_ask: bool,
     ) -> Option<[Decimal; 2]> {
         let (low, high) = match signal.number {
-            Number::Real32 | Number::Real64 => {
+            NumberFormat::Real32 | NumberFormat::Real64 => {
                 let real =
                     |value: &Option<Value>| Decimal::parse(&format!("{:e}", value.as_ref()?.as_real()?));
                 (real(&entry.low_limit)?, real(&entry.high_limit)?)
             }
-            Number::Unsigned | Number::Signed => {
+            NumberFormat::Unsigned | NumberFormat::Signed => {
                 let (first, last) = signal.range();
                 let limit = |value: &Option<Value>| value.as_ref()?.integer_for(self.station.node_id);
                 let (low, high) = match (limit(&entry.low_limit), limit(&entry.high_limit)) {
@@ -315,7 +316,7 @@ fn of_document(unit: &str) -> (Scale, String) {
     }
 }
 
-impl<'a> Part<'a> {
+impl<'a> ValuePart<'a> {
     /// `7 warning`, `4-6 of the mode`.
     fn in_words(&self) -> String {
         match self.bits {
@@ -336,7 +337,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    fn of_document(field: &profile::BitField<'a>) -> Self {
+    fn of_document(field: &profile::BitFieldFacts<'a>) -> Self {
         let is_small = |first: u64, last: u64| last.saturating_sub(first) < LARGEST_RANGE;
         let ranges = field.meanings().map(|(range, name)| (*range.start(), *range.end(), name));
         let values = ranges

@@ -15,7 +15,7 @@ pub use self::decoder::Decoder;
 pub(crate) use self::device::is_of_cia;
 pub(crate) use self::error::{error_codes, single_codes};
 pub(crate) use self::time::{decimal, of_microseconds, of_milliseconds};
-pub use self::value::Reader;
+pub use self::value::ValueReader;
 
 #[cfg(test)]
 mod tests;

@@ -4,14 +4,14 @@ use crate::model::{DataType, Entry, Field, Value};
 
 /// Formats the values of an entry: depends on its index and on the node-ID for formulas.
 #[derive(Clone, Copy, Debug)]
-pub struct Reader {
+pub struct ValueReader {
     /// The index of the object.
     pub index: u16,
     /// The node-ID, 1 to 127; without it formulas are not evaluated.
     pub node_id: Option<u8>,
 }
 
-impl Reader {
+impl ValueReader {
     /// A value in a table: for the node, if known.
     pub fn short(self, value: Option<&Value>, data_type: Option<DataType>) -> String {
         let Some(value) = value else { return String::new() };

@@ -25,11 +25,11 @@ impl Escaper for Markdown {
             let (before, after) = (&text[..at], &text[at + character.len_utf8()..]);
             let Some(character) = shown(character, after.chars().next()) else { continue };
             match spelling(before, character, after) {
-                Spelling::Itself => dest.write_char(character)?,
-                Spelling::Backslash => write!(dest, "\\{character}")?,
-                Spelling::Reference => write!(dest, "&#{};", u32::from(character))?,
-                Spelling::Alone => write!(dest, "<span>{character}</span>")?,
-                Spelling::Markup(text) => dest.write_str(text)?,
+                MarkdownSpelling::Itself => dest.write_char(character)?,
+                MarkdownSpelling::Backslash => write!(dest, "\\{character}")?,
+                MarkdownSpelling::Reference => write!(dest, "&#{};", u32::from(character))?,
+                MarkdownSpelling::Alone => write!(dest, "<span>{character}</span>")?,
+                MarkdownSpelling::Markup(text) => dest.write_str(text)?,
             }
         }
         Ok(())
@@ -102,7 +102,7 @@ pub(crate) fn code(text: &str) -> String {
     format!("<code>{}</code>", escaped(text))
 }
 
-enum Spelling {
+enum MarkdownSpelling {
     Itself,
     Backslash,
     Reference,
@@ -111,7 +111,7 @@ enum Spelling {
     Markup(&'static str),
 }
 
-fn spelling(before: &str, character: char, after: &str) -> Spelling {
+fn spelling(before: &str, character: char, after: &str) -> MarkdownSpelling {
     let (previous, next) = (before.chars().next_back(), after.chars().next());
     let starts = before.trim_start_matches('\r').is_empty();
     let word = |neighbour: Option<char>| neighbour.is_some_and(char::is_alphanumeric);
@@ -119,17 +119,17 @@ fn spelling(before: &str, character: char, after: &str) -> Spelling {
     let next_is = |wanted: fn(char) -> bool| next.is_none_or(wanted);
     let backslash = match character {
         // a tag on a line of its own would start an HTML block
-        '\n' if starts => return Spelling::Markup("<span></span><br>"),
-        '\n' => return Spelling::Markup("<br>"),
-        '<' => return Spelling::Markup("&lt;"),
-        '|' | '{' => return Spelling::Reference,
+        '\n' if starts => return MarkdownSpelling::Markup("<span></span><br>"),
+        '\n' => return MarkdownSpelling::Markup("<br>"),
+        '<' => return MarkdownSpelling::Markup("&lt;"),
+        '|' | '{' => return MarkdownSpelling::Reference,
         // some renderers search the source for `$x$`, others the rendered text
-        '$' => return Spelling::Markup("<span>&#36;</span>"),
-        '@' if next_is(|next| !next.is_whitespace()) => return Spelling::Alone,
-        ':' if after.starts_with("//") || is_emoji(after) => return Spelling::Alone,
-        '.' if ends_with_www(before) => return Spelling::Alone,
-        '[' if next == Some('[') => return Spelling::Markup("<span>\\[</span>"),
-        _ if character.is_whitespace() && (starts || next.is_none()) => return Spelling::Reference,
+        '$' => return MarkdownSpelling::Markup("<span>&#36;</span>"),
+        '@' if next_is(|next| !next.is_whitespace()) => return MarkdownSpelling::Alone,
+        ':' if after.starts_with("//") || is_emoji(after) => return MarkdownSpelling::Alone,
+        '.' if ends_with_www(before) => return MarkdownSpelling::Alone,
+        '[' if next == Some('[') => return MarkdownSpelling::Markup("<span>\\[</span>"),
+        _ if character.is_whitespace() && (starts || next.is_none()) => return MarkdownSpelling::Reference,
         '\\' | '`' | '*' | '~' | '[' | ']' => true,
         '_' => !(word(previous) && word(next)),
         '&' => next_is(|next| next.is_alphanumeric() || next == '#'),
@@ -141,7 +141,7 @@ fn spelling(before: &str, character: char, after: &str) -> Spelling {
         '.' | ')' => is_list_number(before) && next_is(char::is_whitespace),
         _ => false,
     };
-    if backslash { Spelling::Backslash } else { Spelling::Itself }
+    if backslash { MarkdownSpelling::Backslash } else { MarkdownSpelling::Itself }
 }
 
 /// Whether the text after a colon makes it an emoji: `smile:`, `+1:`, but not the minutes of a time.

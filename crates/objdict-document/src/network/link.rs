@@ -7,14 +7,14 @@ use crate::describe::spelled;
 use crate::model::Address;
 
 /// A PDO from its sender to one receiver.
-pub(super) struct Link<'a> {
+pub(super) struct PdoLink<'a> {
     pub(super) row: &'a LinkRow,
     pub(super) can_id: String,
     /// Whether the receiver expects more bits than are sent, and therefore ignores the PDO.
     pub(super) is_too_short: bool,
 }
 
-impl<'a> Link<'a> {
+impl<'a> PdoLink<'a> {
     pub(super) fn new(row: &'a LinkRow) -> Self {
         let end = |of: fn(&CarriedEntry) -> &Option<MappedEntry>| {
             let mapped = row.entries.iter().filter(|entry| of(entry).is_some());

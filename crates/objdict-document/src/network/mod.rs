@@ -10,15 +10,15 @@ use std::borrow::Cow;
 use askama::Template;
 use objdict_network::{End, MappedEntry, MessageRow, NodeRow, Overview, Timing, graph, timeline};
 
-use self::link::{Link, can_id, spoken};
+use self::link::{PdoLink, can_id, spoken};
 pub use self::site_network::SiteNetwork;
 pub(crate) use self::stated::{StatedNode, stated};
 pub(crate) use self::tables::tables;
 use super::anchor::Anchor;
 use super::escape::{address, filters};
-use super::finding::Found;
+use super::finding::RuleFindings;
 use super::form::Form;
-use super::texts::Texts;
+use super::texts::LanguageTexts;
 use crate::Language;
 use crate::describe::{decimal, of_microseconds, of_milliseconds};
 use crate::model::Address;
@@ -26,7 +26,7 @@ use crate::model::Address;
 /// A network in words.
 pub(crate) struct NetworkView<'a> {
     language: Language,
-    texts: &'static Texts,
+    texts: &'static LanguageTexts,
     network: &'a SiteNetwork,
     overview: &'a Overview,
     /// What addresses on the page begin with.
@@ -35,8 +35,8 @@ pub(crate) struct NetworkView<'a> {
     picture: String,
     /// The URLs of the pages of nodes.
     pages: Vec<Option<String>>,
-    findings: Option<Vec<Found<'a>>>,
-    links: Vec<Link<'a>>,
+    findings: Option<Vec<RuleFindings<'a>>>,
+    links: Vec<PdoLink<'a>>,
 }
 
 /// A number of 32 bits.
@@ -51,7 +51,7 @@ impl<'a> NetworkView<'a> {
         let has_pages = network.pages.iter().any(Option::is_some);
         Self {
             language: overview.language,
-            texts: Texts::of(overview.language),
+            texts: LanguageTexts::of(overview.language),
             network,
             overview,
             prefix: format!("network-{number}"),
@@ -61,8 +61,8 @@ impl<'a> NetworkView<'a> {
                 _ => String::new(),
             },
             pages: network.pages.iter().map(|page| page.as_deref().map(address)).collect(),
-            findings: network.findings.as_deref().map(Found::by_rule),
-            links: overview.links.iter().map(Link::new).collect(),
+            findings: network.findings.as_deref().map(RuleFindings::by_rule),
+            links: overview.links.iter().map(PdoLink::new).collect(),
         }
     }
 
@@ -91,7 +91,7 @@ impl<'a> NetworkView<'a> {
         let Timing { load, bit_rate, .. } = self.network.timing.as_ref()?;
         let percent =
             |percent: u64| decimal(u32::try_from(percent / 100).unwrap_or(u32::MAX), 1, self.language);
-        let Texts { load_average, load_worst, fits_from, .. } = self.texts;
+        let LanguageTexts { load_average, load_worst, fits_from, .. } = self.texts;
         let (average, worst) =
             (percent(load.average_percent(*bit_rate)), percent(load.worst_percent(*bit_rate)));
         let loads = format!("{load_average} {average} %, {load_worst} {worst} %");
@@ -185,7 +185,7 @@ impl<'a> NetworkView<'a> {
     }
 
     /// What goes from one node to another, with the numbers of the links.
-    fn between(&self, from: &NodeRow, to: &NodeRow) -> Vec<(usize, &Link<'a>)> {
+    fn between(&self, from: &NodeRow, to: &NodeRow) -> Vec<(usize, &PdoLink<'a>)> {
         let is =
             |end: &Option<End>, node: &NodeRow| end.as_ref().is_some_and(|end| end.position == node.position);
         let links = self.links.iter().enumerate();

@@ -2,8 +2,8 @@
 
 use objdict_network::{CarriedEntry, DownloadRow, End, MappedEntry, MessageRow, NodeRow, Overview};
 
-use super::link::{Link, can_id, spoken};
-use crate::csv::{Column, table};
+use super::link::{PdoLink, can_id, spoken};
+use crate::csv::{CsvColumn, table};
 
 /// What goes from entry to entry, all messages, and what configures the nodes, with the names of the files.
 pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'static str, String); 3] {
@@ -20,9 +20,9 @@ pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'st
 fn links(networks: &[(&str, &Overview)]) -> String {
     let links = networks
         .iter()
-        .flat_map(|&(name, network)| network.links.iter().map(move |row| (name, Link::new(row))));
-    let links: Vec<(&str, Link<'_>)> = links.collect();
-    let columns: [Column<(&str, &Link<'_>, &CarriedEntry)>; 13] = [
+        .flat_map(|&(name, network)| network.links.iter().map(move |row| (name, PdoLink::new(row))));
+    let links: Vec<(&str, PdoLink<'_>)> = links.collect();
+    let columns: [CsvColumn<(&str, &PdoLink<'_>, &CarriedEntry)>; 13] = [
         ("network", |(network, ..)| (*network).to_owned()),
         ("can_id", |(_, link, _)| link.can_id.clone()),
         ("sender", |(_, link, _)| node(link.row.sender.as_ref())),
@@ -43,7 +43,7 @@ fn links(networks: &[(&str, &Overview)]) -> String {
 }
 
 fn messages(networks: &[(&str, &Overview)]) -> String {
-    let columns: [Column<(&str, &MessageRow)>; 7] = [
+    let columns: [CsvColumn<(&str, &MessageRow)>; 7] = [
         ("network", |(network, _)| (*network).to_owned()),
         ("can_id", |(_, message)| can_id(message.can_id)),
         ("senders", |(_, message)| ends(&message.senders)),
@@ -60,7 +60,7 @@ fn messages(networks: &[(&str, &Overview)]) -> String {
 
 /// A line for each download to a node, in order.
 fn downloads(networks: &[(&str, &Overview)]) -> String {
-    let columns: [Column<(&str, &NodeRow, usize, &DownloadRow)>; 7] = [
+    let columns: [CsvColumn<(&str, &NodeRow, usize, &DownloadRow)>; 7] = [
         ("network", |(network, ..)| (*network).to_owned()),
         ("node_id", |(_, node, ..)| number(node.node_id)),
         ("node", |(_, node, ..)| node.name.clone()),

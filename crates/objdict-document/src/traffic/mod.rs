@@ -143,10 +143,10 @@ struct DrawnLane<'a> {
     paths: Vec<Filled>,
     states: Vec<Filled>,
     /// The positions in the lists of events.
-    marks: Vec<Mark<'a>>,
+    marks: Vec<TimelineMark<'a>>,
 }
 
-struct Mark<'a> {
+struct TimelineMark<'a> {
     id: usize,
     class: &'static str,
     percent: String,
@@ -218,7 +218,7 @@ impl TrafficPage<'_> {
                     .iter()
                     .enumerate()
                     .filter(move |(_, event)| event.lane == Some(position));
-                own.map(|(at, event)| Mark {
+                own.map(|(at, event)| TimelineMark {
                     id: drawn.first + at,
                     class: drawn.list.class,
                     percent: scale.percent(event.time),

@@ -2,7 +2,7 @@
 //! encoding are kept.
 
 use super::section::SectionName;
-use crate::ini::{Document, Editor, Section};
+use crate::ini::{Document, IniEditor, Section};
 use crate::literal::{self, Quirks};
 use crate::model::{Commissioning, DataType, Part};
 use crate::source::EditError;
@@ -27,8 +27,8 @@ pub fn to_dcf(
     last_eds: Option<&str>,
     node: &Commissioning,
 ) -> Result<Vec<u8>, EditError> {
-    let sections = Sections::of(document);
-    let mut editor = Editor::new(document);
+    let sections = HeadedSections::of(document);
+    let mut editor = IniEditor::new(document);
     let mut facts = vec![("FileName", file_name.to_owned())];
     facts.extend(last_eds.map(|name| ("LastEDS", name.to_owned())));
     match sections.find(&Part::FileInfo) {
@@ -63,8 +63,8 @@ pub fn to_dcf(
 /// # Errors
 /// When the document cannot be written in its encoding.
 pub fn to_eds(document: &Document, file_name: &str) -> Result<Vec<u8>, EditError> {
-    let sections = Sections::of(document);
-    let mut editor = Editor::new(document);
+    let sections = HeadedSections::of(document);
+    let mut editor = IniEditor::new(document);
     for (part, section) in &sections.all {
         match part {
             Part::Commissioning
@@ -85,11 +85,11 @@ pub fn to_eds(document: &Document, file_name: &str) -> Result<Vec<u8>, EditError
 }
 
 /// All sections with a header, with their parts.
-struct Sections {
+struct HeadedSections {
     all: Vec<(Part, Section)>,
 }
 
-impl Sections {
+impl HeadedSections {
     fn of(document: &Document) -> Self {
         let mut all = Vec::new();
         document.visit(
@@ -116,7 +116,7 @@ fn has_standard_name(document: &Document, section: &Section) -> bool {
 }
 
 /// Sets a key that must be spelled as in the standard. All lines of the key get the value, because other tools take the one with this spelling.
-fn set_plain(editor: &mut Editor<'_>, document: &Document, section: &Section, key: &str, value: &str) {
+fn set_plain(editor: &mut IniEditor<'_>, document: &Document, section: &Section, key: &str, value: &str) {
     let text = document.text();
     let spellings = section.entries.iter().filter(|entry| entry.key.of(text).eq_ignore_ascii_case(key));
     let spellings: Vec<_> = spellings.collect();

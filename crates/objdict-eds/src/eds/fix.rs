@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use self::section::{SectionEdit, key_line};
-use super::Locator;
+use super::SectionLocator;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
 use crate::diagnostic::{Change, MAX_FIX_LINES};
@@ -19,21 +19,21 @@ use crate::source::{Edits, Span};
 /// The edits for the changes, in the order of the text; `None` if one of them has no place in the text.
 pub fn edits(
     document: &Document,
-    locator: &Locator,
+    locator: &SectionLocator,
     device: &Device,
     changes: &[Change],
 ) -> Option<Vec<(Span, String)>> {
     let edits = Edits::new(document.source());
     let (sections, headers, added) = (BTreeMap::new(), OnceCell::new(), Vec::new());
-    let mut rewriter = Rewriter { document, locator, device, edits, sections, headers, added };
+    let mut rewriter = EdsRewriter { document, locator, device, edits, sections, headers, added };
     changes.iter().try_for_each(|change| rewriter.change(change))?;
     rewriter.finish()
 }
 
 /// A text while it is rewritten.
-struct Rewriter<'a> {
+struct EdsRewriter<'a> {
     document: &'a Document,
-    locator: &'a Locator,
+    locator: &'a SectionLocator,
     device: &'a Device,
     edits: Edits<'a>,
     /// The sections with changed keys, by the start of their header lines.
@@ -44,7 +44,7 @@ struct Rewriter<'a> {
     added: Vec<(Part, Vec<String>)>,
 }
 
-impl<'a> Rewriter<'a> {
+impl<'a> EdsRewriter<'a> {
     fn change(&mut self, change: &Change) -> Option<()> {
         match change {
             Change::Replace(span, text) => self.edits.replace(*span, text.as_str()),
@@ -291,7 +291,7 @@ mod tests {
         let document = Document::new(SourceFile::from_text("test.eds", text));
         let (device, _) = crate::eds::read(&document, DeviceKind::Node);
         let mut edits = Edits::new(document.source());
-        for (span, text) in super::edits(&document, &Locator::new(&document), &device, &fix.changes)? {
+        for (span, text) in super::edits(&document, &SectionLocator::new(&document), &device, &fix.changes)? {
             edits.replace(span, text);
         }
         Some(edits.text().unwrap())

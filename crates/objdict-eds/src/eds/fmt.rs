@@ -5,9 +5,9 @@ mod section;
 mod spell;
 mod text;
 
-use self::section::Block;
+use self::section::SectionBlock;
+use self::text::ArrangedText;
 pub use self::text::Extent;
-use self::text::Text;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
 use crate::ini::{Document, Line, LineKind};
@@ -15,10 +15,10 @@ use crate::model::{Device, Part};
 
 /// The rearranged text of a document from which `device` was read.
 pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
-    let mut layout = Layout::of(document);
+    let mut layout = DocumentLayout::of(document);
     layout.blocks.sort_by_key(|block| block.rank);
     let line_end = document.line_end();
-    let mut text = Text { text: String::with_capacity(document.text().len()), line_end };
+    let mut text = ArrangedText { text: String::with_capacity(document.text().len()), line_end };
     text.paragraphs(&layout.start);
     for block in &layout.blocks {
         text.paragraph();
@@ -33,10 +33,10 @@ pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
 
 /// A document as blocks that are moved as a whole.
 #[derive(Default)]
-struct Layout<'a> {
+struct DocumentLayout<'a> {
     /// The lines before the first section.
     start: Vec<Vec<&'a str>>,
-    blocks: Vec<Block<'a>>,
+    blocks: Vec<SectionBlock<'a>>,
     /// The lines after the last section, separated from it by an empty line.
     end: Vec<Vec<&'a str>>,
 }
@@ -92,7 +92,7 @@ fn is_setting(line: &str) -> bool {
     (line.starts_with(";S") || line.starts_with(";C")) && line.contains('=')
 }
 
-impl<'a> Layout<'a> {
+impl<'a> DocumentLayout<'a> {
     fn of(document: &'a Document) -> Self {
         let text = document.text();
         let mut layout = Self::default();
@@ -112,7 +112,7 @@ impl<'a> Layout<'a> {
                     layout.blocks.push(block(name, header, text, notes));
                 }
                 LineKind::Entry { key, value } => {
-                    let entry = section::Entry {
+                    let entry = section::KeyBlock {
                         notes: std::mem::take(&mut notes).all(),
                         key: key.of(text),
                         value: value.of(text),
@@ -131,7 +131,7 @@ impl<'a> Layout<'a> {
     }
 
     /// Keeps the place of a key without a section.
-    fn before_sections(&mut self, entry: &section::Entry<'a>, line: &'a str) {
+    fn before_sections(&mut self, entry: &section::KeyBlock<'a>, line: &'a str) {
         if self.start.is_empty() {
             self.start.push(Vec::new());
         }
@@ -156,12 +156,12 @@ impl<'a> Layout<'a> {
 }
 
 /// A section without its keys yet. Text after the header becomes a comment above it.
-fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> Block<'a> {
+fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> SectionBlock<'a> {
     let part = SectionName::parse(name).part;
     let line = header.span.of(text);
     let behind = line.find(']').map_or("", |close| line[close + 1..].trim());
     let remark = behind.trim_start_matches([';', '#', '/']).trim_start();
-    Block {
+    SectionBlock {
         rank: Rank::of(&part),
         name: match part {
             Part::Section(_) => name.to_owned(),

@@ -1,6 +1,6 @@
 //! A key of a section as it is read.
 
-use super::keys::Key;
+use super::keys::FieldKey;
 use crate::model::Field;
 use crate::source::Span;
 
@@ -8,7 +8,7 @@ use crate::source::Span;
 #[derive(Clone, Copy)]
 pub(crate) struct Item<'a> {
     /// The field, if the key has a fixed name.
-    pub key: Option<Key>,
+    pub key: Option<FieldKey>,
     /// The key as written.
     pub name: &'a str,
     /// The value as written.
@@ -22,7 +22,7 @@ pub(crate) struct Item<'a> {
 impl Item<'_> {
     /// The field, if the key has a fixed name.
     pub(crate) fn field(&self) -> Option<&'static Field> {
-        self.key.map(Key::field)
+        self.key.map(FieldKey::field)
     }
 
     /// The number of a numbered key such as the `3` of `3=0x1018`.

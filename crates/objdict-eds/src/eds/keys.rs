@@ -49,14 +49,14 @@ fn is_same(name: &[u8], text: &[u8]) -> bool {
 
 /// A field with a fixed name: its number in [`Field::NAMED`], small enough for a bit set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Key(u8);
+pub(crate) struct FieldKey(u8);
 
 /// Whether CiA 306 defines a key of this name for any section.
 pub fn is_key(name: &str) -> bool {
-    Key::find(name).is_some()
+    FieldKey::find(name).is_some()
 }
 
-impl Key {
+impl FieldKey {
     /// The key with this name in any case; `None` for one that the standard does not define.
     #[inline]
     pub(crate) fn find(text: &str) -> Option<Self> {
@@ -97,7 +97,7 @@ pub(crate) struct KeySet([u64; 2]);
 impl KeySet {
     /// Adds a key; `false` if the set already contains it.
     #[inline]
-    pub(crate) fn insert(&mut self, Key(number): Key) -> bool {
+    pub(crate) fn insert(&mut self, FieldKey(number): FieldKey) -> bool {
         let (word, bit) = (&mut self.0[usize::from(number >> 6) & 1], 1 << (number & 63));
         let is_new = *word & bit == 0;
         *word |= bit;
@@ -105,7 +105,7 @@ impl KeySet {
     }
 
     /// Whether the set contains a key.
-    pub(crate) fn contains(&self, Key(number): Key) -> bool {
+    pub(crate) fn contains(&self, FieldKey(number): FieldKey) -> bool {
         self.0[usize::from(number >> 6) & 1] & (1 << (number & 63)) != 0
     }
 }
@@ -118,9 +118,9 @@ mod tests {
     fn every_field_is_found_in_any_case() {
         assert!(Field::NAMED.len() <= 128, "a set of keys has 128 bits");
         for (name, field) in Field::NAMED {
-            assert_eq!(Key::find(&name.to_ascii_uppercase()).map(Key::field), Some(field));
+            assert_eq!(FieldKey::find(&name.to_ascii_uppercase()).map(FieldKey::field), Some(field));
         }
-        assert_eq!(Key::find("ParameterNames"), None);
-        assert_eq!(Key::find(""), None);
+        assert_eq!(FieldKey::find("ParameterNames"), None);
+        assert_eq!(FieldKey::find(""), None);
     }
 }

@@ -5,18 +5,18 @@ use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use super::keys::Key;
+use super::keys::FieldKey;
 use super::misspelt;
 use super::order::Rank;
 use super::read::embedded_in;
-use super::section::{SectionName, Spelling};
+use super::section::{NameSpelling, SectionName};
 use crate::ini::{Document, Line, LineKind, Lines, Section, headers};
 use crate::model::{EMBEDDED_SECTION, Field, Part, Place};
 use crate::source::Span;
 
 /// The headers of a document, sorted by part.
 #[derive(Debug)]
-pub struct Locator {
+pub struct SectionLocator {
     state: RandomState,
     /// The number of the part, and the start of its header line.
     headers: Vec<(u32, u32)>,
@@ -30,7 +30,7 @@ pub struct Locator {
 /// The hash of each key of a section in lower case, and the start of its line, sorted by hash.
 type Keys = Vec<(u32, u32)>;
 
-impl Locator {
+impl SectionLocator {
     /// Finds the sections of a document.
     pub fn new(document: &Document) -> Self {
         let state = RandomState::new();
@@ -39,7 +39,8 @@ impl Locator {
         for line in headers(document.text()) {
             if let LineKind::Section { name } = line.kind {
                 let name = SectionName::parse(name.of(document.text()));
-                let sections = if name.spelling == Spelling::Misspelt { &mut misspelt } else { &mut found };
+                let sections =
+                    if name.spelling == NameSpelling::Misspelt { &mut misspelt } else { &mut found };
                 sections.push((number_of(&state, &name.part), line.span.start));
             }
         }
@@ -82,7 +83,9 @@ impl Locator {
         let lines = document.source().lines();
         let line = lines.line_span(text, lines.line_of(text, offset));
         let field = match Lines::from(text, line.start).next()?.kind {
-            LineKind::Entry { key, .. } => Some(Key::field_of(Key::find(key.of(text)), key.of(text))),
+            LineKind::Entry { key, .. } => {
+                Some(FieldKey::field_of(FieldKey::find(key.of(text)), key.of(text)))
+            }
             _ => None,
         };
         (!matches!(part, Part::Section(_))).then_some(Place { part, field })
@@ -94,7 +97,7 @@ impl Locator {
             place.field.as_ref().filter(|field| !matches!(field, Field::Item(_) | Field::Named(_)))?;
         let text = document.text();
         let is_meant = |name: &str| {
-            Key::find(name).is_none()
+            FieldKey::find(name).is_none()
                 && misspelt::key(&place.part, name).is_some_and(|key| key.field() == field)
         };
         let start = self.starts(&place.part).next()?;

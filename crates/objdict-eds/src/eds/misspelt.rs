@@ -1,15 +1,15 @@
 //! Finds the intended name for a misspelt one.
 
-use super::keys::Key;
+use super::keys::FieldKey;
 use super::names::{FIXED, OF_MODULE, OF_OBJECT};
 use crate::model::{Field, ModulePart, Part};
 
 /// The intended key for a name in the section of a part, if only one is similar.
-pub(super) fn key(part: &Part, name: &str) -> Option<Key> {
-    let text = Word::new(name);
+pub(super) fn key(part: &Part, name: &str) -> Option<FieldKey> {
+    let text = NameWord::new(name);
     let names = KEYS.iter().zip(Field::NAMED);
     let near = names.filter(|(word, (_, field))| text.may_be(word) && is_key_of(part, field));
-    nearest(&text, near).and_then(|(meant, _)| Key::find(meant))
+    nearest(&text, near).and_then(|(meant, _)| FieldKey::find(meant))
 }
 
 /// Whether the section of a part may have a key.
@@ -59,15 +59,15 @@ fn is_of_entry(field: &Field) -> bool {
 pub(super) fn section(name: &str) -> Option<Part> {
     if let Some((number, rest)) = name.strip_prefix(['M', 'm']).and_then(|rest| number(rest, 10)) {
         let names = MODULE.iter().zip(OF_MODULE.iter().map(|(_, part)| *part));
-        return nearest(&Word::new(rest), names).map(|part| Part::Module(number, part));
+        return nearest(&NameWord::new(rest), names).map(|part| Part::Module(number, part));
     }
     // with fewer than four digits, letters of a word could be read as digits of the index
     let index = name.get(..4).and_then(|digits| number(digits, 16)).filter(|(index, _)| *index >= 0x1000);
     if let Some((index, _)) = index {
         let names = OBJECT.iter().zip(OF_OBJECT.iter().map(|(_, part)| part(index)));
-        return nearest(&Word::new(&name[4..]), names);
+        return nearest(&NameWord::new(&name[4..]), names);
     }
-    nearest(&Word::new(name), SECTIONS.iter().zip(&FIXED)).map(|(_, part)| part.clone())
+    nearest(&NameWord::new(name), SECTIONS.iter().zip(&FIXED)).map(|(_, part)| part.clone())
 }
 
 /// The number at the start of a text, and the rest.
@@ -81,7 +81,7 @@ const LONGEST: usize = 32;
 
 /// A name without separators, in lower case, with masks for a quick comparison, because a file can have a
 /// million unknown names.
-struct Word {
+struct NameWord {
     letters: [u8; LONGEST],
     length: usize,
     /// The letters of the name, one bit each.
@@ -90,7 +90,7 @@ struct Word {
     digits: u32,
 }
 
-impl Word {
+impl NameWord {
     const EMPTY: Self = Self { letters: [0; LONGEST], length: 0, mask: 0, digits: 0 };
 
     /// A name; empty if it is too long.
@@ -141,24 +141,24 @@ impl Word {
     }
 }
 
-static KEYS: [Word; Field::NAMED.len()] = words_of(Field::NAMED);
-static SECTIONS: [Word; FIXED.len()] = words_of(&FIXED);
-static MODULE: [Word; OF_MODULE.len()] = words_of(&OF_MODULE);
-static OBJECT: [Word; OF_OBJECT.len()] = words_of(&OF_OBJECT);
+static KEYS: [NameWord; Field::NAMED.len()] = words_of(Field::NAMED);
+static SECTIONS: [NameWord; FIXED.len()] = words_of(&FIXED);
+static MODULE: [NameWord; OF_MODULE.len()] = words_of(&OF_MODULE);
+static OBJECT: [NameWord; OF_OBJECT.len()] = words_of(&OF_OBJECT);
 
 /// The words of a table of names.
-const fn words_of<T, const N: usize>(names: &[(&str, T)]) -> [Word; N] {
-    let mut words = [Word::EMPTY; N];
+const fn words_of<T, const N: usize>(names: &[(&str, T)]) -> [NameWord; N] {
+    let mut words = [NameWord::EMPTY; N];
     let mut number = 0;
     while number < N {
-        words[number] = Word::new(names[number].0);
+        words[number] = NameWord::new(names[number].0);
         number += 1;
     }
     words
 }
 
 /// The value of the intended name: the only one with the fewest edits.
-fn nearest<'a, T>(text: &Word, names: impl IntoIterator<Item = (&'a Word, T)>) -> Option<T> {
+fn nearest<'a, T>(text: &NameWord, names: impl IntoIterator<Item = (&'a NameWord, T)>) -> Option<T> {
     let mut best: Option<(usize, Option<T>)> = None;
     for (name, meant) in names {
         if !text.may_be(name) {

@@ -2,7 +2,7 @@
 //!
 //! The writer, the formatter and fixes that add sections use the same order.
 
-use super::keys::Key;
+use super::keys::FieldKey;
 use crate::model::{Field, ModulePart, ObjectList, Part};
 
 /// The position of a section. Unknown sections come last, in their original order.
@@ -138,7 +138,7 @@ pub(super) fn counter_of(part: &Part) -> Option<Field> {
 
 /// The rank of a key in its section; `None` for a key without a defined place.
 pub(super) fn key_rank(name: &str) -> Option<u32> {
-    let Some(key) = Key::find(name) else {
+    let Some(key) = FieldKey::find(name) else {
         let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();
         let is_numbered = matches!(&name[..digits], "") || name[..digits].eq_ignore_ascii_case("Line");
         let number: Option<u32> = name.get(digits..).and_then(|number| number.parse().ok());

@@ -13,12 +13,12 @@ pub struct SectionName {
     /// What the section describes.
     pub part: Part,
     /// How the name differs from the spelling of the standard.
-    pub(crate) spelling: Spelling,
+    pub(crate) spelling: NameSpelling,
 }
 
 /// How a section name is spelled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(crate) enum Spelling {
+pub(crate) enum NameSpelling {
     /// The spelling of the standard, in any case.
     #[default]
     Standard,
@@ -42,7 +42,7 @@ impl SectionName {
             return Self::standard(part.clone());
         }
         if name.eq_ignore_ascii_case("DeviceCommissioning") {
-            return Self { part: Part::Commissioning, spelling: Spelling::CorrectCommissioning };
+            return Self { part: Part::Commissioning, spelling: NameSpelling::CorrectCommissioning };
         }
         if let Some(section) = module_section(name) {
             return section;
@@ -54,13 +54,13 @@ impl SectionName {
             return object;
         }
         match misspelt::section(name) {
-            Some(part) => Self { part, spelling: Spelling::Misspelt },
+            Some(part) => Self { part, spelling: NameSpelling::Misspelt },
             None => Self::standard(Part::Section(name.to_ascii_lowercase().into())),
         }
     }
 
     fn standard(part: Part) -> Self {
-        Self { part, spelling: Spelling::Standard }
+        Self { part, spelling: NameSpelling::Standard }
     }
 }
 
@@ -166,7 +166,7 @@ fn odd_object(name: &str) -> Option<SectionName> {
         }
         _ => return None,
     };
-    let spelling = if decorated { Spelling::Decorated } else { Spelling::LeadingZero };
+    let spelling = if decorated { NameSpelling::Decorated } else { NameSpelling::LeadingZero };
     Some(SectionName { part, spelling })
 }
 
@@ -185,16 +185,17 @@ fn module_section(name: &str) -> Option<SectionName> {
     let padded = rest.starts_with('0');
     let rest = &rest[digits..];
     let (part, spelling) = match OF_MODULE.iter().find(|(word, _)| rest.eq_ignore_ascii_case(word)) {
-        Some((_, part)) => (*part, Spelling::Standard),
+        Some((_, part)) => (*part, NameSpelling::Standard),
         None => module_object(rest)?,
     };
-    let spelling = if padded && spelling == Spelling::Standard { Spelling::LeadingZero } else { spelling };
+    let spelling =
+        if padded && spelling == NameSpelling::Standard { NameSpelling::LeadingZero } else { spelling };
     Some(SectionName { part: Part::Module(number, part), spelling })
 }
 
 /// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the index has the same spellings as that of an object of
 /// the device.
-fn module_object(name: &str) -> Option<(ModulePart, Spelling)> {
+fn module_object(name: &str) -> Option<(ModulePart, NameSpelling)> {
     let behind = |word: &str| {
         let head = name.get(..word.len())?;
         head.eq_ignore_ascii_case(word).then(|| &name[word.len()..])
@@ -226,7 +227,7 @@ impl fmt::Display for SectionName {
 mod tests {
     use super::*;
 
-    fn parse(name: &str) -> (Part, Spelling) {
+    fn parse(name: &str) -> (Part, NameSpelling) {
         let SectionName { part, spelling } = SectionName::parse(name);
         (part, spelling)
     }
@@ -235,7 +236,7 @@ mod tests {
     fn names_of_the_standard_in_any_case() {
         let standard = |name: &str| {
             let (part, spelling) = parse(name);
-            assert_eq!(spelling, Spelling::Standard, "{name}");
+            assert_eq!(spelling, NameSpelling::Standard, "{name}");
             part
         };
         assert_eq!(standard("fileinfo"), Part::FileInfo);
@@ -253,18 +254,18 @@ mod tests {
 
     #[test]
     fn odd_spellings_are_understood() {
-        assert_eq!(parse("1018sub01"), (Part::Entry(0x1018, 1), Spelling::LeadingZero));
+        assert_eq!(parse("1018sub01"), (Part::Entry(0x1018, 1), NameSpelling::LeadingZero));
         let info = Part::Module(1, ModulePart::Info);
-        assert_eq!(parse("M01ModuleInfo"), (info, Spelling::LeadingZero));
+        assert_eq!(parse("M01ModuleInfo"), (info, NameSpelling::LeadingZero));
         let entry = Part::Module(3, ModulePart::FixedEntry(0x2401, 1));
-        assert_eq!(parse("M3Fixed2401sub01"), (entry, Spelling::LeadingZero));
+        assert_eq!(parse("M3Fixed2401sub01"), (entry, NameSpelling::LeadingZero));
         let extension = Part::Module(1, ModulePart::SubExt(0x6000));
-        assert_eq!(parse("M01SubExt0x6000"), (extension, Spelling::Decorated));
-        assert_eq!(parse("0x1000"), (Part::Object(0x1000), Spelling::Decorated));
-        assert_eq!(parse("02000"), (Part::Object(0x2000), Spelling::LeadingZero));
-        assert_eq!(parse("2001sub0xA"), (Part::Entry(0x2001, 10), Spelling::Decorated));
-        assert_eq!(parse("1018 sub1"), (Part::Entry(0x1018, 1), Spelling::Decorated));
-        assert_eq!(parse("DeviceCommissioning"), (Part::Commissioning, Spelling::CorrectCommissioning));
+        assert_eq!(parse("M01SubExt0x6000"), (extension, NameSpelling::Decorated));
+        assert_eq!(parse("0x1000"), (Part::Object(0x1000), NameSpelling::Decorated));
+        assert_eq!(parse("02000"), (Part::Object(0x2000), NameSpelling::LeadingZero));
+        assert_eq!(parse("2001sub0xA"), (Part::Entry(0x2001, 10), NameSpelling::Decorated));
+        assert_eq!(parse("1018 sub1"), (Part::Entry(0x1018, 1), NameSpelling::Decorated));
+        assert_eq!(parse("DeviceCommissioning"), (Part::Commissioning, NameSpelling::CorrectCommissioning));
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub struct Section {
     /// The header line; `None` before the first header.
     pub header: Option<Header>,
     /// The entries, in order.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<IniEntry>,
     /// The comment lines among and after the entries.
     pub comments: Vec<Span>,
 }
@@ -35,7 +35,7 @@ pub struct Header {
 
 /// A key with its value.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
+pub struct IniEntry {
     /// The key, not empty.
     pub key: Span,
     /// The value, without surrounding blanks.
@@ -98,7 +98,7 @@ impl Document {
         for line in lines {
             match line.kind {
                 LineKind::Section { .. } => break,
-                LineKind::Entry { key, value } => section.entries.push(Entry { key, value }),
+                LineKind::Entry { key, value } => section.entries.push(IniEntry { key, value }),
                 LineKind::Comment => section.comments.push(line.span),
                 LineKind::Blank | LineKind::Junk => {}
             }
@@ -131,7 +131,7 @@ impl Document {
                     section.entries.clear();
                     section.comments.clear();
                 }
-                LineKind::Entry { key, value } => section.entries.push(Entry { key, value }),
+                LineKind::Entry { key, value } => section.entries.push(IniEntry { key, value }),
                 LineKind::Blank => {}
                 LineKind::Comment => {
                     section.comments.push(line.span);

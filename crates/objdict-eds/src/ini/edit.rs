@@ -5,7 +5,7 @@ use crate::source::{EditError, Edits, Span};
 
 /// Changes of one document, in any order.
 #[derive(Debug)]
-pub struct Editor<'a> {
+pub struct IniEditor<'a> {
     document: &'a Document,
     line_end: &'static str,
     edits: Edits<'a>,
@@ -13,7 +13,7 @@ pub struct Editor<'a> {
     many_lines: Option<String>,
 }
 
-impl<'a> Editor<'a> {
+impl<'a> IniEditor<'a> {
     /// An editor without changes. New lines end like the first line of the document, or with CR LF if it has
     /// none.
     pub fn new(document: &'a Document) -> Self {
@@ -156,11 +156,11 @@ mod tests {
     use super::*;
     use crate::source::SourceFile;
 
-    fn edit(text: &str, change: impl Fn(&mut Editor<'_>, &[Section])) -> String {
+    fn edit(text: &str, change: impl Fn(&mut IniEditor<'_>, &[Section])) -> String {
         let document = Document::new(SourceFile::from_text("test.eds", text));
         let mut sections = Vec::new();
         document.visit(|section| sections.push(section.clone()), |_| {});
-        let mut editor = Editor::new(&document);
+        let mut editor = IniEditor::new(&document);
         change(&mut editor, &sections);
         editor.text().unwrap()
     }
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn a_value_stays_in_its_line() {
         let document = Document::new(SourceFile::from_text("test.eds", "[A]\nB=1\n"));
-        let mut editor = Editor::new(&document);
+        let mut editor = IniEditor::new(&document);
         editor.insert_section(None, "N", &[("NodeName", "x\n[1000]".to_owned())]);
         assert_eq!(editor.to_bytes(), Err(EditError::LineEnd("x\n[1000]".to_owned())));
     }

@@ -7,8 +7,8 @@ pub mod findings;
 mod scan;
 mod tidy;
 
-pub use document::{Document, Entry, Header, Section};
-pub use edit::Editor;
+pub use document::{Document, Header, IniEntry, Section};
+pub use edit::IniEditor;
 pub(crate) use scan::headers;
 pub use scan::{Line, LineKind, Lines};
 pub(crate) use tidy::tidy;

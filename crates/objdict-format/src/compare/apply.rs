@@ -24,24 +24,24 @@ pub struct DatumChange {
 /// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
 /// device would be none.
 pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
-    make_changes(device, changes, Check::Before)
+    make_changes(device, changes, DatumDemand::Before)
 }
 
 /// Makes changes whatever is in their places. Returns those that lead to no device.
 pub fn overlay(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
-    make_changes(device, changes, Check::Nothing)
+    make_changes(device, changes, DatumDemand::Nothing)
 }
 
 /// What a change demands of the datum in its place.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Check {
+enum DatumDemand {
     /// That it is the one of the change.
     Before,
     /// Nothing.
     Nothing,
 }
 
-fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: Check) -> Vec<DatumChange> {
+fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: DatumDemand) -> Vec<DatumChange> {
     let mut of_objects: BTreeMap<u16, Vec<DatumChange>> = BTreeMap::new();
     let mut others = Vec::new();
     for change in changes {
@@ -97,7 +97,7 @@ fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
 
 /// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
 /// not be made, which then is found to be stale.
-fn set_extra(frame: &mut Device, change: DatumChange, check: Check) -> Option<DatumChange> {
+fn set_extra(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Option<DatumChange> {
     if change.path != "/extra" || change.after.as_ref().is_some_and(|after| !after.text().starts_with('"')) {
         return Some(change);
     }
@@ -108,7 +108,7 @@ fn set_extra(frame: &mut Device, change: DatumChange, check: Check) -> Option<Da
         Some(Value::String(text)) => super::sections::parse(&text),
         _ => Some(Vec::new()),
     };
-    match after.filter(|_| check == Check::Nothing || before == change.before) {
+    match after.filter(|_| check == DatumDemand::Nothing || before == change.before) {
         Some(sections) => {
             frame.extra = sections;
             None
@@ -118,7 +118,7 @@ fn set_extra(frame: &mut Device, change: DatumChange, check: Check) -> Option<Da
 }
 
 /// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and one that could not be made.
-fn set_large(frame: &mut Device, change: DatumChange, check: Check) -> Option<DatumChange> {
+fn set_large(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Option<DatumChange> {
     let Some(after) = change.after.as_ref().filter(|after| after.is_large()) else { return Some(change) };
     let absent = Device::default();
     macro_rules! set {
@@ -126,7 +126,7 @@ fn set_large(frame: &mut Device, change: DatumChange, check: Check) -> Option<Da
             match change.path.strip_prefix('/') {
                 $(Some(stringify!($name)) => {
                     let present = Some(&frame.$name).filter(|present| **present != absent.$name);
-                    if check == Check::Before && change.before != present.map(|present| Datum::of(present).fingerprint()) {
+                    if check == DatumDemand::Before && change.before != present.map(|present| Datum::of(present).fingerprint()) {
                         return Some(change);
                     }
                     let document = format!("{{\"{}\":{after}}}", stringify!($name));
@@ -155,7 +155,7 @@ fn apply_to<T: Serialize + DeserializeOwned>(
     part: &mut Option<T>,
     root: &str,
     changes: Vec<DatumChange>,
-    check: Check,
+    check: DatumDemand,
     refused: &mut Vec<DatumChange>,
 ) {
     let before = part.as_ref().map(to_value);
@@ -182,9 +182,9 @@ fn apply_to<T: Serialize + DeserializeOwned>(
 }
 
 /// Sets the value at a path if the present value is the expected one.
-fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: Check) -> bool {
+fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: DatumDemand) -> bool {
     let is_expected = |found: Option<&Value>| {
-        check == Check::Nothing || found.map(|value| Datum::from(value).fingerprint()) == change.before
+        check == DatumDemand::Nothing || found.map(|value| Datum::from(value).fingerprint()) == change.before
     };
     let after = || change.after.as_ref().map(Datum::value);
     let Some((parent, key)) = path.rsplit_once('/') else {
@@ -198,7 +198,7 @@ fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: Check)
     let parent = match root.pointer_mut(parent) {
         Some(parent) => parent,
         // what holds nothing is not in the JSON
-        None if check == Check::Nothing || change.before.is_none() => match make(root, parent) {
+        None if check == DatumDemand::Nothing || change.before.is_none() => match make(root, parent) {
             Some(parent) => parent,
             None => return false,
         },

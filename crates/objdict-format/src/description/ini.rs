@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
-use crate::text::{ReadText, Text, TextEdits, restored};
-use objdict_eds::eds::{self, Locator};
+use crate::text::{DescriptionText, ReadText, TextEdits, restored};
+use objdict_eds::eds::{self, SectionLocator};
 use objdict_eds::ini::{self, Document};
 use objdict_model::diagnostic::{Change, Findings};
 use objdict_model::model::{Commissioning, Device, DeviceKind, Place};
@@ -13,7 +13,7 @@ use objdict_model::source::{EditError, SourceFile, Span};
 #[derive(Debug)]
 struct IniText {
     document: Document,
-    locator: OnceLock<Locator>,
+    locator: OnceLock<SectionLocator>,
 }
 
 /// Reads lines.
@@ -24,12 +24,12 @@ pub(super) fn read(source: SourceFile, kind: DeviceKind) -> ReadText {
 }
 
 impl IniText {
-    fn locator(&self) -> &Locator {
-        self.locator.get_or_init(|| Locator::new(&self.document))
+    fn locator(&self) -> &SectionLocator {
+        self.locator.get_or_init(|| SectionLocator::new(&self.document))
     }
 }
 
-impl Text for IniText {
+impl DescriptionText for IniText {
     fn source(&self) -> &SourceFile {
         self.document.source()
     }

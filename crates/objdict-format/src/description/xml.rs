@@ -3,11 +3,11 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::objdictgen;
-use crate::text::{ReadText, Text, TextEdits, is_as_valid, restored};
+use crate::text::{DescriptionText, ReadText, TextEdits, is_as_valid, restored};
 use objdict_model::diagnostic::{Change, Findings};
 use objdict_model::model::{Commissioning, Device, DeviceKind, Place};
 use objdict_model::source::{EditError, SourceFile, Span};
-use objdict_xdd::xdd::{self, Locator};
+use objdict_xdd::xdd::{self, ElementLocator};
 use objdict_xdd::xml::Tree;
 
 /// Elements as one of the devices that they describe, with what finds places of it, which is made when it is asked for.
@@ -17,7 +17,7 @@ struct XmlText {
     /// Of the device: its profile container.
     number: usize,
     kind: DeviceKind,
-    locator: OnceLock<Locator>,
+    locator: OnceLock<ElementLocator>,
 }
 
 /// Reads elements.
@@ -44,8 +44,8 @@ impl XmlText {
         (Box::new(text), device, findings)
     }
 
-    fn locator(&self) -> &Locator {
-        self.locator.get_or_init(|| Locator::new(&self.tree, self.number))
+    fn locator(&self) -> &ElementLocator {
+        self.locator.get_or_init(|| ElementLocator::new(&self.tree, self.number))
     }
 
     /// Whether an edited text is as valid as this one, and a reader finds the node in it, or none: in a malformed text it may look
@@ -60,7 +60,7 @@ impl XmlText {
     }
 }
 
-impl Text for XmlText {
+impl DescriptionText for XmlText {
     fn source(&self) -> &SourceFile {
         self.tree.source()
     }

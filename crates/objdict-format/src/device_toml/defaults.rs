@@ -7,7 +7,7 @@ use objdict_model::model::{Access, DataType, Entry, ObjectType, PdoMapping, Valu
 
 /// What an entry is in its object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
+pub(super) enum EntryRole {
     /// The value of an object without sub-indexes, or all elements of one in compact storage.
     Value,
     /// An object whose entries are described below it.
@@ -20,7 +20,7 @@ pub(super) enum Role {
 
 /// A fact that a description may leave out although it follows from a missing key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Omission {
+pub(super) enum OmittedFact {
     ObjectType,
     Access,
     Map,
@@ -29,7 +29,7 @@ pub(super) enum Omission {
     Sub0,
 }
 
-impl Omission {
+impl OmittedFact {
     pub(super) const ALL: [(Self, &'static str); 6] = [
         (Self::ObjectType, "object-type"),
         (Self::Access, "access"),
@@ -45,20 +45,20 @@ impl Omission {
 pub(super) struct Omissions(u8);
 
 impl Omissions {
-    pub(super) const fn has(self, omission: Omission) -> bool {
+    pub(super) const fn has(self, omission: OmittedFact) -> bool {
         self.0 & 1 << omission as u8 != 0
     }
 
-    pub(super) fn add(&mut self, omission: Omission) {
+    pub(super) fn add(&mut self, omission: OmittedFact) {
         self.0 |= 1 << omission as u8;
     }
 
     /// Those that count for a role without a list of its own: most descriptions state the types of objects.
-    pub(super) const fn of_role(self, role: Role) -> Self {
+    pub(super) const fn of_role(self, role: EntryRole) -> Self {
         match role {
-            Role::Value | Role::Whole => Self(self.0 & !(1 << Omission::ObjectType as u8)),
-            Role::Sub => self,
-            Role::First => Self(0),
+            EntryRole::Value | EntryRole::Whole => Self(self.0 & !(1 << OmittedFact::ObjectType as u8)),
+            EntryRole::Sub => self,
+            EntryRole::First => Self(0),
         }
     }
 
@@ -67,7 +67,7 @@ impl Omissions {
     }
 
     pub(super) fn words(self) -> Vec<&'static str> {
-        let there = Omission::ALL.into_iter().filter(|(omission, _)| self.has(*omission));
+        let there = OmittedFact::ALL.into_iter().filter(|(omission, _)| self.has(*omission));
         there.map(|(_, word)| word).collect()
     }
 
@@ -76,11 +76,11 @@ impl Omissions {
         section.get("unstated")?;
         let mut omissions = Self::default();
         for text in section.texts("unstated", findings) {
-            match Omission::ALL.into_iter().find(|(_, word)| *word == text.value) {
+            match OmittedFact::ALL.into_iter().find(|(_, word)| *word == text.value) {
                 Some((omission, _)) => omissions.add(omission),
                 None => {
                     let message = say!("`{}` is no fact that follows from missing keys", text.value);
-                    let words = Omission::ALL.map(|(_, word)| format!("`{word}`")).join(", ");
+                    let words = OmittedFact::ALL.map(|(_, word)| format!("`{word}`")).join(", ");
                     let finding = Diagnostic::new(&WRONG_TYPE, text.at, message);
                     findings.push(finding.help(say!("write one of {}", words)));
                 }
@@ -116,22 +116,22 @@ impl Default for Defaults {
 
 impl Defaults {
     /// What an entry without keys is, whose description leaves out so much.
-    pub(super) fn implied(&self, role: Role, unstated: Omissions) -> Entry {
-        if role == Role::First {
+    pub(super) fn implied(&self, role: EntryRole, unstated: Omissions) -> Entry {
+        if role == EntryRole::First {
             return self.sub0.clone();
         }
-        let is_value = role != Role::Whole;
+        let is_value = role != EntryRole::Whole;
         Entry {
-            object_type: Some(ObjectType::Var).filter(|_| !unstated.has(Omission::ObjectType)),
-            access: Some(self.access).filter(|_| is_value && !unstated.has(Omission::Access)),
-            pdo_mapping: Some(self.map).filter(|_| is_value && !unstated.has(Omission::Map)),
+            object_type: Some(ObjectType::Var).filter(|_| !unstated.has(OmittedFact::ObjectType)),
+            access: Some(self.access).filter(|_| is_value && !unstated.has(OmittedFact::Access)),
+            pdo_mapping: Some(self.map).filter(|_| is_value && !unstated.has(OmittedFact::Map)),
             ..Entry::default()
         }
     }
 
     /// The value of sub-index 0 that does not state it.
     pub(super) fn highest(&self, highest: Option<u8>, unstated: Omissions) -> Option<Value> {
-        let number = highest.filter(|_| !unstated.has(Omission::Default))?;
+        let number = highest.filter(|_| !unstated.has(OmittedFact::Default))?;
         let data_type = self.sub0.data_type.unwrap_or(DataType::UNSIGNED8);
         Value::from_integer(number.into(), data_type)
     }

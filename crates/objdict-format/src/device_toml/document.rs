@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-use super::edits::Editor;
+use super::edits::TomlEditor;
 use super::extends::{self, Base};
 use super::mentions;
-use super::places::Places;
+use super::places::KeyPlaces;
 use crate::mention::Mention;
-use crate::text::{ReadText, Text, TextEdits};
+use crate::text::{DescriptionText, ReadText, TextEdits};
 use objdict_model::diagnostic::{Change, Findings};
 use objdict_model::model::{Commissioning, Device, Place};
 use objdict_model::source::{EditError, Edits, SourceFile, Span};
@@ -19,7 +19,7 @@ struct TomlText {
     source: Arc<SourceFile>,
     base: Option<Arc<Base>>,
     variant: Option<String>,
-    places: OnceLock<Places>,
+    places: OnceLock<KeyPlaces>,
 }
 
 /// A text and the device that it describes.
@@ -32,16 +32,16 @@ pub(crate) fn read(source: SourceFile) -> ReadText {
 }
 
 impl TomlText {
-    fn places(&self) -> &Places {
+    fn places(&self) -> &KeyPlaces {
         self.places.get_or_init(|| {
             let tree =
                 super::merged(self.source.text(), self.base.as_deref(), self.variant(), &mut Findings::new());
-            tree.map(|merged| Places::new(&merged.tree)).unwrap_or_default()
+            tree.map(|merged| KeyPlaces::new(&merged.tree)).unwrap_or_default()
         })
     }
 
-    fn editor(&self) -> Editor<'_> {
-        Editor { text: self.source.text(), places: self.places() }
+    fn editor(&self) -> TomlEditor<'_> {
+        TomlEditor { text: self.source.text(), places: self.places() }
     }
 
     /// The bytes of the text with edits; `None` for a text that does not say alone what the device is.
@@ -52,7 +52,7 @@ impl TomlText {
     }
 }
 
-impl Text for TomlText {
+impl DescriptionText for TomlText {
     fn source(&self) -> &SourceFile {
         &self.source
     }

@@ -2,7 +2,7 @@
 
 use super::facts;
 use super::keys::{DEVICE, FILE, NODE};
-use super::places::{Places, Spot, keys_of};
+use super::places::{KeyPlaces, KeySpan, keys_of};
 use super::words::{key, quoted, spelled, subs, type_word};
 use crate::text::TextEdits;
 use objdict_keyed::section::{Key, Shape};
@@ -13,12 +13,12 @@ use objdict_model::model::{Commissioning, DataType, Device, Entry, Field, Object
 use objdict_model::source::Span;
 
 /// What edits a text.
-pub(super) struct Editor<'a> {
+pub(super) struct TomlEditor<'a> {
     pub text: &'a str,
-    pub places: &'a Places,
+    pub places: &'a KeyPlaces,
 }
 
-impl Editor<'_> {
+impl TomlEditor<'_> {
     /// The edits that make changes of a device; `None` where the text has no place for one of them. Whether the text is still
     /// TOML then, [`is_toml`](Self::is_toml) says.
     pub(super) fn edits(&self, device: &Device, changes: &[Change]) -> Option<TextEdits> {
@@ -179,7 +179,7 @@ impl Editor<'_> {
         }
         // the deepest table that there is; dotted keys in braces have no line for another
         let at = |length: usize| self.places.at(&table[..length]);
-        let has_braces = |spot: Spot| spot.value.of(self.text).starts_with('{');
+        let has_braces = |spot: KeySpan| spot.value.of(self.text).starts_with('{');
         let known = (1..=table.len()).rev().find(|&length| at(length).is_some_and(has_braces));
         let known = known.or_else(|| (1..=table.len()).rev().find(|&length| at(length).is_some()));
         let rest = |length: usize| path[length..].iter().map(|name| key(name)).collect::<Vec<_>>().join(".");
@@ -205,7 +205,7 @@ impl Editor<'_> {
     }
 
     /// Adds a key to a table, in the form that it has.
-    fn insert(&self, table: &[String], spot: Spot, line: &str) -> Option<TextEdits> {
+    fn insert(&self, table: &[String], spot: KeySpan, line: &str) -> Option<TextEdits> {
         let value = spot.value.of(self.text);
         if value.starts_with('{') && value.ends_with('}') {
             let inner = value[1..value.len() - 1].trim_end();
@@ -292,7 +292,7 @@ impl Editor<'_> {
     }
 
     /// A pair in braces with the comma that separates it from another.
-    fn with_comma(&self, spot: Spot) -> Span {
+    fn with_comma(&self, spot: KeySpan) -> Span {
         // the key may be dotted: its first word
         let before = self.text[..spot.key.start as usize].rfind([',', '{']).unwrap_or_default();
         let behind = &self.text[spot.value.end as usize..];

@@ -1,6 +1,6 @@
 //! What values mean: description, unit, names of values and bits, as parts of the application process (CiA 311).
 
-use super::reader::Reader;
+use super::reader::ObjectReader;
 use super::words::{key, quoted};
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::section::KeyedTable;
@@ -14,7 +14,12 @@ use objdict_model::model::{
 const LANGUAGE: &str = "en";
 
 /// Reads the meaning of an entry into its parameter.
-pub(super) fn read(section: &KeyedTable<'_>, address: &str, entry: &mut Entry, reader: &mut Reader<'_>) {
+pub(super) fn read(
+    section: &KeyedTable<'_>,
+    address: &str,
+    entry: &mut Entry,
+    reader: &mut ObjectReader<'_>,
+) {
     let findings = &mut *reader.findings;
     if let Some(text) = section.text("description", findings) {
         entry.parameter_mut().labels = described(&text.value);

@@ -29,7 +29,7 @@ use self::extends::Base;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::merge::Merged;
 use self::profile::ProfileSaid;
-use self::reader::Reader;
+use self::reader::ObjectReader;
 pub use self::schema::schema;
 pub use self::start::new_device_toml;
 use crate::compare::each_difference;
@@ -117,9 +117,9 @@ fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
 }
 
 /// A reader of objects, with the defaults of the text.
-fn reader<'f>(root: &KeyedTable<'_>, findings: &'f mut Findings) -> Reader<'f> {
+fn reader<'f>(root: &KeyedTable<'_>, findings: &'f mut Findings) -> ObjectReader<'f> {
     let application = ApplicationProcess::default();
-    let mut reader = Reader { defaults: Defaults::default(), findings, application, ranged: 0 };
+    let mut reader = ObjectReader { defaults: Defaults::default(), findings, application, ranged: 0 };
     if let Some(tree) = root.get("defaults") {
         reader.read_defaults(tree);
     }
@@ -134,7 +134,7 @@ pub fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
     let defaults = reader(&root, &mut findings).defaults;
     Some(move |index, object: &Object| {
         let mut line = String::new();
-        objects::Writer { device: &Device::default(), defaults: defaults.clone(), base: None }
+        objects::ObjectWriter { device: &Device::default(), defaults: defaults.clone(), base: None }
             .object(index, object, None, &mut line);
         line
     })

@@ -1,6 +1,6 @@
 //! From an object to its keys: what is not as it would be without them.
 
-use super::defaults::{Defaults, Omission, Omissions, Role};
+use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
 use super::facts;
 use super::meaning;
 use super::reader::{numbered, sub_number, without};
@@ -17,26 +17,26 @@ const LINE: usize = 110;
 const MAX_RANGE: usize = 16;
 
 /// A key and its value in TOML.
-pub(super) type Pair = (String, String);
+pub(super) type TomlPair = (String, String);
 
 /// Access and mapping that differ from what is implied, and what is left out.
-pub(super) fn common(found: &Entry, implied: &Entry, keys: &mut Vec<Pair>, left_out: &mut Omissions) {
+pub(super) fn common(found: &Entry, implied: &Entry, keys: &mut Vec<TomlPair>, left_out: &mut Omissions) {
     match (found.object_type, implied.object_type) {
-        (None, Some(_)) => left_out.add(Omission::ObjectType),
+        (None, Some(_)) => left_out.add(OmittedFact::ObjectType),
         (Some(found), implied) if Some(found) != implied => {
             keys.push(("object-type".to_owned(), quoted(&found.name().to_ascii_lowercase())));
         }
         _ => {}
     }
     match (found.access, implied.access) {
-        (None, Some(_)) => left_out.add(Omission::Access),
+        (None, Some(_)) => left_out.add(OmittedFact::Access),
         (Some(found), implied) if Some(found) != implied => {
             keys.push(("access".to_owned(), quoted(found.name())));
         }
         _ => {}
     }
     match (found.pdo_mapping, implied.pdo_mapping) {
-        (None, Some(_)) => left_out.add(Omission::Map),
+        (None, Some(_)) => left_out.add(OmittedFact::Map),
         (Some(found), implied) if Some(found) != implied => {
             keys.push(("map".to_owned(), quoted(map_word(found))));
         }
@@ -54,7 +54,7 @@ pub(super) const fn map_word(map: PdoMapping) -> &'static str {
     }
 }
 
-pub(super) fn inline(pairs: &[Pair]) -> String {
+pub(super) fn inline(pairs: &[TomlPair]) -> String {
     if pairs.is_empty() {
         return "{}".to_owned();
     }
@@ -62,14 +62,14 @@ pub(super) fn inline(pairs: &[Pair]) -> String {
     format!("{{ {} }}", items.join(", "))
 }
 
-pub(super) struct Writer<'a> {
+pub(super) struct ObjectWriter<'a> {
     pub(super) device: &'a Device,
     pub(super) defaults: Defaults,
     /// What there is without keys.
     pub(super) base: Option<&'a Device>,
 }
 
-impl Writer<'_> {
+impl ObjectWriter<'_> {
     pub(super) fn object(&self, index: u16, object: &Object, base: Option<&Object>, text: &mut String) {
         let mut pairs = self.main(index, object, base);
         let subs = self.subs(index, object, base);
@@ -83,20 +83,21 @@ impl Writer<'_> {
         pairs.iter().for_each(|(name, value)| push(text, &format!("{index:04X}.{name} = {value}")));
     }
 
-    fn main(&self, index: u16, object: &Object, base: Option<&Object>) -> Vec<Pair> {
+    fn main(&self, index: u16, object: &Object, base: Option<&Object>) -> Vec<TomlPair> {
         let main = &object.main;
         let said = said_of(object);
         let word = said.word();
         let types = word.as_deref().and_then(TypeSaid::parse).unwrap_or_default();
         let is_whole = !object.subs.is_empty() || types.has_subs();
-        let role = if is_whole { Role::Whole } else { Role::Value };
+        let role = if is_whole { EntryRole::Whole } else { EntryRole::Value };
         let (unstated, own) = self.omissions(object, role, base);
         let mut implied = match base {
             Some(base) => without(base.main.clone(), unstated),
             None => self.defaults.implied(role, unstated),
         };
         let is_record = main.object_type == Some(ObjectType::Record) && main.data_type.is_none();
-        let implies_record = base.is_none() && !object.subs.is_empty() && !unstated.has(Omission::ObjectType);
+        let implies_record =
+            base.is_none() && !object.subs.is_empty() && !unstated.has(OmittedFact::ObjectType);
         let mut pairs = Vec::new();
         if base.is_none() || main.name != implied.name {
             pairs.push(("name".to_owned(), quoted(&main.name)));
@@ -108,7 +109,7 @@ impl Writer<'_> {
             Some(word) => {
                 pairs.push(("type".to_owned(), quoted(word)));
                 implied.object_type = types.object_type.or(implied.object_type);
-                if unstated.has(Omission::ObjectType) {
+                if unstated.has(OmittedFact::ObjectType) {
                     implied.object_type = None;
                 }
             }
@@ -139,21 +140,21 @@ impl Writer<'_> {
     }
 
     /// What the description of an object leaves out, and whether that needs a key.
-    fn omissions(&self, object: &Object, role: Role, base: Option<&Object>) -> (Omissions, bool) {
+    fn omissions(&self, object: &Object, role: EntryRole, base: Option<&Object>) -> (Omissions, bool) {
         let stated = match base {
             Some(base) => base.main.clone(),
             None => self.defaults.implied(role, Omissions::default()),
         };
         let mut needed = needed(&object.main, &stated);
         if base.is_some() && object.main.default.is_none() && stated.default.is_some() {
-            needed.add(Omission::Default);
+            needed.add(OmittedFact::Default);
         }
         let has_subs = !object.subs.is_empty() && object.compact.is_none();
         if has_subs && object.sub_number.is_none() {
-            needed.add(Omission::SubNumber);
+            needed.add(OmittedFact::SubNumber);
         }
         if has_subs && object.subs.get(0).is_none() {
-            needed.add(Omission::Sub0);
+            needed.add(OmittedFact::Sub0);
         }
         let usual = match base {
             Some(_) => Omissions::default(),
@@ -163,7 +164,7 @@ impl Writer<'_> {
     }
 
     /// The keys of the sub-indexes, each with its keys.
-    fn subs(&self, index: u16, object: &Object, base: Option<&Object>) -> Vec<(String, Vec<Pair>)> {
+    fn subs(&self, index: u16, object: &Object, base: Option<&Object>) -> Vec<(String, Vec<TomlPair>)> {
         let of_base = |sub: u8| base.and_then(|base| base.subs.get(sub));
         let written: Vec<(u8, &Entry)> = object
             .subs
@@ -197,7 +198,7 @@ impl Writer<'_> {
         &self,
         index: u16,
         entries: &[(u8, &Entry)],
-        pairs: &[Pair],
+        pairs: &[TomlPair],
         object: &Object,
         base: Option<&Object>,
     ) -> usize {
@@ -221,9 +222,10 @@ impl Writer<'_> {
         match base.and_then(|base| Some((base.highest_sub(), base.subs.get(sub)?))) {
             Some((before, entry)) if sub != 0 || before == highest => Some(entry.clone()),
             Some((_, entry)) => Some(Entry { default: value(), ..entry.clone() }),
-            None if sub == 0 && object.compact.is_none() => {
-                Some(Entry { default: value(), ..self.defaults.implied(Role::First, Omissions::default()) })
-            }
+            None if sub == 0 && object.compact.is_none() => Some(Entry {
+                default: value(),
+                ..self.defaults.implied(EntryRole::First, Omissions::default())
+            }),
             None => None,
         }
     }
@@ -234,8 +236,8 @@ impl Writer<'_> {
         (sub, entry): (u8, &Entry),
         object: &Object,
         base: Option<&Object>,
-    ) -> Vec<Pair> {
-        let role = if sub == 0 { Role::First } else { Role::Sub };
+    ) -> Vec<TomlPair> {
+        let role = if sub == 0 { EntryRole::First } else { EntryRole::Sub };
         let before = self.before(sub, object, base);
         let usual = match before {
             Some(_) => Omissions::default(),
@@ -244,7 +246,7 @@ impl Writer<'_> {
         let stated = before.clone().unwrap_or_else(|| self.defaults.implied(role, Omissions::default()));
         let mut needed = needed(entry, &stated);
         if stated.default.is_some() && entry.default.is_none() {
-            needed.add(Omission::Default);
+            needed.add(OmittedFact::Default);
         }
         let own = !needed.is_within(usual);
         let unstated = if own { needed } else { usual };
@@ -263,7 +265,7 @@ impl Writer<'_> {
             let word = said.word().or_else(|| entry.data_type.map(type_word));
             if let Some(word) = word {
                 let parsed = TypeSaid::parse(&word).unwrap_or_default();
-                if !unstated.has(Omission::ObjectType) {
+                if !unstated.has(OmittedFact::ObjectType) {
                     implied.object_type = parsed.object_type.or(implied.object_type);
                 }
                 pairs.push(("type".to_owned(), quoted(&word)));
@@ -278,7 +280,7 @@ impl Writer<'_> {
     }
 
     /// The keys that no other facts decide about.
-    fn rest(&self, address: &str, entry: &Entry, implied: &Entry, pairs: &mut Vec<Pair>) {
+    fn rest(&self, address: &str, entry: &Entry, implied: &Entry, pairs: &mut Vec<TomlPair>) {
         // CAN-IDs, mapped entries and identity
         let hex = address.starts_with('1') && entry.data_type == Some(DataType::UNSIGNED32);
         let values = [
@@ -354,7 +356,7 @@ fn said_of(object: &Object) -> TypeSaid {
     TypeSaid { object_type, data_type: main.data_type, count, length }
 }
 
-fn compact_keys(compact: &Compact, data_type: Option<DataType>, pairs: &mut Vec<Pair>) {
+fn compact_keys(compact: &Compact, data_type: Option<DataType>, pairs: &mut Vec<TomlPair>) {
     let table = |items: Vec<String>| format!("{{ {} }}", items.join(", "));
     let texts = |list: &[(u8, Box<str>)]| {
         table(list.iter().map(|(sub, text)| format!("{sub:X} = {}", quoted(text))).collect())
@@ -419,7 +421,7 @@ fn template(one: &str, first: u8, next: &str, second: u8) -> Option<String> {
 }
 
 /// Makes the keys of the first entry those of a range.
-fn range_keys(entries: &[(u8, &Entry)], template: &str, index: u16, pairs: &mut [Pair]) {
+fn range_keys(entries: &[(u8, &Entry)], template: &str, index: u16, pairs: &mut [TomlPair]) {
     let one = entries[0].1;
     let is_one_value = entries.iter().all(|(_, entry)| entry.default == one.default);
     for (name, text) in pairs {

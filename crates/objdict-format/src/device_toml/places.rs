@@ -9,14 +9,14 @@ use objdict_model::source::Span;
 
 /// A key of the text and its value.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
+pub(super) struct KeySpan {
     pub(super) key: Span,
     pub(super) value: Span,
     /// Whether the value is a table.
     pub(super) is_table: bool,
 }
 
-impl Spot {
+impl KeySpan {
     /// What a finding about it points to: of a table, its name.
     fn shown(self) -> Span {
         if self.is_table { self.key } else { self.value }
@@ -25,11 +25,11 @@ impl Spot {
 
 /// The keys of a text by their paths.
 #[derive(Debug, Default)]
-pub(super) struct Places {
-    spots: BTreeMap<Vec<String>, Spot>,
+pub(super) struct KeyPlaces {
+    spots: BTreeMap<Vec<String>, KeySpan>,
 }
 
-impl Places {
+impl KeyPlaces {
     pub(super) fn new(tree: &KeyedTree) -> Self {
         let mut places = Self::default();
         places.add(tree, &mut Vec::new());
@@ -44,7 +44,7 @@ impl Places {
                 || matches!(path.as_slice(), [object, _, sub] if object == "object" && sub == "sub");
             path.push(if is_number { name.to_ascii_uppercase() } else { name });
             let is_table = entry.value.entries().is_some();
-            let spot = Spot { key: entry.key.span, value: entry.value.span, is_table };
+            let spot = KeySpan { key: entry.key.span, value: entry.value.span, is_table };
             self.spots.insert(path.clone(), spot);
             self.add(&entry.value, path);
             path.pop();
@@ -52,12 +52,12 @@ impl Places {
     }
 
     /// The key at a path.
-    pub(super) fn at(&self, path: &[String]) -> Option<Spot> {
+    pub(super) fn at(&self, path: &[String]) -> Option<KeySpan> {
         self.spots.get(path).copied()
     }
 
     /// The keys below a path, with what follows it.
-    pub(super) fn below<'a>(&'a self, path: &'a [String]) -> impl Iterator<Item = (&'a [String], Spot)> {
+    pub(super) fn below<'a>(&'a self, path: &'a [String]) -> impl Iterator<Item = (&'a [String], KeySpan)> {
         let found = self.spots.range(path.to_vec()..).take_while(move |(key, _)| key.starts_with(path));
         found.filter(|(key, _)| key.len() > path.len()).map(move |(key, spot)| (&key[path.len()..], *spot))
     }
@@ -93,11 +93,11 @@ impl Places {
                 return Some(spot.shown());
             }
         }
-        self.at(&["format".to_owned()]).map(Spot::shown)
+        self.at(&["format".to_owned()]).map(KeySpan::shown)
     }
 
     /// The key that makes a PDO parameter or a mapping, where the text has no table for the object.
-    fn of_pdo(&self, path: &[String], place: &Place) -> Option<Spot> {
+    fn of_pdo(&self, path: &[String], place: &Place) -> Option<KeySpan> {
         let (Part::Object(index) | Part::Entry(index, _)) = place.part else { return None };
         if self.at(path.get(..2)?).is_some() {
             return None;
@@ -169,7 +169,7 @@ impl Places {
 
     /// The part of the model that a byte belongs to.
     pub(super) fn place_at(&self, at: u32) -> Option<Place> {
-        let holds = |spot: &Spot| spot.key.start <= at && at <= spot.value.end.max(spot.key.end);
+        let holds = |spot: &KeySpan| spot.key.start <= at && at <= spot.value.end.max(spot.key.end);
         let path = self.spots.iter().filter(|(_, spot)| holds(spot)).max_by_key(|(path, _)| path.len())?.0;
         let words: Vec<&str> = path.iter().map(String::as_str).collect();
         let part = match words.as_slice() {

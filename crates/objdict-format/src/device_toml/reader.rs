@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::defaults::{Defaults, Omission, Omissions, Role};
+use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
 use super::facts::pairs;
 use super::keys::{DEFAULTS, ENTRY, OBJECT};
 use super::meaning;
@@ -17,7 +17,7 @@ use objdict_model::model::{
 };
 
 /// Reads objects.
-pub(super) struct Reader<'f> {
+pub(super) struct ObjectReader<'f> {
     pub(super) defaults: Defaults,
     pub(super) findings: &'f mut Findings,
     /// The types that the meanings of values need.
@@ -29,7 +29,7 @@ pub(super) struct Reader<'f> {
 /// So many entries may be in ranges: a few bytes of a text make an object of them. Real devices have a few thousand.
 const MAX_RANGED: usize = 15_000;
 
-impl Reader<'_> {
+impl ObjectReader<'_> {
     /// Reads `[defaults]`.
     pub(super) fn read_defaults(&mut self, tree: &KeyedTree) {
         let Some(section) = KeyedTable::new("defaults", tree, DEFAULTS, self.findings) else { return };
@@ -46,7 +46,7 @@ impl Reader<'_> {
             let implied = self.defaults.sub0.clone();
             let unstated = Omissions::read(&section, self.findings).unwrap_or_default();
             self.defaults.sub0 = without(implied, unstated);
-            self.defaults.sub0 = self.entry("sub0", &section, Role::First, None).0;
+            self.defaults.sub0 = self.entry("sub0", &section, EntryRole::First, None).0;
         }
     }
 
@@ -92,14 +92,14 @@ impl Reader<'_> {
         let mut object = base.unwrap_or_default();
         let has_subs = section.get("sub").is_some() || !object.subs.is_empty();
         let role = match said {
-            Some(said) if said.has_subs() => Role::Whole,
-            _ if has_subs => Role::Whole,
-            _ => Role::Value,
+            Some(said) if said.has_subs() => EntryRole::Whole,
+            _ if has_subs => EntryRole::Whole,
+            _ => EntryRole::Value,
         };
         let before = Some(&object.main).filter(|_| !is_new).cloned();
         let (main, unstated) = self.entry(name, &section, role, before);
         object.main = main;
-        if role == Role::Whole && said.is_none() && is_new && !unstated.has(Omission::ObjectType) {
+        if role == EntryRole::Whole && said.is_none() && is_new && !unstated.has(OmittedFact::ObjectType) {
             object.main.object_type = Some(ObjectType::Record);
         }
         self.override_types(&section, &mut object.main);
@@ -197,8 +197,8 @@ impl Reader<'_> {
             Some(_) if highest_before == Some(highest) => {}
             Some(entry) if !has_default(entries) => entry.default = value,
             Some(_) => {}
-            None if object.compact.is_none() && !unstated.has(Omission::Sub0) => {
-                let first = Entry { default: value, ..self.defaults.implied(Role::First, unstated) };
+            None if object.compact.is_none() && !unstated.has(OmittedFact::Sub0) => {
+                let first = Entry { default: value, ..self.defaults.implied(EntryRole::First, unstated) };
                 object.subs.insert(0, first);
             }
             None => {}
@@ -232,7 +232,7 @@ impl Reader<'_> {
         let address = format!("{index:04X}{first:02X}");
         let mut template: Option<Entry> = None;
         for (at, sub) in (first..=last).enumerate() {
-            let role = if sub == 0 { Role::First } else { Role::Sub };
+            let role = if sub == 0 { EntryRole::First } else { EntryRole::Sub };
             let before = object.subs.get(sub).cloned();
             let mut entry = match (&template, before) {
                 (Some(template), None) => template.clone(),
@@ -249,7 +249,13 @@ impl Reader<'_> {
         }
     }
 
-    fn sub(&mut self, address: &str, section: &KeyedTable<'_>, role: Role, before: Option<Entry>) -> Entry {
+    fn sub(
+        &mut self,
+        address: &str,
+        section: &KeyedTable<'_>,
+        role: EntryRole,
+        before: Option<Entry>,
+    ) -> Entry {
         let (mut entry, _) = self.entry(address, section, role, before);
         if let Some(word) = section.word("object-type", self.findings) {
             entry.object_type = object_type(&word.value);
@@ -290,7 +296,7 @@ impl Reader<'_> {
         &mut self,
         address: &str,
         section: &KeyedTable<'_>,
-        role: Role,
+        role: EntryRole,
         before: Option<Entry>,
     ) -> (Entry, Omissions) {
         let own = Omissions::read(section, self.findings);
@@ -300,7 +306,7 @@ impl Reader<'_> {
         });
         let mut entry = match before {
             Some(before) => without(before, unstated),
-            None if role == Role::First => without(self.defaults.implied(role, unstated), unstated),
+            None if role == EntryRole::First => without(self.defaults.implied(role, unstated), unstated),
             None => self.defaults.implied(role, unstated),
         };
         if let Some(name) = section.text("name", self.findings) {
@@ -310,7 +316,7 @@ impl Reader<'_> {
             match TypeSaid::parse(&word.value) {
                 Some(said) => {
                     entry.data_type = said.data_type;
-                    if said.object_type.is_some() && !unstated.has(Omission::ObjectType) {
+                    if said.object_type.is_some() && !unstated.has(OmittedFact::ObjectType) {
                         entry.object_type = said.object_type;
                     }
                     if said.length.is_some() {
@@ -422,22 +428,23 @@ pub(super) fn names(tree: &KeyedTree, word: &str) -> bool {
 /// `SubNumber` of an object that does not state another one.
 pub(super) fn sub_number(object: &Object, unstated: Omissions) -> Option<u8> {
     let count = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
-    let is_there = !object.subs.is_empty() && object.compact.is_none() && !unstated.has(Omission::SubNumber);
+    let is_there =
+        !object.subs.is_empty() && object.compact.is_none() && !unstated.has(OmittedFact::SubNumber);
     u8::try_from(count).ok().filter(|_| is_there)
 }
 
 /// An entry without what its description leaves out.
 pub(super) fn without(mut entry: Entry, unstated: Omissions) -> Entry {
-    if unstated.has(Omission::ObjectType) {
+    if unstated.has(OmittedFact::ObjectType) {
         entry.object_type = None;
     }
-    if unstated.has(Omission::Access) {
+    if unstated.has(OmittedFact::Access) {
         entry.access = None;
     }
-    if unstated.has(Omission::Map) {
+    if unstated.has(OmittedFact::Map) {
         entry.pdo_mapping = None;
     }
-    if unstated.has(Omission::Default) {
+    if unstated.has(OmittedFact::Default) {
         entry.default = None;
     }
     entry

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::defaults::{Defaults, Omission, Omissions};
-use super::objects::{Pair, common, inline, map_word};
+use super::defaults::{Defaults, Omissions, OmittedFact};
+use super::objects::{TomlPair, common, inline, map_word};
 use super::words::{quoted, type_word};
 use super::writer::{push, words};
 use objdict_model::model::{Device, Entry, Object};
@@ -38,11 +38,11 @@ pub(super) fn usual(device: &Device) -> Defaults {
     let mut defaults = Defaults::default();
     match most(entries().map(|entry| entry.access)) {
         Some(Some(access)) => defaults.access = access,
-        Some(None) => defaults.unstated.add(Omission::Access),
+        Some(None) => defaults.unstated.add(OmittedFact::Access),
         None => {}
     }
     match most(entries().map(|entry| entry.pdo_mapping.map(|map| map as u8))) {
-        Some(None) => defaults.unstated.add(Omission::Map),
+        Some(None) => defaults.unstated.add(OmittedFact::Map),
         Some(Some(code)) => {
             let found = entries().filter_map(|entry| entry.pdo_mapping).find(|map| *map as u8 == code);
             defaults.map = found.unwrap_or_default();
@@ -51,16 +51,16 @@ pub(super) fn usual(device: &Device) -> Defaults {
     }
     let subs = device.objects.values().flat_map(|object| object.subs.iter()).filter(|(sub, _)| *sub != 0);
     if most(subs.map(|(_, entry)| entry.object_type.is_some())) == Some(false) {
-        defaults.unstated.add(Omission::ObjectType);
+        defaults.unstated.add(OmittedFact::ObjectType);
     }
     let described =
         || device.objects.values().filter(|object| !object.subs.is_empty() && object.compact.is_none());
     if most(described().map(|object| object.sub_number.is_some())) == Some(false) {
-        defaults.unstated.add(Omission::SubNumber);
+        defaults.unstated.add(OmittedFact::SubNumber);
     }
     match usual_first(device) {
         Some(Some(first)) => defaults.sub0 = first,
-        Some(None) => defaults.unstated.add(Omission::Sub0),
+        Some(None) => defaults.unstated.add(OmittedFact::Sub0),
         None => defaults.sub0 = built_in.sub0,
     }
     defaults
@@ -99,7 +99,7 @@ pub(super) fn write_defaults(defaults: &Defaults, text: &mut String) {
         lines.push(format!("unstated = [{}]", words(&defaults.unstated.words())));
     }
     if defaults.sub0 != built_in.sub0 {
-        let mut keys: Vec<Pair> = Vec::new();
+        let mut keys: Vec<TomlPair> = Vec::new();
         let mut given = Omissions::default();
         let (found, usual) = (&defaults.sub0, &built_in.sub0);
         if found.name != usual.name {

@@ -3,7 +3,7 @@
 use super::facts::{self, Implied};
 use super::keys::{DEVICE, FILE, FORMAT, NODE};
 use super::lists;
-use super::objects::Writer;
+use super::objects::ObjectWriter;
 use super::pdos::{PdoSaid, Standard};
 use super::profile::{ProfileSaid, implied_device, take_absent};
 use super::usual::{usual, write_defaults};
@@ -43,7 +43,7 @@ pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, w
     if with_pdos && let Some(base) = &mut base {
         write_pdos(device, base, &mut text);
     }
-    objects(&Writer { device, defaults, base: base.as_ref() }, &mut text);
+    objects(&ObjectWriter { device, defaults, base: base.as_ref() }, &mut text);
     extra(device, &mut text);
     text
 }
@@ -58,7 +58,7 @@ pub(super) fn write_features(said: &ProfileSaid, text: &mut String) {
 }
 
 /// The objects that are not as they would be without a key.
-fn objects(writer: &Writer<'_>, text: &mut String) {
+fn objects(writer: &ObjectWriter<'_>, text: &mut String) {
     let start = text.len();
     for (&index, object) in &writer.device.objects {
         let base = writer.base.and_then(|base| base.object(index));

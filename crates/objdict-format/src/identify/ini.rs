@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Content, ContentKind, Identification, list, quoted};
+use super::{ContentKind, ExaminedContent, Identification, list, quoted};
 use crate::Format;
 use objdict_eds::eds::SectionName;
 use objdict_eds::ini::{LineKind, Lines};
@@ -18,7 +18,7 @@ const SECTION: usize = 1 << 12;
 
 /// What the sections of a file show.
 #[derive(Default)]
-struct Signs<'a> {
+struct IniSigns<'a> {
     /// Names of sections that an EDS or DCF has and hardly anything else.
     canopen: Vec<&'a str>,
     /// The section of the node, as it is spelled.
@@ -34,11 +34,11 @@ struct Signs<'a> {
     io_info: bool,
 }
 
-pub(super) fn identify(content: &Content<'_>) -> Option<Identification> {
-    let mut signs = Signs::of(&content.head);
+pub(super) fn identify(content: &ExaminedContent<'_>) -> Option<Identification> {
+    let mut signs = IniSigns::of(&content.head);
     let node = if signs.commissioning.is_none() { commissioning_behind(content) } else { None };
     if let Some(node) = &node {
-        let late = Signs::of(node);
+        let late = IniSigns::of(node);
         signs.commissioning = late.commissioning;
         signs.node_id = late.node_id;
     }
@@ -62,7 +62,7 @@ pub(super) fn identify(content: &Content<'_>) -> Option<Identification> {
 /// Objects that each node of Ethernet POWERLINK has: its node-ID and its timing. CiA 302 ends at 1F91h.
 const POWERLINK: [&str; 2] = ["[1F93]", "[1F98]"];
 
-fn is_powerlink(content: &Content<'_>) -> bool {
+fn is_powerlink(content: &ExaminedContent<'_>) -> bool {
     POWERLINK.iter().all(|section| line_starts(content.bytes, section).next().is_some())
 }
 
@@ -80,7 +80,7 @@ fn line_starts<'a>(bytes: &'a [u8], text: &'a str) -> impl Iterator<Item = usize
 }
 
 /// The section of the node, where it is behind the first objects: it may be the last of the file.
-fn commissioning_behind<'a>(content: &'a Content<'_>) -> Option<Cow<'a, str>> {
+fn commissioning_behind<'a>(content: &'a ExaminedContent<'_>) -> Option<Cow<'a, str>> {
     // both spellings start with this, so one look at a large file is enough
     let start = line_starts(content.bytes, "[DeviceCom").find(|&at| {
         let rest = &content.bytes[at..];
@@ -90,7 +90,7 @@ fn commissioning_behind<'a>(content: &'a Content<'_>) -> Option<Cow<'a, str>> {
     Some(String::from_utf8_lossy(&rest[..rest.len().min(SECTION)]))
 }
 
-impl<'a> Signs<'a> {
+impl<'a> IniSigns<'a> {
     /// The text before the first object, which is enough.
     fn of(text: &'a str) -> Self {
         let mut signs = Self::default();
@@ -156,7 +156,7 @@ impl<'a> Signs<'a> {
     }
 
     /// An EDS or a DCF. They have the same sections, so the name decides where it says one of them.
-    fn description(&self, content: &Content<'_>) -> Identification {
+    fn description(&self, content: &ExaminedContent<'_>) -> Identification {
         let commissioning = self.commissioning;
         let mut sections: Vec<String> = Vec::new();
         let others = self.canopen.iter().filter(|name| SectionName::parse(name).part != Part::Commissioning);

@@ -73,9 +73,9 @@ pub struct Identification {
 pub fn identify(name: &str, bytes: &[u8]) -> Identification {
     if let Some(encoding) = utf16(bytes) {
         let text = encoding.decode(bytes.to_vec());
-        return of_text(&Content::new(name, text.as_bytes()));
+        return of_text(&ExaminedContent::new(name, text.as_bytes()));
     }
-    let content = Content::new(name, bytes);
+    let content = ExaminedContent::new(name, bytes);
     #[cfg(feature = "full")]
     if let Some(found) = content.looks_binary().then(|| concise::of_stream(bytes)).flatten() {
         return found;
@@ -85,7 +85,7 @@ pub fn identify(name: &str, bytes: &[u8]) -> Identification {
 
 /// What an opened file is; as [`identify`].
 pub fn identify_source(source: &SourceFile) -> Identification {
-    let content = Content::new(source.name(), source.text().as_bytes());
+    let content = ExaminedContent::new(source.name(), source.text().as_bytes());
     if content.looks_binary() {
         return identify(source.name(), &source.to_bytes());
     }
@@ -197,7 +197,7 @@ impl fmt::Display for Identification {
 }
 
 /// A content as it is looked at.
-struct Content<'a> {
+struct ExaminedContent<'a> {
     /// The name of the file, without its folders.
     name: &'a str,
     /// All bytes, in an encoding that has ASCII as its lower half.
@@ -206,7 +206,7 @@ struct Content<'a> {
     head: Cow<'a, str>,
 }
 
-impl<'a> Content<'a> {
+impl<'a> ExaminedContent<'a> {
     fn new(name: &'a str, bytes: &'a [u8]) -> Self {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let head = &bytes[..bytes.len().min(HEAD)];
@@ -227,7 +227,7 @@ impl<'a> Content<'a> {
     }
 }
 
-fn of_text(content: &Content<'_>) -> Identification {
+fn of_text(content: &ExaminedContent<'_>) -> Identification {
     let text = content.head.trim_start_matches(is_blank);
     if text.is_empty() {
         let reason = if content.bytes.is_empty() { "the file is empty" } else { "there are only blanks" };
@@ -254,19 +254,19 @@ fn of_text(content: &Content<'_>) -> Identification {
 /// XML, which a build without the feature `xdd` does not look into.
 #[cfg(not(feature = "xdd"))]
 mod xml {
-    use super::{Content, ContentKind, Identification};
+    use super::{ContentKind, ExaminedContent, Identification};
 
-    pub(super) fn identify(_: &Content<'_>, text: &str) -> Option<Identification> {
+    pub(super) fn identify(_: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
         let reason = "it starts with `<`, and this build of objdict reads no XML: enable its feature `xdd`";
         text.starts_with('<').then(|| Identification::new(ContentKind::OtherXml, reason))
     }
 
-    pub(super) fn behind_junk(_: &Content<'_>) -> Option<Identification> {
+    pub(super) fn behind_junk(_: &ExaminedContent<'_>) -> Option<Identification> {
         None
     }
 }
 
-fn unknown(content: &Content<'_>) -> Identification {
+fn unknown(content: &ExaminedContent<'_>) -> Identification {
     let reason = match SIGNATURES.iter().find(|(start, _)| content.bytes.starts_with(start)) {
         Some((_, what)) => what,
         None if content.looks_binary() => "binary data that is not a concise DCF",

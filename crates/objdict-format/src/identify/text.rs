@@ -1,8 +1,8 @@
 //! Other texts: JSON, YAML, and the look-alikes that are neither INI nor XML.
 
-use super::{Content, ContentKind, Identification, list, quoted};
+use super::{ContentKind, ExaminedContent, Identification, list, quoted};
 
-pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identification> {
+pub(super) fn identify(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     if text.starts_with('{') {
         return json(text);
     }
@@ -101,7 +101,7 @@ fn fpga_constraints(text: &str) -> Option<Identification> {
 }
 
 /// TOML for objdict: the tables of nodes, links and the bus, two of which must be there.
-fn network(content: &Content<'_>, text: &str) -> Option<Identification> {
+fn network(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     const TABLES: [(&str, &str); 4] =
         [("[bus]", "[bus]"), ("[manager]", "[manager]"), ("[node.", "[node.…]"), ("[[link]]", "[[link]]")];
     let is_there = |start: &str| text.lines().any(|line| line.trim_start().starts_with(start));
@@ -113,7 +113,7 @@ fn network(content: &Content<'_>, text: &str) -> Option<Identification> {
 }
 
 /// YAML for dcfgen: keys of nodes, of which at least the description or the node-ID must be there.
-fn bus_configuration(content: &Content<'_>, text: &str) -> Option<Identification> {
+fn bus_configuration(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     const NEEDED: [&str; 2] = ["dcf", "node_id"];
     const USUAL: [&str; 16] = [
         "dcf_path",

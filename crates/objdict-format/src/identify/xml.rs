@@ -3,12 +3,12 @@
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-use super::{Content, ContentKind, Identification, quoted};
+use super::{ContentKind, ExaminedContent, Identification, quoted};
 
 /// The element that holds the profiles of an XDD.
 const CONTAINER: &str = "ISO15745ProfileContainer";
 
-impl Content<'_> {
+impl ExaminedContent<'_> {
     /// Whether the content contains a word.
     fn contains(&self, word: &str) -> bool {
         self.find(word).is_some()
@@ -21,7 +21,7 @@ impl Content<'_> {
 
 /// What an XML file says of itself.
 #[derive(Default)]
-struct Signs {
+struct XmlSigns {
     root: Option<Root>,
     /// The first text of an element `ProfileTechnology`.
     technology: Option<String>,
@@ -41,12 +41,12 @@ struct Root {
 }
 
 /// What a text is that starts like XML.
-pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identification> {
+pub(super) fn identify(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     let is_start = |c: char| c.is_alphabetic() || matches!(c, '_' | '?' | '!');
     if !text.strip_prefix('<')?.starts_with(is_start) {
         return None;
     }
-    let signs = Signs::of(text);
+    let signs = XmlSigns::of(text);
     let Some(root) = &signs.root else {
         // a malformed XDD must be checked, not rejected
         let is_named = known_ending(content.name).is_some();
@@ -59,13 +59,13 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
 }
 
 /// XML that starts somewhere behind the start of the text, as behind the messages of a tool.
-pub(super) fn behind_junk(content: &Content<'_>) -> Option<Identification> {
+pub(super) fn behind_junk(content: &ExaminedContent<'_>) -> Option<Identification> {
     let declaration = content.head.find("<?xml");
     let start = declaration.or_else(|| content.head.find(&format!("<{CONTAINER}")))?;
     identify(content, &content.head[start..]).filter(|found| found.kind != ContentKind::OtherXml)
 }
 
-impl Signs {
+impl XmlSigns {
     /// Reads until all is known, the text ends, or it is too malformed to go on.
     fn of(text: &str) -> Self {
         let mut signs = Self::default();
@@ -113,7 +113,7 @@ impl Signs {
         }
     }
 
-    fn identified(&self, content: &Content<'_>, root: &Root) -> Identification {
+    fn identified(&self, content: &ExaminedContent<'_>, root: &Root) -> Identification {
         let reason = root.reason();
         match root.name.as_str() {
             CONTAINER | "ISO15745Profile" => self.profile(content, root),
@@ -133,7 +133,7 @@ impl Signs {
     }
 
     /// A profile by ISO 15745: its technology decides.
-    fn profile(&self, content: &Content<'_>, root: &Root) -> Identification {
+    fn profile(&self, content: &ExaminedContent<'_>, root: &Root) -> Identification {
         let namespace = letters(root.namespace.as_deref().unwrap_or_default());
         let technology = self.technology.as_deref().unwrap_or_default();
         let body = self.body.as_deref().unwrap_or_default();
@@ -172,7 +172,7 @@ impl Signs {
         }
     }
 
-    fn canopen(&self, content: &Content<'_>, root: &Root, mut reason: String) -> Identification {
+    fn canopen(&self, content: &ExaminedContent<'_>, root: &Root, mut reason: String) -> Identification {
         let version = root
             .namespace
             .as_deref()
@@ -197,7 +197,7 @@ impl Signs {
 
     /// What shows that it is the configuration of a node. An XDD and an XDC have the same elements, so the name decides
     /// where it says one of them.
-    fn configured(&self, content: &Content<'_>) -> Option<&'static str> {
+    fn configured(&self, content: &ExaminedContent<'_>) -> Option<&'static str> {
         match known_ending(content.name) {
             Some("xdc") if commissioning(content).is_some() => Some(", with `deviceCommissioning`"),
             Some("xdc") => Some("; no `deviceCommissioning`, but the name says XDC"),
@@ -261,7 +261,7 @@ fn is_network(root: &str) -> bool {
 }
 
 /// Several devices in one file.
-fn network(content: &Content<'_>, root: &Root, reason: String) -> Identification {
+fn network(content: &ExaminedContent<'_>, root: &Root, reason: String) -> Identification {
     let is_configured = match known_ending(content.name) {
         Some(ending) => ending == "nxdc",
         None => commissioning(content).is_some(),
@@ -272,7 +272,7 @@ fn network(content: &Content<'_>, root: &Root, reason: String) -> Identification
 }
 
 /// Where an element with this local name starts.
-fn starts<'a>(content: &'a Content<'_>, name: &'a str) -> impl Iterator<Item = usize> + 'a {
+fn starts<'a>(content: &'a ExaminedContent<'_>, name: &'a str) -> impl Iterator<Item = usize> + 'a {
     let bytes = content.bytes;
     memchr::memmem::find_iter(bytes, name).filter(move |&at| {
         let is_name =
@@ -294,12 +294,12 @@ fn starts<'a>(content: &'a Content<'_>, name: &'a str) -> impl Iterator<Item = u
 }
 
 /// The place of the element with the node of a description.
-fn commissioning(content: &Content<'_>) -> Option<usize> {
+fn commissioning(content: &ExaminedContent<'_>) -> Option<usize> {
     starts(content, "deviceCommissioning").next()
 }
 
 /// The node-ID in `deviceCommissioning`.
-fn node_id(content: &Content<'_>) -> Option<u8> {
+fn node_id(content: &ExaminedContent<'_>) -> Option<u8> {
     let rest = &content.bytes[commissioning(content)?..];
     let tag = &rest[..memchr::memchr(b'>', &rest[..rest.len().min(1 << 12)])?];
     let at = memchr::memmem::find(tag, b"nodeID").or_else(|| memchr::memmem::find(tag, b"NodeID"))?;

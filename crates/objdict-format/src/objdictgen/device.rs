@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use super::expression::{self, Result as Evaluated};
-use super::mapping::{Described, Form, Mapping, SubForm};
-use super::pickle::{Datum, Pickle, plain_number};
+use super::expression::{self, Evaluated};
+use super::mapping::{DescribedObject, DescriptionForm, ObjectMapping, SubForm};
+use super::pickle::{Pickle, PickleDatum, plain_number};
 use super::rules::{NOT_READ, UNKNOWN_OBJECT};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::literal;
@@ -43,7 +43,7 @@ struct UserType<'a> {
 
 /// What a project says of an object or entry beside its value.
 #[derive(Default)]
-struct Parameters<'a> {
+struct ObjectParameters<'a> {
     comment: Option<Cow<'a, str>>,
     saved: bool,
     callback: Option<bool>,
@@ -53,9 +53,9 @@ struct Parameters<'a> {
 }
 
 /// The parts of a project.
-pub(super) struct Project<'a> {
+pub(super) struct ObjdictgenProject<'a> {
     pickle: &'a Pickle<'a>,
-    mappings: Vec<Mapping<'a>>,
+    mappings: Vec<ObjectMapping<'a>>,
     types: BTreeMap<u16, UserType<'a>>,
     parameters: BTreeMap<u16, Element<'a>>,
     text_size: u32,
@@ -68,7 +68,7 @@ pub(super) struct Project<'a> {
 
 /// The device of a project whose tree has so many elements.
 pub(super) fn read<'a>(pickle: &'a Pickle<'a>, elements: usize) -> (Device, Findings) {
-    let mut project = Project {
+    let mut project = ObjdictgenProject {
         pickle,
         mappings: Vec::new(),
         types: BTreeMap::new(),
@@ -83,7 +83,7 @@ pub(super) fn read<'a>(pickle: &'a Pickle<'a>, elements: usize) -> (Device, Find
     (project.device, project.findings)
 }
 
-impl<'a> Project<'a> {
+impl<'a> ObjdictgenProject<'a> {
     fn read(&mut self) {
         let mut node = Commissioning::default();
         let mut extra = Extra::default();
@@ -93,38 +93,38 @@ impl<'a> Project<'a> {
         for (name, element) in self.pickle.attributes() {
             let datum = self.pickle.datum(element);
             match (&*name, datum) {
-                ("Name", Some(Datum::Text(text))) => node.node_name = Some(text.into_owned()),
-                ("Type", Some(Datum::Text(text))) => {
+                ("Name", Some(PickleDatum::Text(text))) => node.node_name = Some(text.into_owned()),
+                ("Type", Some(PickleDatum::Text(text))) => {
                     node.manager = Some(text == "master");
                     extra.push("Type", &text);
                 }
-                ("ID", Some(Datum::Number(text))) => {
+                ("ID", Some(PickleDatum::Number(text))) => {
                     self.node_id = plain_number(&text).parse().unwrap_or(0);
                     node.node_id = Some(self.node_id).filter(|id| (1..=127).contains(id));
                 }
-                ("Description", Some(Datum::Text(text))) => {
+                ("Description", Some(PickleDatum::Text(text))) => {
                     info.description = Some(text.into_owned()).filter(|text| !text.is_empty());
                 }
-                ("DefaultStringSize", Some(Datum::Number(text))) => {
+                ("DefaultStringSize", Some(PickleDatum::Number(text))) => {
                     self.text_size = plain_number(&text).parse().unwrap_or(TEXT_SIZE);
                 }
-                ("Dictionary", Some(Datum::Map(map))) => dictionary = Some(map),
-                ("ParamsDictionary", Some(Datum::Map(map))) => {
+                ("Dictionary", Some(PickleDatum::Map(map))) => dictionary = Some(map),
+                ("ParamsDictionary", Some(PickleDatum::Map(map))) => {
                     self.parameters = self.pickle.numbered(map).collect();
                 }
-                ("Profile", Some(Datum::Map(map))) => maps[0] = Some(map),
-                ("DS302", Some(Datum::Map(map))) => maps[1] = Some(map),
-                ("UserMapping", Some(Datum::Map(map))) => maps[2] = Some(map),
-                ("ProfileName", Some(Datum::Text(text))) => extra.push("Profile", &text),
+                ("Profile", Some(PickleDatum::Map(map))) => maps[0] = Some(map),
+                ("DS302", Some(PickleDatum::Map(map))) => maps[1] = Some(map),
+                ("UserMapping", Some(PickleDatum::Map(map))) => maps[2] = Some(map),
+                ("ProfileName", Some(PickleDatum::Text(text))) => extra.push("Profile", &text),
                 // of the editor, or the order of objects in it
                 ("SpecificMenu" | "IndexOrder", _) => {}
-                (_, Some(Datum::Text(text) | Datum::Number(text))) => extra.push(&name, &text),
-                (_, Some(Datum::Nothing)) => {}
+                (_, Some(PickleDatum::Text(text) | PickleDatum::Number(text))) => extra.push(&name, &text),
+                (_, Some(PickleDatum::Nothing)) => {}
                 (_, _) => self.not_read(element),
             }
         }
-        self.mappings = maps.into_iter().flatten().map(|map| Mapping::read(self.pickle, map)).collect();
-        self.mappings.push(Mapping::of_cia301());
+        self.mappings = maps.into_iter().flatten().map(|map| ObjectMapping::read(self.pickle, map)).collect();
+        self.mappings.push(ObjectMapping::of_cia301());
         let product_name = node.node_name.clone();
         self.device.device_info = Some(DeviceInfo { product_name, ..DeviceInfo::default() });
         self.device.file_info = Some(info);
@@ -147,13 +147,13 @@ impl<'a> Project<'a> {
     fn types(&mut self, dictionary: Element<'a>, extra: &mut Extra) {
         for (index, value) in self.pickle.numbered(dictionary).filter(|(index, _)| *index < FIRST_OBJECT) {
             let items = match self.pickle.datum(value) {
-                Some(Datum::List(list)) => list.children_named("item").take(4).collect(),
+                Some(PickleDatum::List(list)) => list.children_named("item").take(4).collect(),
                 _ => Vec::new(),
             };
             let facts: Option<Vec<_>> = items
                 .into_iter()
                 .map(|item| match self.pickle.datum(item)? {
-                    Datum::Number(text) => Some(text),
+                    PickleDatum::Number(text) => Some(text),
                     _ => None,
                 })
                 .collect();
@@ -177,7 +177,7 @@ impl<'a> Project<'a> {
         }
         let mappings = std::mem::take(&mut self.mappings);
         for (index, value) in entries {
-            let Some(described) = Described::new(&mappings, index) else {
+            let Some(described) = DescribedObject::new(&mappings, index) else {
                 let message = say!("no part of the project says what object {:04X}h is", index);
                 self.findings.push(Diagnostic::new(&UNKNOWN_OBJECT, value.tag_span(), message).help(REMEDY));
                 continue;
@@ -191,15 +191,20 @@ impl<'a> Project<'a> {
     }
 
     /// An object; `None` if its value is of no form that an object has, or there are too many.
-    fn object(&mut self, index: u16, described: &Described<'_, 'a>, value: Element<'a>) -> Option<Object> {
+    fn object(
+        &mut self,
+        index: u16,
+        described: &DescribedObject<'_, 'a>,
+        value: Element<'a>,
+    ) -> Option<Object> {
         let number = described.number();
         let parameters = self.parameters.get(&index).map(|map| self.parameters_of(*map)).unwrap_or_default();
         let name = described.fact(|form| form.name.clone()).unwrap_or_default();
         let name = self.name(&name, number, 0, value);
         let callback = described.fact(|form| form.callback).or(parameters.callback);
         let items: Vec<Element<'a>> = match self.pickle.datum(value)? {
-            Datum::List(list) => list.children_named("item").take(255).collect(),
-            Datum::Map(_) => return None,
+            PickleDatum::List(list) => list.children_named("item").take(255).collect(),
+            PickleDatum::Map(_) => return None,
             single => {
                 self.room = self.room.checked_sub(1)?;
                 let form = described.sub(0);
@@ -218,7 +223,7 @@ impl<'a> Project<'a> {
             return None;
         }
         self.room = self.room.checked_sub(items.len() + 1)?;
-        let is_array = described.fact(Form::is_array) == Some(true);
+        let is_array = described.fact(DescriptionForm::is_array) == Some(true);
         let object_type = Some(if is_array { ObjectType::Array } else { ObjectType::Record });
         let mut main = Entry { name, object_type, ..Entry::default() };
         set_callback(&mut main, callback);
@@ -236,9 +241,9 @@ impl<'a> Project<'a> {
     fn subs(
         &mut self,
         index: u16,
-        described: &Described<'_, 'a>,
+        described: &DescribedObject<'_, 'a>,
         items: &[Element<'a>],
-        parameters: &Parameters<'a>,
+        parameters: &ObjectParameters<'a>,
     ) -> Subs {
         let number = described.number();
         let count = if index == ERRORS { 0 } else { items.len() as u64 };
@@ -269,7 +274,7 @@ impl<'a> Project<'a> {
         sub: u8,
         number: i64,
         form: &SubForm<'a>,
-        datum: Option<Datum<'a>>,
+        datum: Option<PickleDatum<'a>>,
         at: Element<'a>,
     ) -> Entry {
         let name = self.name(form.name.as_deref().unwrap_or_default(), number, sub, at);
@@ -310,16 +315,16 @@ impl<'a> Project<'a> {
         }
     }
 
-    fn parameters_of(&self, map: Element<'a>) -> Parameters<'a> {
-        let mut parameters = Parameters::default();
-        let Some(Datum::Map(map)) = self.pickle.datum(map) else { return parameters };
+    fn parameters_of(&self, map: Element<'a>) -> ObjectParameters<'a> {
+        let mut parameters = ObjectParameters::default();
+        let Some(PickleDatum::Map(map)) = self.pickle.datum(map) else { return parameters };
         for (key, value) in self.pickle.entries(map) {
             match key {
-                Datum::Number(key) => {
+                PickleDatum::Number(key) => {
                     let sub = plain_number(&key).parse().ok();
                     parameters.subs.extend(sub.map(|sub: u16| (sub, value)));
                 }
-                Datum::Text(key) => match &*key {
+                PickleDatum::Text(key) => match &*key {
                     "comment" => parameters.comment = self.pickle.text(value).filter(|text| !text.is_empty()),
                     "save" => parameters.saved = self.pickle.flag(value) == Some(true),
                     "callback" => parameters.callback = self.pickle.flag(value),
@@ -332,7 +337,7 @@ impl<'a> Project<'a> {
         parameters
     }
 
-    fn annotate(&self, entry: &mut Entry, parameters: &Parameters<'a>) {
+    fn annotate(&self, entry: &mut Entry, parameters: &ObjectParameters<'a>) {
         if parameters.saved {
             entry.stack_mut().storage_group = Some(SAVED.into());
         }
@@ -395,19 +400,19 @@ enum Spelled<'a> {
 }
 
 /// The spelling of a value, with its expression evaluated for an object of a series; `None` for no value.
-fn spelled(datum: Datum<'_>, number: i64) -> Option<Spelled<'_>> {
+fn spelled(datum: PickleDatum<'_>, number: i64) -> Option<Spelled<'_>> {
     Some(match datum {
-        Datum::Number(text) => Spelled::Number(text),
-        Datum::Bool(value) => Spelled::Number(if value { "1" } else { "0" }.into()),
-        Datum::Text(text) if text.to_ascii_uppercase().contains("$NODEID") => {
+        PickleDatum::Number(text) => Spelled::Number(text),
+        PickleDatum::Bool(value) => Spelled::Number(if value { "1" } else { "0" }.into()),
+        PickleDatum::Text(text) if text.to_ascii_uppercase().contains("$NODEID") => {
             match expression::evaluate(&text, &[("base", number)]) {
                 Some(Evaluated::Number(number)) => Spelled::Number(number.to_string().into()),
                 Some(Evaluated::Text(text)) => Spelled::Text(text.into()),
                 _ => Spelled::Text(text),
             }
         }
-        Datum::Text(text) => Spelled::Text(text),
-        Datum::Nothing | Datum::List(_) | Datum::Map(_) => return None,
+        PickleDatum::Text(text) => Spelled::Text(text),
+        PickleDatum::Nothing | PickleDatum::List(_) | PickleDatum::Map(_) => return None,
     })
 }
 

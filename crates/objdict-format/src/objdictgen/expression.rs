@@ -9,21 +9,21 @@ const DEEPEST: u8 = 20;
 
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Result {
+pub(super) enum Evaluated {
     Number(i64),
     Text(String),
     /// A list in parentheses.
-    Tuple(Vec<Result>),
+    Tuple(Vec<Evaluated>),
     /// Keys and values in braces.
-    Map(Vec<(Result, Result)>),
+    Map(Vec<(Evaluated, Evaluated)>),
 }
 
 /// The value of an expression with these variables; `None` for what is not known.
-pub(super) fn evaluate(text: &str, variables: &[(&str, i64)]) -> Option<Result> {
+pub(super) fn evaluate(text: &str, variables: &[(&str, i64)]) -> Option<Evaluated> {
     if text.len() > LONGEST {
         return None;
     }
-    let mut parser = Parser { rest: text, variables, depth: 0 };
+    let mut parser = ExpressionParser { rest: text, variables, depth: 0 };
     let result = parser.comparison()?;
     parser.rest.trim_start().is_empty().then_some(result)
 }
@@ -39,9 +39,9 @@ pub(super) fn name(text: &str, index: i64, sub: i64) -> String {
 }
 
 /// A text with `%d` and `%X` replaced.
-fn formatted(format: &str, arguments: Result) -> Option<String> {
+fn formatted(format: &str, arguments: Evaluated) -> Option<String> {
     let mut arguments = match arguments {
-        Result::Tuple(arguments) => arguments,
+        Evaluated::Tuple(arguments) => arguments,
         single => vec![single],
     }
     .into_iter();
@@ -58,11 +58,11 @@ fn formatted(format: &str, arguments: Result) -> Option<String> {
         let width = width.min(16);
         let argument = arguments.next()?;
         text += &match (part.as_bytes()[kind], argument) {
-            (b'd' | b'i' | b'u', Result::Number(number)) => format!("{number:0width$}"),
-            (b'X', Result::Number(number)) => format!("{number:0width$X}"),
-            (b'x', Result::Number(number)) => format!("{number:0width$x}"),
-            (b's', Result::Number(number)) => number.to_string(),
-            (b's', Result::Text(argument)) => argument,
+            (b'd' | b'i' | b'u', Evaluated::Number(number)) => format!("{number:0width$}"),
+            (b'X', Evaluated::Number(number)) => format!("{number:0width$X}"),
+            (b'x', Evaluated::Number(number)) => format!("{number:0width$x}"),
+            (b's', Evaluated::Number(number)) => number.to_string(),
+            (b's', Evaluated::Text(argument)) => argument,
             _ => return None,
         };
         text.push_str(&part[kind + 1..]);
@@ -70,13 +70,13 @@ fn formatted(format: &str, arguments: Result) -> Option<String> {
     (arguments.next().is_none() && text.len() <= LONGEST).then_some(text)
 }
 
-struct Parser<'a> {
+struct ExpressionParser<'a> {
     rest: &'a str,
     variables: &'a [(&'a str, i64)],
     depth: u8,
 }
 
-impl Parser<'_> {
+impl ExpressionParser<'_> {
     fn take(&mut self, sign: char) -> bool {
         let rest = self.rest.trim_start();
         let found = rest.strip_prefix(sign);
@@ -84,18 +84,20 @@ impl Parser<'_> {
         found.is_some()
     }
 
-    fn comparison(&mut self) -> Option<Result> {
+    fn comparison(&mut self) -> Option<Evaluated> {
         let left = self.sum()?;
         if !self.take('<') {
             return Some(left);
         }
         match (left, self.sum()?) {
-            (Result::Number(left), Result::Number(right)) => Some(Result::Number(i64::from(left < right))),
+            (Evaluated::Number(left), Evaluated::Number(right)) => {
+                Some(Evaluated::Number(i64::from(left < right)))
+            }
             _ => None,
         }
     }
 
-    fn sum(&mut self) -> Option<Result> {
+    fn sum(&mut self) -> Option<Evaluated> {
         let mut left = self.product()?;
         loop {
             let is_sum = self.take('+');
@@ -103,17 +105,19 @@ impl Parser<'_> {
                 return Some(left);
             }
             left = match (left, self.product()?) {
-                (Result::Number(left), Result::Number(right)) if is_sum => {
-                    Result::Number(left.checked_add(right)?)
+                (Evaluated::Number(left), Evaluated::Number(right)) if is_sum => {
+                    Evaluated::Number(left.checked_add(right)?)
                 }
-                (Result::Number(left), Result::Number(right)) => Result::Number(left.checked_sub(right)?),
-                (Result::Text(left), Result::Text(right)) if is_sum => Result::Text(left + &right),
+                (Evaluated::Number(left), Evaluated::Number(right)) => {
+                    Evaluated::Number(left.checked_sub(right)?)
+                }
+                (Evaluated::Text(left), Evaluated::Text(right)) if is_sum => Evaluated::Text(left + &right),
                 _ => return None,
             };
         }
     }
 
-    fn product(&mut self) -> Option<Result> {
+    fn product(&mut self) -> Option<Evaluated> {
         let mut left = self.item()?;
         loop {
             let is_product = self.take('*');
@@ -121,14 +125,14 @@ impl Parser<'_> {
                 return Some(left);
             }
             left = match (left, self.item()?) {
-                (Result::Number(left), Result::Number(right)) if is_product => {
-                    Result::Number(left.checked_mul(right)?)
+                (Evaluated::Number(left), Evaluated::Number(right)) if is_product => {
+                    Evaluated::Number(left.checked_mul(right)?)
                 }
-                (Result::Number(left), Result::Number(right)) => {
-                    Result::Number(left.checked_rem_euclid(right)?)
+                (Evaluated::Number(left), Evaluated::Number(right)) => {
+                    Evaluated::Number(left.checked_rem_euclid(right)?)
                 }
-                (Result::Text(format), arguments) if !is_product => {
-                    Result::Text(formatted(&format, arguments)?)
+                (Evaluated::Text(format), arguments) if !is_product => {
+                    Evaluated::Text(formatted(&format, arguments)?)
                 }
                 _ => return None,
             };
@@ -136,7 +140,7 @@ impl Parser<'_> {
     }
 
     /// A value with what is selected of it.
-    fn item(&mut self) -> Option<Result> {
+    fn item(&mut self) -> Option<Evaluated> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return None;
@@ -144,9 +148,10 @@ impl Parser<'_> {
         let mut value = self.value()?;
         while self.take('[') {
             let wanted = self.comparison()?;
-            let found = |items: Vec<(Result, Result)>| items.into_iter().find(|(key, _)| *key == wanted);
+            let found =
+                |items: Vec<(Evaluated, Evaluated)>| items.into_iter().find(|(key, _)| *key == wanted);
             value = match value {
-                Result::Map(items) => found(items)?.1,
+                Evaluated::Map(items) => found(items)?.1,
                 _ => return None,
             };
             self.take(']').then_some(())?;
@@ -155,7 +160,7 @@ impl Parser<'_> {
         Some(value)
     }
 
-    fn value(&mut self) -> Option<Result> {
+    fn value(&mut self) -> Option<Evaluated> {
         if self.take('(') {
             return self.tuple();
         }
@@ -163,14 +168,14 @@ impl Parser<'_> {
             return self.map();
         }
         if self.take('-') {
-            let Result::Number(number) = self.item()? else { return None };
-            return Some(Result::Number(number.checked_neg()?));
+            let Evaluated::Number(number) = self.item()? else { return None };
+            return Some(Evaluated::Number(number.checked_neg()?));
         }
         for quote in ['"', '\''] {
             if self.take(quote) {
                 let (text, rest) = self.rest.split_once(quote)?;
                 self.rest = rest;
-                return Some(Result::Text(text.to_owned()));
+                return Some(Evaluated::Text(text.to_owned()));
             }
         }
         let end = self.rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -182,10 +187,10 @@ impl Parser<'_> {
             "False" => Some(0),
             _ => known.or_else(|| number(word)),
         };
-        number.map(Result::Number)
+        number.map(Evaluated::Number)
     }
 
-    fn tuple(&mut self) -> Option<Result> {
+    fn tuple(&mut self) -> Option<Evaluated> {
         let first = self.comparison()?;
         if self.take(')') {
             return Some(first);
@@ -193,14 +198,14 @@ impl Parser<'_> {
         let mut items = vec![first];
         while self.take(',') {
             if self.take(')') {
-                return Some(Result::Tuple(items));
+                return Some(Evaluated::Tuple(items));
             }
             items.push(self.comparison()?);
         }
-        self.take(')').then_some(Result::Tuple(items))
+        self.take(')').then_some(Evaluated::Tuple(items))
     }
 
-    fn map(&mut self) -> Option<Result> {
+    fn map(&mut self) -> Option<Evaluated> {
         let mut items = Vec::new();
         while !self.take('}') {
             let key = self.comparison()?;
@@ -211,7 +216,7 @@ impl Parser<'_> {
                 break;
             }
         }
-        Some(Result::Map(items))
+        Some(Evaluated::Map(items))
     }
 }
 
@@ -244,9 +249,9 @@ mod tests {
     #[test]
     fn values_of_pdos() {
         let cob_id = "{True:\"$NODEID+0x%X80\"%(base+1),False:0x80000000}[base<4]";
-        assert_eq!(evaluate(cob_id, &[("base", 3)]), Some(Result::Text("$NODEID+0x480".to_owned())));
-        assert_eq!(evaluate(cob_id, &[("base", 4)]), Some(Result::Number(0x8000_0000)));
-        assert_eq!(evaluate("\"$NODEID+0x80\"", &[]), Some(Result::Text("$NODEID+0x80".to_owned())));
+        assert_eq!(evaluate(cob_id, &[("base", 3)]), Some(Evaluated::Text("$NODEID+0x480".to_owned())));
+        assert_eq!(evaluate(cob_id, &[("base", 4)]), Some(Evaluated::Number(0x8000_0000)));
+        assert_eq!(evaluate("\"$NODEID+0x80\"", &[]), Some(Evaluated::Text("$NODEID+0x80".to_owned())));
         let deep = "(".repeat(500);
         for unknown in
             ["", "$NODEID+1", "{}[0]", "1+", "__import__('os')", "9223372036854775807+1", "1%0", &deep]

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use super::pickle::{Datum, Pickle};
+use super::pickle::{Pickle, PickleDatum};
 use objdict_model::model::{Access, DataType};
 use objdict_xdd::xml::Element;
 
@@ -16,7 +16,7 @@ const MOST_SERIES: usize = 64;
 
 /// A description of an object, or of several with indexes at equal distances.
 #[derive(Default)]
-pub(super) struct Form<'a> {
+pub(super) struct DescriptionForm<'a> {
     pub(super) name: Option<Cow<'a, str>>,
     structure: Option<i64>,
     /// The distance of the indexes, and how many there are.
@@ -39,13 +39,13 @@ pub(super) struct SubForm<'a> {
 
 /// The descriptions of one source.
 #[derive(Default)]
-pub(super) struct Mapping<'a> {
-    forms: BTreeMap<u16, Form<'a>>,
+pub(super) struct ObjectMapping<'a> {
+    forms: BTreeMap<u16, DescriptionForm<'a>>,
     /// The first index of each object that is one of several.
     series: BTreeMap<u16, u16>,
 }
 
-impl<'a> Form<'a> {
+impl<'a> DescriptionForm<'a> {
     pub(super) fn is_array(&self) -> Option<bool> {
         self.structure.map(|structure| structure & ALIKE != 0)
     }
@@ -66,7 +66,7 @@ impl<'a> Form<'a> {
     }
 
     fn read(pickle: &Pickle<'a>, map: Element<'a>) -> Self {
-        let mut form = Form { step: 1, ..Self::default() };
+        let mut form = DescriptionForm { step: 1, ..Self::default() };
         for (key, value) in pickle.fields(map) {
             match &*key {
                 "name" => form.name = pickle.text(value),
@@ -75,9 +75,9 @@ impl<'a> Form<'a> {
                 "nbmax" => form.count = pickle.number(value).unwrap_or(0),
                 "callback" => form.callback = pickle.flag(value),
                 "values" => {
-                    if let Some(Datum::List(list)) = pickle.datum(value) {
+                    if let Some(PickleDatum::List(list)) = pickle.datum(value) {
                         let maps = list.children_named("item").filter_map(|item| match pickle.datum(item) {
-                            Some(Datum::Map(map)) => Some(map),
+                            Some(PickleDatum::Map(map)) => Some(map),
                             _ => None,
                         });
                         form.subs = maps.take(256).map(|map| SubForm::read(pickle, map)).collect();
@@ -110,17 +110,17 @@ impl<'a> SubForm<'a> {
     }
 }
 
-impl<'a> Mapping<'a> {
+impl<'a> ObjectMapping<'a> {
     /// The descriptions of a map in the project; those that the device does not use are skipped.
     pub(super) fn read(pickle: &Pickle<'a>, map: Element<'a>) -> Self {
         let forms = pickle.numbered(map).filter_map(|(index, value)| match pickle.datum(value)? {
-            Datum::Map(map) => Some((index, Form::read(pickle, map))),
+            PickleDatum::Map(map) => Some((index, DescriptionForm::read(pickle, map))),
             _ => None,
         });
         Self::new(forms.collect())
     }
 
-    fn new(forms: BTreeMap<u16, Form<'a>>) -> Self {
+    fn new(forms: BTreeMap<u16, DescriptionForm<'a>>) -> Self {
         let mut series = BTreeMap::new();
         let several = forms.iter().filter(|(_, form)| form.structure.unwrap_or(0) & SEVERAL_INDEXES != 0);
         for (&first, form) in several.take(MOST_SERIES) {
@@ -136,8 +136,8 @@ impl<'a> Mapping<'a> {
     }
 
     /// The descriptions of CiA 301 as objdictgen has them.
-    pub(super) fn of_cia301() -> Mapping<'static> {
-        let mut forms: BTreeMap<u16, Form<'static>> = BTreeMap::new();
+    pub(super) fn of_cia301() -> ObjectMapping<'static> {
+        let mut forms: BTreeMap<u16, DescriptionForm<'static>> = BTreeMap::new();
         let mut last = 0;
         for line in include_str!("objects.txt").lines() {
             let (facts, name) = line.split_once(": ").unwrap_or_default();
@@ -160,7 +160,7 @@ impl<'a> Mapping<'a> {
                 }
             } else {
                 let structure = i64::from_str_radix(second, 16).ok();
-                let mut form = Form { name, structure, step: 1, ..Form::default() };
+                let mut form = DescriptionForm { name, structure, step: 1, ..DescriptionForm::default() };
                 for word in words {
                     match count(word) {
                         Some(count) => form.count = count,
@@ -171,25 +171,25 @@ impl<'a> Mapping<'a> {
                 forms.insert(number, form);
             }
         }
-        Mapping::new(forms)
+        ObjectMapping::new(forms)
     }
 
-    fn form(&self, index: u16) -> Option<(u16, &Form<'a>)> {
+    fn form(&self, index: u16) -> Option<(u16, &DescriptionForm<'a>)> {
         let first = self.series.get(&index).copied().unwrap_or(index);
         self.forms.get(&first).map(|form| (first, form))
     }
 }
 
 /// The description of an object: what the project says, and what CiA 301 adds.
-pub(super) struct Described<'m, 'a> {
+pub(super) struct DescribedObject<'m, 'a> {
     index: u16,
-    of_project: Option<(u16, &'m Form<'a>)>,
-    of_cia301: Option<(u16, &'m Form<'a>)>,
+    of_project: Option<(u16, &'m DescriptionForm<'a>)>,
+    of_cia301: Option<(u16, &'m DescriptionForm<'a>)>,
 }
 
-impl<'m, 'a> Described<'m, 'a> {
+impl<'m, 'a> DescribedObject<'m, 'a> {
     /// `None` where none of the mappings, the last of which is that of CiA 301, has the object.
-    pub(super) fn new(mappings: &'m [Mapping<'a>], index: u16) -> Option<Self> {
+    pub(super) fn new(mappings: &'m [ObjectMapping<'a>], index: u16) -> Option<Self> {
         let (of_cia301, of_project) = mappings.split_last()?;
         let of_project = of_project.iter().find_map(|mapping| mapping.form(index));
         let of_cia301 = of_cia301.form(index);
@@ -197,12 +197,12 @@ impl<'m, 'a> Described<'m, 'a> {
     }
 
     /// A fact of the object, with the first index of its series.
-    fn first<T>(&self, fact: impl Fn(&'m Form<'a>) -> Option<T>) -> Option<(u16, T)> {
+    fn first<T>(&self, fact: impl Fn(&'m DescriptionForm<'a>) -> Option<T>) -> Option<(u16, T)> {
         let forms = [self.of_project, self.of_cia301].into_iter().flatten();
         forms.into_iter().find_map(|(first, form)| Some((first, fact(form)?)))
     }
 
-    pub(super) fn fact<T>(&self, fact: impl Fn(&'m Form<'a>) -> Option<T>) -> Option<T> {
+    pub(super) fn fact<T>(&self, fact: impl Fn(&'m DescriptionForm<'a>) -> Option<T>) -> Option<T> {
         self.first(fact).map(|(_, found)| found)
     }
 

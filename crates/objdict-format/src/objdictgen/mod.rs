@@ -11,8 +11,8 @@ use std::collections::HashMap;
 use std::sync::OnceLock;
 
 pub(super) use self::pickle::is_project;
-use self::pickle::{Datum, Pickle};
-use crate::text::{ReadText, Text};
+use self::pickle::{Pickle, PickleDatum};
+use crate::text::{DescriptionText, ReadText};
 use objdict_model::model::{Part, Place};
 use objdict_model::source::{SourceFile, Span};
 use objdict_xdd::xml::{ElementId, Tree};
@@ -35,14 +35,14 @@ fn values(tree: &Tree) -> HashMap<u16, ElementId> {
     let pickle = Pickle::new(tree);
     let dictionary = pickle.attributes().find(|(name, _)| name == "Dictionary");
     let map = dictionary.and_then(|(_, element)| match pickle.datum(element)? {
-        Datum::Map(map) => Some(map),
+        PickleDatum::Map(map) => Some(map),
         _ => None,
     });
     let values = map.into_iter().flat_map(|map| pickle.numbered(map));
     values.map(|(index, value)| (index, value.id())).collect()
 }
 
-impl Text for ProjectText {
+impl DescriptionText for ProjectText {
     fn source(&self) -> &SourceFile {
         self.tree.source()
     }

@@ -10,7 +10,7 @@ use objdict_xdd::xml::{Element, ElementId, Tree};
 const ROOT: &str = "PyObject";
 
 /// What an element holds.
-pub(super) enum Datum<'a> {
+pub(super) enum PickleDatum<'a> {
     Nothing,
     Bool(bool),
     /// A number, as written.
@@ -44,7 +44,7 @@ impl<'a> Pickle<'a> {
     }
 
     /// What an element holds, or the one that it refers to; `None` for what is of no type that objdictgen writes.
-    pub(super) fn datum(&self, element: Element<'a>) -> Option<Datum<'a>> {
+    pub(super) fn datum(&self, element: Element<'a>) -> Option<PickleDatum<'a>> {
         let element = match element.attribute("refid") {
             Some(id) => self.tree.element(*self.ids().get(&*id.value())?),
             None => element,
@@ -54,13 +54,13 @@ impl<'a> Pickle<'a> {
             None => element.text(),
         };
         Some(match &*element.attribute("type")?.value() {
-            "None" => Datum::Nothing,
-            "True" => Datum::Bool(true),
-            "False" => Datum::Bool(false),
-            "numeric" => Datum::Number(text()),
-            "string" | "bytes" => Datum::Text(text()),
-            "list" | "tuple" => Datum::List(element),
-            "dict" => Datum::Map(element),
+            "None" => PickleDatum::Nothing,
+            "True" => PickleDatum::Bool(true),
+            "False" => PickleDatum::Bool(false),
+            "numeric" => PickleDatum::Number(text()),
+            "string" | "bytes" => PickleDatum::Text(text()),
+            "list" | "tuple" => PickleDatum::List(element),
+            "dict" => PickleDatum::Map(element),
             _ => return None,
         })
     }
@@ -73,7 +73,10 @@ impl<'a> Pickle<'a> {
     }
 
     /// The keys and values of a map.
-    pub(super) fn entries(&self, map: Element<'a>) -> impl Iterator<Item = (Datum<'a>, Element<'a>)> + '_ {
+    pub(super) fn entries(
+        &self,
+        map: Element<'a>,
+    ) -> impl Iterator<Item = (PickleDatum<'a>, Element<'a>)> + '_ {
         map.children_named("entry")
             .filter_map(|entry| Some((self.datum(entry.child("key")?)?, entry.child("val")?)))
     }
@@ -81,7 +84,7 @@ impl<'a> Pickle<'a> {
     /// The values of a map whose keys are words.
     pub(super) fn fields(&self, map: Element<'a>) -> impl Iterator<Item = (Cow<'a, str>, Element<'a>)> + '_ {
         self.entries(map).filter_map(|(key, value)| match key {
-            Datum::Text(key) => Some((key, value)),
+            PickleDatum::Text(key) => Some((key, value)),
             _ => None,
         })
     }
@@ -89,7 +92,7 @@ impl<'a> Pickle<'a> {
     /// The values of a map whose keys are indexes or sub-indexes.
     pub(super) fn numbered(&self, map: Element<'a>) -> impl Iterator<Item = (u16, Element<'a>)> + '_ {
         self.entries(map).filter_map(|(key, value)| match key {
-            Datum::Number(key) => Some((u16::try_from(integer(&key)?).ok()?, value)),
+            PickleDatum::Number(key) => Some((u16::try_from(integer(&key)?).ok()?, value)),
             _ => None,
         })
     }
@@ -97,8 +100,8 @@ impl<'a> Pickle<'a> {
     /// The number in an element.
     pub(super) fn number(&self, element: Element<'a>) -> Option<i64> {
         match self.datum(element)? {
-            Datum::Number(text) => integer(&text),
-            Datum::Bool(value) => Some(value.into()),
+            PickleDatum::Number(text) => integer(&text),
+            PickleDatum::Bool(value) => Some(value.into()),
             _ => None,
         }
     }
@@ -109,7 +112,7 @@ impl<'a> Pickle<'a> {
 
     pub(super) fn text(&self, element: Element<'a>) -> Option<Cow<'a, str>> {
         match self.datum(element)? {
-            Datum::Text(text) => Some(text),
+            PickleDatum::Text(text) => Some(text),
             _ => None,
         }
     }

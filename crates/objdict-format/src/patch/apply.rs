@@ -5,7 +5,7 @@ use std::sync::Arc;
 use hmac_sha256::Hash;
 
 use super::rules::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
-use super::{Patch, What, Worded, Words, selected};
+use super::{ChangeWords, ChangedPart, Patch, Worded, selected};
 use crate::compare::{self, Datum, DatumChange};
 use crate::patch::fields::{entry, get, set};
 use crate::patch::words::CIA306;
@@ -105,13 +105,13 @@ pub fn apply(description: Description, patches: &[Arc<Patch>]) -> Description {
         let (mut raws, mut spans) = (Vec::new(), Vec::new());
         for change in &patch.changes {
             match &change.what {
-                What::Words(words) => match make_words(&mut device, words) {
+                ChangedPart::Words(words) => match make_words(&mut device, words) {
                     Ok(places) => {
                         patched.causes.extend(places.into_iter().map(|place| (place, number, change.span)));
                     }
                     Err(problem) => findings.push(problem.finding(change.span, description.source().name())),
                 },
-                What::Raw(raw) => {
+                ChangedPart::Raw(raw) => {
                     raws.push(raw.clone());
                     spans.push(change.span);
                 }
@@ -139,12 +139,12 @@ fn place_of(change: &DatumChange) -> Place {
 }
 
 /// Why a datum was not changed.
-fn refusal(device: &Device, refused: DatumChange) -> Problem {
+fn refusal(device: &Device, refused: DatumChange) -> PatchProblem {
     let before = refused.after.as_ref().map(Datum::fingerprint);
     let path = refused.path.clone();
     match compare::apply(&mut device.clone(), vec![DatumChange { before, ..refused }]).is_empty() {
-        true => Problem::NoEffect(say!("`{}` is so already", path)),
-        false => Problem::NotExpected(say!(
+        true => PatchProblem::NoEffect(say!("`{}` is so already", path)),
+        false => PatchProblem::NotExpected(say!(
             "`{}` is not what the patch expects, or cannot become what it sets",
             path
         )),
@@ -163,7 +163,7 @@ pub(crate) fn refuse(description: &Description) -> Result<(), ReadError> {
 }
 
 /// Why a change was not made.
-pub(super) enum Problem {
+pub(super) enum PatchProblem {
     /// The file says something else.
     NotExpected(Text),
     /// It says so already.
@@ -172,7 +172,7 @@ pub(super) enum Problem {
     Invalid(Text),
 }
 
-impl Problem {
+impl PatchProblem {
     fn finding(self, span: Span, file: &str) -> Diagnostic {
         let (rule, message, help) = match self {
             Self::NotExpected(message) => (
@@ -190,19 +190,21 @@ impl Problem {
 }
 
 /// Makes a change in words; the places that it changed.
-pub(super) fn make_words(device: &mut Device, words: &Words) -> Result<Vec<Place>, Problem> {
+pub(super) fn make_words(device: &mut Device, words: &ChangeWords) -> Result<Vec<Place>, PatchProblem> {
     let part = &words.part;
     let name = part.to_string();
     let exists = is_there(device, part);
     match (&words.add, exists) {
         (Some(fields), true) if fields.iter().all(|field| says(device, part, field)) => {
-            return Err(Problem::NoEffect(say!("`{}` is there already", name)));
+            return Err(PatchProblem::NoEffect(say!("`{}` is there already", name)));
         }
         (Some(_), true) => {
-            return Err(Problem::NotExpected(say!("`{}` is there already, with other fields", name)));
+            return Err(PatchProblem::NotExpected(say!("`{}` is there already, with other fields", name)));
         }
-        (None, false) if words.is_removed => return Err(Problem::NoEffect(say!("there is no `{}`", name))),
-        (None, false) => return Err(Problem::NotExpected(say!("there is no `{}`", name))),
+        (None, false) if words.is_removed => {
+            return Err(PatchProblem::NoEffect(say!("there is no `{}`", name)));
+        }
+        (None, false) => return Err(PatchProblem::NotExpected(say!("there is no `{}`", name))),
         _ => {}
     }
     let is_done = words.set.iter().all(|field| says(device, part, field))
@@ -220,7 +222,7 @@ pub(super) fn make_words(device: &mut Device, words: &Words) -> Result<Vec<Place
                 )
             },
         );
-        return Err(Problem::NoEffect(said));
+        return Err(PatchProblem::NoEffect(said));
     }
     expect(device, part, words)?;
     let mut places = Vec::new();
@@ -231,7 +233,7 @@ pub(super) fn make_words(device: &mut Device, words: &Words) -> Result<Vec<Place
     }
     set_all(device, part, &words.set)?;
     for word in &words.unset {
-        set(device, part, &word.value, None).map_err(Problem::Invalid)?;
+        set(device, part, &word.value, None).map_err(PatchProblem::Invalid)?;
     }
     let fields = words.set.iter().map(|field| &field.word).chain(words.unset.iter().map(|word| &word.value));
     places.extend(fields.map(|word| Place::of(part.clone()).field(field_of(word))));
@@ -261,13 +263,13 @@ fn field_of(word: &str) -> Field {
 }
 
 /// Holds what is said against what the patch expects.
-fn expect(device: &Device, part: &Part, words: &Words) -> Result<(), Problem> {
+fn expect(device: &Device, part: &Part, words: &ChangeWords) -> Result<(), PatchProblem> {
     for field in &words.expect {
         if says(device, part, field) {
             continue;
         }
         let (word, name, expected) = (field.word.as_str(), part.to_string(), shown(&field.value.kind));
-        return Err(Problem::NotExpected(match get(device, part, &field.word) {
+        return Err(PatchProblem::NotExpected(match get(device, part, &field.word) {
             Some(found) => {
                 say!("the vendor changed `{}` of `{}`: `{}` → `{}`", word, name, expected, shown(&found))
             }
@@ -277,7 +279,7 @@ fn expect(device: &Device, part: &Part, words: &Words) -> Result<(), Problem> {
     for word in &words.absent {
         if let Some(found) = get(device, part, &word.value) {
             let (word, name) = (word.value.as_str(), part.to_string());
-            return Err(Problem::NotExpected(say!(
+            return Err(PatchProblem::NotExpected(say!(
                 "the vendor added `{}` to `{}`: `{}`",
                 word,
                 name,
@@ -322,9 +324,9 @@ fn says(device: &Device, part: &Part, field: &Worded) -> bool {
     is_set && get(&other, part, &field.word).is_some_and(|kind| is(&kind))
 }
 
-fn set_all(device: &mut Device, part: &Part, fields: &[Worded]) -> Result<(), Problem> {
+fn set_all(device: &mut Device, part: &Part, fields: &[Worded]) -> Result<(), PatchProblem> {
     for field in fields {
-        set(device, part, &field.word, Some(&field.value)).map_err(Problem::Invalid)?;
+        set(device, part, &field.word, Some(&field.value)).map_err(PatchProblem::Invalid)?;
     }
     let Some(entry) = entry(device, part) else { return Ok(()) };
     let is_set = |invalid: &Field| {
@@ -333,7 +335,7 @@ fn set_all(device: &mut Device, part: &Part, fields: &[Worded]) -> Result<(), Pr
     match entry.invalid_values.iter().find(|invalid| is_set(&invalid.field)) {
         Some(invalid) => {
             let (field, text) = (invalid.field.to_string(), &*invalid.text);
-            Err(Problem::Invalid(say!(
+            Err(PatchProblem::Invalid(say!(
                 "`{}` of `{}` is `{}`, which is not a value of the new type: set it too",
                 field,
                 part.to_string(),
@@ -345,14 +347,15 @@ fn set_all(device: &mut Device, part: &Part, fields: &[Worded]) -> Result<(), Pr
 }
 
 /// Adds an object or entry, and an object to its list.
-fn add(device: &mut Device, part: &Part) -> Result<(), Problem> {
+fn add(device: &mut Device, part: &Part) -> Result<(), PatchProblem> {
     match *part {
         Part::Object(index) => {
             device.objects.insert(index, Object::default());
             list(device, index);
         }
         Part::Entry(index, sub) => {
-            let missing = || Problem::NotExpected(say!("there is no `{}`", Part::Object(index).to_string()));
+            let missing =
+                || PatchProblem::NotExpected(say!("there is no `{}`", Part::Object(index).to_string()));
             device.objects.get_mut(&index).ok_or_else(missing)?.subs.insert(sub, Entry::default());
         }
         _ => {}
@@ -389,9 +392,9 @@ fn remove(device: &mut Device, part: &Part) {
 }
 
 /// Moves an object or entry to another address.
-fn rename(device: &mut Device, part: &Part, to: &Said<Address>) -> Result<Part, Problem> {
+fn rename(device: &mut Device, part: &Part, to: &Said<Address>) -> Result<Part, PatchProblem> {
     let refused = || {
-        Problem::Invalid(say!(
+        PatchProblem::Invalid(say!(
             "`{}` cannot become `{}`: write an index for an object, and a free address",
             part.to_string(),
             to_text(to.value)

@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::Words;
+use super::ChangeWords;
 use super::apply::make_words;
 use super::keys::FORMAT;
 use crate::compare::differences;
@@ -20,7 +20,7 @@ use objdict_model::source::Span;
 /// The text of a patch that makes the edited device of the original one: in words where there are some, else in raw data.
 pub fn make(original: &Device, edited: &Device) -> String {
     let mut text = head(original);
-    let mut maker = Maker { work: original.clone(), edited, text: String::new() };
+    let mut maker = PatchMaker { work: original.clone(), edited, text: String::new() };
     maker.facts();
     let indexes: BTreeSet<u16> = original.objects.keys().chain(edited.objects.keys()).copied().collect();
     indexes.into_iter().for_each(|index| maker.object(index));
@@ -45,14 +45,14 @@ fn head(original: &Device) -> String {
     text
 }
 
-struct Maker<'a> {
+struct PatchMaker<'a> {
     /// What the patch makes so far of the original.
     work: Device,
     edited: &'a Device,
     text: String,
 }
 
-impl Maker<'_> {
+impl PatchMaker<'_> {
     fn facts(&mut self) {
         for (name, part, _) in FACTS {
             self.fields(&part, name);
@@ -158,14 +158,14 @@ impl Maker<'_> {
     }
 
     fn remove(&mut self, part: &Part, name: &str) {
-        let words = Words { is_removed: true, ..Words::of(part.clone()) };
+        let words = ChangeWords { is_removed: true, ..ChangeWords::of(part.clone()) };
         if make_words(&mut self.work, &words).is_ok() {
             let _ = writeln!(self.text, "\n[[change]]\nat = {}\nremove = true", quoted(name));
         }
     }
 
     fn add(&mut self, part: &Part, name: &str) {
-        let words = Words { add: Some(Vec::new()), ..Words::of(part.clone()) };
+        let words = ChangeWords { add: Some(Vec::new()), ..ChangeWords::of(part.clone()) };
         if make_words(&mut self.work, &words).is_err() {
             return;
         }

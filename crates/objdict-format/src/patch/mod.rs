@@ -43,7 +43,7 @@ pub struct Patch {
     /// What it is for.
     pub title: Option<String>,
     selector: Selector,
-    changes: Vec<Change>,
+    changes: Vec<PatchChange>,
     findings: Findings,
     /// Whether it was for a description.
     is_used: AtomicBool,
@@ -62,26 +62,26 @@ struct Selector {
 
 /// A change of a description.
 #[derive(Clone, Debug)]
-struct Change {
+struct PatchChange {
     /// The table in the patch.
     span: Span,
-    what: What,
+    what: ChangedPart,
     reason: Option<String>,
     source: Option<String>,
 }
 
 /// What a change changes.
 #[derive(Clone, Debug)]
-enum What {
+enum ChangedPart {
     /// Fields of a part, or the part itself.
-    Words(Words),
+    Words(ChangeWords),
     /// A datum of the model, with what it is now.
     Raw(DatumChange),
 }
 
 /// A change in words.
 #[derive(Clone, Debug)]
-struct Words {
+struct ChangeWords {
     part: Part,
     expect: Vec<Worded>,
     absent: Vec<Said<String>>,
@@ -92,7 +92,7 @@ struct Words {
     rename: Option<Said<Address>>,
 }
 
-impl Words {
+impl ChangeWords {
     /// No change of a part yet.
     fn of(part: Part) -> Self {
         let (expect, absent, set, unset) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

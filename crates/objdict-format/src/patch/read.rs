@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::keys::{CHANGE, PATCH, RAW};
 use super::rules::INVALID_CHANGE;
-use super::{Change, Patch, Selector, What, Worded, Words, no_part};
+use super::{ChangeWords, ChangedPart, Patch, PatchChange, Selector, Worded, no_part};
 use crate::compare::{Datum, DatumChange};
 use crate::patch::words::{FACTS, FIELDS, word_of};
 use objdict_keyed::section::KeyedTable;
@@ -66,7 +66,7 @@ fn selector(section: &KeyedTable<'_>, findings: &mut Findings) -> Selector {
     }
 }
 
-fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
+fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     let section = KeyedTable::new("change", tree, CHANGE, findings)?;
     let at = section.required("change", "at", findings)?;
     let is_text = at.text().is_some();
@@ -91,7 +91,7 @@ fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
             None
         }
     });
-    let words = Words {
+    let words = ChangeWords {
         expect: fields(&section, "expect", findings),
         absent: names(&section, "absent", findings),
         set: fields(&section, "set", findings),
@@ -114,7 +114,7 @@ fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
     }
     let reason = section.text("reason", findings).map(|reason| reason.value);
     let source = section.text("source", findings).map(|source| source.value);
-    Some(Change { span: at.at, what: What::Words(words), reason, source })
+    Some(PatchChange { span: at.at, what: ChangedPart::Words(words), reason, source })
 }
 
 /// The part that a text names.
@@ -167,7 +167,7 @@ fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<S
 }
 
 /// A change without words.
-fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
+fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     let section = KeyedTable::new("raw", tree, RAW, findings)?;
     section.required("raw", "path", findings)?;
     let path = section.text("path", findings)?;
@@ -188,5 +188,5 @@ fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
     let change = DatumChange { path: path.value, before, after };
     let reason = section.text("reason", findings).map(|reason| reason.value);
     let source = section.text("source", findings).map(|source| source.value);
-    Some(Change { span: path.at, what: What::Raw(change), reason, source })
+    Some(PatchChange { span: path.at, what: ChangedPart::Raw(change), reason, source })
 }

@@ -61,10 +61,10 @@ pub(crate) const CIA306: &[(&str, &str)] = &[
 ];
 
 /// The facts about a description: the keys of CiA 306, each with its place in the JSON of the model.
-pub(crate) type Facts = &'static [(&'static str, &'static str)];
+pub(crate) type PatchFacts = &'static [(&'static str, &'static str)];
 
 /// Those about the file.
-const FILE: Facts = &[
+const FILE: PatchFacts = &[
     ("FileName", "/file_info/file_name"),
     ("FileVersion", "/file_info/file_version"),
     ("FileRevision", "/file_info/file_revision"),
@@ -80,7 +80,7 @@ const FILE: Facts = &[
 ];
 
 /// Those about the device.
-const DEVICE: Facts = &[
+const DEVICE: PatchFacts = &[
     ("VendorName", "/device_info/vendor_name"),
     ("VendorNumber", "/device_info/vendor_number"),
     ("ProductName", "/device_info/product_name"),
@@ -108,7 +108,7 @@ const DEVICE: Facts = &[
 ];
 
 /// Those about the node of a DCF.
-const COMMISSIONING: Facts = &[
+const COMMISSIONING: PatchFacts = &[
     ("NodeID", "/commissioning/node_id"),
     ("NodeName", "/commissioning/node_name"),
     ("NodeRefd", "/commissioning/node_reference_designator"),
@@ -121,7 +121,7 @@ const COMMISSIONING: Facts = &[
 ];
 
 /// The parts with facts, by the words that name them.
-pub(crate) const FACTS: [(&str, Part, Facts); 3] = [
+pub(crate) const FACTS: [(&str, Part, PatchFacts); 3] = [
     ("file", Part::FileInfo, FILE),
     ("device", Part::DeviceInfo, DEVICE),
     ("commissioning", Part::Commissioning, COMMISSIONING),
@@ -152,7 +152,7 @@ pub(crate) const FIELDS: &[Key] = &{
 };
 
 /// The facts of a part.
-pub(crate) fn facts_of(part: &Part) -> Option<Facts> {
+pub(crate) fn facts_of(part: &Part) -> Option<PatchFacts> {
     FACTS.iter().find(|(_, of, _)| of == part).map(|(.., facts)| *facts)
 }
 

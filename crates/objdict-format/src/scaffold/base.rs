@@ -1,7 +1,7 @@
 //! The device that a profile demands for a set of features.
 
 use super::features::{Describes, EncoderClass, FEATURES, Feature, FeatureValue, Features};
-use super::objects::Maker;
+use super::objects::ObjectMaker;
 use super::{device_info, pdos};
 use objdict_model::model::{DataType, Device, DummyUsage, ObjectLists};
 use objdict_profile as profile;
@@ -107,7 +107,7 @@ pub fn base(profile: u16, version: u16, features: &Features) -> Result<Device, B
         }
     }
     let documents = documents(profile);
-    let maker = Maker { plan: Demanded::new(profile, features), documents: &documents };
+    let maker = ObjectMaker { plan: Demanded::new(profile, features), documents: &documents };
     Ok(device(&maker))
 }
 
@@ -129,7 +129,7 @@ pub(super) fn channels(profile: u16, feature: &Feature) -> Option<(u16, u16)> {
     arrays.iter().find(|(of, ..)| *of == profile).map(|&(_, index, lines)| (index, lines))
 }
 
-fn device(maker: &Maker<'_>) -> Device {
+fn device(maker: &ObjectMaker<'_>) -> Device {
     let mut device = Device {
         dummy_usage: Some(DummyUsage {
             types: (1..=7).map(|code| (DataType(code), code >= 5)).collect(),

@@ -272,7 +272,7 @@ impl Feature {
         self.profiles.is_empty() || self.profiles.contains(&profile)
     }
 
-    fn stored<T: Stored>(&self, value: &FeatureValue) -> Result<T, FeatureError> {
+    fn stored<T: StoredFeature>(&self, value: &FeatureValue) -> Result<T, FeatureError> {
         let misfit = || FeatureError::Misfit { word: self.word, expected: self.kind.expected() };
         T::stored(value, self.kind).ok_or_else(misfit)
     }
@@ -332,7 +332,7 @@ const MODES: [(&str, &str); 10] = [
 ];
 
 /// A type of the fields of [`Features`].
-trait Stored: Sized {
+trait StoredFeature: Sized {
     /// The value of a field; `None` if the feature does not take it.
     fn stored(value: &FeatureValue, kind: FeatureKind) -> Option<Self>;
 
@@ -340,7 +340,7 @@ trait Stored: Sized {
     fn shown(self, kind: FeatureKind) -> FeatureValue;
 }
 
-impl Stored for bool {
+impl StoredFeature for bool {
     fn stored(value: &FeatureValue, _: FeatureKind) -> Option<Self> {
         if let FeatureValue::Flag(flag) = value { Some(*flag) } else { None }
     }
@@ -350,7 +350,7 @@ impl Stored for bool {
     }
 }
 
-impl Stored for u16 {
+impl StoredFeature for u16 {
     fn stored(value: &FeatureValue, kind: FeatureKind) -> Option<Self> {
         let (FeatureValue::Number(number), FeatureKind::Number { lowest, highest }) = (value, kind) else {
             return None;
@@ -364,7 +364,7 @@ impl Stored for u16 {
 }
 
 /// Bits of a value.
-impl Stored for u32 {
+impl StoredFeature for u32 {
     fn stored(value: &FeatureValue, kind: FeatureKind) -> Option<Self> {
         let FeatureValue::Names(names) = value else { return None };
         let bits = kind.bits();
@@ -381,7 +381,7 @@ impl Stored for u32 {
     }
 }
 
-impl Stored for EncoderClass {
+impl StoredFeature for EncoderClass {
     fn stored(value: &FeatureValue, _: FeatureKind) -> Option<Self> {
         one_of(value, CLASSES, &Self::ALL)
     }
@@ -391,7 +391,7 @@ impl Stored for EncoderClass {
     }
 }
 
-impl Stored for DataType {
+impl StoredFeature for DataType {
     fn stored(value: &FeatureValue, _: FeatureKind) -> Option<Self> {
         one_of(value, VALUE_TYPE_NAMES, &VALUE_TYPES)
     }

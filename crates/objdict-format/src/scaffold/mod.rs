@@ -91,7 +91,8 @@ pub fn identify(device: &mut Device) {
 /// Adds objects as CiA 301 and the document of a profile describe them, with their usual values, to a device that lacks them.
 pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
     let documents = base::documents(profile);
-    let maker = objects::Maker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
+    let maker =
+        objects::ObjectMaker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     for &index in indexes {
         maker.add(device, index);
         if let Some(list) = ObjectList::of(index) {
@@ -107,7 +108,8 @@ pub fn object(device: &Device, index: u16) -> Option<Object> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
     documents.iter().find_map(|document| document.object(index))?;
-    let maker = objects::Maker { plan: Demanded::new(number, &Features::default()), documents: &documents };
+    let maker =
+        objects::ObjectMaker { plan: Demanded::new(number, &Features::default()), documents: &documents };
     let mut made = Device::default();
     maker.add(&mut made, index);
     made.objects.remove(&index)
@@ -118,7 +120,8 @@ pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
     documents.iter().find_map(|document| document.object(index)?.entry(sub))?;
-    let maker = objects::Maker { plan: Demanded::new(number, &Features::default()), documents: &documents };
+    let maker =
+        objects::ObjectMaker { plan: Demanded::new(number, &Features::default()), documents: &documents };
     Some(maker.entry(index, sub))
 }
 
@@ -131,7 +134,8 @@ pub fn pdo(
 ) -> Option<[(u16, Object); 2]> {
     let profile = device.profile().unwrap_or_default();
     let documents = base::documents(profile);
-    let maker = objects::Maker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
+    let maker =
+        objects::ObjectMaker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     pdos::records(&maker, &PdoMap { kind, number, mapped })
 }
 

@@ -8,14 +8,14 @@ use objdict_model::model::{
 use objdict_profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 
 /// Makes objects of what the documents say of them, the general document first.
-pub struct Maker<'a> {
+pub struct ObjectMaker<'a> {
     /// The profile and the features.
     pub plan: Demanded,
     /// The documents that demand objects.
     pub documents: &'a [&'a Profile],
 }
 
-impl Maker<'_> {
+impl ObjectMaker<'_> {
     /// Adds an object, with the sub-indexes that it needs.
     pub fn add(&self, device: &mut Device, index: u16) {
         let facts: Vec<ObjectFacts<'_>> = self.facts(index);

@@ -4,7 +4,7 @@
 use super::base::Demanded;
 use super::features::Features;
 use super::number;
-use super::objects::Maker;
+use super::objects::ObjectMaker;
 use objdict_model::model::{
     CobId, DataType, Device, Entry, MappedObject, Object, ObjectType, PdoKind, predefined,
 };
@@ -17,14 +17,14 @@ const MULTI_SENSOR: u16 = 10;
 const ROOM: u16 = 8;
 
 /// Adds the PDOs.
-pub(super) fn add(device: &mut Device, maker: &Maker<'_>) {
+pub(super) fn add(device: &mut Device, maker: &ObjectMaker<'_>) {
     for pdo in wanted(device, maker) {
         device.objects.extend(records(maker, &pdo).into_iter().flatten());
     }
 }
 
 /// The communication parameter and the mapping parameter of a PDO.
-pub(super) fn records(maker: &Maker<'_>, pdo: &PdoMap) -> Option<[(u16, Object); 2]> {
+pub(super) fn records(maker: &ObjectMaker<'_>, pdo: &PdoMap) -> Option<[(u16, Object); 2]> {
     let communication = pdo.kind.communication_index(pdo.number)?;
     let mapping = pdo.kind.mapping_index(pdo.number)?;
     let communication = (communication, communication_record(maker, pdo, communication));
@@ -32,7 +32,7 @@ pub(super) fn records(maker: &Maker<'_>, pdo: &PdoMap) -> Option<[(u16, Object);
 }
 
 /// The PDOs that the features ask for, with the default mapping of the profile where it has one.
-fn wanted(device: &Device, maker: &Maker<'_>) -> Vec<PdoMap> {
+fn wanted(device: &Device, maker: &ObjectMaker<'_>) -> Vec<PdoMap> {
     let usual = default_pdos(device, &maker.plan);
     let of_kind = |kind: PdoKind, count: Option<u16>| -> Vec<PdoMap> {
         let usual = usual.iter().filter(|pdo| pdo.kind == kind);
@@ -138,7 +138,7 @@ fn transmission_type(profile: u16, pdo: &PdoMap) -> u32 {
     }
 }
 
-fn communication_record(maker: &Maker<'_>, pdo: &PdoMap, index: u16) -> Object {
+fn communication_record(maker: &ObjectMaker<'_>, pdo: &PdoMap, index: u16) -> Object {
     let cob_id = match pdo.kind.predefined_can_id(pdo.number) {
         Some(base) if pdo.mapped.is_empty() => predefined::per_node(base).disabled(),
         Some(base) => predefined::per_node(base),
@@ -164,7 +164,7 @@ fn communication_record(maker: &Maker<'_>, pdo: &PdoMap, index: u16) -> Object {
     record(format!("{} {} communication parameter", pdo.kind.name(), pdo.number), entries)
 }
 
-fn mapping_record(maker: &Maker<'_>, pdo: &PdoMap, index: u16) -> Object {
+fn mapping_record(maker: &ObjectMaker<'_>, pdo: &PdoMap, index: u16) -> Object {
     let count = u32::try_from(pdo.mapped.len()).unwrap_or(0);
     let sub_0 = Entry { default: number(count, DataType::UNSIGNED8), ..maker.entry(index, 0) };
     let usual = if pdo.mapped.is_empty() { ROOM.into() } else { pdo.mapped.len() };

@@ -1,7 +1,7 @@
 // Generated from templates/c/_meanings.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Meanings<'_> {
+impl MeaningMacros<'_> {
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         if !self.enums.is_empty() {

@@ -1,7 +1,7 @@
 // Generated from templates/c/od_pdo.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Pdos<'_> {
+impl PdoFiles<'_> {
     pub(super) fn header(&self) -> String {
         let mut out = String::new();
         put!(out, "/**

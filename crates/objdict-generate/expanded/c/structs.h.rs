@@ -1,7 +1,7 @@
 // Generated from templates/c/structs.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CView<'_> {
     pub(super) fn structs_header(&self) -> String {
         let mut out = String::new();
         put!(out, "/**

@@ -1,7 +1,7 @@
 // Generated from templates/canfestival/od.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanFestivalView<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         put!(out, "/*
@@ -130,7 +130,7 @@ static ODCallback_t {}_Index{}_callbacks[{}] = {{NULL}};
             out.push_str("
 };");
         }
-        if self.slots.has(Slot::Server) {
+        if self.slots.has(ListSlot::Server) {
             put!(out, "
 
 /* The SDO server, which a node also has without 1200h. */
@@ -141,7 +141,7 @@ static UNS32 {}_serverCobIds[2] = {{0x{}u, 0x{}u}};
     {}_ROW(RO, uint32, 4u, &{}_serverCobIds[1]),
 }};", self.head.lower, self.server_cob_id(0x600), self.server_cob_id(0x580), self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower);
         }
-        if self.slots.has(Slot::NoPdo) {
+        if self.slots.has(ListSlot::NoPdo) {
             put!(out, "
 
 /* The parameters of a mapping without any: a PDO that is not valid. */
@@ -155,7 +155,7 @@ static UNS32 {}_noCobId = 0x80000000u;
     {}_ROW(RO, uint16, 2u, &{}_zero),
 }};", self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower, self.head.upper, self.head.lower);
         }
-        if self.slots.has(Slot::NoMapping) {
+        if self.slots.has(ListSlot::NoMapping) {
             put!(out, "
 
 /* The mapping of a PDO without any. */
@@ -169,24 +169,24 @@ static UNS32 {}_noCobId = 0x80000000u;
 const indextable {}_objdict[] = {{", self.head.lower);
         for slot in &self.slots.list {
             match slot {
-                Slot::Object(number) => {
+                ListSlot::Object(number) => {
                     let object = &self.plan.objects[*number];
                     put!(out, "
     {{(subindex *){}_Index{}, {}u, 0x{}u}},", self.head.lower, crate::escape::hex4(&object.index), object.rows.len(), crate::escape::hex4(&object.index));
                 }
-                Slot::Nothing => {
+                ListSlot::Nothing => {
                     out.push_str("
     {NULL, 0u, 0u},");
                 }
-                Slot::NoPdo => {
+                ListSlot::NoPdo => {
                     put!(out, "
     {{(subindex *){}_noPdo, 6u, 0u}},", self.head.lower);
                 }
-                Slot::Server => {
+                ListSlot::Server => {
                     put!(out, "
     {{(subindex *){}_server, 3u, 0u}},", self.head.lower);
                 }
-                Slot::NoMapping => {
+                ListSlot::NoMapping => {
                     put!(out, "
     {{(subindex *){}_noMapping, 2u, 0u}},", self.head.lower);
                 }

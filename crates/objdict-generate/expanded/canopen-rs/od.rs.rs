@@ -1,7 +1,7 @@
 // Generated from templates/canopen-rs/od.rs by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Od {
+impl CanOpenRsView {
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         put!(out, "// {}; do not edit.

@@ -1,7 +1,7 @@
 // Generated from templates/canopen-stack/od.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenStackView<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         put!(out, "/*
@@ -11,7 +11,7 @@ impl Tables<'_> {
  * Values of more than 4 bytes and REAL64 are stored for a little-endian processor.
  */
 #include \"{}.h\"", self.head.made_by, crate::escape::c_comment(&self.head.product), crate::escape::c_comment(&self.head.vendor), self.head.stem);
-        if self.has(Type::Block) || self.has(Type::Bytes) {
+        if self.has(RowType::Block) || self.has(RowType::Bytes) {
             out.push_str("
 
 #include <string.h>");
@@ -23,7 +23,7 @@ impl Tables<'_> {
 #error \"the dictionary has {} {}: set CO_{}_N for the stack\"
 #endif", name, self.head.upper, name, condition, count, what, name);
         }
-        if self.has(Type::Block) || self.has(Type::Bytes) {
+        if self.has(RowType::Block) || self.has(RowType::Bytes) {
             put!(out, "
 
 /* Number of bytes to copy from or to an object of size bytes, after the first offset bytes. */
@@ -33,7 +33,7 @@ static uint32_t {}_rest(uint32_t size, uint32_t offset, uint32_t wanted)
     return wanted < rest ? wanted : rest;
 }}", self.head.lower);
         }
-        if self.has(Type::Block) {
+        if self.has(RowType::Block) {
             put!(out, "
 
 /* A value of fixed size. The stack asks for the size when a transfer starts, and not every transfer resets the
@@ -75,14 +75,14 @@ static CO_ERR {}_block_reset(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint3
 }}
 
 ", self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower);
-            if !self.shares(Type::Block) {
+            if !self.shares(RowType::Block) {
                 out.push_str("static ");
             }
             put!(out, "const CO_OBJ_TYPE {}_block = {{
     {}_block_size, NULL, {}_block_read, {}_block_write, {}_block_reset,
 }};", self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower);
         }
-        if self.has(Type::Bytes) {
+        if self.has(RowType::Bytes) {
             put!(out, "
 
 /* A value of up to room bytes, such as a writable text. */
@@ -134,7 +134,7 @@ static CO_ERR {}_bytes_reset(struct CO_OBJ_T *obj, struct CO_NODE_T *node, uint3
 }}
 
 ", self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower, self.head.lower);
-            if !self.shares(Type::Bytes) {
+            if !self.shares(RowType::Bytes) {
                 out.push_str("static ");
             }
             put!(out, "const CO_OBJ_TYPE {}_bytes = {{

@@ -1,7 +1,7 @@
 // Generated from templates/canopen-stack/od.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenStackView<'_> {
     pub(super) fn header(&self) -> String {
         let mut out = String::new();
         put!(out, "/*
@@ -62,15 +62,15 @@ typedef {} {}_t;", structure, member.name);
 extern {}; /* {}: {} */", layout::definition(member), layout::place(member), crate::escape::c_comment(&member.described));
             }
         }
-        if self.shares(Type::Block) || self.shares(Type::Bytes) {
+        if self.shares(RowType::Block) || self.shares(RowType::Bytes) {
             out.push_str("
 
 /* Types of this file that those below replace. */");
-            if self.shares(Type::Block) {
+            if self.shares(RowType::Block) {
                 put!(out, "
 extern const CO_OBJ_TYPE {}_block;", self.head.lower);
             }
-            if self.shares(Type::Bytes) {
+            if self.shares(RowType::Bytes) {
                 put!(out, "
 extern const CO_OBJ_TYPE {}_bytes;", self.head.lower);
             }

@@ -1,7 +1,7 @@
 // Generated from templates/canopen-stack/spec.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenStackView<'_> {
     pub(super) fn specification(&self) -> String {
         let mut out = String::new();
         put!(out, "/*

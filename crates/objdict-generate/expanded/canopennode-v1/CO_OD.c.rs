@@ -1,7 +1,7 @@
 // Generated from templates/canopennode-v1/CO_OD.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenNodeV1View<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         put!(out, "/*
@@ -12,7 +12,7 @@ impl Tables<'_> {
 #include \"CO_driver.h\"
 #include \"CO_OD.h\"
 #include \"CO_SDO.h\"", self.head.made_by, crate::escape::c_comment(&self.head.product), crate::escape::c_comment(&self.head.vendor));
-        for location in &Location::ALL {
+        for location in &ValueLocation::ALL {
             put!(out, "
 
 struct sCO_OD_{} CO_OD_{} = {{

@@ -1,7 +1,7 @@
 // Generated from templates/canopennode-v1/CO_OD.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenNodeV1View<'_> {
     pub(super) fn header(&self) -> String {
         let mut out = String::new();
         put!(out, "/*
@@ -63,7 +63,7 @@ typedef struct {{ /* {}h */", crate::escape::hex4(&record.index));
 
 /* The first and the last word of each memory: other values mean that it has other contents. */
 #define CO_OD_FIRST_LAST_WORD 0x55");
-        for location in &Location::ALL {
+        for location in &ValueLocation::ALL {
             put!(out, "
 
 struct sCO_OD_{} {{

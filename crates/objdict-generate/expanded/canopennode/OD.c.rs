@@ -1,7 +1,7 @@
 // Generated from templates/canopennode/OD.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenNodeView<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         let od = self.prefix.as_str();
@@ -46,15 +46,15 @@ impl Tables<'_> {
 typedef struct {");
         for object in &self.objects {
             match &object.layout {
-                Layout::Var(_) => {
+                ObjectLayout::Var(_) => {
                     put!(out, "
     OD_obj_var_t o_{};", object.name());
                 }
-                Layout::Array(_, _) => {
+                ObjectLayout::Array(_, _) => {
                     put!(out, "
     OD_obj_array_t o_{};", object.name());
                 }
-                Layout::Record(members) => {
+                ObjectLayout::Record(members) => {
                     put!(out, "
     OD_obj_record_t o_{}[{}];", object.name(), members.len());
                 }
@@ -68,13 +68,13 @@ static CO_PROGMEM ODObjs_t ODObjs = {");
             put!(out, "
     .o_{} = {{", object.name());
             match &object.layout {
-                Layout::Var(member) => {
+                ObjectLayout::Var(member) => {
                     put!(out, "
         .dataOrig = {},
         .attribute = {},
         .dataLength = {},", object.address(member, od), member.storage.attribute, member.storage.length);
                 }
-                Layout::Array(sub0, elements) => {
+                ObjectLayout::Array(sub0, elements) => {
                     let storage = &elements[0].storage;
                     put!(out, "
         .dataOrig0 = {},
@@ -91,7 +91,7 @@ static CO_PROGMEM ODObjs_t ODObjs = {");
                     }
                     out.push_str(",");
                 }
-                Layout::Record(members) => {
+                ObjectLayout::Record(members) => {
                     for member in members {
                         put!(out, "
         {{.dataOrig = {}, .subIndex = {}, .attribute = {}, .dataLength = {}}},", object.address(member, od), member.entry.sub, member.storage.attribute, member.storage.length);

@@ -1,7 +1,7 @@
 // Generated from templates/canopennode/OD.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl CanOpenNodeView<'_> {
     pub(super) fn header(&self) -> String {
         let mut out = String::new();
         let od = self.prefix.as_str();

@@ -1,7 +1,7 @@
 // Generated from templates/lely/sdev.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl LelyView<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         put!(out, "/*

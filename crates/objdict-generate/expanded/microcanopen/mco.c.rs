@@ -1,13 +1,13 @@
 // Generated from templates/microcanopen/mco.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl MicroCanOpenView<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         put!(out, "/*
  * {}; do not edit.
  *
- * Tables of {} by {}, for MicroCANopen.
+ * MicroCanOpenView of {} by {}, for MicroCANopen.
  */
 #include \"{}_pimg.h\"
 

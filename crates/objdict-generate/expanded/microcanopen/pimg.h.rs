@@ -1,7 +1,7 @@
 // Generated from templates/microcanopen/pimg.h by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl MicroCanOpenView<'_> {
     pub(super) fn header(&self) -> String {
         let mut out = String::new();
         put!(out, "/*

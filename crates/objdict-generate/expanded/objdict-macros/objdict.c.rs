@@ -1,7 +1,7 @@
 // Generated from templates/objdict-macros/objdict.c by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Tables<'_> {
+impl ObjdictMacrosView<'_> {
     pub(super) fn source(&self) -> String {
         let mut out = String::new();
         put!(out, "/*

@@ -1,7 +1,7 @@
 // Generated from templates/rust/_meanings.rs by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Meanings<'_> {
+impl MeaningModules<'_> {
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         if !self.enums.is_empty() {

@@ -1,7 +1,7 @@
 // Generated from templates/rust/_objects.rs by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Objects<'_> {
+impl ObjectModules<'_> {
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         for (index0, area) in (&self.areas).into_iter().enumerate() {

@@ -1,7 +1,7 @@
 // Generated from templates/zencan/device.toml by `cargo xtask templates`; do not edit.
 
 #[allow(clippy::all, clippy::pedantic, reason = "generated")]
-impl Config {
+impl ZencanConfig {
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         put!(out, "# {}; do not edit.

@@ -7,7 +7,7 @@ use crate::model::CobId;
 const OF_DEFAULTS: &str = "default_";
 
 /// A macro.
-pub(super) struct ItemView {
+pub(super) struct DefaultMacro {
     pub(super) meaning: String,
     /// The name after the prefix, with the parameter of a function-like macro.
     pub(super) name: String,
@@ -15,11 +15,11 @@ pub(super) struct ItemView {
 }
 
 /// The macros of a constant.
-pub(super) fn item_views(constant: &Constant) -> Vec<ItemView> {
+pub(super) fn item_views(constant: &Constant) -> Vec<DefaultMacro> {
     let Constant { name, source, meaning, value } = constant;
     let meaning = format!("{meaning} ({source})");
     let upper = format!("{OF_DEFAULTS}{name}").to_ascii_uppercase();
-    let item = |name: String, meaning: String, value: String| ItemView { meaning, name, value };
+    let item = |name: String, meaning: String, value: String| DefaultMacro { meaning, name, value };
     match value {
         ConstantValue::CobId(cob_id) | ConstantValue::CanId(cob_id) => {
             let is_can_id = matches!(value, ConstantValue::CanId(_));

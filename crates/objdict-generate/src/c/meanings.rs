@@ -3,20 +3,20 @@
 use std::collections::BTreeSet;
 
 use super::words::{macro_name, word_type};
-use crate::meanings::{self, EnumType, Named, WordPart, WordType};
+use crate::meanings::{self, EnumType, NamedMeanings, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
-use crate::names::{Scope, clip};
+use crate::names::{NameScope, clip};
 
 /// The macros.
-pub(super) struct Meanings<'a> {
+pub(super) struct MeaningMacros<'a> {
     upper: String,
-    enums: Vec<EnumView<'a>>,
-    words: Vec<WordView<'a>>,
+    enums: Vec<EnumMacros<'a>>,
+    words: Vec<WordMacros<'a>>,
 }
 
 include!("../../expanded/c/_meanings.h.rs");
 
-struct EnumView<'a> {
+struct EnumMacros<'a> {
     of: &'a EnumType,
     values: Vec<ValueView<'a>>,
 }
@@ -27,12 +27,12 @@ struct ValueView<'a> {
     number: String,
 }
 
-struct WordView<'a> {
+struct WordMacros<'a> {
     of: &'a WordType,
-    parts: Vec<PartView<'a>>,
+    parts: Vec<PartMacros<'a>>,
 }
 
-struct PartView<'a> {
+struct PartMacros<'a> {
     of: &'a WordPart,
     /// The name after the prefix.
     name: String,
@@ -45,9 +45,9 @@ struct PartView<'a> {
 /// Suffixes of the macros of a bit field.
 const OF_PARTS: [&str; 5] = ["shift", "bits", "mask", "get", "with"];
 
-impl<'a> Meanings<'a> {
+impl<'a> MeaningMacros<'a> {
     /// Claims names in `macros`, which already contains those of objects and entries.
-    pub(super) fn new(named: &'a Named, prefix: &str, macros: &mut Scope) -> Self {
+    pub(super) fn new(named: &'a NamedMeanings, prefix: &str, macros: &mut NameScope) -> Self {
         Self {
             upper: prefix.to_ascii_uppercase(),
             enums: named.enums.iter().map(|of| enum_view(of, prefix, macros)).collect(),
@@ -56,7 +56,7 @@ impl<'a> Meanings<'a> {
     }
 }
 
-fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView<'a> {
+fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut NameScope) -> EnumMacros<'a> {
     let mut values = Vec::new();
     for value in &of.values {
         let numbers: Vec<i128> = std::iter::once(value.number).chain(value.others.iter().copied()).collect();
@@ -77,7 +77,7 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView
             }
         }));
     }
-    EnumView { of, values }
+    EnumMacros { of, values }
 }
 
 /// What several numbers have in common, if they are all numbers with it: the value of these bits, and their mask in
@@ -115,17 +115,17 @@ fn entries(all: &[(u16, u8)]) -> String {
     meanings::entries(all, |index, sub| format!("{index:04X}h sub-index {sub:02X}h"))
 }
 
-fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView<'a> {
+fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut NameScope) -> WordMacros<'a> {
     let parts = of.parts.iter().map(|part| {
         let words = format!("{}_{}", of.name.trim_end_matches('_'), part.name.trim_end_matches('_'));
         let name = part_name(macros, prefix, &words, part.first);
         part_view(of, part, format!("{}_{}", prefix.to_ascii_uppercase(), name.to_ascii_uppercase()))
     });
-    WordView { of, parts: parts.collect() }
+    WordMacros { of, parts: parts.collect() }
 }
 
 /// A name for which no macro of a bit field is taken.
-fn part_name(macros: &mut Scope, prefix: &str, words: &str, first: u8) -> String {
+fn part_name(macros: &mut NameScope, prefix: &str, words: &str, first: u8) -> String {
     let mut suffix = first.to_string();
     loop {
         let room = crate::names::LONGEST - prefix.len() - 8 - suffix.len();
@@ -139,7 +139,7 @@ fn part_name(macros: &mut Scope, prefix: &str, words: &str, first: u8) -> String
     }
 }
 
-fn part_view<'a>(of: &WordType, part: &'a WordPart, name: String) -> PartView<'a> {
+fn part_view<'a>(of: &WordType, part: &'a WordPart, name: String) -> PartMacros<'a> {
     let bits = of.data_type.bit_length().unwrap_or(64);
     let word = word_type(of.data_type);
     let unsigned = format!("u{}", word.trim_start_matches('u'));
@@ -173,5 +173,5 @@ fn part_view<'a>(of: &WordType, part: &'a WordPart, name: String) -> PartView<'a
         }
         _ => format!("(({word}){whole})"),
     };
-    PartView { of: part, mask: format!("(({unsigned}){})", literal(part.mask)), name, get, with }
+    PartMacros { of: part, mask: format!("(({unsigned}){})", literal(part.mask)), name, get, with }
 }

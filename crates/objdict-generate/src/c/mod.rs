@@ -16,8 +16,8 @@ use super::defaults::constants;
 use super::frames::{frames, freeze_mappings};
 use super::hooks::has_hooks;
 use super::notes::in_order;
-use super::table::Table;
-use super::{CTable, GenerateError, Made, Note, Options, PdoMappings, render};
+use super::table::DeviceTable;
+use super::{BackendOutput, CTable, GenerateError, Note, Options, PdoMappings, render};
 use crate::model::{Device, Place};
 
 /// Identifiers of the targets `c` and `rust` for the objects and entries of a device, without options.
@@ -25,12 +25,12 @@ use crate::model::{Device, Place};
 pub(super) fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateError> {
     let options = Options::default();
     let (prefix, module) = (options.prefix_or("od")?, options.module_or("od")?);
-    let table = Table::of_names(device, &options)?;
+    let table = DeviceTable::of_names(device, &options)?;
     let constants = constants(device, &table, &mut Vec::new());
     let (objects, _) = view::object_views(&table, &prefix, constants.iter().flat_map(defaults::item_views));
     let upper = prefix.to_ascii_uppercase();
     let mut identifiers = Vec::with_capacity(table.objects.len() + table.rows.len());
-    for view::ObjectView { object, name, entries } in &objects {
+    for view::ObjectMacros { object, name, entries } in &objects {
         let mut add = |sub: Option<u8>, constant: &str, name: &str| {
             let rust = match object.single {
                 true => [&module, "::", &object.module.to_ascii_uppercase()].concat(),
@@ -48,17 +48,17 @@ pub(super) fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateEr
 }
 
 /// Tables for C.
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
     let prefix = options.prefix_or("od")?;
-    let mut table = Table::new(device, options)?;
+    let mut table = DeviceTable::new(device, options)?;
     let mut notes = std::mem::take(&mut table.notes);
     let are_fixed = options.pdo_mappings == PdoMappings::Fixed;
     if are_fixed {
         notes.extend(freeze_mappings(&mut table, "`--pdo-mapping dynamic` or `--hook` allows it"));
     }
     let frames = frames(device, &table, &mut notes);
-    let facts = view::Facts::new(device, &table, options, &mut notes);
-    let tables = view::Tables::new(&table, &prefix, &facts);
+    let facts = view::HeaderContents::new(device, &table, options, &mut notes);
+    let tables = view::CView::new(&table, &prefix, &facts);
     let (header, source, size) = match options.table {
         CTable::Compact => (
             render(format!("{prefix}.h"), tables.header()),
@@ -78,9 +78,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         notes.push(note.help("look at the flag `HOOK` of the entries where they are read and written"));
     }
     if !frames.is_empty() {
-        let view = pdo::Pdos::new(&table, &prefix, &frames, are_fixed);
+        let view = pdo::PdoFiles::new(&table, &prefix, &frames, are_fixed);
         files.push(render(format!("{prefix}_pdo.h"), view.header()));
         files.push(render(format!("{prefix}_pdo.c"), view.source()));
     }
-    Ok(Made { files, notes: in_order(notes), size })
+    Ok(BackendOutput { files, notes: in_order(notes), size })
 }

@@ -2,18 +2,18 @@
 
 use super::defaults::of_node;
 use super::words::{hex_bytes, word_type};
-use crate::frames::{Carried, Frame, FrameField};
+use crate::frames::{CarriedType, FrameField, PdoFrame};
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Shape, is_time};
-use crate::table::{Row, Table};
+use crate::resolve::{Encoded, ValueShape, is_time};
+use crate::table::{DeviceTable, Row};
 
 /// What the files have.
-pub(super) struct Pdos<'a> {
+pub(super) struct PdoFiles<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
     upper: String,
-    table: &'a Table,
-    frames: Vec<FrameView<'a>>,
+    table: &'a DeviceTable,
+    frames: Vec<FrameStruct<'a>>,
     /// Whether SDOs cannot write the mappings.
     are_fixed: bool,
 }
@@ -22,8 +22,8 @@ include!("../../expanded/c/od_pdo.h.rs");
 include!("../../expanded/c/od_pdo.c.rs");
 
 /// A frame.
-struct FrameView<'a> {
-    frame: &'a Frame,
+struct FrameStruct<'a> {
+    frame: &'a PdoFrame,
     /// `od_tpdo1`.
     type_name: String,
     /// `OD_TPDO1`.
@@ -34,11 +34,11 @@ struct FrameView<'a> {
     reads_data: bool,
     /// Whether a member is stored there.
     writes_data: bool,
-    fields: Vec<FieldView<'a>>,
+    fields: Vec<FrameMember<'a>>,
 }
 
 /// A member of a frame; statements are without `;`.
-struct FieldView<'a> {
+struct FrameMember<'a> {
     field: &'a FrameField,
     row: &'a Row,
     declaration: String,
@@ -50,8 +50,13 @@ struct FieldView<'a> {
     unpack: String,
 }
 
-impl<'a> Pdos<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame], are_fixed: bool) -> Self {
+impl<'a> PdoFiles<'a> {
+    pub(super) fn new(
+        table: &'a DeviceTable,
+        prefix: &'a str,
+        frames: &'a [PdoFrame],
+        are_fixed: bool,
+    ) -> Self {
         let frames = frames.iter().map(|frame| frame_view(table, prefix, frame)).collect();
         Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames, are_fixed }
     }
@@ -59,7 +64,7 @@ impl<'a> Pdos<'a> {
     /// Whether a number of a kind is in a frame.
     fn uses(&self, kind: TypeKind) -> bool {
         let mut fields = self.frames.iter().flat_map(|view| &view.fields);
-        fields.any(|view| matches!(view.field.carried, Carried::Number(number) if number.kind() == kind))
+        fields.any(|view| matches!(view.field.carried, CarriedType::Number(number) if number.kind() == kind))
     }
 
     fn uses_signs(&self) -> bool {
@@ -67,11 +72,11 @@ impl<'a> Pdos<'a> {
     }
 }
 
-fn frame_view<'a>(table: &'a Table, prefix: &str, frame: &'a Frame) -> FrameView<'a> {
-    let fields: Vec<FieldView<'a>> =
+fn frame_view<'a>(table: &'a DeviceTable, prefix: &str, frame: &'a PdoFrame) -> FrameStruct<'a> {
+    let fields: Vec<FrameMember<'a>> =
         frame.fields.iter().map(|field| field_view(table, prefix, field)).collect();
     let type_name = format!("{prefix}_{}", frame.name);
-    FrameView {
+    FrameStruct {
         frame,
         macro_prefix: type_name.to_ascii_uppercase(),
         type_name,
@@ -82,7 +87,7 @@ fn frame_view<'a>(table: &'a Table, prefix: &str, frame: &'a Frame) -> FrameView
     }
 }
 
-fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> FieldView<'a> {
+fn field_view<'a>(table: &'a DeviceTable, prefix: &str, field: &'a FrameField) -> FrameMember<'a> {
     let row = &table.rows[field.row];
     let name = &field.name;
     let member = format!("pdo->{name}");
@@ -90,11 +95,11 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
     let (first, bits) = (field.first, field.bits);
     let taken = format!("{prefix}_lowest(number >> {first}, {bits}u)");
     match field.carried {
-        Carried::Number(data_type) => {
+        CarriedType::Number(data_type) => {
             let type_ = type_of(data_type, prefix);
             let (pack, unpack) = conversions(data_type, prefix, &member, &taken, bits);
             let value = place.clone().unwrap_or_else(|| constant(data_type, prefix, &row.resolved.default));
-            FieldView {
+            FrameMember {
                 field,
                 row,
                 declaration: format!("{type_} {name}"),
@@ -104,8 +109,8 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
                 unpack: format!("{member} = {unpack}"),
             }
         }
-        Carried::Bytes(length) => {
-            let is_block = matches!(row.resolved.shape, Shape::Block(_));
+        CarriedType::Bytes(length) => {
+            let is_block = matches!(row.resolved.shape, ValueShape::Block(_));
             let source = match &place {
                 Some(place) if is_block => place.clone(),
                 Some(place) => format!("{place}.bytes"),
@@ -113,7 +118,7 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
             };
             let store =
                 place.map(|place| stored_bytes(&place, &member, length, is_block)).unwrap_or_default();
-            FieldView {
+            FrameMember {
                 field,
                 row,
                 declaration: format!("uint8_t {name}[{length}]"),
@@ -152,12 +157,12 @@ fn type_of(data_type: DataType, prefix: &str) -> String {
 }
 
 /// The value of an entry in flash.
-fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
+fn constant(data_type: DataType, prefix: &str, default: &Encoded) -> String {
     let type_ = type_of(data_type, prefix);
     match (data_type.kind(), default) {
-        (_, Datum::Formula(offset)) => format!("({type_})(0x{offset:X}u + data->node_id)"),
-        (TypeKind::Boolean, Datum::Word(word)) => format!("{}", *word != 0),
-        (TypeKind::Signed(_), Datum::Word(word)) => {
+        (_, Encoded::Formula(offset)) => format!("({type_})(0x{offset:X}u + data->node_id)"),
+        (TypeKind::Boolean, Encoded::Word(word)) => format!("{}", *word != 0),
+        (TypeKind::Signed(_), Encoded::Word(word)) => {
             let number = *word as i64; // same bits
             match number.checked_neg() {
                 Some(positive) if number < 0 => format!("({type_})-INT64_C({positive})"),
@@ -165,16 +170,18 @@ fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
                 None => "INT64_MIN".to_owned(),
             }
         }
-        (TypeKind::Real32, Datum::Word(word)) => format!("{prefix}_to_real32(0x{word:X}u)"),
-        (TypeKind::Real64, Datum::Word(word)) => format!("{prefix}_to_real64(UINT64_C(0x{word:X}))"),
-        (_, Datum::Word(word)) if is_time(data_type) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
-        (_, Datum::Word(word)) => format!("({type_})UINT64_C(0x{word:X})"),
-        (_, Datum::Bytes(_)) => "0".to_owned(), // bytes have other shapes
+        (TypeKind::Real32, Encoded::Word(word)) => format!("{prefix}_to_real32(0x{word:X}u)"),
+        (TypeKind::Real64, Encoded::Word(word)) => format!("{prefix}_to_real64(UINT64_C(0x{word:X}))"),
+        (_, Encoded::Word(word)) if is_time(data_type) => {
+            format!("{prefix}_to_time(UINT64_C(0x{word:X}))")
+        }
+        (_, Encoded::Word(word)) => format!("({type_})UINT64_C(0x{word:X})"),
+        (_, Encoded::Bytes(_)) => "0".to_owned(), // bytes have other shapes
     }
 }
 
 /// The bytes of an entry in flash, as many as the frame contains.
-fn constant_bytes(default: &Datum, length: u32) -> String {
+fn constant_bytes(default: &Encoded, length: u32) -> String {
     let mut bytes = default.bytes().to_vec();
     bytes.resize(length as usize, 0);
     format!("((const uint8_t[]){{{}}})", hex_bytes(&bytes))

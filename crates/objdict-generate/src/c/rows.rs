@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use super::words::{flags, type_name};
 use crate::Sizes;
-use crate::memory::{Extent, Memory};
-use crate::table::Table;
-use crate::table_size::{Layout, ram};
+use crate::memory::{Memory, TypeExtent};
+use crate::table::DeviceTable;
+use crate::table_size::{TableLayout, ram};
 
 /// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
 pub(super) struct Rows {
@@ -23,7 +23,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new(table: &Table, upper: &str) -> Self {
+    pub(super) fn new(table: &DeviceTable, upper: &str) -> Self {
         let mut kinds = Vec::new();
         let mut known = HashMap::new();
         let kind_of = table.rows.iter().map(|row| {
@@ -60,17 +60,17 @@ impl Rows {
 }
 
 /// Computes the size of the table.
-pub(super) fn size(table: &Table, names: bool) -> Sizes {
+pub(super) fn size(table: &DeviceTable, names: bool) -> Sizes {
     let rows = Rows::new(table, "");
-    let offset = Extent::number(rows.offset / 8);
-    let row = Extent::structure([Extent::BYTE, Extent::number(rows.kind / 8), offset, offset]);
-    let layout = Layout {
+    let offset = TypeExtent::number(rows.offset / 8);
+    let row = TypeExtent::structure([TypeExtent::BYTE, TypeExtent::number(rows.kind / 8), offset, offset]);
+    let layout = TableLayout {
         row: row.size,
-        object: Extent::structure([Extent::HALF, Extent::number(rows.first / 8)]).size,
-        shared: Extent::HALF.times(rows.kinds.len()).size,
+        object: TypeExtent::structure([TypeExtent::HALF, TypeExtent::number(rows.first / 8)]).size,
+        shared: TypeExtent::HALF.times(rows.kinds.len()).size,
         ram: ram(table),
         section: Memory::Zeroed,
-        value: |shape| Extent::of(shape).size,
+        value: |shape| TypeExtent::of(shape).size,
         code: 0,
         name: names.then_some((4, 1)), // a pointer of 32 bits, and the zero
         counted: "the tables and values, on any processor that aligns numbers to their size; without code",

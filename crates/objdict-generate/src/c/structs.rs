@@ -6,10 +6,10 @@ use super::words::{flags, type_name, word_type};
 use crate::Sizes;
 use crate::c_code::{bytes, number};
 use crate::escape::shown;
-use crate::memory::{Extent, Memory};
+use crate::memory::{Memory, TypeExtent};
 use crate::model::DataType;
-use crate::resolve::{Datum, Shape, is_time};
-use crate::table::{Row, Table};
+use crate::resolve::{Encoded, ValueShape, is_time};
+use crate::table::{DeviceTable, Row};
 use crate::table_size;
 
 /// What the source has beside the values.
@@ -17,7 +17,7 @@ pub(super) struct Structs<'a> {
     prefix: &'a str,
     pub(super) pools: Vec<Pool>,
     pub(super) blocks: Vec<String>,
-    pub(super) rows: Vec<RowView<'a>>,
+    pub(super) rows: Vec<StructRowView<'a>>,
     /// The sizes of defaults and limits, by the index of the first object that uses them.
     taken: Vec<(u16, usize)>,
 }
@@ -31,7 +31,7 @@ pub(super) struct Pool {
 }
 
 /// A row of the table.
-pub(super) struct RowView<'a> {
+pub(super) struct StructRowView<'a> {
     pub(super) row: &'a Row,
     pub(super) type_: &'static str,
     pub(super) flags: String,
@@ -42,7 +42,7 @@ pub(super) struct RowView<'a> {
 }
 
 impl<'a> Structs<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, upper: &str) -> Self {
+    pub(super) fn new(table: &'a DeviceTable, prefix: &'a str, upper: &str) -> Self {
         let (pools, blocks, taken) = (Vec::new(), Vec::new(), Vec::new());
         let mut structs = Self { prefix, pools, blocks, rows: Vec::new(), taken };
         structs.rows = table.rows.iter().map(|row| row_view(table, row, upper, &mut structs)).collect();
@@ -77,7 +77,7 @@ impl<'a> Structs<'a> {
         if number == next {
             pool.numbers.push(text);
             let is_number = !is_time(data_type);
-            let size = if is_number { Extent::of_c(&pool.c_type) } else { Extent::TIME }.size;
+            let size = if is_number { TypeExtent::of_c(&pool.c_type) } else { TypeExtent::TIME }.size;
             self.taken.push((index, size));
         }
         format!("&{}[{number}]", pool.name)
@@ -88,37 +88,38 @@ impl<'a> Structs<'a> {
         let name = format!("{}_D{:04X}_{:02X}", self.prefix, row.index, row.sub);
         let (size, text) = (value.len(), bytes(value));
         self.blocks.push(match row.resolved.shape {
-            Shape::Block(_) => {
+            ValueShape::Block(_) => {
                 self.taken.push((row.index, size));
                 format!("static const uint8_t {name}[{size}] = {text};")
             }
             _ => {
                 let room = size.max(1); // C has no empty arrays
-                self.taken.push((row.index, Extent::behind_length(room).size));
+                self.taken.push((row.index, TypeExtent::behind_length(room).size));
                 format!("static const struct {{ uint16_t length; uint8_t bytes[{room}]; }} {name} = {{{size}u, {text}}};")
             }
         });
         format!("&{name}")
     }
 
-    fn datum(&mut self, row: &Row, datum: &Datum) -> String {
+    fn datum(&mut self, row: &Row, datum: &Encoded) -> String {
         match (datum, row.resolved.shape) {
-            (Datum::Word(word) | Datum::Formula(word), Shape::Word(data_type)) => {
+            (Encoded::Word(word) | Encoded::Formula(word), ValueShape::Word(data_type)) => {
                 self.number(row.index, *word, data_type)
             }
-            (Datum::Bytes(bytes), _) => self.block(row, bytes),
+            (Encoded::Bytes(bytes), _) => self.block(row, bytes),
             _ => "NULL".to_owned(), // numbers always have the shape of a number
         }
     }
 }
 
 /// Computes the size of the table.
-pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
+pub(super) fn size(table: &DeviceTable, prefix: &str, names: bool) -> Sizes {
     let mut tally = table_size::tally(table);
     let mut texts = HashSet::new();
-    let numbers = [Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE, Extent::HALF];
-    let pointers = [Extent::POINTER; 5];
-    let entry = Extent::structure(numbers.into_iter().chain(pointers.into_iter().skip(usize::from(!names))));
+    let numbers = [TypeExtent::HALF, TypeExtent::BYTE, TypeExtent::BYTE, TypeExtent::BYTE, TypeExtent::HALF];
+    let pointers = [TypeExtent::POINTER; 5];
+    let entry =
+        TypeExtent::structure(numbers.into_iter().chain(pointers.into_iter().skip(usize::from(!names))));
     for row in &table.rows {
         tally.of(row.index, Memory::Flash, entry.size);
         let text = shown(&row.name);
@@ -142,18 +143,24 @@ pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
 /// What the sizes include.
 const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
 
-fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Structs<'_>) -> RowView<'a> {
+fn row_view<'a>(
+    table: &DeviceTable,
+    row: &'a Row,
+    upper: &str,
+    constants: &mut Structs<'_>,
+) -> StructRowView<'a> {
     let resolved = &row.resolved;
     let flags = flags(row.flags().filter(|flag| !matches!(*flag, "LOW" | "HIGH")), upper);
-    let served = resolved.shape.size() == 0 && matches!(resolved.shape, Shape::Bytes(DataType::DOMAIN, _));
+    let served =
+        resolved.shape.size() == 0 && matches!(resolved.shape, ValueShape::Bytes(DataType::DOMAIN, _));
     let default = if served { "NULL".to_owned() } else { constants.datum(row, &resolved.default) };
     let mut limit =
-        |limit: Option<&Datum>| limit.map_or("NULL".to_owned(), |limit| constants.datum(row, limit));
+        |limit: Option<&Encoded>| limit.map_or("NULL".to_owned(), |limit| constants.datum(row, limit));
     let (low, high) = (limit(resolved.low.as_ref()), limit(resolved.high.as_ref()));
     let data = match &row.slot {
         Some(slot) => format!("&{}_data.{}", constants.prefix, table.place(slot)),
         None if served => "NULL".to_owned(),
         None => format!("(void *){default}"),
     };
-    RowView { row, type_: type_name(resolved.shape), flags, data, low, high, default }
+    StructRowView { row, type_: type_name(resolved.shape), flags, data, low, high, default }
 }

@@ -1,36 +1,36 @@
 //! View of templates/c/od.h and od.c.
 
-use super::defaults::{ItemView, item_views};
-use super::meanings::Meanings;
+use super::defaults::{DefaultMacro, item_views};
+use super::meanings::MeaningMacros;
 use super::rows::Rows;
-use super::stored::{self, GroupView, MemberView};
+use super::stored::{self, MemberView, StoredGroupView};
 use super::structs::Structs;
 use super::words::{hex_bytes, macro_name};
 use crate::defaults::{Constant, constants};
 use crate::hooks;
-use crate::meanings::{Named, meanings};
+use crate::meanings::{NamedMeanings, meanings};
 use crate::model::{DataType, Device};
-use crate::names::Scope;
-use crate::resolve::{Shape, is_time};
-use crate::table::{Row, Table, TableObject};
+use crate::names::NameScope;
+use crate::resolve::{ValueShape, is_time};
+use crate::table::{DeviceTable, Row, TableObject};
 use crate::{Note, Options};
 
 /// What the files have.
-pub(super) struct Tables<'a> {
+pub(super) struct CView<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
     pub(super) upper: String,
-    table: &'a Table,
+    table: &'a DeviceTable,
     shared: Rows,
-    pub(super) objects: Vec<ObjectView<'a>>,
+    pub(super) objects: Vec<ObjectMacros<'a>>,
     /// Whether the entries have names.
     names: bool,
     /// Macros of identity and services.
-    defaults: Vec<ItemView>,
-    meanings: Option<Meanings<'a>>,
+    defaults: Vec<DefaultMacro>,
+    meanings: Option<MeaningMacros<'a>>,
     /// Members of the struct of values, including the structs of storage groups.
     fields: Vec<MemberView<'a>>,
-    groups: Vec<GroupView<'a>>,
+    groups: Vec<StoredGroupView<'a>>,
     /// Whether an entry has a hook.
     hooks: bool,
 }
@@ -41,14 +41,19 @@ include!("../../expanded/c/structs.h.rs");
 include!("../../expanded/c/structs.c.rs");
 
 /// Further contents of headers.
-pub(super) struct Facts {
+pub(super) struct HeaderContents {
     pub(super) constants: Vec<Constant>,
-    pub(super) named: Named,
+    pub(super) named: NamedMeanings,
     pub(super) names: bool,
 }
 
-impl Facts {
-    pub(super) fn new(device: &Device, table: &Table, options: &Options, notes: &mut Vec<Note>) -> Self {
+impl HeaderContents {
+    pub(super) fn new(
+        device: &Device,
+        table: &DeviceTable,
+        options: &Options,
+        notes: &mut Vec<Note>,
+    ) -> Self {
         Self {
             constants: constants(device, table, notes),
             named: meanings(device, table, options, notes),
@@ -58,7 +63,7 @@ impl Facts {
 }
 
 /// An object with the macros for its index and its entries, in upper case without the prefix.
-pub(super) struct ObjectView<'a> {
+pub(super) struct ObjectMacros<'a> {
     pub(super) object: &'a TableObject,
     pub(super) name: String,
     /// Empty for a single value.
@@ -78,11 +83,11 @@ const MACROS: &str = "
 
 /// The objects with their macros, and all macros that are taken.
 pub(super) fn object_views<'a>(
-    table: &'a Table,
+    table: &'a DeviceTable,
     prefix: &str,
-    defaults: impl IntoIterator<Item = impl std::borrow::Borrow<ItemView>>,
-) -> (Vec<ObjectView<'a>>, Scope) {
-    let mut macros = Scope::of_constants(MACROS);
+    defaults: impl IntoIterator<Item = impl std::borrow::Borrow<DefaultMacro>>,
+) -> (Vec<ObjectMacros<'a>>, NameScope) {
+    let mut macros = NameScope::of_constants(MACROS);
     for item in defaults {
         macros.take(item.borrow().name.split('(').next().unwrap_or_default().to_ascii_lowercase());
     }
@@ -102,12 +107,13 @@ pub(super) fn object_views<'a>(
     (objects.collect(), macros)
 }
 
-impl<'a> Tables<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts) -> Self {
-        let defaults: Vec<ItemView> = facts.constants.iter().flat_map(item_views).collect();
+impl<'a> CView<'a> {
+    pub(super) fn new(table: &'a DeviceTable, prefix: &'a str, facts: &'a HeaderContents) -> Self {
+        let defaults: Vec<DefaultMacro> = facts.constants.iter().flat_map(item_views).collect();
         let (objects, mut macros) = object_views(table, prefix, &defaults);
         let upper = prefix.to_ascii_uppercase();
-        let meanings = (!facts.named.is_empty()).then(|| Meanings::new(&facts.named, prefix, &mut macros));
+        let meanings =
+            (!facts.named.is_empty()).then(|| MeaningMacros::new(&facts.named, prefix, &mut macros));
         Self {
             lower: prefix,
             shared: Rows::new(table, &upper),
@@ -130,12 +136,12 @@ impl<'a> Tables<'a> {
 
     fn has_time(&self) -> bool {
         let mut shapes = self.table.rows.iter().map(|row| row.resolved.shape);
-        shapes.any(|shape| matches!(shape, Shape::Word(data_type) if is_time(data_type)))
+        shapes.any(|shape| matches!(shape, ValueShape::Word(data_type) if is_time(data_type)))
     }
 
     /// Whether there is a string, octet string or DOMAIN.
     fn has_bytes(&self) -> bool {
-        self.table.rows.iter().any(|row| matches!(row.resolved.shape, Shape::Bytes(..)))
+        self.table.rows.iter().any(|row| matches!(row.resolved.shape, ValueShape::Bytes(..)))
     }
 
     fn structs(&self) -> Structs<'a> {
@@ -144,18 +150,18 @@ impl<'a> Tables<'a> {
 }
 
 /// Additional return codes of hooks, and macros that define hooks.
-fn hook_macros(table: &Table) -> Vec<String> {
+fn hook_macros(table: &DeviceTable) -> Vec<String> {
     const MACROS: &str =
         "hook weak abort_incompatible abort_hardware abort_general abort_local_control abort_device_state";
     if hooks::has_hooks(table) { MACROS.split(' ').map(str::to_owned).collect() } else { Vec::new() }
 }
 
 fn object_view<'a>(
-    table: &'a Table,
+    table: &'a DeviceTable,
     object: &'a TableObject,
     mut name: String,
-    (prefix, macros): (&str, &mut Scope),
-) -> ObjectView<'a> {
+    (prefix, macros): (&str, &mut NameScope),
+) -> ObjectMacros<'a> {
     let rows = if object.single { &[] } else { &table.rows[object.rows.clone()] };
     let entries = rows.iter().map(|row| {
         let words = [name.trim_end_matches('_'), "_", &row.constant].concat();
@@ -166,5 +172,5 @@ fn object_view<'a>(
     });
     let entries = entries.collect();
     name.make_ascii_uppercase();
-    ObjectView { object, name, entries }
+    ObjectMacros { object, name, entries }
 }

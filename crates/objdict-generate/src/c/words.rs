@@ -3,12 +3,12 @@
 use std::fmt::{self, Write};
 
 use crate::model::{DataType, TypeKind};
-use crate::names::{LONGEST, Scope, clip};
-use crate::resolve::{Shape, is_time};
-use crate::table::{Row, Table, TableField};
+use crate::names::{LONGEST, NameScope, clip};
+use crate::resolve::{ValueShape, is_time};
+use crate::table::{DeviceTable, Row, TableField};
 
 /// A member of the struct of values.
-pub(super) struct FieldView<'a> {
+pub(super) struct ValueMember<'a> {
     pub(super) declaration: String,
     pub(super) first: &'a Row,
     pub(super) last: &'a Row,
@@ -17,7 +17,7 @@ pub(super) struct FieldView<'a> {
 
 /// A macro name in lower case, short enough for the prefix. The length of its suffix is included.
 pub(super) fn macro_name(
-    macros: &mut Scope,
+    macros: &mut NameScope,
     prefix: &str,
     words: &str,
     (suffix, length): (fmt::Arguments<'_>, usize),
@@ -26,19 +26,19 @@ pub(super) fn macro_name(
     macros.claim(clip(words, room), suffix)
 }
 
-pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {
+pub(super) fn field_view<'a>(table: &'a DeviceTable, field: &'a TableField, prefix: &str) -> ValueMember<'a> {
     let array = if field.array { format!("[{}]", field.rows.len()) } else { String::new() };
     let name = &field.name;
     let declaration = match field.shape {
-        Shape::Word(data_type) if is_time(data_type) => format!("{prefix}_time_t {name}{array}"),
-        Shape::Word(data_type) => [word_type(data_type), " ", name, &array].concat(),
-        Shape::Bytes(_, capacity) => {
+        ValueShape::Word(data_type) if is_time(data_type) => format!("{prefix}_time_t {name}{array}"),
+        ValueShape::Word(data_type) => [word_type(data_type), " ", name, &array].concat(),
+        ValueShape::Bytes(_, capacity) => {
             format!("struct {{ uint16_t length; uint8_t bytes[{capacity}]; }} {name}{array}")
         }
-        Shape::Block(length) => format!("uint8_t {name}{array}[{length}]"),
+        ValueShape::Block(length) => format!("uint8_t {name}{array}[{length}]"),
     };
     let (first, last) = (&table.rows[field.rows.start], &table.rows[field.rows.end - 1]);
-    FieldView { declaration, first, last, array: field.array }
+    ValueMember { declaration, first, last, array: field.array }
 }
 
 /// Flags as an expression.
@@ -52,10 +52,10 @@ pub(super) fn flags(names: impl Iterator<Item = &'static str>, upper: &str) -> S
 }
 
 /// The macro of a data type after the prefix.
-pub(super) fn type_name(shape: Shape) -> &'static str {
+pub(super) fn type_name(shape: ValueShape) -> &'static str {
     match shape {
-        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
-        Shape::Block(_) => "BLOCK",
+        ValueShape::Word(data_type) | ValueShape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
+        ValueShape::Block(_) => "BLOCK",
     }
 }
 

@@ -11,29 +11,29 @@ mod sizes;
 mod special;
 
 use super::c_code::file_name;
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::head::Head;
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, render, startup};
+use super::{BackendOutput, GenerateError, Options, render, startup};
 use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
-use names::{Names, words};
-use plan::Plan;
-use positions::{Slot, Slots};
+use names::{ReservedNames, words};
+use plan::CanFestivalPlan;
+use positions::{ListSlot, ListSlots};
 
 /// What the files have.
-struct Tables<'a> {
+struct CanFestivalView<'a> {
     /// Its `lower` is the name of the node.
     head: Head,
-    dictionary: &'a Dictionary<'a>,
-    plan: Plan,
-    slots: Slots,
+    dictionary: &'a TableDictionary<'a>,
+    plan: CanFestivalPlan,
+    slots: ListSlots,
 }
 
 include!("../../expanded/canfestival/od.c.rs");
 include!("../../expanded/canfestival/od.h.rs");
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
-    let mut dictionary = Dictionary::new(device, options)?;
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
+    let mut dictionary = TableDictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let is_project = project(device).is_some();
     let (node, stem) = match &options.prefix {
@@ -43,16 +43,16 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         None => ("od".to_owned(), file_name(options, "od")),
     };
     let head = Head::new(device, options, &node, &stem);
-    let names = Names::new(&node, is_project);
-    let plan = Plan::new(&dictionary, options, names, &mut notes);
+    let names = ReservedNames::new(&node, is_project);
+    let plan = CanFestivalPlan::new(&dictionary, options, names, &mut notes);
     notes.append(&mut startup::notes(&startup::CANFESTIVAL, &dictionary));
     let slots = positions::slots(&plan.objects);
-    let tables = Tables { head, dictionary: &dictionary, plan, slots };
+    let tables = CanFestivalView { head, dictionary: &dictionary, plan, slots };
     let stem = &tables.head.stem;
     let files =
         vec![render(format!("{stem}.c"), tables.source()), render(format!("{stem}.h"), tables.header())];
     let size = sizes::report(&dictionary, &tables.plan, &tables.slots);
-    Ok(Made { files, notes: once_per_device(in_order(notes)), size })
+    Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size })
 }
 
 /// What a project of objdictgen says, where the device is of one.
@@ -76,7 +76,7 @@ fn stem_of_project(options: &Options) -> String {
     if stem.is_empty() { "od".to_owned() } else { stem }
 }
 
-impl Tables<'_> {
+impl CanFestivalView<'_> {
     fn is_slave(&self) -> u8 {
         let device = self.dictionary.device;
         let is_manager = device.commissioning.as_ref().and_then(|node| node.manager) == Some(true);
@@ -93,7 +93,7 @@ impl Tables<'_> {
     fn positions(&self) -> impl Iterator<Item = (usize, usize)> {
         let list = self.slots.list.iter().enumerate();
         list.filter_map(|(position, slot)| match slot {
-            Slot::Object(number) => Some((position, *number)),
+            ListSlot::Object(number) => Some((position, *number)),
             _ => None,
         })
     }

@@ -43,14 +43,14 @@ const WORDS: &str = "
 ";
 
 /// The names in use; those of the stack begin with the name of the node.
-pub(super) struct Names<'a> {
+pub(super) struct ReservedNames<'a> {
     node: &'a str,
     /// Whether an application uses the names: then those that only could be one of the stack are kept.
     in_use: bool,
     taken: HashSet<String>,
 }
 
-impl<'a> Names<'a> {
+impl<'a> ReservedNames<'a> {
     pub(super) fn new(node: &'a str, in_use: bool) -> Self {
         Self { node, in_use, taken: HashSet::new() }
     }
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn names_are_those_of_objdictgen() {
         assert_eq!(words("COB-ID SYNC message"), "COB_ID_SYNC_message");
-        let mut names = Names::new("Node", false);
+        let mut names = ReservedNames::new("Node", false);
         let mut free = |plain: &str| names.free(plain.to_owned(), true, "2000");
         assert_eq!(free("Setpoint"), "Setpoint");
         assert_eq!(free("Setpoint"), "Setpoint_2000");
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(free("SDO_x"), "SDO_x_2000");
         assert_eq!(free("Node_Data"), "Node_Data_2000");
         assert_eq!(free(""), "x_2000");
-        let mut names = Names::new("Node", true);
+        let mut names = ReservedNames::new("Node", true);
         let mut free = |plain: &str| names.free(plain.to_owned(), true, "2000");
         assert_eq!(free("SDO_x"), "SDO_x");
         assert_eq!(free("Rx"), "Rx_2000");

@@ -1,14 +1,14 @@
 //! The variables and rows of a dictionary.
 
-use super::names::Names;
-use super::ranges::{NUMBERS, Ranges};
+use super::names::ReservedNames;
+use super::ranges::{NUMBERS, TypeRanges};
 use super::special::{Family, LISTS, VALUES, misfit};
 use crate::c_code::{assignment, bytes, literal, number_type, typed};
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::model::{DataType, Place, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 use crate::stored;
-use crate::variables::{CType, Definition, Variable, Wanted, variables};
+use crate::variables::{CType, Definition, ObjectVariable, WantedName, variables};
 use crate::{Note, Options};
 
 const ENDS_AT_ZERO: &str = "the stack truncates a text at its first zero byte";
@@ -37,10 +37,10 @@ pub(super) struct PlannedObject {
 }
 
 /// Everything that the files define.
-pub(super) struct Plan {
+pub(super) struct CanFestivalPlan {
     pub(super) objects: Vec<PlannedObject>,
     pub(super) definitions: Vec<Definition>,
-    pub(super) ranges: Ranges,
+    pub(super) ranges: TypeRanges,
     /// Assignments of values that depend on the node-ID.
     pub(super) formulas: Vec<String>,
     /// The number of heartbeat consumers; at least 1.
@@ -48,25 +48,25 @@ pub(super) struct Plan {
 }
 
 /// The macro of a data type.
-fn type_macro(shape: Shape) -> String {
+fn type_macro(shape: ValueShape) -> String {
     let name = shape.data_type().and_then(DataType::name).unwrap_or("OCTET_STRING").to_ascii_lowercase();
     name.replace("integer", "int").replace("unsigned", "uint")
 }
 
-impl Plan {
+impl CanFestivalPlan {
     pub(super) fn new(
-        dictionary: &Dictionary<'_>,
+        dictionary: &TableDictionary<'_>,
         options: &Options,
-        names: Names<'_>,
+        names: ReservedNames<'_>,
         notes: &mut Vec<Note>,
     ) -> Self {
-        let mut builder = Builder {
+        let mut builder = CanFestivalPlanner {
             node: names.node(),
             node_id: dictionary.node_id.unwrap_or(0),
             plan: Self {
                 objects: Vec::new(),
                 definitions: Vec::new(),
-                ranges: Ranges::default(),
+                ranges: TypeRanges::default(),
                 formulas: Vec::new(),
                 consumers: 1,
             },
@@ -82,23 +82,27 @@ impl Plan {
     }
 }
 
-struct Builder<'a> {
+struct CanFestivalPlanner<'a> {
     node: &'a str,
     node_id: u8,
-    plan: Plan,
+    plan: CanFestivalPlan,
     /// What the stack expects of each object that it cannot use.
     misfits: Vec<Option<&'static str>>,
     notes: &'a mut Vec<Note>,
 }
 
-impl Builder<'_> {
+impl CanFestivalPlanner<'_> {
     /// Defines the variables; returns the name of each entry's one.
-    fn variables(&mut self, dictionary: &Dictionary<'_>, mut names: Names<'_>) -> Vec<Vec<String>> {
+    fn variables(
+        &mut self,
+        dictionary: &TableDictionary<'_>,
+        mut names: ReservedNames<'_>,
+    ) -> Vec<Vec<String>> {
         let objects = &dictionary.objects;
         let mut addresses: Vec<Vec<String>> =
             objects.iter().map(|object| vec![String::new(); object.entries.len()]).collect();
         let misfits = self.misfits.clone();
-        let names = |wanted: &[Wanted<'_>]| {
+        let names = |wanted: &[WantedName<'_>]| {
             let wanted = wanted.iter();
             let claims = wanted.map(|&(object, entry)| {
                 names.claim(object, entry.and_then(|entry| object.entries.get(entry)))
@@ -127,7 +131,7 @@ impl Builder<'_> {
     fn define(
         &mut self,
         object: &ResolvedObject<'_>,
-        variable: Variable,
+        variable: ObjectVariable,
         name: String,
         addresses: &mut [Vec<String>],
     ) {
@@ -155,7 +159,7 @@ impl Builder<'_> {
             self.plan.consumers = entries.len().max(1);
         }
         let type_ = CType::number("UNS32");
-        let variable = Variable { name: name.clone(), object: number, entries, array: true, type_ };
+        let variable = ObjectVariable { name: name.clone(), object: number, entries, array: true, type_ };
         self.define(object, variable, name, addresses);
     }
 
@@ -208,7 +212,7 @@ impl Builder<'_> {
     fn protect(&mut self, object: &ResolvedObject<'_>, family: Option<Family>, rows: &mut Vec<RowData>) {
         let Some(family) = family else { return };
         let count = match object.entries.first().map(|entry| &entry.resolved.default) {
-            Some(Datum::Word(count @ 0..=254))
+            Some(Encoded::Word(count @ 0..=254))
                 if matches!(family, Family::RpdoMapping | Family::TpdoMapping) =>
             {
                 usize::try_from(*count).unwrap_or(0) + 1
@@ -291,8 +295,8 @@ fn gap(node: &str) -> RowData {
 }
 
 /// Whether the stack takes a value for a text that ends at a zero.
-fn is_text(shape: Shape) -> bool {
-    matches!(shape, Shape::Bytes(data_type, _) if data_type.kind() == TypeKind::VisibleString)
+fn is_text(shape: ValueShape) -> bool {
+    matches!(shape, ValueShape::Bytes(data_type, _) if data_type.kind() == TypeKind::VisibleString)
 }
 
 /// The initializer of an entry, and whether it is zero.

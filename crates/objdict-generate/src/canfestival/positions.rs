@@ -5,7 +5,7 @@ use super::special::Family;
 
 /// A place in the list of objects.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Slot {
+pub(super) enum ListSlot {
     /// An object, by its number.
     Object(usize),
     /// No object: position 0 means that there is no family.
@@ -19,14 +19,14 @@ pub(super) enum Slot {
 }
 
 /// The list, and the first and last position of each family; 0 without one.
-pub(super) struct Slots {
-    pub(super) list: Vec<Slot>,
+pub(super) struct ListSlots {
+    pub(super) list: Vec<ListSlot>,
     pub(super) first: [usize; 6],
     pub(super) last: [usize; 6],
 }
 
-impl Slots {
-    pub(super) fn has(&self, slot: Slot) -> bool {
+impl ListSlots {
+    pub(super) fn has(&self, slot: ListSlot) -> bool {
         self.list.contains(&slot)
     }
 
@@ -37,30 +37,31 @@ impl Slots {
     }
 }
 
-pub(super) fn slots(objects: &[PlannedObject]) -> Slots {
+pub(super) fn slots(objects: &[PlannedObject]) -> ListSlots {
     let family = |object: &PlannedObject| Family::of(object.index).filter(|_| !object.misfit);
     let numbered = |wanted: Option<Family>, below: bool| {
         let objects = objects.iter().enumerate();
         objects.filter(move |(_, object)| family(object) == wanted && (object.index < 0x1200) == below)
     };
-    let mut list: Vec<Slot> = numbered(None, true).map(|(number, _)| Slot::Object(number)).collect();
+    let mut list: Vec<ListSlot> = numbered(None, true).map(|(number, _)| ListSlot::Object(number)).collect();
     if list.is_empty() {
-        list.push(Slot::Nothing);
+        list.push(ListSlot::Nothing);
     }
     let (mut first, mut last) = ([0; 6], [0; 6]);
     for (at, of) in Family::ALL.into_iter().enumerate() {
         let start = list.len();
         let paired = match of {
             Family::Rpdo | Family::Tpdo => {
-                Family::ALL.get(at + 1).map(|mapping| (*mapping, 0x200, Slot::NoPdo))
+                Family::ALL.get(at + 1).map(|mapping| (*mapping, 0x200, ListSlot::NoPdo))
             }
             Family::RpdoMapping | Family::TpdoMapping => {
-                at.checked_sub(1).and_then(|at| Some((*Family::ALL.get(at)?, -0x200, Slot::NoMapping)))
+                at.checked_sub(1).and_then(|at| Some((*Family::ALL.get(at)?, -0x200, ListSlot::NoMapping)))
             }
             _ => None,
         };
-        let mut found: Vec<(u16, Slot)> =
-            numbered(Some(of), false).map(|(number, object)| (object.index, Slot::Object(number))).collect();
+        let mut found: Vec<(u16, ListSlot)> = numbered(Some(of), false)
+            .map(|(number, object)| (object.index, ListSlot::Object(number)))
+            .collect();
         if let Some((other, distance, instead)) = paired {
             for (_, object) in numbered(Some(other), false) {
                 let index = object.index.wrapping_add_signed(-distance);
@@ -70,7 +71,7 @@ pub(super) fn slots(objects: &[PlannedObject]) -> Slots {
             }
         }
         if of == Family::SdoServer && !found.iter().any(|(index, _)| *index == 0x1200) {
-            found.push((0x1200, Slot::Server));
+            found.push((0x1200, ListSlot::Server));
         }
         found.sort_by_key(|(index, _)| *index);
         list.extend(found.into_iter().map(|(_, slot)| slot));
@@ -78,6 +79,6 @@ pub(super) fn slots(objects: &[PlannedObject]) -> Slots {
             (first[at], last[at]) = (start, list.len() - 1);
         }
     }
-    list.extend(numbered(None, false).map(|(number, _)| Slot::Object(number)));
-    Slots { list, first, last }
+    list.extend(numbered(None, false).map(|(number, _)| ListSlot::Object(number)));
+    ListSlots { list, first, last }
 }

@@ -2,7 +2,7 @@
 
 use crate::c_code::{number, number_type};
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape};
+use crate::resolve::{Encoded, EntryPlan, ValueShape};
 
 /// The types of the stack for numbers.
 pub(super) const NUMBERS: [&str; 3] = ["UNS", "INTEGER", "REAL"];
@@ -14,10 +14,10 @@ const ERASED: u8 = 0x9F;
 const FIRST: u8 = 0x24;
 
 /// A type with a range.
-pub(super) struct Range {
+pub(super) struct TypeRange {
     pub(super) code: u8,
     data_type: DataType,
-    limits: (Option<Datum>, Option<Datum>),
+    limits: (Option<Encoded>, Option<Encoded>),
     /// How the number is read.
     pub(super) declaration: String,
     /// Conditions under which a value is too low or too high.
@@ -25,7 +25,7 @@ pub(super) struct Range {
     pub(super) too_high: Option<String>,
 }
 
-impl Range {
+impl TypeRange {
     /// The macro of its number.
     pub(super) fn name(&self) -> String {
         format!("valueRange_{}", self.code)
@@ -38,20 +38,20 @@ impl Range {
 
 /// The types with a range of a dictionary.
 #[derive(Default)]
-pub(super) struct Ranges {
-    pub(super) list: Vec<Range>,
+pub(super) struct TypeRanges {
+    pub(super) list: Vec<TypeRange>,
     /// Whether numbers of 24 and of 40 to 56 bits are among them: signed and unsigned ones.
     pub(super) signed: bool,
     pub(super) unsigned: bool,
 }
 
-impl Ranges {
+impl TypeRanges {
     /// The type of an entry with limits; `Ok(None)` if every value of its type is inside.
     ///
     /// # Errors
     /// Fails when all numbers are in use.
-    pub(super) fn claim(&mut self, resolved: &Resolved, node: &str) -> Result<Option<String>, ()> {
-        let Shape::Word(data_type) = resolved.shape else { return Ok(None) };
+    pub(super) fn claim(&mut self, resolved: &EntryPlan, node: &str) -> Result<Option<String>, ()> {
+        let ValueShape::Word(data_type) = resolved.shape else { return Ok(None) };
         let limits = (resolved.low.clone(), resolved.high.clone());
         if let Some(known) =
             self.list.iter().find(|known| known.data_type == data_type && known.limits == limits)
@@ -67,7 +67,7 @@ impl Ranges {
         let code = FIRST.checked_add(used).ok_or(())?;
         let code = if code < ERASED { Some(code) } else { code.checked_add(1) }.ok_or(())?;
         let declaration = self.declaration(data_type, node);
-        let range = Range { code, data_type, limits, declaration, too_low, too_high };
+        let range = TypeRange { code, data_type, limits, declaration, too_low, too_high };
         let name = range.name();
         self.list.push(range);
         Ok(Some(name))
@@ -90,10 +90,10 @@ impl Ranges {
 }
 
 /// The condition under which `number` is outside of a limit; `None` if it never is.
-fn condition(limit: &Datum, data_type: DataType, operator: char, node: &str) -> Option<String> {
+fn condition(limit: &Encoded, data_type: DataType, operator: char, node: &str) -> Option<String> {
     let real = matches!(data_type.kind(), TypeKind::Real32 | TypeKind::Real64);
     let text = match *limit {
-        Datum::Word(word) => {
+        Encoded::Word(word) => {
             let edge = data_type.integer_range().map(|(low, high)| if operator == '<' { low } else { high });
             let value = match data_type.kind() {
                 TypeKind::Signed(_) => i128::from(word.cast_signed()),
@@ -104,12 +104,12 @@ fn condition(limit: &Datum, data_type: DataType, operator: char, node: &str) -> 
             }
             number(word, data_type)? // an infinite limit
         }
-        Datum::Formula(offset) => {
+        Encoded::Formula(offset) => {
             let wide = if matches!(data_type.kind(), TypeKind::Signed(_)) { "INTEGER64" } else { "UNS64" };
             let c_type = number_type(data_type, NUMBERS).unwrap_or_else(|| wide.to_owned());
             format!("({c_type})({} + {node}_bDeviceNodeId)", number(offset, data_type)?)
         }
-        Datum::Bytes(_) => return None,
+        Encoded::Bytes(_) => return None,
     };
     // a REAL that is not a number is outside of any limits
     Some(match (real, operator) {

@@ -1,19 +1,20 @@
 //! Size of the files in flash and RAM.
 
-use super::plan::Plan;
-use super::positions::{Slot, Slots};
+use super::plan::CanFestivalPlan;
+use super::positions::{ListSlot, ListSlots};
 use crate::Sizes;
-use crate::dictionary::Dictionary;
-use crate::memory::{Extent, Memory, Tally};
+use crate::dictionary::TableDictionary;
+use crate::memory::{Memory, SizeTally, TypeExtent};
 
 /// What the sizes include. The state of the node is as long as the configuration of the stack makes it.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and the state of the stack (`CO_Data`, timers, PDOs)";
 
-pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) -> Sizes {
-    let (byte, half, word, pointer) = (Extent::BYTE, Extent::HALF, Extent::WORD, Extent::POINTER);
-    let row = Extent::structure([byte, byte, word, pointer]).size;
-    let place = Extent::structure([pointer, byte, half]).size;
-    let mut tally = Tally::of_dictionary(dictionary);
+pub(super) fn report(dictionary: &TableDictionary<'_>, plan: &CanFestivalPlan, slots: &ListSlots) -> Sizes {
+    let (byte, half, word, pointer) =
+        (TypeExtent::BYTE, TypeExtent::HALF, TypeExtent::WORD, TypeExtent::POINTER);
+    let row = TypeExtent::structure([byte, byte, word, pointer]).size;
+    let place = TypeExtent::structure([pointer, byte, half]).size;
+    let mut tally = SizeTally::of_dictionary(dictionary);
     plan.definitions.iter().for_each(|definition| definition.count(&mut tally));
     for object in &plan.objects {
         tally.of(object.index, Memory::Flash, object.rows.len() * row);
@@ -22,18 +23,18 @@ pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) ->
     }
     for slot in &slots.list {
         match slot {
-            Slot::Object(number) => tally.of(plan.objects[*number].index, Memory::Flash, place),
+            ListSlot::Object(number) => tally.of(plan.objects[*number].index, Memory::Flash, place),
             _ => tally.rest(Memory::Flash, place),
         }
     }
-    if slots.has(Slot::NoPdo) {
+    if slots.has(ListSlot::NoPdo) {
         tally.rest(Memory::Flash, 6 * row);
         tally.rest(Memory::Initialised, word.size); // its COB-ID
     }
-    if slots.has(Slot::NoMapping) {
+    if slots.has(ListSlot::NoMapping) {
         tally.rest(Memory::Flash, 2 * row);
     }
-    if slots.has(Slot::Server) {
+    if slots.has(ListSlot::Server) {
         tally.rest(Memory::Flash, 3 * row);
         tally.rest(Memory::Initialised, 2 * word.size); // its COB-IDs
     }

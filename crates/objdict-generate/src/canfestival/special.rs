@@ -2,7 +2,7 @@
 
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, ObjectType};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 
 const U8: DataType = DataType::UNSIGNED8;
 const U16: DataType = DataType::UNSIGNED16;
@@ -70,7 +70,7 @@ impl Family {
 /// What the stack expects of an object that it does not have; `None` if it can use the object.
 pub(super) fn misfit(object: &ResolvedObject<'_>) -> Option<&'static str> {
     let index = object.index;
-    let is = |entry: &ResolvedEntry<'_>, data_type| entry.resolved.shape == Shape::Word(data_type);
+    let is = |entry: &ResolvedEntry<'_>, data_type| entry.resolved.shape == ValueShape::Word(data_type);
     let at = |sub: u8| object.entries.iter().find(|entry| entry.sub == sub);
     if let Some(&(_, data_type)) = VALUES.iter().find(|(value, _)| *value == index) {
         let fits = object.is_single() && object.entries.iter().all(|entry| is(entry, data_type));
@@ -82,7 +82,7 @@ pub(super) fn misfit(object: &ResolvedObject<'_>) -> Option<&'static str> {
         let alike =
             elements.clone().zip(1_u16..).all(|(entry, sub)| u16::from(entry.sub) == sub && is(entry, U32));
         let given = count.and_then(|entry| match entry.resolved.default {
-            Datum::Word(count) => usize::try_from(count).ok(),
+            Encoded::Word(count) => usize::try_from(count).ok(),
             _ => None,
         });
         let fits = alike && elements.len() > 0 && given.is_some_and(|given| given <= elements.len());

@@ -3,9 +3,9 @@
 use super::ROOM;
 use crate::Note;
 use crate::diagnostic::counted;
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::model::{DataType, PdoKind, Place, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 
 /// Number of PDOs per direction in the crate (`MAX_PDOS`).
 const PDOS: u16 = 4;
@@ -14,7 +14,7 @@ const PDOS: u16 = 4;
 const MAPPED: u64 = 8;
 
 /// Removes unsupported values, and reports them and every other deviation from the description.
-pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
+pub(super) fn of(dictionary: &mut TableDictionary<'_>) -> Vec<Note> {
     let mut notes = Vec::new();
     for object in &mut dictionary.objects {
         let index = object.index;
@@ -53,7 +53,7 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
             if resolved.access.is_writable() { ", of which an SDO may write more or fewer" } else { "" };
         notes.push(Note::new(place(), format!("{held}{freely}")));
     }
-    if let Shape::Bytes(_, room) = resolved.shape
+    if let ValueShape::Bytes(_, room) = resolved.shape
         && room > ROOM
     {
         notes.push(Note::new(
@@ -67,20 +67,20 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
 }
 
 /// The substitute for a data type that the crate lacks; `None` for supported types.
-fn held_as_octets(shape: Shape) -> Option<String> {
+fn held_as_octets(shape: ValueShape) -> Option<String> {
     match shape {
-        Shape::Word(data_type) if !is_modelled(data_type) => Some(format!(
+        ValueShape::Word(data_type) if !is_modelled(data_type) => Some(format!(
             "{data_type} is stored as an octet string of {}",
             counted(shape.size(), "byte", "bytes")
         )),
-        Shape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
+        ValueShape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
             Some("UNICODE_STRING is stored as an octet string".to_owned())
         }
-        Shape::Block(length) => {
+        ValueShape::Block(length) => {
             let length = counted(length.into(), "byte", "bytes");
             Some(format!("a device-specific type is stored as an octet string of {length}"))
         }
-        Shape::Word(_) | Shape::Bytes(..) => None,
+        ValueShape::Word(_) | ValueShape::Bytes(..) => None,
     }
 }
 
@@ -104,8 +104,8 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
         return;
     }
     let word = |entry: &ResolvedEntry<'_>| match entry.resolved.default {
-        Datum::Word(word) => Some(word),
-        Datum::Formula(_) | Datum::Bytes(_) => None,
+        Encoded::Word(word) => Some(word),
+        Encoded::Formula(_) | Encoded::Bytes(_) => None,
     };
     if mapping.is_some() {
         let count = object.entry(0).and_then(word).unwrap_or(0);
@@ -124,12 +124,12 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     }
     for entry in &object.entries {
         let text = match (entry.sub, &entry.resolved.default) {
-            (1, Datum::Word(cob_id) | Datum::Formula(cob_id)) if cob_id & 0x2000_0000 != 0 => {
+            (1, Encoded::Word(cob_id) | Encoded::Formula(cob_id)) if cob_id & 0x2000_0000 != 0 => {
                 "the node of the crate supports only 11-bit CAN-IDs"
             }
-            (3, Datum::Word(time)) if *time != 0 => "the node of the crate ignores the inhibit time",
-            (5, Datum::Word(time)) if *time != 0 => "the node of the crate ignores the event timer",
-            (6, Datum::Word(start)) if *start != 0 => "the node of the crate ignores the SYNC start value",
+            (3, Encoded::Word(time)) if *time != 0 => "the node of the crate ignores the inhibit time",
+            (5, Encoded::Word(time)) if *time != 0 => "the node of the crate ignores the event timer",
+            (6, Encoded::Word(start)) if *start != 0 => "the node of the crate ignores the SYNC start value",
             _ => continue,
         };
         notes.push(Note::new(Place::entry(index, entry.sub), text));

@@ -4,9 +4,9 @@
 mod losses;
 mod view;
 
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::head::Head;
-use super::names::Scope;
+use super::names::NameScope;
 use super::notes::{in_order, once_per_object};
 use super::{GenerateError, Generated, Options, render};
 use crate::model::Device;
@@ -16,9 +16,9 @@ const ROOM: u16 = 32;
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     let module = options.module_or("od")?;
-    let function = Scope::of_lower_case("address octets put").claim(&module, format_args!("od"));
+    let function = NameScope::of_lower_case("address octets put").claim(&module, format_args!("od"));
     let room = Options { string_capacity: ROOM, domain_capacity: ROOM, ..options.clone() };
-    let mut dictionary = Dictionary::new(device, &room)?;
+    let mut dictionary = TableDictionary::new(device, &room)?;
     let losses = losses::of(&mut dictionary);
     dictionary.notes.extend(losses);
     let notes = once_per_object(in_order(std::mem::take(&mut dictionary.notes)));
@@ -26,6 +26,6 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
         return Err(GenerateError::NoEntries { notes });
     }
     let head = Head::new(device, options, &function, &module);
-    let file = render(format!("{module}.rs"), view::Od::new(&dictionary, head).text());
+    let file = render(format!("{module}.rs"), view::CanOpenRsView::new(&dictionary, head).text());
     Ok(Generated { files: vec![file], notes })
 }

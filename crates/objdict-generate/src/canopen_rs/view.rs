@@ -1,29 +1,29 @@
 //! View of templates/canopen-rs/od.rs.
 
 use super::losses::is_modelled;
-use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::escape::byte_string;
 use crate::head::Head;
 use crate::model::{DataType, TypeKind};
-use crate::names::Scope;
-use crate::resolve::{Datum, Shape};
+use crate::names::NameScope;
+use crate::resolve::{Encoded, ValueShape};
 use crate::rust::{value_of, word_type};
-use crate::variables::{Wanted, claim};
+use crate::variables::{WantedName, claim};
 
 /// The file.
-pub(super) struct Od {
+pub(super) struct CanOpenRsView {
     /// Its `lower` is the name of the function.
     head: Head,
     node_id: Option<u8>,
     /// Whether a value depends on the node-ID.
     has_formulas: bool,
-    rows: Vec<Row>,
+    rows: Vec<CanOpenRsEntry>,
 }
 
 include!("../../expanded/canopen-rs/od.rs.rs");
 
 /// An entry.
-struct Row {
+struct CanOpenRsEntry {
     index: u16,
     sub: u8,
     /// The names of object and entry, for a comment.
@@ -35,14 +35,14 @@ struct Row {
     value: String,
 }
 
-impl Od {
-    pub(super) fn new(dictionary: &Dictionary<'_>, head: Head) -> Self {
+impl CanOpenRsView {
+    pub(super) fn new(dictionary: &TableDictionary<'_>, head: Head) -> Self {
         let objects = dictionary.objects.iter();
-        let wanted: Vec<Wanted<'_>> = objects
+        let wanted: Vec<WantedName<'_>> = objects
             .flat_map(|object| (0..object.entries.len()).map(move |entry| (object, Some(entry))))
             .collect();
-        let constants = claim(&mut Scope::of_constants(""), "", &wanted);
-        let rows = dictionary.entries().zip(constants).map(|((object, entry), constant)| Row {
+        let constants = claim(&mut NameScope::of_constants(""), "", &wanted);
+        let rows = dictionary.entries().zip(constants).map(|((object, entry), constant)| CanOpenRsEntry {
             index: object.index,
             sub: entry.sub,
             name: match object.is_single() {
@@ -68,9 +68,9 @@ fn value(entry: &ResolvedEntry<'_>) -> String {
     let resolved = &entry.resolved;
     let octets = |bytes: &[u8]| format!("octets(b\"{}\")", byte_string(bytes));
     match (resolved.shape, &resolved.default) {
-        (Shape::Word(data_type), datum) => match (variant(data_type), datum) {
+        (ValueShape::Word(data_type), datum) => match (variant(data_type), datum) {
             (Some(variant), datum) => format!("Value::{variant}({})", value_of(resolved.shape, datum)),
-            (None, Datum::Word(_)) => {
+            (None, Encoded::Word(_)) => {
                 format!("Value::OctetString({})", octets(&datum.bytes_on(None, resolved.shape.size())))
             }
             (None, datum) => {

@@ -1,11 +1,11 @@
 //! The data of table rows.
 
-use super::special::{Data, Special, fits, object_fits, special};
+use super::special::{DataField, Special, fits, object_fits, special};
 use crate::c_code::{exact_type, number, typed};
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::model::{DataType, Place, TypeKind};
 use crate::notes::added;
-use crate::resolve::Shape;
+use crate::resolve::ValueShape;
 use crate::{LONGEST_VALUE, Note};
 
 /// Values up to this limit are stored in the row: they fit into a 16-bit pointer.
@@ -38,8 +38,8 @@ pub(super) enum Cell {
 }
 
 /// A row without its names.
-pub(super) struct Planned {
-    pub(super) type_: Type,
+pub(super) struct PlannedRow {
+    pub(super) type_: RowType,
     pub(super) cell: Cell,
     /// Whether the stack adds the node-ID.
     pub(super) node_id: bool,
@@ -47,7 +47,7 @@ pub(super) struct Planned {
 
 /// The type of a row.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Type {
+pub(super) enum RowType {
     /// A type of the stack.
     Stack(&'static str),
     /// The type for blocks that this target defines.
@@ -64,11 +64,11 @@ pub(super) struct Planner<'a> {
 
 impl Planner<'_> {
     /// One row per entry of each object.
-    pub(super) fn plan(&mut self, dictionary: &Dictionary<'_>) -> Vec<Vec<Planned>> {
+    pub(super) fn plan(&mut self, dictionary: &TableDictionary<'_>) -> Vec<Vec<PlannedRow>> {
         dictionary.objects.iter().map(|object| self.object(object)).collect()
     }
 
-    fn object(&mut self, object: &ResolvedObject<'_>) -> Vec<Planned> {
+    fn object(&mut self, object: &ResolvedObject<'_>) -> Vec<PlannedRow> {
         let whole = object_fits(object);
         if !whole {
             let text = "not all entries have the form that the stack expects; they are plain numbers, which the stack ignores";
@@ -77,7 +77,7 @@ impl Planner<'_> {
         object.entries.iter().map(|entry| self.entry(object, entry, whole)).collect()
     }
 
-    fn entry(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, whole: bool) -> Planned {
+    fn entry(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, whole: bool) -> PlannedRow {
         let resolved = &entry.resolved;
         let place = Place::entry(object.index, entry.sub);
         let writable = resolved.access.is_writable();
@@ -90,15 +90,15 @@ impl Planner<'_> {
             self.notes.push(Note::new(place.clone(), text));
         }
         let type_ = match resolved.shape {
-            Shape::Word(data_type) => stack_type(data_type),
+            ValueShape::Word(data_type) => stack_type(data_type),
             _ => None,
         };
         match (type_, resolved.shape) {
-            (Some(type_), Shape::Word(data_type)) => {
+            (Some(type_), ValueShape::Word(data_type)) => {
                 let (cell, node_id) = self.number(&place, entry, data_type, true);
-                Planned { type_: Type::Stack(type_), cell, node_id }
+                PlannedRow { type_: RowType::Stack(type_), cell, node_id }
             }
-            (None, Shape::Bytes(data_type, room)) => self.bytes(&place, entry, data_type, room),
+            (None, ValueShape::Bytes(data_type, room)) => self.bytes(&place, entry, data_type, room),
             _ => self.block(&place, entry),
         }
     }
@@ -108,19 +108,19 @@ impl Planner<'_> {
         object: &ResolvedObject<'_>,
         entry: &ResolvedEntry<'_>,
         special: Special,
-    ) -> Planned {
+    ) -> PlannedRow {
         let place = Place::entry(object.index, entry.sub);
-        let type_ = Type::Stack(special.type_);
+        let type_ = RowType::Stack(special.type_);
         let word = entry.resolved.default.word();
         match special.data {
-            Data::Consumer | Data::Group => {
+            DataField::Consumer | DataField::Group => {
                 if entry.resolved.default.is_formula() {
                     let text = "the stack does not add the node-ID here; it is omitted";
                     self.notes.push(Note::new(place.clone(), text));
                 }
-                if special.data == Data::Group {
+                if special.data == DataField::Group {
                     let value = u32::try_from(word).unwrap_or(u32::MAX); // an UNSIGNED32
-                    return Planned { type_, cell: Cell::Group(value), node_id: false };
+                    return PlannedRow { type_, cell: Cell::Group(value), node_id: false };
                 }
                 let [low, high, node_id, rest, ..] = word.to_le_bytes();
                 if rest != 0 {
@@ -128,16 +128,16 @@ impl Planner<'_> {
                     self.notes.push(Note::new(place, text));
                 }
                 let cell = Cell::Consumer { time: u16::from_le_bytes([low, high]), node_id };
-                Planned { type_, cell, node_id: false }
+                PlannedRow { type_, cell, node_id: false }
             }
             data => {
-                let (mut cell, node_id) = self.number(&place, entry, special.wants, data == Data::Any);
-                if let (Cell::Number { flash, .. }, Data::Ram) = (&mut cell, data) {
+                let (mut cell, node_id) = self.number(&place, entry, special.wants, data == DataField::Any);
+                if let (Cell::Number { flash, .. }, DataField::Ram) = (&mut cell, data) {
                     *flash = false;
                 }
                 let no_consumers = object.index == 0x1016 && word == 0; // initialising its type would fail
-                let type_ = if no_consumers { Type::Stack("CO_TUNSIGNED8") } else { type_ };
-                Planned { type_, cell, node_id }
+                let type_ = if no_consumers { RowType::Stack("CO_TUNSIGNED8") } else { type_ };
+                PlannedRow { type_, cell, node_id }
             }
         }
     }
@@ -167,7 +167,13 @@ impl Planner<'_> {
     }
 
     /// A string, octet string or DOMAIN.
-    fn bytes(&mut self, place: &Place, entry: &ResolvedEntry<'_>, data_type: DataType, room: u16) -> Planned {
+    fn bytes(
+        &mut self,
+        place: &Place,
+        entry: &ResolvedEntry<'_>,
+        data_type: DataType,
+        room: u16,
+    ) -> PlannedRow {
         let resolved = &entry.resolved;
         let bytes = resolved.default.bytes().to_vec();
         let fixed = !resolved.access.is_writable() && (resolved.constant || !bytes.is_empty());
@@ -177,19 +183,19 @@ impl Planner<'_> {
         }
         let text = data_type.kind() == TypeKind::VisibleString && !bytes.contains(&0);
         let (type_, cell) = match (fixed, bytes.len()) {
-            (false, _) if room == 0 => (Type::Stack("CO_TDOMAIN"), Cell::Application),
-            (false, _) => (Type::Bytes, Cell::Bytes { room: usize::from(room), bytes }),
+            (false, _) if room == 0 => (RowType::Stack("CO_TDOMAIN"), Cell::Application),
+            (false, _) => (RowType::Bytes, Cell::Bytes { room: usize::from(room), bytes }),
             (true, 1..=ONE_FRAME) => {
-                (Type::Block, Cell::Block { flash: true, bytes, c_type: None, value: String::new() })
+                (RowType::Block, Cell::Block { flash: true, bytes, c_type: None, value: String::new() })
             }
-            (true, _) if text => (Type::Stack("CO_TSTRING"), Cell::Text(bytes)),
-            (true, _) => (Type::Stack("CO_TDOMAIN"), Cell::Data(bytes)),
+            (true, _) if text => (RowType::Stack("CO_TSTRING"), Cell::Text(bytes)),
+            (true, _) => (RowType::Stack("CO_TDOMAIN"), Cell::Data(bytes)),
         };
-        Planned { type_, cell, node_id: false }
+        PlannedRow { type_, cell, node_id: false }
     }
 
     /// A number without a type in the stack, or a value of a device-specific type.
-    fn block(&mut self, place: &Place, entry: &ResolvedEntry<'_>) -> Planned {
+    fn block(&mut self, place: &Place, entry: &ResolvedEntry<'_>) -> PlannedRow {
         let resolved = &entry.resolved;
         let size = resolved.shape.size().min(LONGEST_VALUE);
         if resolved.default.is_formula() {
@@ -203,7 +209,7 @@ impl Planner<'_> {
         bytes.resize(size, 0);
         let (c_type, value) = typed.map_or((None, String::new()), |(c_type, value)| (Some(c_type), value));
         let cell = Cell::Block { flash: resolved.constant, bytes, c_type, value };
-        Planned { type_: Type::Block, cell, node_id: false }
+        PlannedRow { type_: RowType::Block, cell, node_id: false }
     }
 }
 

@@ -1,17 +1,17 @@
 //! Features that canopen-stack does not support, and its requirements that the description does not meet.
 
 use crate::Note;
-use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::{Access, Part, Pdo, PdoKind, Place};
 use crate::notes::once_per_device;
-use crate::resolve::Datum;
+use crate::resolve::Encoded;
 use crate::startup;
 
 /// Maximum number of rows in the stack.
 const MOST_ROWS: usize = i16::MAX as usize;
 
 /// Adds notes about entries and PDOs, and about missing objects.
-pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
+pub(super) fn check(dictionary: &TableDictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let mut common = Vec::new();
     dictionary.entries().for_each(|(object, entry)| self::entry(object.index, entry, &mut common));
     notes.extend(once_per_device(common));
@@ -36,7 +36,7 @@ fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
         let text = "PDOs of the stack carry values of 1, 2 and 4 bytes; the application transfers others in `COTpdoReadData` and `CORpdoWriteData`";
         notes.push(Note::new(place(), text));
     }
-    if index == 0x1003 && entry.sub > 0 && resolved.default != Datum::Word(0) {
+    if index == 0x1003 && entry.sub > 0 && resolved.default != Encoded::Word(0) {
         notes.push(Note::new(place(), "the error history is empty when the stack starts"));
     }
     if (0x1800..=0x19FF).contains(&index) && entry.sub == 6 {
@@ -55,7 +55,7 @@ fn transmission(pdo: &Pdo<'_>) -> Option<Note> {
 }
 
 /// Requirements of the stack on the whole dictionary.
-fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
+fn demands(dictionary: &TableDictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let has = |index, sub| dictionary.entry(index, sub).is_some();
     let device = |text: &str| Note::new(Part::Device, text.to_owned());
     if !has(0x1001, 0) {

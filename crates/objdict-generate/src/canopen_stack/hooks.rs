@@ -1,7 +1,7 @@
 //! Rows with a type of the application (`--hook`).
 
-use super::cell::Type;
-use super::rows::Row;
+use super::cell::RowType;
+use super::rows::StackRow;
 use crate::model::Place;
 use crate::notes::place_of;
 use crate::{Note, Options};
@@ -19,13 +19,13 @@ const PLAIN: [&str; 8] = [
 ];
 
 /// A type that the application defines for rows of an object.
-pub(super) struct Hook {
+pub(super) struct TypeHook {
     index: u16,
     /// The types that the rows would have without it.
     pub(super) replaced: Vec<String>,
 }
 
-impl Hook {
+impl TypeHook {
     pub(super) fn name(&self) -> String {
         name(self.index)
     }
@@ -37,21 +37,26 @@ pub(super) fn name(index: u16) -> String {
 }
 
 /// Marks the rows that the options name. Notes report entries that are missing or that the stack serves.
-pub(super) fn mark(rows: &mut [Row], options: &Options, prefix: &str, notes: &mut Vec<Note>) -> Vec<Hook> {
-    let mut hooks: Vec<Hook> = Vec::new();
+pub(super) fn mark(
+    rows: &mut [StackRow],
+    options: &Options,
+    prefix: &str,
+    notes: &mut Vec<Note>,
+) -> Vec<TypeHook> {
+    let mut hooks: Vec<TypeHook> = Vec::new();
     for &at in &options.hooks {
         let mut is_described = false;
         for row in
             rows.iter_mut().filter(|row| row.index == at.index && at.sub.is_none_or(|sub| row.sub == sub))
         {
             is_described = true;
-            if matches!(row.type_, Type::Stack(name) if !PLAIN.contains(&name)) {
+            if matches!(row.type_, RowType::Stack(name) if !PLAIN.contains(&name)) {
                 let text = "the stack has its own type for the entry, so there is no hook";
                 notes.push(Note::new(Place::entry(row.index, row.sub), text));
                 continue;
             }
             if hooks.last().is_none_or(|hook| hook.index != row.index) {
-                hooks.push(Hook { index: row.index, replaced: Vec::new() });
+                hooks.push(TypeHook { index: row.index, replaced: Vec::new() });
             }
             let replaced = row.type_name(prefix);
             let hook = hooks.last_mut().filter(|hook| !row.hooked && !hook.replaced.contains(&replaced));

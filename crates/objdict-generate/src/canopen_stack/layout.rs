@@ -2,16 +2,16 @@
 
 use std::collections::{BTreeSet, HashSet};
 
-use super::cell::{Cell, Planned};
+use super::cell::{Cell, PlannedRow};
 use super::hooks;
 use super::special::STORE;
 use crate::c_code::{bytes, literal};
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::memory::Extent;
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
+use crate::memory::TypeExtent;
 use crate::model::Place;
-use crate::names::{Scope, words};
+use crate::names::{NameScope, words};
 use crate::stored;
-use crate::variables::{CType, Definition, Variable, Wanted, claim, variables};
+use crate::variables::{CType, Definition, ObjectVariable, WantedName, claim, variables};
 use crate::{Note, Options};
 
 /// Values that are stored together.
@@ -29,7 +29,7 @@ pub(super) struct ParaGroup {
 
 /// Everything that rows refer to.
 #[derive(Default)]
-pub(super) struct Layout {
+pub(super) struct RowLayout {
     pub(super) groups: Vec<ParaGroup>,
     pub(super) variables: Vec<Definition>,
     /// Definitions in flash, and those in RAM required by types of the stack.
@@ -49,8 +49,8 @@ fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<
 
 /// The group of each object; one common group if only sub-index 1 can store them.
 fn groups(
-    dictionary: &Dictionary<'_>,
-    planned: &[Vec<Planned>],
+    dictionary: &TableDictionary<'_>,
+    planned: &[Vec<PlannedRow>],
     options: &Options,
     notes: &mut Vec<Note>,
 ) -> Vec<Option<String>> {
@@ -69,16 +69,16 @@ fn groups(
     groups
 }
 
-impl Layout {
+impl RowLayout {
     pub(super) fn new(
-        dictionary: &Dictionary<'_>,
-        planned: &[Vec<Planned>],
+        dictionary: &TableDictionary<'_>,
+        planned: &[Vec<PlannedRow>],
         options: &Options,
         prefix: &str,
         notes: &mut Vec<Note>,
     ) -> Self {
         let hooks: Vec<String> = options.hooks.iter().map(|at| hooks::name(at.index)).collect();
-        let mut scope = Scope::of_lower_case(&format!(
+        let mut scope = NameScope::of_lower_case(&format!(
             "objects store restore nothing rest block block_size block_read block_write block_reset
              bytes bytes_size bytes_read bytes_write bytes_reset {}",
             hooks.join(" ")
@@ -93,7 +93,7 @@ impl Layout {
             layout.join(name, object.index, &mut scope, prefix);
         }
         let type_of = |object: usize, entry: usize| ram(&planned[object][entry].cell);
-        let names = |wanted: &[Wanted<'_>]| claim(&mut scope, prefix, wanted);
+        let names = |wanted: &[WantedName<'_>]| claim(&mut scope, prefix, wanted);
         for variable in variables(&dictionary.objects, names, type_of) {
             let object = &dictionary.objects[variable.object];
             let group = groups[variable.object].as_deref();
@@ -110,7 +110,7 @@ impl Layout {
     }
 
     /// Adds an object to a group.
-    fn join(&mut self, name: &str, index: u16, scope: &mut Scope, prefix: &str) {
+    fn join(&mut self, name: &str, index: u16, scope: &mut NameScope, prefix: &str) {
         let communication = (0x1000..0x2000).contains(&index);
         if let Some(group) = self.groups.iter_mut().find(|group| group.name == name) {
             group.communication &= communication;
@@ -128,8 +128,8 @@ impl Layout {
     fn place(
         &mut self,
         object: &ResolvedObject<'_>,
-        variable: Variable,
-        planned: &[Vec<Planned>],
+        variable: ObjectVariable,
+        planned: &[Vec<PlannedRow>],
         group: Option<&str>,
         (prefix, notes): (&str, &mut Vec<Note>),
     ) {
@@ -191,7 +191,11 @@ impl Layout {
                 }
                 let start = start.unwrap_or(constant);
                 let initializer = format!("{{.Offset = 0u, .Start = (uint8_t *){start}}}");
-                define(structure("CO_OBJ_STR", &[Extent::WORD, Extent::POINTER]), &descriptor, initializer)
+                define(
+                    structure("CO_OBJ_STR", &[TypeExtent::WORD, TypeExtent::POINTER]),
+                    &descriptor,
+                    initializer,
+                )
             }
             Cell::Block { flash: true, bytes: value, .. } | Cell::Data(value) => {
                 let room = value.len().max(1); // C has no empty arrays
@@ -202,7 +206,7 @@ impl Layout {
                 define(structure("CO_OBJ_DOM", DOMAIN), &descriptor, domain(bytes.len(), &format!("&{path}")))
             }
             Cell::Bytes { room, .. } => {
-                let members = [Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER];
+                let members = [TypeExtent::WORD, TypeExtent::WORD, TypeExtent::POINTER, TypeExtent::POINTER];
                 let initializer = format!("{{0u, {room}u, &{path}.length, {path}.bytes}}");
                 define(structure(&format!("{prefix}_bytes_t"), &members), &descriptor, initializer)
             }
@@ -240,15 +244,22 @@ pub(super) fn definition(variable: &Definition) -> String {
 }
 
 /// The members of `CO_OBJ_DOM`: offset, size, start.
-const DOMAIN: &[Extent] = &[Extent::WORD, Extent::WORD, Extent::POINTER];
+const DOMAIN: &[TypeExtent] = &[TypeExtent::WORD, TypeExtent::WORD, TypeExtent::POINTER];
 
 /// The members of `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
-const CONSUMER: &[Extent] =
-    &[Extent::POINTER, Extent::POINTER, Extent::BYTE, Extent::HALF, Extent::HALF, Extent::BYTE, Extent::BYTE];
+const CONSUMER: &[TypeExtent] = &[
+    TypeExtent::POINTER,
+    TypeExtent::POINTER,
+    TypeExtent::BYTE,
+    TypeExtent::HALF,
+    TypeExtent::HALF,
+    TypeExtent::BYTE,
+    TypeExtent::BYTE,
+];
 
 /// A type with these members.
-fn structure(base: &str, members: &[Extent]) -> CType {
-    let extent = Extent::structure(members.iter().copied());
+fn structure(base: &str, members: &[TypeExtent]) -> CType {
+    let extent = TypeExtent::structure(members.iter().copied());
     CType { base: base.to_owned(), suffix: String::new(), extent }
 }
 
@@ -260,7 +271,7 @@ fn ram(cell: &Cell) -> Option<CType> {
         Cell::Block { flash: false, bytes, .. } => CType::bytes("uint8_t", bytes.len()),
         Cell::Bytes { room, .. } => {
             let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
-            structure(&base, &[Extent::HALF, Extent::BYTE.times(*room)])
+            structure(&base, &[TypeExtent::HALF, TypeExtent::BYTE.times(*room)])
         }
         Cell::Application => structure("CO_OBJ_DOM", DOMAIN),
         Cell::Consumer { .. } => structure("CO_HBCONS", CONSUMER),

@@ -15,68 +15,68 @@ mod sizes;
 mod special;
 
 use super::c_code::file_name;
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::head::Head;
 use super::notes::{in_order, once_per_object};
-use super::{GenerateError, Made, Options, render};
+use super::{BackendOutput, GenerateError, Options, render};
 use crate::model::{Device, PdoKind};
-use cell::{Planned, Planner, Type};
-use hooks::Hook;
-use layout::Layout;
-use para::Parameters;
-use rows::Row;
+use cell::{PlannedRow, Planner, RowType};
+use hooks::TypeHook;
+use layout::RowLayout;
+use para::ParameterArrays;
+use rows::StackRow;
 
 /// What the files have.
-struct Tables<'a> {
+struct CanOpenStackView<'a> {
     head: Head,
-    dictionary: &'a Dictionary<'a>,
-    planned: Vec<Vec<Planned>>,
-    layout: Layout,
-    parameters: Parameters,
-    rows: Vec<Row>,
-    hooks: Vec<Hook>,
+    dictionary: &'a TableDictionary<'a>,
+    planned: Vec<Vec<PlannedRow>>,
+    layout: RowLayout,
+    parameters: ParameterArrays,
+    rows: Vec<StackRow>,
+    hooks: Vec<TypeHook>,
 }
 
 include!("../../expanded/canopen-stack/od.c.rs");
 include!("../../expanded/canopen-stack/od.h.rs");
 include!("../../expanded/canopen-stack/spec.c.rs");
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
-    let mut dictionary = Dictionary::new(device, options)?;
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
+    let mut dictionary = TableDictionary::new(device, options)?;
     let prefix = options.prefix_or("od")?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let planned = Planner { node_id: dictionary.node_id, notes: &mut notes }.plan(&dictionary);
-    let mut layout = Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
-    let parameters = Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
+    let mut layout = RowLayout::new(&dictionary, &planned, options, &prefix, &mut notes);
+    let parameters = ParameterArrays::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
     let mut rows = rows::rows(&dictionary, &planned, &layout);
     let hooks = hooks::mark(&mut rows, options, &prefix, &mut notes);
     checks::check(&dictionary, rows.len(), &mut notes);
     let head = Head::new(device, options, &prefix, &file_name(options, "od"));
-    let tables = Tables { head, dictionary: &dictionary, planned, layout, parameters, rows, hooks };
+    let tables = CanOpenStackView { head, dictionary: &dictionary, planned, layout, parameters, rows, hooks };
     let stem = &tables.head.stem;
     let files = vec![
         render(format!("{stem}.c"), tables.source()),
         render(format!("{stem}.h"), tables.header()),
         render(format!("{stem}_spec.c"), tables.specification()),
     ];
-    Ok(Made { files, notes: once_per_object(in_order(notes)), size: sizes::report(&tables) })
+    Ok(BackendOutput { files, notes: once_per_object(in_order(notes)), size: sizes::report(&tables) })
 }
 
-impl Tables<'_> {
+impl CanOpenStackView<'_> {
     /// Whether a row has a type.
-    fn has(&self, type_: Type) -> bool {
+    fn has(&self, type_: RowType) -> bool {
         self.planned.iter().flatten().any(|row| row.type_ == type_)
     }
 
     /// Whether a type of this target is replaced by one of the application, which then can call its functions.
-    fn shares(&self, type_: Type) -> bool {
+    fn shares(&self, type_: RowType) -> bool {
         self.rows.iter().any(|row| row.hooked && row.type_ == type_)
     }
 
     /// Minimum counts in the configuration of the stack: the middle part of the macro name, the count, of what, and an
     /// additional condition.
     fn counts(&self) -> [(&'static str, u16, &'static str, &'static str); 4] {
-        let Dictionary { device, objects, .. } = self.dictionary;
+        let TableDictionary { device, objects, .. } = self.dictionary;
         let highest = |kind: PdoKind| {
             let pdos = device.pdos().filter(|pdo| pdo.kind == kind && pdo.communication.is_some());
             pdos.map(|pdo| pdo.number).max().unwrap_or(1)

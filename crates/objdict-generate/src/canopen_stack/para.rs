@@ -1,15 +1,15 @@
 //! The parameter groups of 1010h and 1011h.
 
-use super::cell::{Cell, Planned};
-use super::layout::{Layout, ParaGroup};
+use super::cell::{Cell, PlannedRow};
+use super::layout::{ParaGroup, RowLayout};
 use super::special::{RESTORE, STORE};
 use crate::Note;
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::model::Place;
 
 /// The arrays of `CO_PARA`.
 #[derive(Default)]
-pub(super) struct Parameters {
+pub(super) struct ParameterArrays {
     /// A line for each sub-index of 1010h.
     pub(super) store: Vec<String>,
     /// A line for each sub-index of 1011h.
@@ -18,12 +18,12 @@ pub(super) struct Parameters {
     pub(super) nothing: bool,
 }
 
-impl Parameters {
+impl ParameterArrays {
     /// Assigns the groups of a layout to sub-indexes and enters them in the rows.
     pub(super) fn new(
-        dictionary: &Dictionary<'_>,
-        planned: &[Vec<Planned>],
-        layout: &mut Layout,
+        dictionary: &TableDictionary<'_>,
+        planned: &[Vec<PlannedRow>],
+        layout: &mut RowLayout,
         prefix: &str,
         notes: &mut Vec<Note>,
     ) -> Self {
@@ -104,7 +104,7 @@ struct GroupRow {
     value: u32,
 }
 
-fn group_rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], index: u16) -> Vec<GroupRow> {
+fn group_rows(dictionary: &TableDictionary<'_>, planned: &[Vec<PlannedRow>], index: u16) -> Vec<GroupRow> {
     let Some(object) = dictionary.objects.iter().position(|object| object.index == index) else {
         return Vec::new();
     };

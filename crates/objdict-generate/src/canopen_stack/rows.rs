@@ -1,35 +1,39 @@
 //! The rows of the table.
 
-use super::cell::{Cell, Planned, Type};
+use super::cell::{Cell, PlannedRow, RowType};
 use super::hooks;
-use super::layout::Layout;
-use crate::dictionary::Dictionary;
+use super::layout::RowLayout;
+use crate::dictionary::TableDictionary;
 
 /// A row of the table.
-pub(super) struct Row {
+pub(super) struct StackRow {
     pub(super) index: u16,
     pub(super) sub: u8,
     pub(super) flags: String,
-    pub(super) type_: Type,
+    pub(super) type_: RowType,
     /// Whether the application defines the type.
     pub(super) hooked: bool,
     pub(super) data: String,
     pub(super) name: String,
 }
 
-impl Row {
+impl StackRow {
     pub(super) fn type_name(&self, prefix: &str) -> String {
         match self.type_ {
             _ if self.hooked => format!("&{prefix}_{}", hooks::name(self.index)),
-            Type::Stack(name) => name.to_owned(),
-            Type::Block => format!("&{prefix}_block"),
-            Type::Bytes => format!("&{prefix}_bytes"),
+            RowType::Stack(name) => name.to_owned(),
+            RowType::Block => format!("&{prefix}_block"),
+            RowType::Bytes => format!("&{prefix}_bytes"),
         }
     }
 }
 
 /// The rows, by key.
-pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout: &Layout) -> Vec<Row> {
+pub(super) fn rows(
+    dictionary: &TableDictionary<'_>,
+    planned: &[Vec<PlannedRow>],
+    layout: &RowLayout,
+) -> Vec<StackRow> {
     let cells = planned.iter().flatten().zip(layout.data.iter().flatten());
     let rows = dictionary.entries().zip(cells).map(|((object, entry), (planned, data))| {
         let resolved = &entry.resolved;
@@ -44,7 +48,7 @@ pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout
             ('W', resolved.access.is_writable()),
         ];
         let set: String = set.into_iter().filter_map(|(letter, is_set)| is_set.then_some(letter)).collect();
-        Row {
+        StackRow {
             index: object.index,
             sub: entry.sub,
             flags: flags(&set),
@@ -54,7 +58,7 @@ pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout
             name: entry.entry.name.to_string(),
         }
     });
-    let mut rows: Vec<Row> = rows.collect();
+    let mut rows: Vec<StackRow> = rows.collect();
     if dictionary.object(0x1200).is_none() {
         rows.extend(default_sdo_server());
         rows.sort_by_key(|row| (row.index, row.sub));
@@ -63,12 +67,13 @@ pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout
 }
 
 /// 1200h with the COB-IDs of CiA 301.
-fn default_sdo_server() -> impl Iterator<Item = Row> {
+fn default_sdo_server() -> impl Iterator<Item = StackRow> {
     let row = |sub: u8, type_: &'static str, data: &str, name: &str| {
-        let (flags, type_) = (if sub == 0 { "CO_OBJ_D___R_" } else { "CO_OBJ_DN__R_" }, Type::Stack(type_));
+        let (flags, type_) =
+            (if sub == 0 { "CO_OBJ_D___R_" } else { "CO_OBJ_DN__R_" }, RowType::Stack(type_));
         let name = format!("{name} (not in the description)");
         let (flags, data) = (flags.to_owned(), data.to_owned());
-        Row { index: 0x1200, sub, flags, type_, hooked: false, data, name }
+        StackRow { index: 0x1200, sub, flags, type_, hooked: false, data, name }
     };
     [
         row(0, "CO_TUNSIGNED8", "2u", "Highest sub-index"),

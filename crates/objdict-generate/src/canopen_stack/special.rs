@@ -2,7 +2,7 @@
 
 use crate::dictionary::ResolvedObject;
 use crate::model::{DataType, PdoKind};
-use crate::resolve::{Resolved, Shape};
+use crate::resolve::{EntryPlan, ValueShape};
 
 pub(super) const STORE: u16 = 0x1010;
 pub(super) const RESTORE: u16 = 0x1011;
@@ -14,13 +14,13 @@ pub(super) struct Special {
     pub(super) type_: &'static str,
     /// The data type that its functions expect.
     pub(super) wants: DataType,
-    /// Its `Data` field.
-    pub(super) data: Data,
+    /// Its `DataField` field.
+    pub(super) data: DataField,
 }
 
-/// The content of the `Data` field of a special type.
+/// The content of the `DataField` field of a special type.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Data {
+pub(super) enum DataField {
     /// The value or its address, as for any number.
     Any,
     /// The address of the value: the type treats a value of 0 as a missing address.
@@ -37,21 +37,21 @@ pub(super) enum Data {
 pub(super) fn special(index: u16, sub: u8, writable: bool) -> Option<Special> {
     use DataType as T;
     let (type_, wants, data) = match (index, sub) {
-        (0x1001, 0) => ("CO_TUNSIGNED8", T::UNSIGNED8, Data::Ram),
-        (0x1003, 0) => ("CO_TEMCY_HIST", T::UNSIGNED8, Data::Ram),
-        (0x1003, 1..=0xFE) => ("CO_TEMCY_HIST", T::UNSIGNED32, Data::Ram),
-        (0x1005, 0) => ("CO_TSYNC_ID", T::UNSIGNED32, Data::Any),
-        (0x1006, 0) => ("CO_TSYNC_CYCLE", T::UNSIGNED32, Data::Any),
-        (0x1010, 0) => ("CO_TPARA_STORE", T::UNSIGNED8, Data::Any),
-        (0x1010, 1..=0x7F) => ("CO_TPARA_STORE", T::UNSIGNED32, Data::Group),
-        (0x1011, 0) => ("CO_TPARA_RESTORE", T::UNSIGNED8, Data::Any),
-        (0x1011, 1..=0x7F) => ("CO_TPARA_RESTORE", T::UNSIGNED32, Data::Group),
-        (0x1014, 0) => ("CO_TEMCY_ID", T::UNSIGNED32, Data::Any),
-        (0x1016, 0) => ("CO_THB_CONS", T::UNSIGNED8, Data::Any),
-        (0x1016, 1..=0x7F) => ("CO_THB_CONS", T::UNSIGNED32, Data::Consumer),
-        (0x1017, 0) => ("CO_THB_PROD", T::UNSIGNED16, Data::Address),
+        (0x1001, 0) => ("CO_TUNSIGNED8", T::UNSIGNED8, DataField::Ram),
+        (0x1003, 0) => ("CO_TEMCY_HIST", T::UNSIGNED8, DataField::Ram),
+        (0x1003, 1..=0xFE) => ("CO_TEMCY_HIST", T::UNSIGNED32, DataField::Ram),
+        (0x1005, 0) => ("CO_TSYNC_ID", T::UNSIGNED32, DataField::Any),
+        (0x1006, 0) => ("CO_TSYNC_CYCLE", T::UNSIGNED32, DataField::Any),
+        (0x1010, 0) => ("CO_TPARA_STORE", T::UNSIGNED8, DataField::Any),
+        (0x1010, 1..=0x7F) => ("CO_TPARA_STORE", T::UNSIGNED32, DataField::Group),
+        (0x1011, 0) => ("CO_TPARA_RESTORE", T::UNSIGNED8, DataField::Any),
+        (0x1011, 1..=0x7F) => ("CO_TPARA_RESTORE", T::UNSIGNED32, DataField::Group),
+        (0x1014, 0) => ("CO_TEMCY_ID", T::UNSIGNED32, DataField::Any),
+        (0x1016, 0) => ("CO_THB_CONS", T::UNSIGNED8, DataField::Any),
+        (0x1016, 1..=0x7F) => ("CO_THB_CONS", T::UNSIGNED32, DataField::Consumer),
+        (0x1017, 0) => ("CO_THB_PROD", T::UNSIGNED16, DataField::Address),
         // the client type would disable the server of the same number
-        (0x1200..=0x127F, 1 | 2) if writable => ("CO_TSDO_ID", T::UNSIGNED32, Data::Any),
+        (0x1200..=0x127F, 1 | 2) if writable => ("CO_TSDO_ID", T::UNSIGNED32, DataField::Any),
         _ => return pdo(index, sub),
     };
     Some(Special { type_, wants, data })
@@ -73,12 +73,12 @@ fn pdo(index: u16, sub: u8) -> Option<Special> {
             _ => return None,
         }
     };
-    Some(Special { type_, wants, data: Data::Any })
+    Some(Special { type_, wants, data: DataField::Any })
 }
 
 /// Whether the data type of an entry matches its special type.
-pub(super) fn fits(special: Special, resolved: &Resolved) -> bool {
-    resolved.shape == Shape::Word(special.wants)
+pub(super) fn fits(special: Special, resolved: &EntryPlan) -> bool {
+    resolved.shape == ValueShape::Word(special.wants)
 }
 
 /// Whether the object can use its special types; some access the other sub-indexes without checking them, so all entries

@@ -1,6 +1,6 @@
 //! The configuration of the stack for builds with several object dictionaries.
 
-use super::plan::Planned;
+use super::plan::StackObject;
 use objdict_model::canopennode::Counters;
 
 /// The members of `CO_config_t` in order: the number of objects with a label, the number of elements of an object, or an
@@ -19,7 +19,7 @@ const ZERO: [&str; 5] = ["CNT_LEDS", "CNT_LSS_SLV", "CNT_LSS_MST", "CNT_GTWA", "
 /// Members and their values.
 pub(super) fn config(
     counters: &Counters,
-    objects: &[Planned<'_>],
+    objects: &[StackObject<'_>],
     prefix: &str,
 ) -> Vec<(&'static str, String)> {
     let object = |index: &str| objects.iter().find(|object| format!("{:04X}", object.index) == index);

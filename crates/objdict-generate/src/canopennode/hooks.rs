@@ -1,13 +1,13 @@
 //! Extensions through which the stack calls the application (`--hook`).
 
 use super::limits::is_of_stack;
-use super::plan::Planned;
+use super::plan::StackObject;
 use crate::model::{Access, Address};
 use crate::notes::place_of;
 use crate::{Note, Options};
 
 /// An object with an extension of the application.
-pub(super) struct Hooked {
+pub(super) struct HookedObject {
     pub(super) index: u16,
     /// Position of the object in the list.
     pub(super) position: usize,
@@ -18,11 +18,15 @@ pub(super) struct Hooked {
 }
 
 /// The objects that the options name. Notes report what an extension of the stack cannot do.
-pub(super) fn hooked(objects: &[Planned<'_>], options: &Options, notes: &mut Vec<Note>) -> Vec<Hooked> {
-    let mut hooked: Vec<Hooked> = Vec::new();
+pub(super) fn hooked(
+    objects: &[StackObject<'_>],
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<HookedObject> {
+    let mut hooked: Vec<HookedObject> = Vec::new();
     for &at in &options.hooks {
         let (place, Address { index, sub }) = (place_of(at), at);
-        let has_entry = |object: &Planned<'_>| {
+        let has_entry = |object: &StackObject<'_>| {
             sub.is_none_or(|sub| object.members().any(|member| member.entry.sub == sub))
         };
         let mut found = objects.iter().enumerate();
@@ -46,7 +50,7 @@ pub(super) fn hooked(objects: &[Planned<'_>], options: &Options, notes: &mut Vec
         let accesses = || object.members().map(|member| member.entry.resolved.access);
         let (is_read, is_written) =
             (accesses().any(Access::is_readable), accesses().any(Access::is_writable));
-        hooked.push(Hooked { index, position, is_read, is_written });
+        hooked.push(HookedObject { index, position, is_read, is_written });
     }
     hooked
 }

@@ -1,9 +1,9 @@
 //! Limits: the stack does not check them, so the tables contain a write function for this.
 
-use super::plan::Planned;
+use super::plan::StackObject;
 use crate::Note;
 use crate::model::{DataType, Place, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape};
+use crate::resolve::{Encoded, EntryPlan, ValueShape};
 
 /// Objects written through functions of the stack: first and last index.
 const OF_STACK: [(u16, u16); 10] = [
@@ -40,7 +40,7 @@ pub(super) fn has_real(limits: &[Limited]) -> bool {
 
 /// The limits of an object, if they can be enforced; otherwise notes report them.
 pub(super) fn limited(
-    object: &Planned<'_>,
+    object: &StackObject<'_>,
     position: usize,
     enforce: bool,
     notes: &mut Vec<Note>,
@@ -71,10 +71,10 @@ pub(super) fn is_of_stack(index: u16) -> bool {
     OF_STACK.iter().any(|(first, last)| (*first..=*last).contains(&index))
 }
 
-fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<Limited> {
-    let Shape::Word(data_type) = resolved.shape else { return None };
-    let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, Datum::word));
-    let formula = |limit: &Option<Datum>| limit.as_ref().is_some_and(Datum::is_formula);
+fn row((index, position): (u16, usize), sub: u8, resolved: &EntryPlan) -> Option<Limited> {
+    let ValueShape::Word(data_type) = resolved.shape else { return None };
+    let number = |limit: &Option<Encoded>| format!("0x{:X}ULL", limit.as_ref().map_or(0, Encoded::word));
+    let formula = |limit: &Option<Encoded>| limit.as_ref().is_some_and(Encoded::is_formula);
     let flags = [
         ("LIMIT_LOW", resolved.low.is_some()),
         ("LIMIT_HIGH", resolved.high.is_some()),

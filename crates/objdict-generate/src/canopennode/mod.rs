@@ -16,18 +16,18 @@ mod view;
 use std::borrow::Cow;
 
 pub(super) use self::compare::compare;
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, StackLayout, render, startup};
+use super::{BackendOutput, GenerateError, Options, StackLayout, render, startup};
 use crate::model::Device;
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
     let options = &*with_lengths(options);
     let prefix = options.prefix_or("od")?.to_ascii_uppercase();
-    let mut dictionary = Dictionary::new(device, options)?;
+    let mut dictionary = TableDictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let mut own = Vec::new();
-    let tables = view::Tables::new(&dictionary, options, prefix, &mut own);
+    let tables = view::CanOpenNodeView::new(&dictionary, options, prefix, &mut own);
     let files = vec![
         render(format!("{}.h", tables.prefix), tables.header()),
         render(format!("{}.c", tables.prefix), tables.source()),
@@ -39,7 +39,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     notes::of_stack(device, &mut own);
     notes.append(&mut once_per_device(in_order(own)));
     notes.append(&mut startup::notes(&startup::CANOPENNODE, &dictionary));
-    Ok(Made { files, notes: in_order(notes), size: sizes::report(&dictionary, &tables) })
+    Ok(BackendOutput { files, notes: in_order(notes), size: sizes::report(&dictionary, &tables) })
 }
 
 /// The options with the capacities of the layout: CANopenEditor adds no room to a default.

@@ -76,12 +76,12 @@ pub(super) fn behind_index(index: u16, cname: &str) -> String {
 }
 
 /// The member names of a record.
-pub(crate) struct Members {
+pub(crate) struct MemberNames {
     naming: Naming,
     taken: HashSet<String>,
 }
 
-impl Members {
+impl MemberNames {
     pub(crate) fn new(naming: impl Into<Naming>) -> Self {
         Self { naming: naming.into(), taken: HashSet::new() }
     }
@@ -173,13 +173,13 @@ mod tests {
         ] {
             assert_eq!(cname(name, Naming::Legacy), expected, "{name}");
         }
-        let mut members = Members::new(Naming::Legacy);
+        let mut members = MemberNames::new(Naming::Legacy);
         assert_eq!([1, 2, 3].map(|sub| members.claim("Mode", sub)), ["mode", "mode1", "mode2"]);
     }
 
     #[test]
     fn members_are_distinguished() {
-        let mut members = Members::new(Naming::Current);
+        let mut members = MemberNames::new(Naming::Current);
         assert_eq!(members.claim("Mode", 1), "mode");
         assert_eq!(members.claim("mode", 2), "mode_02");
         assert_eq!(members.claim("mode_03", 2), "mode_03");
@@ -197,7 +197,7 @@ mod tests {
         fn any_names_become_valid_and_unique_members(
             names in proptest::collection::vec(prop_oneof![any::<String>(), "[a-bA-B_ -]{0,3}"], 0..40)
         ) {
-            let mut members = Members::new(Naming::Current);
+            let mut members = MemberNames::new(Naming::Current);
             let mut seen = HashSet::new();
             for (name, sub) in names.iter().zip(0_u8..) {
                 let member = members.claim(name, sub);

@@ -1,13 +1,13 @@
 //! Values that depend on the node-ID: those computed by the stack, and all others.
 
-use super::plan::Planned;
+use super::plan::StackObject;
 use crate::Note;
 use crate::dictionary::ResolvedEntry;
 use crate::model::Place;
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 
 /// The statements that set the values of an object after the node-ID is known.
-pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<String> {
+pub(super) fn applied(object: &StackObject<'_>, prefix: &str) -> Vec<String> {
     let members = object.members().filter(|member| {
         let default = &member.entry.resolved.default;
         default.is_formula() && !stack_adds(object.index, member.entry.sub, default.word())
@@ -45,7 +45,7 @@ fn predefined(index: u16, sub: u8) -> Option<u64> {
 }
 
 /// Notes fixed numbers that the stack replaces because it treats them as COB-IDs without node-ID.
-pub(super) fn notes(object: &Planned<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
+pub(super) fn notes(object: &StackObject<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
     for member in object.members() {
         if let Some(text) = replaced(object.index, member.entry, node_id) {
             notes.push(Note::new(Place::entry(object.index, member.entry.sub), text));
@@ -56,7 +56,7 @@ pub(super) fn notes(object: &Planned<'_>, node_id: Option<u8>, notes: &mut Vec<N
 /// What the stack does with a fixed number that it treats as a COB-ID without node-ID.
 pub(crate) fn replaced(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> Option<String> {
     let base = predefined(index, entry.sub)?;
-    let (Shape::Word(_), Datum::Word(value)) = (entry.resolved.shape, &entry.resolved.default) else {
+    let (ValueShape::Word(_), Encoded::Word(value)) = (entry.resolved.shape, &entry.resolved.default) else {
         return None;
     };
     if value & 0x7FF == base {

@@ -1,10 +1,10 @@
 //! Features that the stack does not support, and its requirements that the description does not meet.
 
-use super::plan::{Member, Planned};
+use super::plan::{Member, StackObject};
 use super::storage::{is_odd_nan, is_text};
 use crate::Note;
 use crate::model::{DataType, Device, Place};
-use crate::resolve::Shape;
+use crate::resolve::ValueShape;
 use objdict_model::canopennode::{Cause, unmet};
 
 /// Requirements of the stack on the device, as found by `--compat canopennode`; mapped bits are among the causes in `startup`.
@@ -17,7 +17,7 @@ pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
 }
 
 /// Deviations for the values of an object.
-pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
+pub(super) fn of_object(object: &StackObject<'_>, notes: &mut Vec<Note>) {
     for member in object.members() {
         let place = Place::entry(object.index, member.entry.sub);
         notes.extend(text(member).map(|text| Note::new(place.clone(), text)));
@@ -39,7 +39,7 @@ pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
 /// What is different for a text: the stack takes its length up to the first zero.
 fn text(member: &Member<'_>) -> Option<&'static str> {
     let resolved = &member.entry.resolved;
-    let Shape::Bytes(data_type, _) = resolved.shape else { return None };
+    let ValueShape::Bytes(data_type, _) = resolved.shape else { return None };
     if !is_text(data_type) || member.storage.type_.is_none() {
         return None;
     }
@@ -59,7 +59,7 @@ fn text(member: &Member<'_>) -> Option<&'static str> {
 fn octets(place: &Place, member: &Member<'_>) -> Option<Note> {
     let shape = member.entry.resolved.shape;
     let data_type = shape.data_type()?;
-    let is_fixed = matches!(shape, Shape::Bytes(..)) && !is_text(data_type);
+    let is_fixed = matches!(shape, ValueShape::Bytes(..)) && !is_text(data_type);
     if member.storage.type_.is_some() {
         let length = member.storage.length;
         let text = format!("a {data_type} of the stack has a fixed length, here {length} bytes");

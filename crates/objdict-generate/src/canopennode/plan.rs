@@ -1,11 +1,11 @@
 //! The layout of each object: a variable, an array or a record of the stack.
 
 use super::groups::group;
-use super::names::{Members, behind_index, cname};
-use super::storage::Storage;
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use super::names::{MemberNames, behind_index, cname};
+use super::storage::ValueStorage;
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::model::{DataType, ObjectType, Place};
-use crate::resolve::Shape;
+use crate::resolve::ValueShape;
 use crate::{Note, Options, StackLayout};
 
 /// Maximum number of entries of an object in the stack.
@@ -15,19 +15,19 @@ const MOST_ENTRIES: usize = u8::MAX as usize;
 const COUNTED: [u16; 4] = [0x1003, 0x1010, 0x1011, 0x1016];
 
 /// An object of the stack.
-pub(super) struct Planned<'a> {
+pub(super) struct StackObject<'a> {
     pub(super) index: u16,
     /// The name of the object; empty if there is none.
     pub(super) cname: String,
     /// The storage group.
     pub(super) group: String,
-    pub(super) layout: Layout<'a>,
+    pub(super) layout: ObjectLayout<'a>,
     /// The number of elements, if the stack requires it.
     pub(super) count: Option<usize>,
 }
 
 /// How the stack accesses the entries of an object.
-pub(super) enum Layout<'a> {
+pub(super) enum ObjectLayout<'a> {
     /// A single value.
     Var(Member<'a>),
     /// Sub-index 0 and identical elements from sub-index 1 on, without gaps.
@@ -41,10 +41,10 @@ pub(super) struct Member<'a> {
     /// The member name in a record.
     pub(super) name: String,
     pub(super) entry: &'a ResolvedEntry<'a>,
-    pub(super) storage: Storage,
+    pub(super) storage: ValueStorage,
 }
 
-impl Planned<'_> {
+impl StackObject<'_> {
     /// `2000_setpoint`: after `x` the member of the group's struct, after `o_` the descriptor of the object.
     pub(super) fn name(&self) -> String {
         behind_index(self.index, &self.cname)
@@ -53,9 +53,9 @@ impl Planned<'_> {
     /// All entries, by sub-index.
     pub(super) fn members(&self) -> impl Iterator<Item = &Member<'_>> {
         let (first, rest) = match &self.layout {
-            Layout::Var(member) => (Some(member), [].as_slice()),
-            Layout::Array(sub0, elements) => (Some(sub0), elements.as_slice()),
-            Layout::Record(members) => (None, members.as_slice()),
+            ObjectLayout::Var(member) => (Some(member), [].as_slice()),
+            ObjectLayout::Array(sub0, elements) => (Some(sub0), elements.as_slice()),
+            ObjectLayout::Record(members) => (None, members.as_slice()),
         };
         first.into_iter().chain(rest)
     }
@@ -64,24 +64,24 @@ impl Planned<'_> {
     pub(super) fn variable(&self, prefix: &str, member: &Member<'_>) -> String {
         let name = format!("{prefix}_{}.x{}", self.group, self.name());
         match &self.layout {
-            Layout::Var(_) => name,
-            Layout::Array(..) if member.entry.sub == 0 => format!("{name}_sub0"),
-            Layout::Array(..) => format!("{name}[{}]", member.entry.sub - 1),
-            Layout::Record(_) => format!("{name}.{}", member.name),
+            ObjectLayout::Var(_) => name,
+            ObjectLayout::Array(..) if member.entry.sub == 0 => format!("{name}_sub0"),
+            ObjectLayout::Array(..) => format!("{name}[{}]", member.entry.sub - 1),
+            ObjectLayout::Record(_) => format!("{name}.{}", member.name),
         }
     }
 }
 
 /// Plans all objects of a dictionary; deviations from the description are noted.
 pub(super) fn plan<'a>(
-    dictionary: &'a Dictionary<'a>,
+    dictionary: &'a TableDictionary<'a>,
     options: &Options,
     notes: &mut Vec<Note>,
-) -> Vec<Planned<'a>> {
+) -> Vec<StackObject<'a>> {
     dictionary.objects.iter().map(|object| planned(object, options, notes)).collect()
 }
 
-fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Vec<Note>) -> Planned<'a> {
+fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Vec<Note>) -> StackObject<'a> {
     let place = Place::object(object.index);
     let mut entries: &[ResolvedEntry<'_>] = &object.entries;
     if let Some((last, others)) = entries.split_last().filter(|(_, others)| others.len() >= MOST_ENTRIES) {
@@ -93,31 +93,31 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
     let is_stored = |entry: &ResolvedEntry<'_>| options.layout == StackLayout::Complete || has_value(entry);
     // the elements of an array are one variable
     let are_stored = is_array && entries.iter().any(|entry| entry.sub > 0 && is_stored(entry));
-    let mut names = Members::new(options.layout);
+    let mut names = MemberNames::new(options.layout);
     let mut members = entries.iter().map(|entry| {
         let name = names.claim(&entry.name, entry.sub);
-        let storage = Storage::new(entry, is_stored(entry) || are_stored && entry.sub > 0);
+        let storage = ValueStorage::new(entry, is_stored(entry) || are_stored && entry.sub > 0);
         Member { name, entry, storage }
     });
     let layout = match members.next() {
-        Some(only) if object.is_single() => Layout::Var(only),
+        Some(only) if object.is_single() => ObjectLayout::Var(only),
         Some(first) if is_array => {
             let rest: Vec<Member<'_>> = members.collect();
             match invalid(&first, &rest) {
-                None => Layout::Array(first, rest),
+                None => ObjectLayout::Array(first, rest),
                 Some(why) => {
                     let note =
                         Note::new(place, format!("the ARRAY becomes a record of the stack because {why}"));
                     notes.push(note.help("access its elements as members, not by a subscript"));
-                    Layout::Record(std::iter::once(first).chain(rest).collect())
+                    ObjectLayout::Record(std::iter::once(first).chain(rest).collect())
                 }
             }
         }
-        first => Layout::Record(first.into_iter().chain(members).collect()),
+        first => ObjectLayout::Record(first.into_iter().chain(members).collect()),
     };
     let elements = entries.iter().filter(|entry| entry.sub > 0).count();
     let count = (is_array || COUNTED.contains(&object.index)) && elements > 0;
-    Planned {
+    StackObject {
         index: object.index,
         cname: cname(&object.name, options.layout.into()),
         group: group(object, options),
@@ -137,7 +137,7 @@ fn invalid(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
     if sub0.entry.sub != 0 {
         return Some("it has no sub-index 0");
     }
-    if sub0.entry.resolved.shape != Shape::Word(DataType::UNSIGNED8) {
+    if sub0.entry.resolved.shape != ValueShape::Word(DataType::UNSIGNED8) {
         return Some("its sub-index 0 is not UNSIGNED8");
     }
     let Some(first) = elements.first() else {

@@ -3,10 +3,10 @@
 use crate::c_code::exact_type;
 use crate::dictionary::ResolvedEntry;
 use crate::model::{DataType, SrdoAccess, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape, digits};
+use crate::resolve::{Encoded, EntryPlan, ValueShape, digits};
 
 /// Location and representation of a value.
-pub(super) struct Storage {
+pub(super) struct ValueStorage {
     /// The type of the variable or its elements; `None` if the stack has no suitable type and the application
     /// must provide the value.
     pub(super) type_: Option<&'static str>,
@@ -20,23 +20,23 @@ pub(super) struct Storage {
     pub(super) value: Vec<String>,
 }
 
-impl Storage {
+impl ValueStorage {
     /// The storage of an entry; without it, the stack only knows its length.
     pub(super) fn new(entry: &ResolvedEntry<'_>, is_stored: bool) -> Self {
         let resolved = &entry.resolved;
         let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
-            (Shape::Word(data_type), default) => word(data_type, default.word()),
-            (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => {
+            (ValueShape::Word(data_type), default) => word(data_type, default.word()),
+            (ValueShape::Bytes(data_type, room), Encoded::Bytes(bytes)) => {
                 let has_room =
                     entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
                 text(data_type, usize::from(room), has_room, bytes)
             }
-            (Shape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers do not have this shape
-            (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
-            (Shape::Block(length), _) => bytes(usize::from(length), &[]),
+            (ValueShape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers do not have this shape
+            (ValueShape::Block(_), Encoded::Bytes(block)) => bytes(block.len(), block),
+            (ValueShape::Block(length), _) => bytes(usize::from(length), &[]),
         };
         // an application that attaches an extension states the length of a text, as CANopenEditor leaves it
-        let is_sized = is_stored || !matches!(resolved.shape, Shape::Bytes(..));
+        let is_sized = is_stored || !matches!(resolved.shape, ValueShape::Bytes(..));
         let attribute = attribute(entry, type_);
         Self {
             type_: type_.filter(|_| is_stored),
@@ -60,9 +60,9 @@ impl Storage {
 }
 
 /// Type, elements, length and initialiser.
-type Kept = (Option<&'static str>, Option<usize>, usize, Vec<String>);
+type KeptVariable = (Option<&'static str>, Option<usize>, usize, Vec<String>);
 
-fn word(data_type: DataType, word: u64) -> Kept {
+fn word(data_type: DataType, word: u64) -> KeptVariable {
     let length = data_type.byte_length().map_or(0, usize::from);
     let type_ = match data_type.kind() {
         TypeKind::Boolean => Some("bool_t"),
@@ -107,20 +107,20 @@ fn not_finite(number: f64) -> &'static str {
 }
 
 /// Whether a number is a NaN other than that of math.h; its other bits are lost.
-pub(super) fn is_odd_nan(resolved: &Resolved) -> bool {
+pub(super) fn is_odd_nan(resolved: &EntryPlan) -> bool {
     let word = resolved.default.word();
     match resolved.shape {
-        Shape::Word(DataType::REAL32) => {
+        ValueShape::Word(DataType::REAL32) => {
             f32::from_bits(word as u32).is_nan() && word as u32 != f32::NAN.to_bits()
         }
-        Shape::Word(DataType::REAL64) => f64::from_bits(word).is_nan() && word != f64::NAN.to_bits(),
+        ValueShape::Word(DataType::REAL64) => f64::from_bits(word).is_nan() && word != f64::NAN.to_bits(),
         _ => false,
     }
 }
 
 /// A text or block of at most `room` bytes; only texts may be shorter. `has_room`: the description states the
 /// capacity.
-fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> Kept {
+fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> KeptVariable {
     match data_type.kind() {
         TypeKind::VisibleString if room > 0 => {
             let letters = value.iter().map(|&byte| letter(byte));
@@ -140,7 +140,7 @@ fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> Kept 
     }
 }
 
-fn bytes(length: usize, value: &[u8]) -> Kept {
+fn bytes(length: usize, value: &[u8]) -> KeptVariable {
     let numbers = value.iter().map(|byte| format!("0x{byte:02X}"));
     (Some("uint8_t"), Some(length), length, up_to_last(numbers, value.iter().map(|&byte| byte != 0)))
 }
@@ -177,9 +177,9 @@ fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
         Some(SrdoAccess::No) | None => "",
     };
     let kept = match (resolved.shape, type_) {
-        (Shape::Word(_), Some("bool_t" | "uint8_t" | "int8_t")) => "", // includes odd widths
-        (Shape::Word(_), Some(_)) => "ODA_MB",
-        (Shape::Bytes(data_type, _), _) if is_text(data_type) => "ODA_STR",
+        (ValueShape::Word(_), Some("bool_t" | "uint8_t" | "int8_t")) => "", // includes odd widths
+        (ValueShape::Word(_), Some(_)) => "ODA_MB",
+        (ValueShape::Bytes(data_type, _), _) if is_text(data_type) => "ODA_STR",
         _ => "",
     };
     let flags: Vec<&str> = [sdo, pdo, srdo, kept].into_iter().filter(|flag| !flag.is_empty()).collect();

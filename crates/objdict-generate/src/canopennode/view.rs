@@ -1,29 +1,29 @@
 //! View of templates/canopennode/OD.h and OD.c.
 
 use super::config::config;
-use super::hooks::{Hooked, hooked};
+use super::hooks::{HookedObject, hooked};
 use super::limits::{self, Limited, limited};
 use super::node_id::applied;
-use super::plan::{Layout, Member, Planned, plan};
-use super::storage::Storage;
-use crate::dictionary::Dictionary;
+use super::plan::{Member, ObjectLayout, StackObject, plan};
+use super::storage::ValueStorage;
+use crate::dictionary::TableDictionary;
 use crate::head::Head;
-use crate::memory::Extent;
+use crate::memory::TypeExtent;
 use crate::{Note, Options};
 use objdict_model::canopennode::Counters;
 
 /// What the files have.
-pub(super) struct Tables<'a> {
+pub(super) struct CanOpenNodeView<'a> {
     head: Head,
     /// The prefix of identifiers.
     pub(super) prefix: String,
     counters: Counters,
     pub(super) groups: Vec<GroupView>,
-    pub(super) objects: Vec<Planned<'a>>,
+    pub(super) objects: Vec<StackObject<'a>>,
     /// Statements that add the node-ID.
     applied: Vec<String>,
     /// Objects with an extension of the application.
-    pub(super) hooks: Vec<Hooked>,
+    pub(super) hooks: Vec<HookedObject>,
     /// `None` if limits are not enforced.
     pub(super) limits: Option<Vec<Limited>>,
 }
@@ -34,23 +34,23 @@ include!("../../expanded/canopennode/OD.c.rs");
 /// A storage group: the variables of its objects.
 pub(super) struct GroupView {
     name: String,
-    pub(super) fields: Vec<FieldView>,
+    pub(super) fields: Vec<GroupMember>,
 }
 
 /// A member of a group's struct.
-pub(super) struct FieldView {
+pub(super) struct GroupMember {
     pub(super) index: u16,
     /// The complete declaration; several lines for a record.
     declaration: String,
     /// `.x1000_deviceType = 0x00000000`; several lines for a record.
     initialiser: String,
-    pub(super) extent: Extent,
+    pub(super) extent: TypeExtent,
     pub(super) is_zero: bool,
 }
 
-impl<'a> Tables<'a> {
+impl<'a> CanOpenNodeView<'a> {
     pub(super) fn new(
-        dictionary: &'a Dictionary<'a>,
+        dictionary: &'a TableDictionary<'a>,
         options: &Options,
         prefix: String,
         notes: &mut Vec<Note>,
@@ -80,7 +80,7 @@ impl<'a> Tables<'a> {
     /// Whether math.h is needed.
     fn has_math(&self) -> bool {
         let not_finite = |number: &String| number.ends_with("NAN") || number.ends_with("INFINITY");
-        let mut members = self.objects.iter().flat_map(Planned::members);
+        let mut members = self.objects.iter().flat_map(StackObject::members);
         members.any(|member| member.storage.value.iter().any(not_finite))
     }
 
@@ -97,7 +97,7 @@ impl<'a> Tables<'a> {
 
 /// The groups in the order of their first objects. Groups without variables are omitted, because C has no
 /// empty structs.
-fn groups(objects: &[Planned<'_>], prefix: &str) -> Vec<GroupView> {
+fn groups(objects: &[StackObject<'_>], prefix: &str) -> Vec<GroupView> {
     let mut groups: Vec<GroupView> = Vec::new();
     for object in objects {
         let fields = fields(object, prefix);
@@ -112,26 +112,26 @@ fn groups(objects: &[Planned<'_>], prefix: &str) -> Vec<GroupView> {
     groups
 }
 
-fn fields(object: &Planned<'_>, prefix: &str) -> Vec<FieldView> {
+fn fields(object: &StackObject<'_>, prefix: &str) -> Vec<GroupMember> {
     let index = object.index;
     let name = format!("x{}", object.name());
     match &object.layout {
-        Layout::Var(member) => field(index, &name, "", member).into_iter().collect(),
-        Layout::Array(sub0, elements) => {
+        ObjectLayout::Var(member) => field(index, &name, "", member).into_iter().collect(),
+        ObjectLayout::Array(sub0, elements) => {
             let sub0 = field(index, &format!("{name}_sub0"), "", sub0);
             sub0.into_iter().chain(elements_field(object, prefix, &name, elements)).collect()
         }
-        Layout::Record(members) => {
+        ObjectLayout::Record(members) => {
             let fields = members.iter().filter_map(|member| field(index, &member.name, "    ", member));
-            let fields: Vec<FieldView> = fields.collect();
-            let lines = |line: fn(&FieldView) -> &str, end: &str| {
+            let fields: Vec<GroupMember> = fields.collect();
+            let lines = |line: fn(&GroupMember) -> &str, end: &str| {
                 fields.iter().map(|field| format!("        {}{end}\n", line(field))).collect::<String>()
             };
-            let record = FieldView {
+            let record = GroupMember {
                 index,
                 declaration: format!("struct {{\n{}    }} {name}", lines(|field| &field.declaration, ";")),
                 initialiser: format!(".{name} = {{\n{}    }}", lines(|field| &field.initialiser, ",")),
-                extent: Extent::structure(fields.iter().map(|field| field.extent)),
+                extent: TypeExtent::structure(fields.iter().map(|field| field.extent)),
                 is_zero: fields.iter().all(|field| field.is_zero),
             };
             if fields.is_empty() { Vec::new() } else { vec![record] }
@@ -139,28 +139,28 @@ fn fields(object: &Planned<'_>, prefix: &str) -> Vec<FieldView> {
     }
 }
 
-fn field(index: u16, name: &str, indent: &str, member: &Member<'_>) -> Option<FieldView> {
+fn field(index: u16, name: &str, indent: &str, member: &Member<'_>) -> Option<GroupMember> {
     let storage = &member.storage;
-    Some(FieldView {
+    Some(GroupMember {
         index,
         declaration: format!("{} {name}{}", storage.type_?, storage.dimension()),
         initialiser: format!(".{name} = {}", value(storage, indent)),
-        extent: Extent::of_c(storage.type_?).times(storage.elements.unwrap_or(1)),
+        extent: TypeExtent::of_c(storage.type_?).times(storage.elements.unwrap_or(1)),
         is_zero: member.entry.resolved.default.is_zero(),
     })
 }
 
 /// The elements of an array, as one variable.
 fn elements_field(
-    object: &Planned<'_>,
+    object: &StackObject<'_>,
     prefix: &str,
     name: &str,
     elements: &[Member<'_>],
-) -> Option<FieldView> {
+) -> Option<GroupMember> {
     let index = object.index;
     let first = field(index, &format!("{name}[{prefix}_CNT_ARR_{index:04X}]"), "    ", elements.first()?)?;
     let values: Vec<String> = elements.iter().map(|element| value(&element.storage, "    ")).collect();
-    Some(FieldView {
+    Some(GroupMember {
         initialiser: format!(".{name} = {}", braced(&values, "")),
         extent: first.extent.times(elements.len()),
         is_zero: elements.iter().all(|element| element.entry.resolved.default.is_zero()),
@@ -168,7 +168,7 @@ fn elements_field(
     })
 }
 
-fn value(storage: &Storage, indent: &str) -> String {
+fn value(storage: &ValueStorage, indent: &str) -> String {
     match storage.elements {
         None => storage.value.concat(),
         Some(_) => braced(&storage.value, indent),
@@ -188,13 +188,13 @@ fn braced(values: &[String], indent: &str) -> String {
     format!("{{\n{}\n    {indent}}}", lines.join(",\n"))
 }
 
-impl Planned<'_> {
+impl StackObject<'_> {
     /// The kind of the object in the stack.
     fn kind(&self) -> &'static str {
         match &self.layout {
-            Layout::Var(_) => "VAR",
-            Layout::Array(..) => "ARR",
-            Layout::Record(_) => "REC",
+            ObjectLayout::Var(_) => "VAR",
+            ObjectLayout::Array(..) => "ARR",
+            ObjectLayout::Record(_) => "REC",
         }
     }
 

@@ -4,19 +4,19 @@ use crate::Options;
 use crate::c_code::{bytes, little_endian, number_type, typed};
 use crate::canopennode::names::Naming;
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
-use crate::memory::Extent;
+use crate::memory::TypeExtent;
 use crate::model::DataType;
-use crate::resolve::Shape;
+use crate::resolve::ValueShape;
 
 /// The memory of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Location {
+pub(super) enum ValueLocation {
     Rom,
     Ram,
     Eeprom,
 }
 
-impl Location {
+impl ValueLocation {
     pub(super) const ALL: [Self; 3] = [Self::Ram, Self::Eeprom, Self::Rom];
 
     pub(super) fn name(self) -> &'static str {
@@ -55,7 +55,7 @@ impl Location {
 
 /// A value in a structure.
 #[derive(Clone)]
-pub(super) struct Cell {
+pub(super) struct StructureCell {
     /// The type of `CO_OD.h`.
     pub(super) c_type: String,
     /// The number of elements of a text or of bytes.
@@ -66,8 +66,8 @@ pub(super) struct Cell {
     pub(super) length: usize,
 }
 
-impl Cell {
-    pub(super) fn new(entry: &ResolvedEntry<'_>, location: Location, word: Option<u64>) -> Self {
+impl StructureCell {
+    pub(super) fn new(entry: &ResolvedEntry<'_>, location: ValueLocation, word: Option<u64>) -> Self {
         let resolved = &entry.resolved;
         let length = resolved.shape.size();
         let attribute = attribute(entry, location);
@@ -83,8 +83,8 @@ impl Cell {
                 let multiple = if length > 1 { 0x80 } else { 0 };
                 Self { c_type, room: None, value, attribute: attribute | multiple, length }
             }
-            (Shape::Word(_), None) => bytes_of("UNSIGNED8", bytes(&little_endian(word, length))),
-            (Shape::Bytes(DataType::VISIBLE_STRING, _), _) => {
+            (ValueShape::Word(_), None) => bytes_of("UNSIGNED8", bytes(&little_endian(word, length))),
+            (ValueShape::Bytes(DataType::VISIBLE_STRING, _), _) => {
                 bytes_of("VISIBLE_STRING", characters(resolved.default.bytes()))
             }
             _ => bytes_of("OCTET_STRING", bytes(resolved.default.bytes())),
@@ -107,8 +107,8 @@ impl Cell {
         self.room.map(|room| format!("[{room}]")).unwrap_or_default()
     }
 
-    pub(super) fn extent(&self) -> Extent {
-        Extent::of_c(&self.c_type).times(self.room.unwrap_or(1)) // characters and octets have 1 byte
+    pub(super) fn extent(&self) -> TypeExtent {
+        TypeExtent::of_c(&self.c_type).times(self.room.unwrap_or(1)) // characters and octets have 1 byte
     }
 }
 
@@ -116,7 +116,7 @@ impl Cell {
 pub(super) const NUMBERS: [&str; 3] = ["UNSIGNED", "INTEGER", "REAL"];
 
 /// The attribute of an entry without the bit for values of several bytes.
-fn attribute(entry: &ResolvedEntry<'_>, location: Location) -> u16 {
+fn attribute(entry: &ResolvedEntry<'_>, location: ValueLocation) -> u16 {
     let resolved = &entry.resolved;
     let stack = entry.entry.stack.as_ref();
     let detects_change = stack.is_some_and(|stack| stack.detects_change == Some(true)) && resolved.tpdo;

@@ -1,6 +1,6 @@
 //! Objects for which the stack calls the application (`--hook`).
 
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::notes::place_of;
 use crate::{Note, Options};
 
@@ -13,7 +13,11 @@ fn is_of_stack(index: u16) -> bool {
 }
 
 /// The indexes that the options name, in order and in hex. Notes report where the stack calls no function, and where for more.
-pub(super) fn hooked(dictionary: &Dictionary<'_>, options: &Options, notes: &mut Vec<Note>) -> Vec<String> {
+pub(super) fn hooked(
+    dictionary: &TableDictionary<'_>,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<String> {
     let mut hooked: Vec<String> = Vec::new();
     for &at in &options.hooks {
         let object = dictionary.object(at.index);

@@ -9,21 +9,21 @@ mod notes;
 mod plan;
 mod special;
 
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::head::Head;
-use super::memory::{Extent, Memory, Tally};
+use super::memory::{Memory, SizeTally, TypeExtent};
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, Sizes, render, startup};
+use super::{BackendOutput, GenerateError, Options, Sizes, render, startup};
 use crate::model::{DataType, Device};
-use crate::resolve::Shape;
-use cell::Location;
-use plan::Plan;
+use crate::resolve::ValueShape;
+use cell::ValueLocation;
+use plan::CanOpenNodeV1Plan;
 
 /// What the files have.
-struct Tables<'a> {
+struct CanOpenNodeV1View<'a> {
     head: Head,
-    dictionary: &'a Dictionary<'a>,
-    plan: Plan,
+    dictionary: &'a TableDictionary<'a>,
+    plan: CanOpenNodeV1Plan,
     /// The indexes of objects with a function of the application, in hex.
     hooks: Vec<String>,
 }
@@ -31,22 +31,23 @@ struct Tables<'a> {
 include!("../../expanded/canopennode-v1/CO_OD.h.rs");
 include!("../../expanded/canopennode-v1/CO_OD.c.rs");
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
-    let mut dictionary = Dictionary::new(device, options)?;
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
+    let mut dictionary = TableDictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
-    let plan = Plan::new(&dictionary, options, &mut notes);
+    let plan = CanOpenNodeV1Plan::new(&dictionary, options, &mut notes);
     let hooks = hooks::hooked(&dictionary, options, &mut notes);
-    let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
+    let tables =
+        CanOpenNodeV1View { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
     let files = vec![render("CO_OD.h", tables.header()), render("CO_OD.c", tables.source())];
     let mut notes = once_per_device(in_order(notes));
     notes.append(&mut startup::notes(&startup::CANOPENNODE_V1, &dictionary));
-    Ok(Made { files, notes: in_order(notes), size: tables.size() })
+    Ok(BackendOutput { files, notes: in_order(notes), size: tables.size() })
 }
 
 /// What the sizes include.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and stack internals";
 
-impl Tables<'_> {
+impl CanOpenNodeV1View<'_> {
     /// Whether a value of bytes depends on the node-ID.
     fn stores_bytes(&self) -> bool {
         self.plan.formulas.iter().any(|formula| formula.starts_with("CO_OD_store("))
@@ -60,7 +61,7 @@ impl Tables<'_> {
     fn has_lss(&self) -> u8 {
         let is_number = |sub| {
             let entry = self.dictionary.entry(0x1018, sub);
-            entry.is_some_and(|entry| entry.resolved.shape == Shape::Word(DataType::UNSIGNED32))
+            entry.is_some_and(|entry| entry.resolved.shape == ValueShape::Word(DataType::UNSIGNED32))
         };
         let info = self.dictionary.device.device_info.as_ref();
         u8::from((1..=4).all(is_number) && info.is_some_and(|info| info.lss_supported == Some(true)))
@@ -79,15 +80,15 @@ impl Tables<'_> {
     }
 
     fn size(&self) -> Sizes {
-        let (byte, half, pointer) = (Extent::BYTE, Extent::HALF, Extent::POINTER);
-        let row = Extent::structure([half, byte, half, half, pointer]);
-        let of_record = Extent::structure([pointer, half, half]);
-        let mut tally = Tally::of_dictionary(self.dictionary);
+        let (byte, half, pointer) = (TypeExtent::BYTE, TypeExtent::HALF, TypeExtent::POINTER);
+        let row = TypeExtent::structure([half, byte, half, half, pointer]);
+        let of_record = TypeExtent::structure([pointer, half, half]);
+        let mut tally = SizeTally::of_dictionary(self.dictionary);
         for object in &self.plan.rows {
             tally.of(object.index, Memory::Flash, row.size + of_record.times(object.record.len()).size);
         }
-        for location in Location::ALL {
-            let word = [(None, Extent::WORD)]; // before and behind the variables, and not zero
+        for location in ValueLocation::ALL {
+            let word = [(None, TypeExtent::WORD)]; // before and behind the variables, and not zero
             let variables = self.plan.of(&location).flat_map(|variable| variable.extents.iter().copied());
             let members: Vec<_> = word.into_iter().chain(variables).chain(word).collect();
             tally.structure(Memory::Initialised, &members);

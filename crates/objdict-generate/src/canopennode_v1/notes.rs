@@ -2,9 +2,9 @@
 
 use crate::Note;
 use crate::canopennode::node_id::replaced;
-use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::Place;
-use crate::resolve::Datum;
+use crate::resolve::Encoded;
 
 /// The largest value that the SDO server of the stack transfers, and what it transfers by default.
 const SDO_BUFFER: (usize, usize) = (889, 32);
@@ -27,11 +27,11 @@ pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
         (0x1003, 0, _) => {
             say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
         }
-        (0x1280..=0x12FF, 1, default) if !matches!(default, Datum::Word(0 | 0x8000_0000)) => {
+        (0x1280..=0x12FF, 1, default) if !matches!(default, Encoded::Word(0 | 0x8000_0000)) => {
             say(place.clone(), "an SDO client of the stack begins without a server");
         }
         (0x1800..=0x19FF, 4, _) => say(place.clone(), "the stack answers that the entry does not exist"),
-        (0x1014, 0, Datum::Word(value)) if !is_of_node(*value, node_id) => {
+        (0x1014, 0, Encoded::Word(value)) if !is_of_node(*value, node_id) => {
             say(place.clone(), &format!("the stack adds the node-ID to `0x{value:X}`"));
         }
         _ => {}
@@ -42,7 +42,7 @@ pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
 }
 
 /// Notes values that are longer than the buffer of the SDO server.
-pub(super) fn of_lengths(dictionary: &Dictionary<'_>, notes: &mut Vec<Note>) {
+pub(super) fn of_lengths(dictionary: &TableDictionary<'_>, notes: &mut Vec<Note>) {
     let (most, usual) = SDO_BUFFER;
     let mut longest = 0;
     for (object, entry) in dictionary.entries() {

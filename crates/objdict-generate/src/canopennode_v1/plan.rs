@@ -2,17 +2,17 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::cell::{Cell, Location, NAMES, NUMBERS};
+use super::cell::{NAMES, NUMBERS, StructureCell, ValueLocation};
 use super::notes;
-use super::special::{self, FAMILIES, Family, Form, IDENTITY, NAMED, named};
+use super::special::{self, FAMILIES, IDENTITY, NAMED, StackForm, StructureFamily, named};
 use crate::c_code::{assignment, number_type};
 use crate::c_words::{distinct, is_reserved};
-use crate::canopennode::names::{Members, cname};
+use crate::canopennode::names::{MemberNames, cname};
 use crate::canopennode::node_id::stack_adds;
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::memory::Extent;
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
+use crate::memory::TypeExtent;
 use crate::model::{DataType, ObjectType, Place};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 use crate::{Note, Options};
 
 /// A structure type: members with type, name and size.
@@ -23,13 +23,13 @@ pub(super) struct StructType {
 }
 
 /// A member of the structure of a memory.
-pub(super) struct Variable {
+pub(super) struct StructureMember {
     pub(super) index: u16,
-    pub(super) location: Location,
+    pub(super) location: ValueLocation,
     pub(super) declaration: String,
     pub(super) initializer: String,
     /// Its extent, by object.
-    pub(super) extents: Vec<(Option<u16>, Extent)>,
+    pub(super) extents: Vec<(Option<u16>, TypeExtent)>,
 }
 
 /// A row of a record.
@@ -51,9 +51,9 @@ pub(super) struct OdRow {
 
 /// Everything that the files define.
 #[derive(Default)]
-pub(super) struct Plan {
+pub(super) struct CanOpenNodeV1Plan {
     pub(super) types: Vec<StructType>,
-    pub(super) variables: Vec<Variable>,
+    pub(super) variables: Vec<StructureMember>,
     /// Macros for variables, lengths and elements, with their values.
     pub(super) aliases: Vec<(String, String)>,
     /// Macros for indexes and sub-indexes.
@@ -65,11 +65,11 @@ pub(super) struct Plan {
     pub(super) counts: [usize; 6],
 }
 
-impl Plan {
-    pub(super) fn new(dictionary: &Dictionary<'_>, options: &Options, notes: &mut Vec<Note>) -> Self {
+impl CanOpenNodeV1Plan {
+    pub(super) fn new(dictionary: &TableDictionary<'_>, options: &Options, notes: &mut Vec<Note>) -> Self {
         let taken = NAMED.iter().map(|named| named.name).chain(FAMILIES.iter().map(|family| family.name));
         let taken = taken.chain(["identity", "FirstWord", "LastWord"]).map(str::to_owned).collect();
-        let mut builder = Builder {
+        let mut builder = CanOpenNodeV1Planner {
             dictionary,
             options,
             notes,
@@ -94,61 +94,61 @@ impl Plan {
     }
 
     /// The variables of a memory.
-    pub(super) fn of(&self, location: &Location) -> impl Iterator<Item = &Variable> {
+    pub(super) fn of(&self, location: &ValueLocation) -> impl Iterator<Item = &StructureMember> {
         self.variables.iter().filter(move |variable| variable.location == *location)
     }
 }
 
-struct Builder<'a> {
-    dictionary: &'a Dictionary<'a>,
+struct CanOpenNodeV1Planner<'a> {
+    dictionary: &'a TableDictionary<'a>,
     options: &'a Options,
     notes: &'a mut Vec<Note>,
     /// Names of variables in use.
     names: HashSet<String>,
     macros: HashSet<String>,
     /// The records by name.
-    records: BTreeMap<String, Vec<Record<'a>>>,
+    records: BTreeMap<String, Vec<PlannedRecord<'a>>>,
     /// Each object with the name of its variable.
     named: Vec<(&'a ResolvedObject<'a>, String)>,
-    plan: Plan,
+    plan: CanOpenNodeV1Plan,
 }
 
 /// A record and the values of its entries.
-struct Record<'a> {
+struct PlannedRecord<'a> {
     object: &'a ResolvedObject<'a>,
-    location: Location,
-    cells: Vec<Cell>,
+    location: ValueLocation,
+    cells: Vec<StructureCell>,
 }
 
-impl Record<'_> {
+impl PlannedRecord<'_> {
     /// Whether one structure fits both.
     fn is_like(&self, other: &Self) -> bool {
         let names = |record: &Self| {
             record.object.entries.iter().map(|entry| (entry.sub, entry.name.clone())).collect::<Vec<_>>()
         };
-        let facts = |cell: &Cell| (cell.c_type.clone(), cell.room);
+        let facts = |cell: &StructureCell| (cell.c_type.clone(), cell.room);
         self.location == other.location
             && self.cells.iter().map(facts).eq(other.cells.iter().map(facts))
             && names(self) == names(other)
     }
 }
 
-impl<'a> Builder<'a> {
+impl<'a> CanOpenNodeV1Planner<'a> {
     fn object(&mut self, object: &'a ResolvedObject<'a>) {
         for entry in &object.entries {
             notes::of_entry(object.index, entry, self.dictionary.node_id, self.notes);
         }
-        if Family::of(object.index).is_some() {
+        if StructureFamily::of(object.index).is_some() {
             return; // with the others of its family
         }
-        let location = Location::of(object, self.options);
+        let location = ValueLocation::of(object, self.options);
         let fixed = named(object);
         if let Err(wanted) = &fixed {
             let text = format!("the stack expects another type here and uses a `{}` of its own", wanted.name);
             self.notes.push(Note::new(Place::object(object.index), text));
         }
         let fixed = fixed.ok().flatten();
-        let cells: Vec<Cell> =
+        let cells: Vec<StructureCell> =
             object.entries.iter().map(|entry| self.cell(object, entry, location)).collect();
         let is_value = object.entries.len() == 1 && object.entries.iter().all(|entry| entry.sub == 0);
         let is_list = !is_value && is_array(object, &cells);
@@ -157,7 +157,7 @@ impl<'a> Builder<'a> {
             None if object.index == 0x1018 => "identity".to_owned(),
             None if !is_value && !is_list => {
                 let same = self.records.entry(cname(&object.name, NAMES)).or_default();
-                return same.push(Record { object, location, cells });
+                return same.push(PlannedRecord { object, location, cells });
             }
             None => self.claim(object),
         };
@@ -166,9 +166,9 @@ impl<'a> Builder<'a> {
         } else if is_list {
             self.array(object, &name, (location, &cells));
         } else {
-            let is_used = matches!(fixed.map(|fixed| fixed.form), Some(Form::List(..)));
+            let is_used = matches!(fixed.map(|fixed| fixed.form), Some(StackForm::List(..)));
             let record = if is_used { format!("{name}_{:04X}", object.index) } else { name.clone() };
-            self.record(&record, &[Record { object, location, cells }]);
+            self.record(&record, &[PlannedRecord { object, location, cells }]);
             if is_used {
                 let text = format!("the stack expects an ARRAY here and uses a `{name}` of its own");
                 self.notes.push(Note::new(Place::object(object.index), text));
@@ -208,18 +208,25 @@ impl<'a> Builder<'a> {
     }
 
     /// The value of an entry, with the node-ID where the stack does not add it.
-    fn cell(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, location: Location) -> Cell {
+    fn cell(
+        &mut self,
+        object: &ResolvedObject<'_>,
+        entry: &ResolvedEntry<'_>,
+        location: ValueLocation,
+    ) -> StructureCell {
         let node_id = u64::from(self.dictionary.node_id.unwrap_or(0));
         let word = match (object.index, entry.sub, &entry.resolved.default) {
             (0x1200, 1, _) => Some(0x600), // of the default SDO server: the stack adds the node-ID
             (0x1200, 2, _) => Some(0x580),
-            (0x1014, 0, Datum::Word(value)) if notes::is_of_node(*value, self.dictionary.node_id) => {
+            (0x1014, 0, Encoded::Word(value)) if notes::is_of_node(*value, self.dictionary.node_id) => {
                 Some(value - node_id)
             }
-            (index, sub, Datum::Formula(offset)) if !is_added(index, sub, *offset) => Some(offset + node_id),
+            (index, sub, Encoded::Formula(offset)) if !is_added(index, sub, *offset) => {
+                Some(offset + node_id)
+            }
             _ => None,
         };
-        Cell::new(entry, location, word)
+        StructureCell::new(entry, location, word)
     }
 
     /// Notes the statement that adds the node-ID to a variable.
@@ -238,17 +245,22 @@ impl<'a> Builder<'a> {
     /// Defines the variable of an object, and its macro.
     fn define(
         &mut self,
-        (index, location): (u16, Location),
+        (index, location): (u16, ValueLocation),
         (c_type, name, suffix): (&str, &str, &str),
         initializer: String,
-        extents: Vec<(Option<u16>, Extent)>,
+        extents: Vec<(Option<u16>, TypeExtent)>,
     ) {
         let declaration = format!("{c_type} {name}{suffix}");
-        self.plan.variables.push(Variable { index, location, declaration, initializer, extents });
+        self.plan.variables.push(StructureMember { index, location, declaration, initializer, extents });
         self.alias(format!("OD_{name}"), format!("CO_OD_{}.{name}", location.name()));
     }
 
-    fn value(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
+    fn value(
+        &mut self,
+        object: &ResolvedObject<'_>,
+        name: &str,
+        (location, cells): (ValueLocation, &[StructureCell]),
+    ) {
         let (Some(cell), Some(entry)) = (cells.first(), object.entries.first()) else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
         if cell.is_stored() {
@@ -263,7 +275,12 @@ impl<'a> Builder<'a> {
         self.push(object, 0, row(cell, &variable), Vec::new());
     }
 
-    fn array(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
+    fn array(
+        &mut self,
+        object: &ResolvedObject<'_>,
+        name: &str,
+        (location, cells): (ValueLocation, &[StructureCell]),
+    ) {
         let elements = cells.get(1..).unwrap_or_default();
         let Some(first) = elements.first() else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
@@ -284,8 +301,8 @@ impl<'a> Builder<'a> {
         self.push(object, max_sub, row(first, &format!("{variable}[0]")), Vec::new());
     }
 
-    fn record(&mut self, name: &str, alike: &[Record<'a>]) {
-        let Some(Record { object: first, location, .. }) = alike.first() else { return };
+    fn record(&mut self, name: &str, alike: &[PlannedRecord<'a>]) {
+        let Some(PlannedRecord { object: first, location, .. }) = alike.first() else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
         let (mut members, mut values, mut extents) = (Vec::new(), Vec::new(), Vec::new());
         for (number, record) in alike.iter().enumerate() {
@@ -309,8 +326,8 @@ impl<'a> Builder<'a> {
     }
 
     /// The rows of a record at a place; the members of its structure, their values and extent.
-    fn structure(&mut self, record: &Record<'_>, place: &str) -> (Vec<String>, String, Extent) {
-        let mut names = Members::new(NAMES);
+    fn structure(&mut self, record: &PlannedRecord<'_>, place: &str) -> (Vec<String>, String, TypeExtent) {
+        let mut names = MemberNames::new(NAMES);
         let (mut members, mut values, mut extents) = (Vec::new(), Vec::new(), Vec::new());
         let mut rows: Vec<RecordRow> = Vec::new();
         let object = record.object;
@@ -327,7 +344,7 @@ impl<'a> Builder<'a> {
             rows.push(row(cell, &place));
         }
         self.push_record(object, rows);
-        (members, format!("{{{}}}", values.join(", ")), Extent::structure(extents))
+        (members, format!("{{{}}}", values.join(", ")), TypeExtent::structure(extents))
     }
 
     /// A record is read by its rows; one with sub-index 0 only would be read as a value.
@@ -365,16 +382,18 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn objects(&self, family: &Family) -> impl Iterator<Item = &'a ResolvedObject<'a>> {
+    fn objects(&self, family: &StructureFamily) -> impl Iterator<Item = &'a ResolvedObject<'a>> {
         let (first, last) = (family.first, family.last);
         self.dictionary.objects.iter().filter(move |object| (first..=last).contains(&object.index))
     }
 
-    fn family(&mut self, family: &'static Family, count: usize) {
-        let location =
-            self.objects(family).next().map_or(Location::Rom, |object| Location::of(object, self.options));
+    fn family(&mut self, family: &'static StructureFamily, count: usize) {
+        let location = self
+            .objects(family)
+            .next()
+            .map_or(ValueLocation::Rom, |object| ValueLocation::of(object, self.options));
         let type_name = format!("OD_{}_t", family.name);
-        let member = |field: special::Field| {
+        let member = |field: special::StructureField| {
             format!("{} {}", number_type(field.data_type, NUMBERS).unwrap_or_default(), field.name)
         };
         let members = family.fields().map(member).collect();
@@ -400,11 +419,11 @@ impl<'a> Builder<'a> {
     /// The values of one structure; rows of its object, and variables for what the structure has no member for.
     fn element(
         &mut self,
-        family: &Family,
+        family: &StructureFamily,
         object: Option<&'a ResolvedObject<'a>>,
-        (location, path): (Location, &str),
+        (location, path): (ValueLocation, &str),
     ) -> Vec<String> {
-        let missing = |field: special::Field| format!("0x{:X}u", family.missing(&field));
+        let missing = |field: special::StructureField| format!("0x{:X}u", family.missing(&field));
         let mut values: Vec<String> = family.fields().map(missing).collect();
         let Some(object) = object else { return values };
         self.named.push((object, family.name.to_owned()));
@@ -422,7 +441,7 @@ impl<'a> Builder<'a> {
                 None => {
                     let name = format!("{}_{:04X}_{:02X}", family.name, object.index, entry.sub);
                     if cell.is_stored() {
-                        self.plan.variables.push(Variable {
+                        self.plan.variables.push(StructureMember {
                             index: object.index,
                             location,
                             declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
@@ -475,13 +494,15 @@ impl<'a> Builder<'a> {
                 continue;
             }
             let (c_type, count, value, behind) = match named.form {
-                Form::Value(data_type, value) => (of(data_type), None, format!("0x{value:X}u"), ""),
-                Form::List(data_type, least) => (of(data_type), Some(least), "{0}".to_owned(), "array"),
-                Form::Octets(least) => ("OCTET_STRING".to_owned(), Some(least), "{0}".to_owned(), "string"),
+                StackForm::Value(data_type, value) => (of(data_type), None, format!("0x{value:X}u"), ""),
+                StackForm::List(data_type, least) => (of(data_type), Some(least), "{0}".to_owned(), "array"),
+                StackForm::Octets(least) => {
+                    ("OCTET_STRING".to_owned(), Some(least), "{0}".to_owned(), "string")
+                }
             };
             let suffix = count.map(|count| format!("[{count}]")).unwrap_or_default();
-            let extents = vec![(None, Extent::of_c(&c_type).times(count.unwrap_or(1)))];
-            self.define((named.index, Location::Ram), (&c_type, named.name, &suffix), value, extents);
+            let extents = vec![(None, TypeExtent::of_c(&c_type).times(count.unwrap_or(1)))];
+            self.define((named.index, ValueLocation::Ram), (&c_type, named.name, &suffix), value, extents);
             if let Some(count) = count {
                 self.alias(format!("ODL_{}_{behind}Length", named.name), count.to_string());
             }
@@ -495,13 +516,13 @@ fn is_added(index: u16, sub: u8, value: u64) -> bool {
 }
 
 /// The structure of a family.
-fn structure(family: &Family) -> Extent {
-    let size = |data_type: DataType| Extent::number(usize::from(data_type.byte_length().unwrap_or(4)));
-    Extent::structure(family.fields().map(|field| size(field.data_type)))
+fn structure(family: &StructureFamily) -> TypeExtent {
+    let size = |data_type: DataType| TypeExtent::number(usize::from(data_type.byte_length().unwrap_or(4)));
+    TypeExtent::structure(family.fields().map(|field| size(field.data_type)))
 }
 
 /// The row of an entry.
-fn row(cell: &Cell, place: &str) -> RecordRow {
+fn row(cell: &StructureCell, place: &str) -> RecordRow {
     let element = if cell.room.is_some() { "[0]" } else { "" };
     let data = if cell.is_stored() { format!("&{place}{element}") } else { "0".to_owned() };
     RecordRow { data, attribute: cell.attribute, length: cell.length }
@@ -523,7 +544,7 @@ fn entry_name(index: u16, entry: &ResolvedEntry<'_>) -> String {
 
 /// Whether the stack can know an object as an array: elements alike, and their number in sub-index 0, which is
 /// not stored. LSS reads the identity as a record.
-fn is_array(object: &ResolvedObject<'_>, cells: &[Cell]) -> bool {
+fn is_array(object: &ResolvedObject<'_>, cells: &[StructureCell]) -> bool {
     let is_list = object.object.object_type() == ObjectType::Array && object.index != 0x1018
         || object.object.compact.is_some()
         || matches!(object.index, 0x1003 | 0x1016 | 0x1029);
@@ -531,9 +552,9 @@ fn is_array(object: &ResolvedObject<'_>, cells: &[Cell]) -> bool {
     let Some(first) = cells.get(1) else { return false };
     let number = u64::try_from(elements.len()).unwrap_or(u64::MAX);
     let is_count = count.sub == 0
-        && count.resolved.shape == Shape::Word(DataType::UNSIGNED8)
+        && count.resolved.shape == ValueShape::Word(DataType::UNSIGNED8)
         && (object.index == 0x1003
-            || !count.resolved.access.is_writable() && count.resolved.default == Datum::Word(number));
+            || !count.resolved.access.is_writable() && count.resolved.default == Encoded::Word(number));
     let numbered = elements.iter().zip(1_u16..).all(|(entry, sub)| u16::from(entry.sub) == sub);
     let alike = cells.iter().skip(1).all(|cell| cell.is_like(first) && cell.is_stored());
     is_list && is_count && numbered && alike && elements.len() < usize::from(u8::MAX)

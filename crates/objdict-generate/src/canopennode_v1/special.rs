@@ -2,7 +2,7 @@
 
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::model::DataType;
-use crate::resolve::Shape;
+use crate::resolve::ValueShape;
 
 const U8: DataType = DataType::UNSIGNED8;
 const U16: DataType = DataType::UNSIGNED16;
@@ -10,7 +10,7 @@ const U32: DataType = DataType::UNSIGNED32;
 
 /// What the stack takes an object for.
 #[derive(Clone, Copy)]
-pub(super) enum Form {
+pub(super) enum StackForm {
     /// A number of this type, with its value where the description lacks the object.
     Value(DataType, u32),
     /// At least this many elements of this type.
@@ -20,19 +20,19 @@ pub(super) enum Form {
 }
 
 /// An object with the name that the stack uses.
-pub(super) struct Named {
+pub(super) struct NamedObject {
     pub(super) index: u16,
     pub(super) name: &'static str,
-    pub(super) form: Form,
+    pub(super) form: StackForm,
 }
 
-const fn value(index: u16, name: &'static str, data_type: DataType, missing: u32) -> Named {
-    Named { index, name, form: Form::Value(data_type, missing) }
+const fn value(index: u16, name: &'static str, data_type: DataType, missing: u32) -> NamedObject {
+    NamedObject { index, name, form: StackForm::Value(data_type, missing) }
 }
 
-pub(super) const NAMED: [Named; 15] = [
+pub(super) const NAMED: [NamedObject; 15] = [
     value(0x1001, "errorRegister", U8, 0),
-    Named { index: 0x1003, name: "preDefinedErrorField", form: Form::List(U32, 1) },
+    NamedObject { index: 0x1003, name: "preDefinedErrorField", form: StackForm::List(U32, 1) },
     value(0x1005, "COB_ID_SYNCMessage", U32, 0x80),
     value(0x1006, "communicationCyclePeriod", U32, 0),
     value(0x1007, "synchronousWindowLength", U32, 0),
@@ -40,25 +40,25 @@ pub(super) const NAMED: [Named; 15] = [
     value(0x100D, "lifeTimeFactor", U8, 0),
     value(0x1012, "COB_ID_TIME", U32, 0x100),
     value(0x1015, "inhibitTimeEMCY", U16, 0),
-    Named { index: 0x1016, name: "consumerHeartbeatTime", form: Form::List(U32, 1) },
+    NamedObject { index: 0x1016, name: "consumerHeartbeatTime", form: StackForm::List(U32, 1) },
     value(0x1017, "producerHeartbeatTime", U16, 0),
     value(0x1019, "synchronousCounterOverflowValue", U8, 0),
-    Named { index: 0x1029, name: "errorBehavior", form: Form::List(U8, 6) },
+    NamedObject { index: 0x1029, name: "errorBehavior", form: StackForm::List(U8, 6) },
     value(0x1F80, "NMTStartup", U32, 0),
-    Named { index: 0x2100, name: "errorStatusBits", form: Form::Octets(10) },
+    NamedObject { index: 0x2100, name: "errorStatusBits", form: StackForm::Octets(10) },
 ];
 
 /// The members of the identity, which LSS reads.
 pub(super) const IDENTITY: [&str; 4] = ["vendorID", "productCode", "revisionNumber", "serialNumber"];
 
 /// A member of a structure of the stack.
-pub(super) struct Field {
+pub(super) struct StructureField {
     pub(super) name: &'static str,
     pub(super) data_type: DataType,
 }
 
 /// Objects of which the stack has an array of structures.
-pub(super) struct Family {
+pub(super) struct StructureFamily {
     pub(super) first: u16,
     pub(super) last: u16,
     pub(super) name: &'static str,
@@ -69,8 +69,8 @@ pub(super) struct Family {
 }
 
 /// The stack compiles without SDO clients, but not without one of each other family.
-const fn family(first: u16, last: u16, name: &'static str, members: &'static str) -> Family {
-    Family { first, last, name, members, needed: first != 0x1280 }
+const fn family(first: u16, last: u16, name: &'static str, members: &'static str) -> StructureFamily {
+    StructureFamily { first, last, name, members, needed: first != 0x1280 }
 }
 
 const MAPPING: &str =
@@ -84,7 +84,7 @@ const RPDO: &str = "8 maxSubIndex 32 COB_IDUsedByRPDO 8 transmissionType";
 const TPDO: &str = "8 maxSubIndex 32 COB_IDUsedByTPDO 8 transmissionType 16 inhibitTime 8 compatibilityEntry
     16 eventTimer 8 SYNCStartValue";
 
-pub(super) const FAMILIES: [Family; 6] = [
+pub(super) const FAMILIES: [StructureFamily; 6] = [
     family(0x1200, 0x127F, "SDOServerParameter", SDO),
     family(0x1280, 0x12FF, "SDOClientParameter", SDO_CLIENT),
     family(0x1400, 0x15FF, "RPDOCommunicationParameter", RPDO),
@@ -93,14 +93,14 @@ pub(super) const FAMILIES: [Family; 6] = [
     family(0x1A00, 0x1BFF, "TPDOMappingParameter", MAPPING),
 ];
 
-impl Family {
+impl StructureFamily {
     /// The family of an index.
     pub(super) fn of(index: u16) -> Option<&'static Self> {
         FAMILIES.iter().find(|family| (family.first..=family.last).contains(&index))
     }
 
     /// The members by sub-index.
-    pub(super) fn fields(&self) -> impl Iterator<Item = Field> {
+    pub(super) fn fields(&self) -> impl Iterator<Item = StructureField> {
         let mut words = self.members.split_ascii_whitespace();
         std::iter::from_fn(move || {
             let data_type = match words.next()? {
@@ -108,19 +108,19 @@ impl Family {
                 "16" => U16,
                 _ => U32,
             };
-            Some(Field { data_type, name: words.next()? })
+            Some(StructureField { data_type, name: words.next()? })
         })
     }
 
     /// The member for an entry; `None` if it has none of this type.
-    pub(super) fn field(&self, entry: &ResolvedEntry<'_>) -> Option<Field> {
+    pub(super) fn field(&self, entry: &ResolvedEntry<'_>) -> Option<StructureField> {
         let field = self.fields().nth(entry.sub.into())?;
-        (entry.resolved.shape == Shape::Word(field.data_type)).then_some(field)
+        (entry.resolved.shape == ValueShape::Word(field.data_type)).then_some(field)
     }
 
     /// The initial value of a member without an entry: a PDO or SDO without COB-ID is not valid, and the stack
     /// checks the number of members.
-    pub(super) fn missing(&self, field: &Field) -> u32 {
+    pub(super) fn missing(&self, field: &StructureField) -> u32 {
         match field.name {
             "maxSubIndex" => u32::try_from(self.fields().count() - 1).unwrap_or(0),
             name if name.starts_with("COB_ID") => 0x8000_0000,
@@ -130,20 +130,22 @@ impl Family {
 }
 
 /// The name of an object, if the stack can use it in its form; `Err` if it cannot.
-pub(super) fn named(object: &ResolvedObject<'_>) -> Result<Option<&'static Named>, &'static Named> {
+pub(super) fn named(
+    object: &ResolvedObject<'_>,
+) -> Result<Option<&'static NamedObject>, &'static NamedObject> {
     let Some(named) = NAMED.iter().find(|named| named.index == object.index) else { return Ok(None) };
-    let is = |entry: &ResolvedEntry<'_>, data_type| entry.resolved.shape == Shape::Word(data_type);
+    let is = |entry: &ResolvedEntry<'_>, data_type| entry.resolved.shape == ValueShape::Word(data_type);
     let fits = match named.form {
-        Form::Value(data_type, _) => {
+        StackForm::Value(data_type, _) => {
             object.is_single() && object.entries.iter().all(|entry| is(entry, data_type))
         }
-        Form::List(data_type, least) => {
+        StackForm::List(data_type, least) => {
             let elements = object.entries.iter().filter(|entry| entry.sub > 0);
             elements.clone().count() >= least && elements.clone().all(|entry| is(entry, data_type))
         }
-        Form::Octets(least) => {
+        StackForm::Octets(least) => {
             let has_room = |entry: &ResolvedEntry<'_>| match entry.resolved.shape {
-                Shape::Bytes(DataType::OCTET_STRING, room) => usize::from(room) >= least,
+                ValueShape::Bytes(DataType::OCTET_STRING, room) => usize::from(room) >= least,
                 _ => false,
             };
             object.is_single() && object.entries.iter().all(has_room)

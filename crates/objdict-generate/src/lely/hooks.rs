@@ -1,7 +1,7 @@
 //! Entries for which the library calls the application (`--hook`).
 
 use super::view::MOST_ENTRIES;
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::model::Place;
 use crate::notes::place_of;
 use crate::{Note, Options};
@@ -25,7 +25,11 @@ fn is_of_library(index: u16) -> bool {
 }
 
 /// The objects with entries that the options name. Notes report what the library does not call for.
-pub(super) fn hooked(dictionary: &Dictionary<'_>, options: &Options, notes: &mut Vec<Note>) -> Vec<Hook> {
+pub(super) fn hooked(
+    dictionary: &TableDictionary<'_>,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<Hook> {
     let mut hooks: Vec<Hook> = Vec::new();
     for &at in &options.hooks {
         let entries = dictionary.object(at.index).map_or(&[][..], |object| &object.entries);

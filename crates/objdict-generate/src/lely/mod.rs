@@ -9,7 +9,7 @@ mod value;
 mod view;
 
 use super::c_code::file_name;
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Generated, Options, render, startup};
 use crate::model::{Device, DeviceKind};
@@ -19,13 +19,13 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let stem = file_name(options, "sdev");
     // the library allocates the memory of texts and DOMAINs, so their capacity has no limit
     let unlimited = Options { domain_capacity: u16::MAX, ..options.clone() };
-    let mut dictionary = Dictionary::new(device, &unlimited)?;
+    let mut dictionary = TableDictionary::new(device, &unlimited)?;
     // an EDS may have configured values as well
     let configured = Device { kind: DeviceKind::Node, ..device.clone() };
     let defaults = configured.unconfigured();
-    let defaults = Dictionary::new(&defaults, &unlimited)?;
+    let defaults = TableDictionary::new(&defaults, &unlimited)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
-    let tables = view::Tables::new(&dictionary, &defaults, options, (&prefix, &stem), &mut notes);
+    let tables = view::LelyView::new(&dictionary, &defaults, options, (&prefix, &stem), &mut notes);
     let files =
         vec![render(format!("{stem}.c"), tables.source()), render(format!("{stem}.h"), tables.header())];
     let mut notes = once_per_device(in_order(notes));

@@ -2,7 +2,7 @@
 
 use crate::c_code::{listed, literal, number};
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape, is_time};
+use crate::resolve::{Encoded, EntryPlan, ValueShape, is_time};
 
 /// The indentation of further lines of a value.
 const INDENT: &str = "        ";
@@ -11,10 +11,12 @@ const INDENT: &str = "        ";
 pub(super) const UNCONFIGURED: u8 = 0xFF;
 
 /// The type that the library has for an entry: of a device-specific type the number or octet string of its length.
-pub(super) fn data_type(shape: Shape) -> DataType {
+pub(super) fn data_type(shape: ValueShape) -> DataType {
     match shape {
-        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type,
-        Shape::Block(length) => DataType::unsigned(usize::from(length)).unwrap_or(DataType::OCTET_STRING),
+        ValueShape::Word(data_type) | ValueShape::Bytes(data_type, _) => data_type,
+        ValueShape::Block(length) => {
+            DataType::unsigned(usize::from(length)).unwrap_or(DataType::OCTET_STRING)
+        }
     }
 }
 
@@ -49,7 +51,7 @@ pub(super) fn has_limits(data_type: DataType) -> bool {
 }
 
 /// A limit of an entry: that of its type (`MIN` or `MAX`) if the description has none.
-pub(super) fn limit(limit: Option<&Datum>, data_type: DataType, of_type: &str, node_id: u8) -> String {
+pub(super) fn limit(limit: Option<&Encoded>, data_type: DataType, of_type: &str, node_id: u8) -> String {
     match limit {
         Some(limit) => value(limit, data_type, node_id),
         None => format!(".{} = CO_{}_{of_type}", member(data_type), type_name(data_type)),
@@ -57,18 +59,18 @@ pub(super) fn limit(limit: Option<&Datum>, data_type: DataType, of_type: &str, n
 }
 
 /// The initial value of an entry.
-pub(super) fn initial(resolved: &Resolved, node_id: u8) -> String {
+pub(super) fn initial(resolved: &EntryPlan, node_id: u8) -> String {
     value(&resolved.default, data_type(resolved.shape), node_id)
 }
 
-fn value(datum: &Datum, data_type: DataType, node_id: u8) -> String {
+fn value(datum: &Encoded, data_type: DataType, node_id: u8) -> String {
     let word = match datum {
-        Datum::Word(word) => *word,
-        Datum::Formula(offset) => wrapped(offset.wrapping_add(u64::from(node_id)), data_type),
-        Datum::Bytes(bytes) if data_type.is_numeric() => {
+        Encoded::Word(word) => *word,
+        Encoded::Formula(offset) => wrapped(offset.wrapping_add(u64::from(node_id)), data_type),
+        Encoded::Bytes(bytes) if data_type.is_numeric() => {
             bytes.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte))
         }
-        Datum::Bytes(bytes) => return texts(bytes, data_type),
+        Encoded::Bytes(bytes) => return texts(bytes, data_type),
     };
     let member = member(data_type);
     if is_time(data_type) {
@@ -137,12 +139,12 @@ mod tests {
 
     #[test]
     fn values_have_the_members_of_their_types() {
-        let word = |word, data_type| value(&Datum::Word(word), data_type, UNCONFIGURED);
+        let word = |word, data_type| value(&Encoded::Word(word), data_type, UNCONFIGURED);
         assert_eq!(word(5, DataType::UNSIGNED8), ".u8 = 5u");
         assert_eq!(word(-5_i64 as u64, DataType::INTEGER40), ".i40 = -5");
         assert_eq!(word(u64::from(f32::NAN.to_bits()), DataType::REAL32), ".u32 = 0x7FC00000u");
         assert_eq!(word(2 << 32 | 7, DataType::TIME_DIFFERENCE), ".td = {.ms = 7u, .days = 2u}");
-        let bytes = |bytes: &[u8], data_type| value(&Datum::Bytes(bytes.to_vec()), data_type, UNCONFIGURED);
+        let bytes = |bytes: &[u8], data_type| value(&Encoded::Bytes(bytes.to_vec()), data_type, UNCONFIGURED);
         assert_eq!(bytes(b"a\"", DataType::VISIBLE_STRING), ".vs = CO_VISIBLE_STRING_C(\"a\\\"\")");
         assert_eq!(
             bytes(&[0x41, 0], DataType::UNICODE_STRING),
@@ -156,7 +158,7 @@ mod tests {
 
     #[test]
     fn a_sum_beyond_its_type_wraps() {
-        let sum = |offset, data_type| value(&Datum::Formula(offset), data_type, UNCONFIGURED);
+        let sum = |offset, data_type| value(&Encoded::Formula(offset), data_type, UNCONFIGURED);
         assert_eq!(sum(0x80, DataType::UNSIGNED8), ".u8 = 127u");
         assert_eq!(sum(0, DataType::INTEGER8), ".i8 = -1");
         assert_eq!(sum(0x180, DataType::UNSIGNED32), ".u32 = 0x0000027Fu");

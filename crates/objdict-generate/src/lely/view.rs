@@ -3,20 +3,20 @@
 use super::hooks::{Hook, hooked};
 use super::value::{UNCONFIGURED, data_type, has_limits, initial, limit, type_name};
 use crate::c_code::literal;
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::escape::{c_text, shown};
 use crate::head::Head;
 use crate::model::{Access, DataType, Entry, Place, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 use crate::{Note, Options};
 
 /// Maximum number of entries of an object: `nsub` is a byte.
 pub(super) const MOST_ENTRIES: usize = 255;
 
 /// What the files have.
-pub(super) struct Tables<'a> {
+pub(super) struct LelyView<'a> {
     head: Head,
-    dictionary: &'a Dictionary<'a>,
+    dictionary: &'a TableDictionary<'a>,
     options: &'a Options,
     objects: Vec<SdevObject>,
     hooks: Vec<Hook>,
@@ -49,10 +49,10 @@ struct SdevRow {
     flags: String,
 }
 
-impl<'a> Tables<'a> {
+impl<'a> LelyView<'a> {
     pub(super) fn new(
-        dictionary: &'a Dictionary<'a>,
-        defaults: &Dictionary<'_>,
+        dictionary: &'a TableDictionary<'a>,
+        defaults: &TableDictionary<'_>,
         options: &'a Options,
         (prefix, stem): (&str, &str),
         notes: &mut Vec<Note>,
@@ -111,8 +111,8 @@ fn text(text: &str) -> String {
 
 /// The objects of a dictionary; `defaults` is the dictionary of the same device without configuration.
 pub(super) fn objects(
-    dictionary: &Dictionary<'_>,
-    defaults: &Dictionary<'_>,
+    dictionary: &TableDictionary<'_>,
+    defaults: &TableDictionary<'_>,
     names: bool,
     notes: &mut Vec<Note>,
 ) -> Vec<SdevObject> {
@@ -152,7 +152,7 @@ fn row(
     let resolved = &entry.resolved;
     let place = Place::entry(object.index, entry.sub);
     let data_type = data_type(resolved.shape);
-    if let Shape::Block(_) = resolved.shape {
+    if let ValueShape::Block(_) = resolved.shape {
         let text =
             "the stack has no types of the device; the entry is the UNSIGNED or OCTET_STRING of its length";
         notes.push(Note::new(place.clone(), text));
@@ -163,12 +163,12 @@ fn row(
         notes.push(Note::new(place.clone(), text));
     }
     if data_type.kind() == TypeKind::UnicodeString
-        && matches!(&resolved.default, Datum::Bytes(bytes) if bytes.chunks(2).any(|pair| pair == [0, 0]))
+        && matches!(&resolved.default, Encoded::Bytes(bytes) if bytes.chunks(2).any(|pair| pair == [0, 0]))
     {
         notes.push(Note::new(place, "the library truncates a UNICODE_STRING at its first zero character"));
     }
-    let limits = |low: &Option<Datum>, high: &Option<Datum>| {
-        let of = |datum: &Option<Datum>, of_type| limit(datum.as_ref(), data_type, of_type, node_id);
+    let limits = |low: &Option<Encoded>, high: &Option<Encoded>| {
+        let of = |datum: &Option<Encoded>, of_type| limit(datum.as_ref(), data_type, of_type, node_id);
         (of(low, "MIN"), of(high, "MAX"))
     };
     let value = initial(resolved, node_id);
@@ -214,9 +214,9 @@ fn access(entry: &ResolvedEntry<'_>) -> &'static str {
 }
 
 /// The flags of a row: `ObjFlags`, files, and where the node-ID is part of a number.
-fn flags(entry: &ResolvedEntry<'_>, default: &Datum, file: Option<&'static str>) -> String {
+fn flags(entry: &ResolvedEntry<'_>, default: &Encoded, file: Option<&'static str>) -> String {
     let resolved = &entry.resolved;
-    let formula = |datum: Option<&Datum>| datum.is_some_and(Datum::is_formula);
+    let formula = |datum: Option<&Encoded>| datum.is_some_and(Encoded::is_formula);
     let flags = entry.entry.flags();
     let named = [
         ("READ", flags.0 & 1 != 0), // the library names the bits by what they refuse on an upload and a download

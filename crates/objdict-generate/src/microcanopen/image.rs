@@ -1,10 +1,10 @@
 //! The process image.
 
 use crate::Note;
-use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::{Part, Place};
-use crate::names::Scope;
-use crate::resolve::Shape;
+use crate::names::NameScope;
+use crate::resolve::ValueShape;
 use crate::variables::claim;
 
 /// The longest value in one SDO frame.
@@ -41,13 +41,13 @@ pub(super) fn is_of_the_stack(index: u16, sub: u8) -> bool {
 fn belongs(index: u16, entry: &ResolvedEntry<'_>) -> bool {
     let resolved = &entry.resolved;
     let length = resolved.shape.size();
-    let fixed = !matches!(resolved.shape, Shape::Bytes(..));
+    let fixed = !matches!(resolved.shape, ValueShape::Bytes(..));
     index >= 0x2000 && !resolved.constant && fixed && (1..=LONGEST).contains(&length)
 }
 
 impl<'a> Image<'a> {
     /// Collects the entries of the image without placing them.
-    pub(super) fn new(dictionary: &'a Dictionary<'a>, prefix: &str, notes: &mut Vec<Note>) -> Self {
+    pub(super) fn new(dictionary: &'a TableDictionary<'a>, prefix: &str, notes: &mut Vec<Note>) -> Self {
         let (mut entries, mut wanted) = (Vec::new(), Vec::new());
         for object in &dictionary.objects {
             for (number, entry) in object.entries.iter().enumerate() {
@@ -74,7 +74,8 @@ impl<'a> Image<'a> {
                 });
             }
         }
-        for (entry, name) in entries.iter_mut().zip(claim(&mut Scope::of_constants(""), prefix, &wanted)) {
+        for (entry, name) in entries.iter_mut().zip(claim(&mut NameScope::of_constants(""), prefix, &wanted))
+        {
             entry.name = name.to_ascii_uppercase();
         }
         Self { entries, size: 0 }

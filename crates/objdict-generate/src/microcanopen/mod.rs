@@ -14,19 +14,19 @@ mod replies;
 mod view;
 
 use super::c_code::file_stem;
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::head::Head;
-use super::memory::{Memory, Tally};
+use super::memory::{Memory, SizeTally};
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Note, Options, Sizes, render};
+use super::{BackendOutput, GenerateError, Note, Options, Sizes, render};
 use crate::model::{Device, Part};
-use view::Tables;
+use view::MicroCanOpenView;
 
 /// Maximum number of rows in the stack.
 const MOST_ROWS: usize = 255;
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
-    let mut dictionary = Dictionary::new(device, options)?;
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
+    let mut dictionary = TableDictionary::new(device, options)?;
     let prefix = options.prefix_or("od")?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let mut image = image::Image::new(&dictionary, &prefix, &mut notes);
@@ -42,12 +42,12 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     image.check(&mut notes);
     let stem = file_stem(options);
     let head = Head::new(device, options, &prefix, &stem);
-    let tables = Tables { head, dictionary: &dictionary, image, calls, replies };
+    let tables = MicroCanOpenView { head, dictionary: &dictionary, image, calls, replies };
     let files = vec![
         render(format!("{stem}_mco.c"), tables.source()),
         render(format!("{stem}_pimg.h"), tables.header()),
     ];
-    Ok(Made { files, notes: once_per_device(in_order(notes)), size: size(&tables) })
+    Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size: size(&tables) })
 }
 
 /// What the sizes include.
@@ -60,8 +60,8 @@ const REPLY: usize = 8;
 /// Size of a process image row with 16-bit offsets, in bytes.
 const ROW: usize = 6;
 
-fn size(Tables { dictionary, image, replies, .. }: &Tables<'_>) -> Sizes {
-    let mut tally = Tally::of_dictionary(dictionary);
+fn size(MicroCanOpenView { dictionary, image, replies, .. }: &MicroCanOpenView<'_>) -> Sizes {
+    let mut tally = SizeTally::of_dictionary(dictionary);
     for reply in replies {
         tally.of(reply.index, Memory::Flash, REPLY);
     }

@@ -2,14 +2,14 @@
 
 use super::image::Image;
 use crate::Note;
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::model::{MappedObject, Pdo, PdoKind, Place};
 
 /// Number of PDOs per direction in the stack.
 const MOST: u16 = 4;
 
 /// A call of `MCO_InitTPDO` or `MCO_InitRPDO`.
-pub(super) struct Call {
+pub(super) struct InitCall {
     pub(super) kind: PdoKind,
     pub(super) number: u16,
     /// A CAN-ID or an offset to the node-ID; `None` for the predefined CAN-ID.
@@ -22,7 +22,11 @@ pub(super) struct Call {
 }
 
 /// The calls for all PDOs that the stack supports; places the mapped objects.
-pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image<'_>, notes: &mut Vec<Note>) -> Vec<Call> {
+pub(super) fn calls(
+    dictionary: &TableDictionary<'_>,
+    image: &mut Image<'_>,
+    notes: &mut Vec<Note>,
+) -> Vec<InitCall> {
     let mut calls = Vec::new();
     for kind in [PdoKind::Tpdo, PdoKind::Rpdo] {
         for pdo in dictionary.device.pdos().filter(|pdo| pdo.kind == kind) {
@@ -42,7 +46,7 @@ fn call(
     pdo: &Pdo<'_>,
     image: &mut Image<'_>,
     notes: &mut Vec<Note>,
-) -> Result<Option<Call>, (Place, String)> {
+) -> Result<Option<InitCall>, (Place, String)> {
     let index = pdo.communication_index();
     let Some(id) = pdo.cob_id else {
         return Err((Place::entry(index, 1), "the COB-ID is missing".to_owned()));
@@ -76,7 +80,7 @@ fn call(
     let default = pdo.kind.predefined_can_id(pdo.number).map(u32::from);
     let is_default = id.depends_on_node_id() && Some(base) == default;
     let can_id = (!is_default).then_some((base, id.depends_on_node_id()));
-    Ok(Some(Call { kind: pdo.kind, number: pdo.number, can_id, event, inhibit, length, offset }))
+    Ok(Some(InitCall { kind: pdo.kind, number: pdo.number, can_id, event, inhibit, length, offset }))
 }
 
 /// Places the mapped objects of a PDO in sequence; returns their offset and length.

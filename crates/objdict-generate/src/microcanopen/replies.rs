@@ -2,9 +2,9 @@
 
 use super::image::{LONGEST, is_of_the_stack};
 use crate::Note;
-use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::Place;
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 
 /// A row of the table.
 pub(super) struct Reply {
@@ -14,7 +14,7 @@ pub(super) struct Reply {
 }
 
 /// The rows by index and sub-index.
-pub(super) fn replies(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Vec<Reply> {
+pub(super) fn replies(dictionary: &TableDictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Vec<Reply> {
     let mut replies = Vec::new();
     for (object, entry) in dictionary.entries() {
         if let Some(row) = reply(object.index, entry, prefix, notes) {
@@ -34,7 +34,7 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
         return None;
     }
     let length = match &resolved.default {
-        Datum::Bytes(bytes) if matches!(resolved.shape, Shape::Bytes(..)) => bytes.len(),
+        Encoded::Bytes(bytes) if matches!(resolved.shape, ValueShape::Bytes(..)) => bytes.len(),
         _ => resolved.shape.size(),
     };
     if !(1..=LONGEST).contains(&length) {
@@ -44,7 +44,7 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
         say(&text);
         return None;
     }
-    let fixed = !matches!(resolved.shape, Shape::Bytes(..));
+    let fixed = !matches!(resolved.shape, ValueShape::Bytes(..));
     if index >= 0x2000 && fixed && !resolved.constant {
         return None; // in the process image
     }
@@ -57,16 +57,16 @@ fn reply(index: u16, entry: &ResolvedEntry<'_>, prefix: &str, notes: &mut Vec<No
     }
     let address = format!("0x{index:04X}, 0x{sub:02X}, {length}");
     Some(match &resolved.default {
-        Datum::Formula(offset) => {
+        Encoded::Formula(offset) => {
             let node_id = format!("{}_NODE_ID", prefix.to_ascii_uppercase());
             say(&format!("the node-ID of the reply is the constant `{node_id}`"));
             format!("SDOREPLY({address}, (0x{offset:X}L + {node_id}))")
         }
-        Datum::Word(word) => {
+        Encoded::Word(word) => {
             let bits = 64 - 8 * u32::try_from(length).unwrap_or(8);
             format!("SDOREPLY({address}, 0x{:X}L)", word & (u64::MAX >> bits))
         }
-        Datum::Bytes(bytes) => {
+        Encoded::Bytes(bytes) => {
             let byte = |at: usize| bytes.get(at).copied().unwrap_or(0);
             let bytes: Vec<String> = (0..LONGEST).map(|at| format!("0x{:02X}", byte(at))).collect();
             format!("SDOREPLY4({address}, {})", bytes.join(", "))

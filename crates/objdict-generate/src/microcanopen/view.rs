@@ -1,26 +1,26 @@
 //! Views of the MicroCANopen templates.
 
 use super::image::{Image, ImageEntry};
-use super::pdos::Call;
+use super::pdos::InitCall;
 use super::replies::Reply;
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::head::Head;
 use crate::model::PdoKind;
-use crate::resolve::Datum;
+use crate::resolve::Encoded;
 
 /// What the files have.
-pub(super) struct Tables<'a> {
+pub(super) struct MicroCanOpenView<'a> {
     pub(super) head: Head,
-    pub(super) dictionary: &'a Dictionary<'a>,
+    pub(super) dictionary: &'a TableDictionary<'a>,
     pub(super) image: Image<'a>,
-    pub(super) calls: Vec<Call>,
+    pub(super) calls: Vec<InitCall>,
     pub(super) replies: Vec<Reply>,
 }
 
 include!("../../expanded/microcanopen/mco.c.rs");
 include!("../../expanded/microcanopen/pimg.h.rs");
 
-impl Tables<'_> {
+impl MicroCanOpenView<'_> {
     /// In milliseconds.
     fn heartbeat(&self) -> u16 {
         let time = self.dictionary.device.entry(0x1017, 0).and_then(|entry| entry.value()?.as_integer());
@@ -62,7 +62,7 @@ impl ImageEntry<'_> {
             _ => format!("P_{}_OFF + {at}", self.name),
         };
         match &self.entry.resolved.default {
-            Datum::Formula(base) => (0..self.size)
+            Encoded::Formula(base) => (0..self.size)
                 .map(|at| (offset(at), format!("((0x{base:X}L + {node_id}) >> {}) & 0xFF", 8 * at)))
                 .collect(),
             value => {

@@ -1,6 +1,6 @@
 //! The mapping of PDOs.
 
-use super::Tables;
+use super::ObjdictMacrosView;
 use crate::Note;
 use crate::model::{Pdo, PdoKind, Place};
 
@@ -8,14 +8,14 @@ use crate::model::{Pdo, PdoKind, Place};
 pub(super) const SLOTS: usize = 8;
 
 /// A PDO.
-pub(super) struct PdoRow {
+pub(super) struct MappingRow {
     pub(super) kind: PdoKind,
     pub(super) number: u16,
     /// The mapped entries.
     pub(super) entries: Vec<String>,
 }
 
-impl PdoRow {
+impl MappingRow {
     /// The number of unused mapping entries.
     pub(super) fn unused(&self) -> usize {
         SLOTS.saturating_sub(self.entries.len())
@@ -23,7 +23,7 @@ impl PdoRow {
 }
 
 /// All PDOs with a mapping, by number per direction; numbers without one are empty.
-pub(super) fn pdos(tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<PdoRow> {
+pub(super) fn pdos(tables: &ObjdictMacrosView<'_>, notes: &mut Vec<Note>) -> Vec<MappingRow> {
     let mut rows = Vec::new();
     for kind in PdoKind::ALL {
         let of_kind: Vec<Pdo<'_>> = tables.dictionary.device.pdos().filter(|pdo| pdo.kind == kind).collect();
@@ -31,13 +31,13 @@ pub(super) fn pdos(tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<PdoRow> {
         for number in 1..=last {
             let pdo = of_kind.iter().find(|pdo| pdo.number == number);
             let entries = pdo.map(|pdo| entries(pdo, tables, notes)).unwrap_or_default();
-            rows.push(PdoRow { kind, number, entries });
+            rows.push(MappingRow { kind, number, entries });
         }
     }
     rows
 }
 
-fn entries(pdo: &Pdo<'_>, tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<String> {
+fn entries(pdo: &Pdo<'_>, tables: &ObjdictMacrosView<'_>, notes: &mut Vec<Note>) -> Vec<String> {
     let index = pdo.mapping_index();
     let mut entries = Vec::new();
     for (slot, mapped) in pdo.mapped_slots() {

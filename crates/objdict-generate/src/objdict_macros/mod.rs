@@ -8,28 +8,28 @@
 mod mapping;
 
 use super::c_code::{bytes, exact_type, typed};
-use super::dictionary::{Dictionary, ResolvedEntry};
+use super::dictionary::{ResolvedEntry, TableDictionary};
 use super::head::Head;
-use super::memory::{Extent, Memory, Tally};
-use super::names::Scope;
+use super::memory::{Memory, SizeTally, TypeExtent};
+use super::names::NameScope;
 use super::notes::{added, in_order, once_per_device};
-use super::variables::{CType, Definition, Wanted, claim, variables};
-use super::{GenerateError, Made, Note, Options, Sizes, render};
+use super::variables::{CType, Definition, WantedName, claim, variables};
+use super::{BackendOutput, GenerateError, Note, Options, Sizes, render};
 use crate::model::{Device, PdoKind, Place};
-use mapping::{PdoRow, SLOTS};
+use mapping::{MappingRow, SLOTS};
 
 /// What the files have.
-struct Tables<'a> {
+struct ObjdictMacrosView<'a> {
     head: Head,
-    dictionary: &'a Dictionary<'a>,
+    dictionary: &'a TableDictionary<'a>,
     /// The rows of the dictionary.
-    rows: Vec<ObjectRow<'a>>,
+    rows: Vec<DictionaryRow<'a>>,
     variables: Vec<Definition>,
-    pdos: Vec<PdoRow>,
+    pdos: Vec<MappingRow>,
 }
 
 /// A row of the dictionary.
-struct ObjectRow<'a> {
+struct DictionaryRow<'a> {
     index: u16,
     /// Whether it is the only entry of its object.
     single: bool,
@@ -41,30 +41,30 @@ include!("../../expanded/objdict-macros/objdict.h.rs");
 include!("../../expanded/objdict-macros/objdict.c.rs");
 include!("../../expanded/objdict-macros/mapping.c.rs");
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
-    let mut dictionary = Dictionary::new(device, options)?;
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
+    let mut dictionary = TableDictionary::new(device, options)?;
     let prefix = options.prefix_or("g")?;
     let mut notes = std::mem::take(&mut dictionary.notes);
-    let tables = Tables::new(&dictionary, Head::new(device, options, &prefix, ""), &mut notes);
+    let tables = ObjdictMacrosView::new(&dictionary, Head::new(device, options, &prefix, ""), &mut notes);
     let files = vec![
         render("objdict.h", tables.header()),
         render("objdict.c", tables.source()),
         render("mapping.c", tables.mapping()),
     ];
-    Ok(Made { files, notes: once_per_device(in_order(notes)), size: tables.size() })
+    Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size: tables.size() })
 }
 
 /// What the sizes include.
 const COUNTED: &str = "the rows as `objdict.h` declares them, mapping and values, on a processor of 32 bits";
 
-impl<'a> Tables<'a> {
-    fn new(dictionary: &'a Dictionary<'a>, head: Head, notes: &mut Vec<Note>) -> Self {
-        let mut scope = Scope::of_lower_case("");
+impl<'a> ObjdictMacrosView<'a> {
+    fn new(dictionary: &'a TableDictionary<'a>, head: Head, notes: &mut Vec<Note>) -> Self {
+        let mut scope = NameScope::of_lower_case("");
         let objects = &dictionary.objects;
         let entry = |object: usize, at: usize| &objects[object].entries[at];
         let mut addresses: Vec<Vec<String>> =
             objects.iter().map(|object| vec!["NULL".to_owned(); object.entries.len()]).collect();
-        let names = |wanted: &[Wanted<'_>]| claim(&mut scope, &head.lower, wanted);
+        let names = |wanted: &[WantedName<'_>]| claim(&mut scope, &head.lower, wanted);
         let mut definitions = Vec::new();
         for variable in variables(objects, names, |object, at| type_of(entry(object, at))) {
             let (object, name) = (variable.object, format!("{}_{}", head.lower, variable.name));
@@ -77,7 +77,7 @@ impl<'a> Tables<'a> {
         let addresses = addresses.into_iter().flatten();
         let rows = dictionary.entries().zip(addresses).map(|((object, entry), address)| {
             check(&Place::entry(object.index, entry.sub), entry, dictionary.node_id, notes);
-            ObjectRow { index: object.index, single: object.is_single(), entry, address }
+            DictionaryRow { index: object.index, single: object.is_single(), entry, address }
         });
         let rows = rows.collect();
         let mut tables = Self { head, dictionary, rows, variables: definitions, pdos: Vec::new() };
@@ -92,16 +92,16 @@ impl<'a> Tables<'a> {
     }
 
     /// The PDOs of a direction.
-    fn of(&self, kind: PdoKind) -> Vec<&PdoRow> {
+    fn of(&self, kind: PdoKind) -> Vec<&MappingRow> {
         self.pdos.iter().filter(|pdo| pdo.kind == kind).collect()
     }
 
     fn size(&self) -> Sizes {
-        let (half, byte, pointer) = (Extent::HALF, Extent::BYTE, Extent::POINTER);
-        let row = Extent::structure([half, byte, byte, Extent::WORD, pointer]);
-        let mapped = Extent::structure([half, byte, byte, pointer]);
-        let pdo_map = Extent::structure([byte, mapped.times(SLOTS)]);
-        let mut tally = Tally::of_dictionary(self.dictionary);
+        let (half, byte, pointer) = (TypeExtent::HALF, TypeExtent::BYTE, TypeExtent::POINTER);
+        let row = TypeExtent::structure([half, byte, byte, TypeExtent::WORD, pointer]);
+        let mapped = TypeExtent::structure([half, byte, byte, pointer]);
+        let pdo_map = TypeExtent::structure([byte, mapped.times(SLOTS)]);
+        let mut tally = SizeTally::of_dictionary(self.dictionary);
         self.rows.iter().for_each(|object| tally.of(object.index, Memory::Flash, row.size));
         self.variables.iter().for_each(|variable| variable.count(&mut tally));
         for pdo in &self.pdos {
@@ -112,7 +112,7 @@ impl<'a> Tables<'a> {
     }
 }
 
-impl ObjectRow<'_> {
+impl DictionaryRow<'_> {
     /// Length of a value; a read-only text has the length of its default.
     fn length(&self) -> usize {
         self.entry.resolved.shape.size()

@@ -2,7 +2,7 @@
 
 use crate::escape::byte_string;
 use crate::model::{DataType, Time, TypeKind};
-use crate::resolve::{Datum, Shape, digits};
+use crate::resolve::{Encoded, ValueShape, digits};
 
 /// The type of a number; integers of 24 to 56 bits use the next larger type.
 pub(crate) fn word_type(data_type: DataType) -> &'static str {
@@ -23,20 +23,22 @@ pub(crate) fn word_type(data_type: DataType) -> &'static str {
 }
 
 /// A value as a constant expression; formulas use the variable `node_id`.
-pub(crate) fn value_of(shape: Shape, datum: &Datum) -> String {
+pub(crate) fn value_of(shape: ValueShape, datum: &Encoded) -> String {
     match (shape, datum) {
-        (Shape::Word(data_type), Datum::Word(word)) => word_value(data_type, *word),
-        (Shape::Word(data_type), Datum::Formula(offset)) => {
+        (ValueShape::Word(data_type), Encoded::Word(word)) => word_value(data_type, *word),
+        (ValueShape::Word(data_type), Encoded::Formula(offset)) => {
             let node_id = match word_type(data_type) {
                 "u8" => "node_id".to_owned(),
                 type_ => format!("node_id as {type_}"),
             };
             if *offset == 0 { node_id } else { format!("{} + {node_id}", unsigned(*offset)) }
         }
-        (Shape::Bytes(..), Datum::Bytes(bytes)) => format!("Octets::new(b\"{}\")", byte_string(bytes)),
-        (Shape::Block(_), Datum::Bytes(bytes)) => format!("[{}]", hex_bytes(bytes)),
+        (ValueShape::Bytes(..), Encoded::Bytes(bytes)) => {
+            format!("Octets::new(b\"{}\")", byte_string(bytes))
+        }
+        (ValueShape::Block(_), Encoded::Bytes(bytes)) => format!("[{}]", hex_bytes(bytes)),
         // a word has a numeric default, any other shape has bytes
-        (_, Datum::Bytes(_) | Datum::Word(_) | Datum::Formula(_)) => "0".to_owned(),
+        (_, Encoded::Bytes(_) | Encoded::Word(_) | Encoded::Formula(_)) => "0".to_owned(),
     }
 }
 
@@ -132,7 +134,7 @@ mod tests {
 
     #[test]
     fn formulas_stay_formulas() {
-        let value = |data_type, offset| value_of(Shape::Word(data_type), &Datum::Formula(offset));
+        let value = |data_type, offset| value_of(ValueShape::Word(data_type), &Encoded::Formula(offset));
         assert_eq!(value(DataType::UNSIGNED32, 0x180), "384 + node_id as u32");
         assert_eq!(value(DataType::UNSIGNED8, 0), "node_id");
         assert_eq!(value(DataType::INTEGER16, 1000), "1000 + node_id as i16");

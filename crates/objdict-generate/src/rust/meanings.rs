@@ -3,12 +3,12 @@
 use std::collections::HashSet;
 
 use super::literal::{value_of, word_type};
-use crate::meanings::{self, EnumType, Named, WordPart, WordType};
+use crate::meanings::{self, EnumType, NamedMeanings, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Encoded, ValueShape};
 
 /// The modules `enums` and `bits`, if not empty.
-pub(super) struct Meanings<'a> {
+pub(super) struct MeaningModules<'a> {
     enums: Vec<EnumView<'a>>,
     words: Vec<WordView<'a>>,
     /// Attribute lines after the standard derives of enumerations.
@@ -64,9 +64,9 @@ struct PartView<'a> {
     with: String,
 }
 
-impl<'a> Meanings<'a> {
+impl<'a> MeaningModules<'a> {
     /// `derives` are attribute lines.
-    pub(super) fn new(named: &'a Named, derives: String) -> Self {
+    pub(super) fn new(named: &'a NamedMeanings, derives: String) -> Self {
         let mut taken = HashSet::from(["Self".to_owned()]);
         let enums = named.enums.iter().map(|of| enum_view(of, &mut taken)).collect();
         Self { enums, words: named.words.iter().map(word_view).collect(), derives }
@@ -78,7 +78,7 @@ fn enum_view<'a>(of: &'a EnumType, taken: &mut HashSet<String>) -> EnumView<'a> 
     let kept_as = if is_bool { DataType::UNSIGNED8 } else { of.data_type };
     let literal = |number: i128, data_type: DataType| {
         let word = number as u64; // same bits, checked to fit into 64
-        value_of(Shape::Word(data_type), &Datum::Word(word))
+        value_of(ValueShape::Word(data_type), &Encoded::Word(word))
     };
     let mut names = HashSet::from(["Self".to_owned()]);
     let mut all: Vec<String> = Vec::new();

@@ -20,18 +20,18 @@ use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
 use super::memory::Memory;
 use super::notes::in_order;
-use super::table::Table;
-use super::table_size::Layout;
-use super::{GenerateError, Made, Options, render, unserved};
+use super::table::DeviceTable;
+use super::table_size::TableLayout;
+use super::{BackendOutput, GenerateError, Options, render, unserved};
 use crate::model::Device;
 
 /// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
 const CODE: usize = 2_700;
 
 /// Tables for Rust, with or without the standard library.
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
     let module = options.module_or("od")?;
-    let mut table = Table::new(device, options)?;
+    let mut table = DeviceTable::new(device, options)?;
     let mut notes = std::mem::take(&mut table.notes);
     if options.cell.is_some() && !(options.runtime && table.node_id.is_some()) {
         return Err(GenerateError::NoCell);
@@ -44,9 +44,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let frames = frames(device, &table, &mut notes);
     let constants = constants(device, &table, &mut notes);
     let named = meanings(device, &table, options, &mut notes);
-    let od = view::Od::new(device, &table, options, &frames, &constants, &named)?;
+    let od = view::RustView::new(device, &table, options, &frames, &constants, &named)?;
     let file = render(format!("{module}.rs"), od.text());
-    let layout = Layout {
+    let layout = TableLayout {
         row: 10,
         object: 0,
         shared: 0,
@@ -65,5 +65,5 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         },
     };
     let size = layout.size(&table);
-    Ok(Made { files: vec![file], notes: in_order(notes), size })
+    Ok(BackendOutput { files: vec![file], notes: in_order(notes), size })
 }

@@ -3,8 +3,8 @@
 use super::literal::{value_of, word_type};
 use crate::escape::code_span;
 use crate::model::{DataType, Device, TypeKind};
-use crate::resolve::{Datum, Shape};
-use crate::table::{Row, Table, TableField, TableObject};
+use crate::resolve::{Encoded, ValueShape};
+use crate::table::{DeviceTable, Row, TableField, TableObject};
 
 /// The areas of indexes (CiA 301 §7.4.1) as modules: name, title, first and last index.
 pub(super) const AREAS: [(&str, &str, u16, u16); 5] = [
@@ -16,7 +16,7 @@ pub(super) const AREAS: [(&str, &str, u16, u16); 5] = [
 ];
 
 /// The modules of all areas with objects.
-pub(super) struct Objects<'a> {
+pub(super) struct ObjectModules<'a> {
     areas: Vec<AreaView<'a>>,
 }
 
@@ -27,11 +27,11 @@ struct AreaView<'a> {
     title: &'static str,
     first: u16,
     last: u16,
-    objects: Vec<ObjectView<'a>>,
+    objects: Vec<ObjectModule<'a>>,
 }
 
 /// An object: one value, or a module of entries.
-struct ObjectView<'a> {
+struct ObjectModule<'a> {
     object: &'a TableObject,
     array: Option<ArrayView>,
     handles: Vec<HandleView<'a>>,
@@ -60,8 +60,8 @@ struct ArrayView {
     length: usize,
 }
 
-impl<'a> Objects<'a> {
-    pub(super) fn new(device: &Device, table: &'a Table) -> Self {
+impl<'a> ObjectModules<'a> {
+    pub(super) fn new(device: &Device, table: &'a DeviceTable) -> Self {
         let meanings = device.meanings();
         let unit = |row: &Row| {
             let object = device.object(row.index)?;
@@ -79,10 +79,10 @@ impl<'a> Objects<'a> {
 }
 
 fn object_view<'a>(
-    table: &'a Table,
+    table: &'a DeviceTable,
     object: &'a TableObject,
     unit: impl Fn(&Row) -> Option<String>,
-) -> ObjectView<'a> {
+) -> ObjectModule<'a> {
     let rows = &table.rows[object.rows.clone()];
     let is_array = |field: &&TableField| field.array && object.rows.contains(&field.rows.start);
     let array = table.fields.iter().find(is_array).map(|field| {
@@ -100,11 +100,11 @@ fn object_view<'a>(
         let name = if object.single { &object.module } else { &row.constant };
         HandleView { name: name.to_ascii_uppercase(), doc: doc(row, unit(row)), row }
     });
-    ObjectView { object, array, handles: handles.collect() }
+    ObjectModule { object, array, handles: handles.collect() }
 }
 
 /// The path of an entry's constant.
-pub(super) fn path(table: &Table, row: &Row) -> String {
+pub(super) fn path(table: &DeviceTable, row: &Row) -> String {
     let object = table.objects.iter().find(|object| object.index == row.index);
     match object {
         Some(object) if object.single => object.module.to_ascii_uppercase(),
@@ -114,11 +114,11 @@ pub(super) fn path(table: &Table, row: &Row) -> String {
 }
 
 /// The type of an entry's values.
-pub(super) fn type_of(shape: Shape) -> String {
+pub(super) fn type_of(shape: ValueShape) -> String {
     match shape {
-        Shape::Word(data_type) => word_type(data_type).to_owned(),
-        Shape::Bytes(..) => "[u8]".to_owned(),
-        Shape::Block(length) => format!("[u8; {length}]"),
+        ValueShape::Word(data_type) => word_type(data_type).to_owned(),
+        ValueShape::Bytes(..) => "[u8]".to_owned(),
+        ValueShape::Block(length) => format!("[u8; {length}]"),
     }
 }
 
@@ -129,7 +129,7 @@ fn access(row: &Row) -> &'static str {
         (true, false, _) => "Wo",
         (true, ..) => "Ro",
         (false, ..) if !row.resolved.constant => "Elsewhere",
-        (false, ..) if matches!(row.resolved.default, Datum::Formula(_)) => "NodeConst",
+        (false, ..) if matches!(row.resolved.default, Encoded::Formula(_)) => "NodeConst",
         (false, ..) => "Const",
     }
 }
@@ -137,14 +137,14 @@ fn access(row: &Row) -> &'static str {
 /// Name, access, default, limits, unit and PDO mapping.
 fn doc(row: &Row, unit: Option<String>) -> String {
     let resolved = &row.resolved;
-    let value = |datum: &Datum| match (resolved.shape, datum) {
-        (shape @ Shape::Word(_), Datum::Word(_)) => format!("`{}`", value_of(shape, datum)),
-        (_, Datum::Formula(0) | Datum::Word(_)) => "the node-ID".to_owned(),
-        (_, Datum::Formula(offset)) => format!("`{}` plus the node-ID", super::literal::hex(*offset)),
-        (Shape::Bytes(data_type, _), Datum::Bytes(bytes)) if is_text(data_type, bytes) => {
+    let value = |datum: &Encoded| match (resolved.shape, datum) {
+        (shape @ ValueShape::Word(_), Encoded::Word(_)) => format!("`{}`", value_of(shape, datum)),
+        (_, Encoded::Formula(0) | Encoded::Word(_)) => "the node-ID".to_owned(),
+        (_, Encoded::Formula(offset)) => format!("`{}` plus the node-ID", super::literal::hex(*offset)),
+        (ValueShape::Bytes(data_type, _), Encoded::Bytes(bytes)) if is_text(data_type, bytes) => {
             code_span(&String::from_utf8_lossy(bytes))
         }
-        (_, Datum::Bytes(bytes)) => format!("{} bytes", bytes.len()),
+        (_, Encoded::Bytes(bytes)) => format!("{} bytes", bytes.len()),
     };
     let mut doc =
         format!("{}, `{}`, default {}", code_span(&row.name), row.access(), value(&resolved.default));

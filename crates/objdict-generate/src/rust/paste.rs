@@ -6,14 +6,14 @@ use crate::{Derive, OptionValue};
 
 /// The parts of the code that a table needs.
 #[derive(Clone, Copy)]
-pub(super) struct Parts<'a> {
+pub(super) struct PastedParts<'a> {
     pub(super) stored: bool,
     pub(super) hooks: bool,
     pub(super) pdo: bool,
     pub(super) derives: &'a [Derive],
 }
 
-impl Parts<'_> {
+impl PastedParts<'_> {
     /// The text of the parts.
     pub(super) fn text(self) -> String {
         let has = |derive| self.derives.contains(&derive);

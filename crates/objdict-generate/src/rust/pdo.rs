@@ -3,13 +3,13 @@
 use super::defaults::of_node;
 use super::literal::word_type;
 use super::objects::path;
-use crate::frames::{Carried, Frame, FrameField};
-use crate::resolve::Shape;
-use crate::table::{Row, Table};
+use crate::frames::{CarriedType, FrameField, PdoFrame};
+use crate::resolve::ValueShape;
+use crate::table::{DeviceTable, Row};
 
 /// A frame.
 pub(super) struct FrameView<'a> {
-    pub(super) frame: &'a Frame,
+    pub(super) frame: &'a PdoFrame,
     /// The COB-ID as an expression of `node_id`.
     pub(super) cob_id: Option<String>,
     /// Whether a field is stored there.
@@ -29,7 +29,7 @@ pub(super) struct FieldView<'a> {
 }
 
 impl<'a> FrameView<'a> {
-    pub(super) fn new(table: &'a Table, frame: &'a Frame) -> Self {
+    pub(super) fn new(table: &'a DeviceTable, frame: &'a PdoFrame) -> Self {
         let fields: Vec<FieldView<'a>> = frame.fields.iter().map(|field| field_view(table, field)).collect();
         Self {
             frame,
@@ -40,25 +40,25 @@ impl<'a> FrameView<'a> {
     }
 }
 
-fn field_view<'a>(table: &'a Table, field: &'a FrameField) -> FieldView<'a> {
+fn field_view<'a>(table: &'a DeviceTable, field: &'a FrameField) -> FieldView<'a> {
     let row = &table.rows[field.row];
     let (handle, name) = (format!("super::{}", path(table, row)), &field.name);
-    let is_whole = matches!(field.carried, Carried::Number(_));
+    let is_whole = matches!(field.carried, CarriedType::Number(_));
     let type_ = match field.carried {
-        Carried::Number(data_type) => match word_type(data_type) {
+        CarriedType::Number(data_type) => match word_type(data_type) {
             "Time" => "super::Time".to_owned(),
             number => number.to_owned(),
         },
-        Carried::Bytes(length) => format!("[u8; {length}]"),
+        CarriedType::Bytes(length) => format!("[u8; {length}]"),
     };
     let load = match row.resolved.shape {
         _ if is_whole => format!("data.get({handle})"),
-        Shape::Bytes(..) => format!("first(data.get({handle}))"),
+        ValueShape::Bytes(..) => format!("first(data.get({handle}))"),
         _ => format!("first(&data.get({handle}))"),
     };
     let value = match row.resolved.shape {
         _ if is_whole => format!("self.{name}"),
-        Shape::Bytes(..) => format!("&self.{name}"),
+        ValueShape::Bytes(..) => format!("&self.{name}"),
         _ => format!("first(&self.{name})"),
     };
     let store = row.slot.map(|_| format!("data.put({handle}, {value})"));

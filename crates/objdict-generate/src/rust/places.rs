@@ -1,15 +1,15 @@
 //! Where the values are in the array of bytes: behind the node-ID, as an SDO transfers them, those of a storage group
 //! in a row.
 
-use crate::resolve::Shape;
-use crate::table::Table;
+use crate::resolve::ValueShape;
+use crate::table::DeviceTable;
 use crate::{GenerateError, Note};
 
 /// Offsets in rows have 19 bits.
 const LARGEST: usize = 1 << 19;
 
 /// The places of all values.
-pub(super) struct Places {
+pub(super) struct ValuePlaces {
     /// The offset of each row; 0 for a value in flash.
     pub(super) rows: Vec<usize>,
     /// The first offset of each storage group.
@@ -18,8 +18,8 @@ pub(super) struct Places {
     pub(super) total: usize,
 }
 
-impl Places {
-    pub(super) fn new(table: &Table) -> Result<Self, GenerateError> {
+impl ValuePlaces {
+    pub(super) fn new(table: &DeviceTable) -> Result<Self, GenerateError> {
         let mut places = Self { rows: vec![0; table.rows.len()], groups: Vec::new(), total: 1 };
         places.put(table, None);
         for group in 0..table.groups.len() {
@@ -33,7 +33,7 @@ impl Places {
         Ok(places)
     }
 
-    fn put(&mut self, table: &Table, group: Option<usize>) {
+    fn put(&mut self, table: &DeviceTable, group: Option<usize>) {
         for field in table.members(group) {
             for row in field.rows.clone() {
                 self.rows[row] = self.total;
@@ -44,6 +44,6 @@ impl Places {
 }
 
 /// Size of a value in the array: a text is behind its length.
-pub(super) fn value_size(shape: Shape) -> usize {
+pub(super) fn value_size(shape: ValueShape) -> usize {
     crate::stored::image_length(shape)
 }

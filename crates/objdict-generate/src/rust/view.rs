@@ -2,34 +2,34 @@
 
 use super::defaults::{ItemView, item_view};
 use super::literal::{hex, hex_bytes};
-use super::meanings::Meanings;
-use super::objects::Objects;
-use super::paste::Parts;
+use super::meanings::MeaningModules;
+use super::objects::ObjectModules;
+use super::paste::PastedParts;
 use super::pdo::FrameView;
-use super::places::Places;
+use super::places::ValuePlaces;
 use crate::defaults::Constant;
-use crate::frames::Frame;
+use crate::frames::PdoFrame;
 use crate::hooks;
-use crate::meanings::Named;
+use crate::meanings::NamedMeanings;
 use crate::model::Device;
-use crate::resolve::Shape;
-use crate::table::{Row, Table};
+use crate::resolve::ValueShape;
+use crate::table::{DeviceTable, Row};
 use crate::{Derive, GenerateError, Options};
 
 /// The file `od.rs`.
-pub(super) struct Od<'a> {
-    table: &'a Table,
+pub(super) struct RustView<'a> {
+    table: &'a DeviceTable,
     /// Size of the longest value in bytes.
     max_size: usize,
-    pub(super) places: Places,
-    objects: Objects<'a>,
+    pub(super) places: ValuePlaces,
+    objects: ObjectModules<'a>,
     /// Size of the longest value that a hook may reject, if an entry has one.
     hook_room: Option<usize>,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
     /// Constants of identity and services.
     defaults: Vec<ItemView>,
-    meanings: Option<Meanings<'a>>,
+    meanings: Option<MeaningModules<'a>>,
     frames: Vec<FrameView<'a>>,
     /// The communication parameters of RPDOs and of TPDOs.
     pdos: [Vec<u16>; 2],
@@ -49,28 +49,28 @@ struct RowView<'a> {
     ram: usize,
 }
 
-impl<'a> Od<'a> {
+impl<'a> RustView<'a> {
     pub(super) fn new(
         device: &Device,
-        table: &'a Table,
+        table: &'a DeviceTable,
         options: &'a Options,
-        frames: &'a [Frame],
+        frames: &'a [PdoFrame],
         constants: &[Constant],
-        named: &'a Named,
+        named: &'a NamedMeanings,
     ) -> Result<Self, GenerateError> {
-        let places = Places::new(table)?;
+        let places = ValuePlaces::new(table)?;
         let rows = table.rows.iter().zip(&places.rows).map(|(row, &ram)| row_view(row, ram)).collect();
         let derives = derive_lines(&options.derives, "    ");
         Ok(Self {
             table,
             max_size: table.rows.iter().map(|row| row.resolved.shape.size()).max().unwrap_or(0),
-            objects: Objects::new(device, table),
+            objects: ObjectModules::new(device, table),
             places,
             hook_room: (options.runtime || hooks::has_hooks(table)).then(|| hooks::room(table)),
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             defaults: constants.iter().map(item_view).collect(),
-            meanings: (!named.is_empty()).then(|| Meanings::new(named, derives)),
+            meanings: (!named.is_empty()).then(|| MeaningModules::new(named, derives)),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
             pdos: [0x1400..=0x15FF, 0x1800..=0x19FF].map(|indexes| {
                 let cob_ids = table.rows.iter().filter(|row| row.sub == 1 && indexes.contains(&row.index));
@@ -89,7 +89,7 @@ impl<'a> Od<'a> {
 
     /// The code that serves the table.
     fn code(&self) -> String {
-        let parts = Parts {
+        let parts = PastedParts {
             stored: !self.table.groups.is_empty(),
             hooks: self.hook_room.is_some(),
             pdo: !self.frames.is_empty(),
@@ -111,7 +111,7 @@ impl<'a> Od<'a> {
 }
 
 /// The size of the largest image of a storage group in bytes.
-fn largest_image(table: &Table) -> usize {
+fn largest_image(table: &DeviceTable) -> usize {
     table.groups.iter().map(|group| group.image_size).max().unwrap_or(0)
 }
 
@@ -124,8 +124,8 @@ fn derive_lines(derives: &[Derive], indent: &str) -> String {
 
 fn row_view(row: &Row, ram: usize) -> RowView<'_> {
     let type_ = match row.resolved.shape {
-        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
-        Shape::Block(_) => "BLOCK",
+        ValueShape::Word(data_type) | ValueShape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
+        ValueShape::Block(_) => "BLOCK",
     };
     let flags: Vec<&str> = row.flags().collect();
     let flags = if flags.is_empty() { "0".to_owned() } else { flags.join(" | ") };

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::number;
 use crate::Note;
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::model::Place;
 
 /// Which entries of 1016h a stack takes.
@@ -17,7 +17,7 @@ pub(super) struct Consumers {
     pub(super) repeated: Option<&'static str>,
 }
 
-pub(super) fn notes(rules: &Consumers, dictionary: &Dictionary<'_>) -> Vec<Note> {
+pub(super) fn notes(rules: &Consumers, dictionary: &TableDictionary<'_>) -> Vec<Note> {
     let Some(object) = dictionary.object(0x1016) else { return Vec::new() };
     let mut subs: Vec<u8> = object.entries.iter().map(|entry| entry.sub).filter(|&sub| sub > 0).collect();
     if rules.from_last {

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::{Stack, number, words};
 use crate::Note;
-use crate::dictionary::{Dictionary, ResolvedObject};
+use crate::dictionary::{ResolvedObject, TableDictionary};
 use crate::model::{DataType, Device, MappedObject, Pdo, PdoKind, Place};
-use crate::resolve::Shape;
+use crate::resolve::ValueShape;
 
 /// Bits of a COB-ID: not valid, no RTR, 29 bits.
 const NOT_VALID: u64 = 1 << 31;
@@ -14,7 +14,7 @@ const NO_RTR: u64 = 1 << 30;
 const EXTENDED: u64 = 1 << 29;
 
 /// How a stack reads a mapping.
-pub(super) struct Mapping {
+pub(super) struct StackMapping {
     /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
     pub(super) reads_all: bool,
     /// The fewest objects that it maps to a TPDO: the first slot may be read even if their number is 0.
@@ -27,7 +27,7 @@ pub(super) struct Mapping {
 
 /// Why a PDO is not served.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Cause {
+pub(super) enum PdoCause {
     /// Above the 255 that a byte counts. It counts for PDOs that are not valid too.
     Number,
     NoTransmissionType,
@@ -67,8 +67,8 @@ pub(super) enum Cause {
 }
 
 /// A cause, and what becomes of the PDO.
-pub(super) struct Row {
-    pub(super) cause: Cause,
+pub(super) struct CauseRow {
+    pub(super) cause: PdoCause,
     /// `None` for both.
     pub(super) kind: Option<PdoKind>,
     /// What the stack does, after the PDOs: "will be disabled by the stack".
@@ -77,7 +77,7 @@ pub(super) struct Row {
 
 /// PDOs with one cause and effect.
 struct Case {
-    row: &'static Row,
+    row: &'static CauseRow,
     kind: PdoKind,
     numbers: Vec<u16>,
     places: Vec<Place>,
@@ -85,11 +85,11 @@ struct Case {
 }
 
 /// A warning for each cause.
-pub(super) fn notes(stack: &Stack, dictionary: &Dictionary<'_>) -> Vec<Note> {
+pub(super) fn notes(stack: &Stack, dictionary: &TableDictionary<'_>) -> Vec<Note> {
     let mut cases: Vec<Case> = Vec::new();
     for pdo in Served::all(dictionary, &stack.mapping) {
         let is_valid = pdo.is_valid();
-        let mut rows = stack.pdos.iter().filter(|row| is_valid || row.cause == Cause::Number);
+        let mut rows = stack.pdos.iter().filter(|row| is_valid || row.cause == PdoCause::Number);
         let Some((row, slot)) = rows.find_map(|row| pdo.matches(row)) else { continue };
         let (place, mapped) = pdo.place(row.cause, slot);
         let known = cases.iter_mut().find(|case| std::ptr::eq(case.row, row) && case.kind == pdo.kind);
@@ -115,14 +115,14 @@ pub(super) fn notes(stack: &Stack, dictionary: &Dictionary<'_>) -> Vec<Note> {
 struct Served<'a> {
     kind: PdoKind,
     number: u16,
-    dictionary: &'a Dictionary<'a>,
+    dictionary: &'a TableDictionary<'a>,
     communication: Option<&'a ResolvedObject<'a>>,
     mapping: Option<&'a ResolvedObject<'a>>,
-    rules: &'a Mapping,
+    rules: &'a StackMapping,
 }
 
 impl<'a> Served<'a> {
-    fn all(dictionary: &'a Dictionary<'a>, rules: &'a Mapping) -> impl Iterator<Item = Self> {
+    fn all(dictionary: &'a TableDictionary<'a>, rules: &'a StackMapping) -> impl Iterator<Item = Self> {
         dictionary.device.pdos().filter_map(move |pdo| {
             let (kind, number) = (pdo.kind, pdo.number);
             let communication = dictionary.object(pdo.communication_index())?;
@@ -185,53 +185,53 @@ impl<'a> Served<'a> {
     }
 
     /// The row, if the PDO has its cause, and the sub-index of the slot with it.
-    fn matches(&self, row: &'static Row) -> Option<(&'static Row, Option<u8>)> {
+    fn matches(&self, row: &'static CauseRow) -> Option<(&'static CauseRow, Option<u8>)> {
         if row.kind.is_some_and(|kind| kind != self.kind) {
             return None;
         }
         let cob_id = self.cob_id().unwrap_or(0);
         let type_ = number(self.communication, 2, 1);
         let has = match row.cause {
-            Cause::Number => self.number > 255,
-            Cause::NoTransmissionType => type_.is_none(),
-            Cause::NoCobId => self.cob_id().is_none(),
-            Cause::RtrAllowed => cob_id & NO_RTR == 0,
-            Cause::Extended => cob_id & EXTENDED != 0,
-            Cause::NoCanId => self.is_zero(),
-            Cause::OnNmt => self.bits() > 0 && self.is_zero(),
-            Cause::NotDispatched => self.bits() > 0 && !(0x180..=0x57F).contains(&self.can_id()),
-            Cause::Taken => {
+            PdoCause::Number => self.number > 255,
+            PdoCause::NoTransmissionType => type_.is_none(),
+            PdoCause::NoCobId => self.cob_id().is_none(),
+            PdoCause::RtrAllowed => cob_id & NO_RTR == 0,
+            PdoCause::Extended => cob_id & EXTENDED != 0,
+            PdoCause::NoCanId => self.is_zero(),
+            PdoCause::OnNmt => self.bits() > 0 && self.is_zero(),
+            PdoCause::NotDispatched => self.bits() > 0 && !(0x180..=0x57F).contains(&self.can_id()),
+            PdoCause::Taken => {
                 let is_before = |pdo: &Self| pdo.kind == self.kind && pdo.number < self.number;
                 let mut before = Self::all(self.dictionary, self.rules).filter(is_before);
                 self.bits() > 0 && before.any(|pdo| pdo.can_id() == self.can_id())
             }
-            Cause::NoMapping => number(self.mapping, 0, 1).is_none(),
-            Cause::TooMany => self.count() > 8,
-            Cause::Overrun => self.count() > 8 && self.fits_nine(),
-            Cause::TooLong => {
+            PdoCause::NoMapping => number(self.mapping, 0, 1).is_none(),
+            PdoCause::TooMany => self.count() > 8,
+            PdoCause::Overrun => self.count() > 8 && self.fits_nine(),
+            PdoCause::TooLong => {
                 self.bits() > Pdo::FRAME_BITS
                     || self.mapped().any(|(_, mapped)| u32::from(mapped.bits) > Pdo::FRAME_BITS)
             }
-            Cause::Empty => self.bits() == 0,
-            Cause::Reserved => matches!(type_, Some(241..=253)),
-            Cause::NoTrigger => match type_ {
+            PdoCause::Empty => self.bits() == 0,
+            PdoCause::Reserved => matches!(type_, Some(241..=253)),
+            PdoCause::NoTrigger => match type_ {
                 Some(252 | 253) => cob_id & NO_RTR != 0,
                 type_ => matches!(type_, Some(241..=251)),
             },
-            Cause::SyncStart => number(self.communication, 6, 1).is_some_and(|value| value > 240),
-            Cause::NoSlot => {
+            PdoCause::SyncStart => number(self.communication, 6, 1).is_some_and(|value| value > 240),
+            PdoCause::NoSlot => {
                 let missing = self.slots().find(|(_, mapped)| mapped.is_none());
                 return missing.map(|(sub, _)| (row, Some(sub)));
             }
-            Cause::Dummy
-            | Cause::Missing
-            | Cause::Bits
-            | Cause::Direction
-            | Cause::NotMappable
-            | Cause::Short
-            | Cause::Size
-            | Cause::Length
-            | Cause::Constant => {
+            PdoCause::Dummy
+            | PdoCause::Missing
+            | PdoCause::Bits
+            | PdoCause::Direction
+            | PdoCause::NotMappable
+            | PdoCause::Short
+            | PdoCause::Size
+            | PdoCause::Length
+            | PdoCause::Constant => {
                 let wrong = self.mapped().find(|(_, mapped)| self.has(*mapped, row.cause));
                 return wrong.map(|(sub, _)| (row, Some(sub)));
             }
@@ -240,13 +240,13 @@ impl<'a> Served<'a> {
     }
 
     /// Whether a mapped object has the problem of a cause.
-    fn has(&self, mapped: MappedObject, cause: Cause) -> bool {
+    fn has(&self, mapped: MappedObject, cause: PdoCause) -> bool {
         let is_type = mapped.index < 0x20;
         if is_type && (self.rules.is_dummy)(self.dictionary.device, self.kind, mapped) {
             return false;
         }
         let Some(entry) = self.dictionary.entry(mapped.index, mapped.sub) else {
-            return cause == if is_type { Cause::Dummy } else { Cause::Missing };
+            return cause == if is_type { PdoCause::Dummy } else { PdoCause::Missing };
         };
         let resolved = &entry.resolved;
         let (fits, fits_other) = match self.kind {
@@ -254,26 +254,26 @@ impl<'a> Served<'a> {
             PdoKind::Tpdo => (resolved.tpdo, resolved.rpdo),
         };
         let bytes = usize::from(mapped.bits.div_ceil(8));
-        let is_text = matches!(resolved.shape, Shape::Bytes(DataType::VISIBLE_STRING, _));
+        let is_text = matches!(resolved.shape, ValueShape::Bytes(DataType::VISIBLE_STRING, _));
         match cause {
-            Cause::Length if self.kind == PdoKind::Tpdo => resolved.shape.size() > bytes,
-            Cause::Length if is_text => resolved.shape.size() < bytes,
-            Cause::Length => resolved.shape.size() != bytes,
-            Cause::Constant => resolved.constant && !is_text,
-            Cause::Bits => !mapped.bits.is_multiple_of(8),
-            Cause::Direction => !fits && fits_other,
-            Cause::NotMappable => !fits && !fits_other,
-            Cause::Short => resolved.shape.size() < bytes,
-            Cause::Size => {
+            PdoCause::Length if self.kind == PdoKind::Tpdo => resolved.shape.size() > bytes,
+            PdoCause::Length if is_text => resolved.shape.size() < bytes,
+            PdoCause::Length => resolved.shape.size() != bytes,
+            PdoCause::Constant => resolved.constant && !is_text,
+            PdoCause::Bits => !mapped.bits.is_multiple_of(8),
+            PdoCause::Direction => !fits && fits_other,
+            PdoCause::NotMappable => !fits && !fits_other,
+            PdoCause::Short => resolved.shape.size() < bytes,
+            PdoCause::Size => {
                 let size = resolved.shape.size();
-                !matches!(resolved.shape, Shape::Bytes(..)) && size <= 8 && size != bytes
+                !matches!(resolved.shape, ValueShape::Bytes(..)) && size <= 8 && size != bytes
             }
             _ => false,
         }
     }
 
     /// The place of a cause, and the mapped object in it.
-    fn place(&self, cause: Cause, slot: Option<u8>) -> (Place, Option<MappedObject>) {
+    fn place(&self, cause: PdoCause, slot: Option<u8>) -> (Place, Option<MappedObject>) {
         let communication = self.kind.communication_index(self.number).unwrap_or(0x1400);
         let mapping = communication + 0x200;
         let of_communication =
@@ -282,20 +282,22 @@ impl<'a> Served<'a> {
                 false => Place::object(communication),
             };
         let place = match (cause, slot) {
-            (Cause::NoTransmissionType | Cause::Reserved | Cause::NoTrigger, _) => of_communication(2),
+            (PdoCause::NoTransmissionType | PdoCause::Reserved | PdoCause::NoTrigger, _) => {
+                of_communication(2)
+            }
             (
-                Cause::NoCobId
-                | Cause::RtrAllowed
-                | Cause::Extended
-                | Cause::NoCanId
-                | Cause::OnNmt
-                | Cause::NotDispatched
-                | Cause::Taken,
+                PdoCause::NoCobId
+                | PdoCause::RtrAllowed
+                | PdoCause::Extended
+                | PdoCause::NoCanId
+                | PdoCause::OnNmt
+                | PdoCause::NotDispatched
+                | PdoCause::Taken,
                 _,
             ) => of_communication(1),
-            (Cause::SyncStart, _) => of_communication(6),
-            (Cause::Number | Cause::NoMapping, _) => Place::object(communication),
-            (Cause::NoSlot, _) => Place::object(mapping),
+            (PdoCause::SyncStart, _) => of_communication(6),
+            (PdoCause::Number | PdoCause::NoMapping, _) => Place::object(communication),
+            (PdoCause::NoSlot, _) => Place::object(mapping),
             (_, Some(sub)) => Place::entry(mapping, sub),
             (_, None) => Place::entry(mapping, 0),
         };

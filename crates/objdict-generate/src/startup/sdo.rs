@@ -2,28 +2,28 @@
 
 use super::{datum, number};
 use crate::Note;
-use crate::dictionary::Dictionary;
+use crate::dictionary::TableDictionary;
 use crate::model::Place;
 
 /// The bit of a COB-ID that says that it is not valid.
 const NOT_VALID: u64 = 1 << 31;
 
 /// A demand, and what happens otherwise.
-pub(super) enum Row {
+pub(super) enum DemandRow {
     /// The highest sub-index of the objects in a range is one of these, or the stack does not start.
     Highest { first: u16, last: u16, allowed: &'static [u64] },
     /// The default server (1200h) has the COB-IDs of its entries: these must be valid, and those of CiA 301.
     DefaultServer,
 }
 
-pub(super) fn notes(row: &Row, dictionary: &Dictionary<'_>) -> Vec<Note> {
+pub(super) fn notes(row: &DemandRow, dictionary: &TableDictionary<'_>) -> Vec<Note> {
     match row {
-        Row::Highest { first, last, allowed } => highest(dictionary, (*first, *last), allowed),
-        Row::DefaultServer => default_server(dictionary),
+        DemandRow::Highest { first, last, allowed } => highest(dictionary, (*first, *last), allowed),
+        DemandRow::DefaultServer => default_server(dictionary),
     }
 }
 
-fn highest(dictionary: &Dictionary<'_>, (first, last): (u16, u16), allowed: &[u64]) -> Vec<Note> {
+fn highest(dictionary: &TableDictionary<'_>, (first, last): (u16, u16), allowed: &[u64]) -> Vec<Note> {
     let objects = dictionary.objects.iter().filter(|object| (first..=last).contains(&object.index));
     let wrong = objects.filter_map(|object| {
         let highest = number(Some(object), 0, 1).filter(|highest| !allowed.contains(highest))?;
@@ -34,7 +34,7 @@ fn highest(dictionary: &Dictionary<'_>, (first, last): (u16, u16), allowed: &[u6
     wrong.collect()
 }
 
-fn default_server(dictionary: &Dictionary<'_>) -> Vec<Note> {
+fn default_server(dictionary: &TableDictionary<'_>) -> Vec<Note> {
     let object = dictionary.object(0x1200);
     let wrong = [(1, 0x600_u64), (2, 0x580)].into_iter().filter_map(|(sub, base)| {
         let value = datum(object, sub, 4)?;

@@ -5,16 +5,16 @@ use minijinja::value::Serde;
 use serde::Serialize;
 
 use crate::Options;
-use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::model::{DataType, WithPlainValues};
-use crate::names::{Scope, words};
-use crate::resolve::Datum;
+use crate::names::{NameScope, words};
+use crate::resolve::Encoded;
 
 /// Version of the JSON names.
 const VERSION: u32 = 1;
 
 #[derive(Serialize)]
-struct Context {
+struct TemplateContext {
     version: u32,
     kind: &'static str,
     /// The JSON written by `objdict convert`.
@@ -57,11 +57,11 @@ struct EntryContext {
 }
 
 /// The variables of a template.
-pub(super) fn of(dictionary: &Dictionary<'_>, options: &Options) -> Result<Value, serde_json::Error> {
-    let mut scope = Scope::of_lower_case("");
+pub(super) fn of(dictionary: &TableDictionary<'_>, options: &Options) -> Result<Value, serde_json::Error> {
+    let mut scope = NameScope::of_lower_case("");
     let mut entries = Vec::new();
     dictionary.entries().for_each(|(object, entry)| entries.push(context(&mut scope, object, entry)));
-    Ok(Value::from(Serde(Context {
+    Ok(Value::from(Serde(TemplateContext {
         version: VERSION,
         kind: "device",
         device: serde_json::to_value(WithPlainValues(dictionary.device))?,
@@ -71,7 +71,7 @@ pub(super) fn of(dictionary: &Dictionary<'_>, options: &Options) -> Result<Value
     })))
 }
 
-fn context(scope: &mut Scope, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> EntryContext {
+fn context(scope: &mut NameScope, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> EntryContext {
     let resolved = &entry.resolved;
     let or = |words: String, number: String| if words.is_empty() { format!("x{number}") } else { words };
     let index = format!("{:04x}", object.index);
@@ -86,9 +86,9 @@ fn context(scope: &mut Scope, object: &ResolvedObject<'_>, entry: &ResolvedEntry
     };
     let size = resolved.shape.size();
     let data_type = resolved.shape.data_type().or(entry.entry.data_type).unwrap_or(DataType(0));
-    let number = |datum: &Datum| match datum {
-        Datum::Word(word) | Datum::Formula(word) => integer(data_type, *word),
-        Datum::Bytes(_) => None,
+    let number = |datum: &Encoded| match datum {
+        Encoded::Word(word) | Encoded::Formula(word) => integer(data_type, *word),
+        Encoded::Bytes(_) => None,
     };
     EntryContext {
         index: object.index,

@@ -11,7 +11,7 @@ use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value};
 use objdict_model::source::read_text;
 
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::{GenerateError, Generated, Options, OutputFile};
 use crate::model::Device;
 
@@ -40,7 +40,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let output =
         output.ok_or_else(|| fail("the name of a template is that of its output and `.j2`".into()))?;
     let source = read_text(path, LONGEST_TEMPLATE).map_err(|error| fail(error.to_string()))?;
-    let dictionary = Dictionary::new(device, options)?;
+    let dictionary = TableDictionary::new(device, options)?;
     let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;
     let entries = dictionary.objects.iter().map(|object| object.entries.len() as u64).sum::<u64>();
     let fuel = FUEL.0 + FUEL.1 * entries;

@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 
 use crate::Note;
-use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::{Access, Place};
-use crate::resolve::Datum;
+use crate::resolve::Encoded;
 
 /// All entries of the node.
 #[derive(Default)]
-pub(super) struct Answers(BTreeMap<(u16, u8), Answer>);
+pub(super) struct Answers(BTreeMap<(u16, u8), EntryAnswer>);
 
 /// An entry of the node.
-pub(super) struct Answer {
+pub(super) struct EntryAnswer {
     pub(super) access: Access,
     pub(super) tpdo: bool,
     pub(super) rpdo: bool,
@@ -32,7 +32,7 @@ pub(super) enum Held {
     Served,
 }
 
-impl Answer {
+impl EntryAnswer {
     /// A number that cannot be mapped.
     pub(super) fn number(access: Access, size: usize, number: u64) -> Self {
         let held = Held::Bytes(number.to_le_bytes().into_iter().take(size).collect());
@@ -41,7 +41,7 @@ impl Answer {
 }
 
 impl Answers {
-    pub(super) fn put(&mut self, index: u16, sub: u8, answer: Answer) {
+    pub(super) fn put(&mut self, index: u16, sub: u8, answer: EntryAnswer) {
         self.0.insert((index, sub), answer);
     }
 
@@ -51,7 +51,7 @@ impl Answers {
     }
 
     /// Deviations of the node from the description.
-    pub(super) fn differences(&self, dictionary: &Dictionary<'_>) -> Vec<Note> {
+    pub(super) fn differences(&self, dictionary: &TableDictionary<'_>) -> Vec<Note> {
         let mut notes = Vec::new();
         for (object, entry) in dictionary.entries() {
             let place = Place::entry(object.index, entry.sub);
@@ -68,7 +68,7 @@ impl Answers {
     }
 }
 
-fn difference(place: &Place, answer: &Answer, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
+fn difference(place: &Place, answer: &EntryAnswer, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     let resolved = &entry.resolved;
     let described = described(entry);
     if answer.held != Held::Served && answer.held != described {
@@ -96,7 +96,7 @@ fn difference(place: &Place, answer: &Answer, entry: &ResolvedEntry<'_>, notes: 
 
 fn described(entry: &ResolvedEntry<'_>) -> Held {
     match &entry.resolved.default {
-        Datum::Formula(offset) => Held::Formula(*offset),
+        Encoded::Formula(offset) => Held::Formula(*offset),
         value => Held::Bytes(value.bytes_on(None, entry.resolved.shape.size())),
     }
 }

@@ -1,13 +1,13 @@
 //! Objects that zencan creates from settings; they must not be listed as objects.
 
-use super::Maker;
-use super::answers::{Answer, Held};
+use super::ConfigMaker;
+use super::answers::{EntryAnswer, Held};
 use super::value::text_of;
 use crate::model::{Access, Place};
-use crate::resolve::Datum;
+use crate::resolve::Encoded;
 
 /// The settings of the device.
-pub(super) struct Settings {
+pub(super) struct DeviceSettings {
     /// The device name, and the versions of hardware and software.
     pub(super) texts: [String; 3],
     /// In milliseconds.
@@ -29,9 +29,9 @@ pub(super) fn is_reserved(index: u16) -> bool {
     matches!(index, 0x5000 | 0x5500 | 0x5510..=0x551F)
 }
 
-impl Maker<'_> {
+impl ConfigMaker<'_> {
     /// The settings of the device; records the objects that zencan creates from them.
-    pub(super) fn settings(&mut self) -> Settings {
+    pub(super) fn settings(&mut self) -> DeviceSettings {
         self.number(0x1000, 0, 4, 0); // zencan does not support a device type
         self.number(0x1001, 0, 1, 0);
         let [device_name, hardware_version, software_version] =
@@ -40,7 +40,11 @@ impl Maker<'_> {
         let texts = [device_name, hardware_version.unwrap_or_default(), software_version.unwrap_or_default()];
         for (index, text) in (0x1008..).zip(&texts) {
             let held = Held::Bytes(text.as_bytes().to_vec());
-            self.answers.put(index, 0, Answer { held, ..Answer::number(Access::Const, text.len(), 0) });
+            self.answers.put(
+                index,
+                0,
+                EntryAnswer { held, ..EntryAnswer::number(Access::Const, text.len(), 0) },
+            );
         }
         let heartbeat_period = self.described(0x1017, 0, u64::from(u16::MAX));
         self.number(0x1017, 0, 2, heartbeat_period);
@@ -52,25 +56,25 @@ impl Maker<'_> {
         if self.stores {
             self.number(STORE, 0, 1, 1);
             self.note(Place::entry(STORE, 0), "zencan 0.0.5 aborts the upload of the entry");
-            let answer = Answer { held: Held::Served, ..Answer::number(Access::Rw, 4, 0) };
+            let answer = EntryAnswer { held: Held::Served, ..EntryAnswer::number(Access::Rw, 4, 0) };
             self.answers.put(STORE, 1, answer);
         }
-        Settings { texts, heartbeat_period, identity }
+        DeviceSettings { texts, heartbeat_period, identity }
     }
 
     fn number(&mut self, index: u16, sub: u8, size: usize, number: u64) {
-        self.answers.put(index, sub, Answer::number(Access::Const, size, number));
+        self.answers.put(index, sub, EntryAnswer::number(Access::Const, size, number));
     }
 
     /// The default of an entry.
-    pub(super) fn datum(&self, index: u16, sub: u8) -> Option<&Datum> {
+    pub(super) fn datum(&self, index: u16, sub: u8) -> Option<&Encoded> {
         Some(&self.dictionary.entry(index, sub)?.resolved.default)
     }
 
     /// The number of an entry; 0 if it is missing or too large.
     pub(super) fn described(&self, index: u16, sub: u8, most: u64) -> u64 {
         match self.datum(index, sub) {
-            Some(Datum::Word(number)) if *number <= most => *number,
+            Some(Encoded::Word(number)) if *number <= most => *number,
             _ => 0,
         }
     }
@@ -78,10 +82,10 @@ impl Maker<'_> {
     /// The text of an object; `None` without the object, empty if it is not a text.
     fn name(&self, index: u16) -> Option<String> {
         match self.datum(index, 0)? {
-            Datum::Bytes(bytes) => {
+            Encoded::Bytes(bytes) => {
                 Some(text_of(bytes).filter(|text| !text.contains('\0')).unwrap_or_default())
             }
-            Datum::Word(_) | Datum::Formula(_) => Some(String::new()),
+            Encoded::Word(_) | Encoded::Formula(_) => Some(String::new()),
         }
     }
 

@@ -11,20 +11,20 @@ mod object;
 mod pdo;
 mod value;
 
-use super::dictionary::Dictionary;
+use super::dictionary::TableDictionary;
 use super::notes::{in_order, once_per_object};
 use super::{GenerateError, Generated, Note, Options, render};
 use crate::model::{CobId, Device, Place};
 use answers::Answers;
-use fixed::Settings;
-use object::{ObjectContent, ObjectView};
-use pdo::Pdo;
+use fixed::DeviceSettings;
+use object::{ObjectContent, ZencanObjectView};
+use pdo::ZencanPdo;
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     // a DOMAIN needs no capacity and no note about it: the application provides it
     let room = Options { domain_capacity: 1, ..options.clone() };
-    let dictionary = Dictionary::new(device, &room)?;
-    let mut maker = Maker::new(&dictionary, &room);
+    let dictionary = TableDictionary::new(device, &room)?;
+    let mut maker = ConfigMaker::new(&dictionary, &room);
     let config = maker.config();
     let mut notes = std::mem::take(&mut maker.notes);
     notes.extend(maker.answers.differences(&dictionary));
@@ -34,21 +34,21 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
 }
 
 /// The file.
-struct Config {
+struct ZencanConfig {
     made_by: String,
-    settings: Settings,
+    settings: DeviceSettings,
     stores: bool,
     /// The numbers of RPDOs and TPDOs.
     counts: [u16; 2],
-    pdos: Vec<Pdo>,
-    objects: Vec<ObjectView>,
+    pdos: Vec<ZencanPdo>,
+    objects: Vec<ZencanObjectView>,
 }
 
 include!("../../expanded/zencan/device.toml.rs");
 
 /// Builds a configuration, the SDO answers of zencan, and notes.
-struct Maker<'a> {
-    dictionary: &'a Dictionary<'a>,
+struct ConfigMaker<'a> {
+    dictionary: &'a TableDictionary<'a>,
     options: &'a Options,
     /// Whether the device can store its values.
     stores: bool,
@@ -56,13 +56,13 @@ struct Maker<'a> {
     notes: Vec<Note>,
 }
 
-impl<'a> Maker<'a> {
-    fn new(dictionary: &'a Dictionary<'a>, options: &'a Options) -> Self {
+impl<'a> ConfigMaker<'a> {
+    fn new(dictionary: &'a TableDictionary<'a>, options: &'a Options) -> Self {
         let stores = dictionary.objects.iter().any(|object| object.index == fixed::STORE);
         Self { dictionary, options, stores, answers: Answers::default(), notes: Vec::new() }
     }
 
-    fn config(&mut self) -> Config {
+    fn config(&mut self) -> ZencanConfig {
         let dictionary = self.dictionary;
         let mut written = Vec::new();
         for object in &dictionary.objects {
@@ -82,7 +82,7 @@ impl<'a> Maker<'a> {
         let settings = self.settings();
         let (counts, pdos) = self.pdos();
         self.persistence();
-        Config {
+        ZencanConfig {
             made_by: self.options.made_by(),
             settings,
             stores: self.stores,

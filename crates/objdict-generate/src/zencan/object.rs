@@ -1,16 +1,16 @@
 //! Objects in the zencan configuration, and their SDO answers.
 
-use super::Maker;
-use super::answers::{Answer, Held};
+use super::ConfigMaker;
+use super::answers::{EntryAnswer, Held};
 use super::value::Kept;
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::escape::toml_string;
 use crate::model::{Access, ObjectType, Place};
-use crate::names::{Scope, words};
-use crate::resolve::Datum;
+use crate::names::{NameScope, words};
+use crate::resolve::Encoded;
 
 /// An object. Names are TOML literals.
-pub(super) struct ObjectView {
+pub(super) struct ZencanObjectView {
     pub(super) index: u16,
     pub(super) name: String,
     pub(super) kind: ObjectContent,
@@ -18,8 +18,8 @@ pub(super) struct ObjectView {
 
 /// The content of an object.
 pub(super) enum ObjectContent {
-    Var(EntryView),
-    Array { entry: EntryView, size: usize },
+    Var(ZencanEntryView),
+    Array { entry: ZencanEntryView, size: usize },
     Record(Vec<SubView>),
 }
 
@@ -29,11 +29,11 @@ pub(super) struct SubView {
     pub(super) name: String,
     /// A Rust identifier.
     pub(super) field: String,
-    pub(super) entry: EntryView,
+    pub(super) entry: ZencanEntryView,
 }
 
 /// An entry, or all elements of an array.
-pub(super) struct EntryView {
+pub(super) struct ZencanEntryView {
     pub(super) data_type: String,
     pub(super) access: &'static str,
     /// A TOML literal.
@@ -42,19 +42,19 @@ pub(super) struct EntryView {
     pub(super) persist: bool,
 }
 
-impl Maker<'_> {
+impl ConfigMaker<'_> {
     /// A device-specific object.
-    pub(super) fn object(&mut self, object: &ResolvedObject<'_>) -> ObjectView {
+    pub(super) fn object(&mut self, object: &ResolvedObject<'_>) -> ZencanObjectView {
         let index = object.index;
         let name = toml_string(object.object.name());
         if object.is_single() {
             let entry = self.entry(object, &object.entries[0]);
-            return ObjectView { index, name, kind: ObjectContent::Var(entry) };
+            return ZencanObjectView { index, name, kind: ObjectContent::Var(entry) };
         }
         // zencan generates sub-index 0, and FFh would count as the highest one
         let subs = object.entries.iter().filter(|entry| !matches!(entry.sub, 0 | 0xFF));
         let names: Vec<String> = subs.clone().map(|entry| words(&entry.name)).collect();
-        let mut fields = Scope::of_lower_case("flags sub0");
+        let mut fields = NameScope::of_lower_case("flags sub0");
         fields.foresee(names.iter().map(String::as_str));
         let subs: Vec<SubView> = subs
             .zip(&names)
@@ -66,7 +66,7 @@ impl Maker<'_> {
             })
             .collect();
         let highest = subs.last().map_or(0, |sub| sub.sub);
-        self.answers.put(index, 0, Answer::number(Access::Const, 1, highest.into()));
+        self.answers.put(index, 0, EntryAnswer::number(Access::Const, 1, highest.into()));
         let is_array = object.object.object_type() == ObjectType::Array || object.object.compact.is_some();
         let kind = match subs.split_first() {
             Some((first, rest)) if is_array && are_alike(first, rest) => array(subs),
@@ -76,10 +76,10 @@ impl Maker<'_> {
             }
             _ => ObjectContent::Record(subs),
         };
-        ObjectView { index, name, kind }
+        ZencanObjectView { index, name, kind }
     }
 
-    fn entry(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> EntryView {
+    fn entry(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> ZencanEntryView {
         let (resolved, place) = (&entry.resolved, Place::entry(object.index, entry.sub));
         let kept = Kept::of(resolved, self.dictionary.node_id);
         if let Some(loss) = kept.loss {
@@ -89,11 +89,11 @@ impl Maker<'_> {
             self.note(place.clone(), "limits are not enforced: zencan does not support them");
         }
         let mut held = kept.held;
-        if let (Datum::Formula(offset), Some(node_id)) = (&resolved.default, self.dictionary.node_id) {
+        if let (Encoded::Formula(offset), Some(node_id)) = (&resolved.default, self.dictionary.node_id) {
             self.note(place, format!("`$NODEID+{offset:#X}` is evaluated for node-ID {node_id}"));
             held = Held::Formula(*offset);
         }
-        let answer = Answer {
+        let answer = EntryAnswer {
             access: resolved.access,
             tpdo: resolved.tpdo,
             rpdo: resolved.rpdo,
@@ -101,7 +101,7 @@ impl Maker<'_> {
             held,
         };
         self.answers.put(object.index, entry.sub, answer);
-        EntryView {
+        ZencanEntryView {
             data_type: kept.data_type,
             access: resolved.plain_access(),
             default: kept.default,
@@ -128,7 +128,7 @@ impl Maker<'_> {
 /// Whether the sub-indexes are consecutive from 1 on and differ only in names and values.
 fn are_alike(first: &SubView, rest: &[SubView]) -> bool {
     let shape = |sub: &SubView| {
-        let EntryView { data_type, access, pdo_mapping, persist, .. } = &sub.entry;
+        let ZencanEntryView { data_type, access, pdo_mapping, persist, .. } = &sub.entry;
         (data_type.clone(), *access, *pdo_mapping, *persist)
     };
     first.sub == 1
@@ -147,7 +147,10 @@ fn array(subs: Vec<SubView>) -> ObjectContent {
     }
     match alike {
         Some(entry) => ObjectContent::Array {
-            entry: EntryView { default: (!none).then(|| format!("[{}]", defaults.join(", "))), ..entry },
+            entry: ZencanEntryView {
+                default: (!none).then(|| format!("[{}]", defaults.join(", "))),
+                ..entry
+            },
             size,
         },
         None => ObjectContent::Record(Vec::new()),

@@ -1,9 +1,9 @@
 //! The defaults of the PDOs, and the parameter objects that zencan creates from them.
 
-use super::Maker;
-use super::answers::{Answer, Held};
+use super::ConfigMaker;
+use super::answers::{EntryAnswer, Held};
 use crate::model::{Access, CobId, MappedObject, PdoKind, Place};
-use crate::resolve::Datum;
+use crate::resolve::Encoded;
 
 /// Number of mapped objects per PDO in zencan (`N_MAPPING_PARAMS`).
 const MAPPED: u8 = 8;
@@ -12,7 +12,7 @@ const MAPPED: u8 = 8;
 const MOST: u16 = 255;
 
 /// The initial state of a PDO.
-pub(super) struct Pdo {
+pub(super) struct ZencanPdo {
     pub(super) kind: PdoKind,
     /// Counted from 0.
     pub(super) number: u16,
@@ -23,7 +23,7 @@ pub(super) struct Pdo {
     pub(super) mappings: Vec<MappedObject>,
 }
 
-impl Pdo {
+impl ZencanPdo {
     pub(super) fn can_id(&self) -> u32 {
         self.cob_id & CAN_ID
     }
@@ -37,9 +37,9 @@ impl Pdo {
 /// The CAN-ID in a COB-ID.
 const CAN_ID: u32 = 0x1FFF_FFFF;
 
-impl Maker<'_> {
+impl ConfigMaker<'_> {
     /// The numbers of RPDOs and TPDOs, and all PDOs of the device.
-    pub(super) fn pdos(&mut self) -> ([u16; 2], Vec<Pdo>) {
+    pub(super) fn pdos(&mut self) -> ([u16; 2], Vec<ZencanPdo>) {
         let mut pdos = Vec::new();
         let counts = PdoKind::ALL.map(|kind| {
             let count = self.count(kind);
@@ -64,21 +64,21 @@ impl Maker<'_> {
         numbers.max().unwrap_or(0)
     }
 
-    fn pdo(&mut self, kind: PdoKind, number: u16, communication: u16, mapping: u16) -> Pdo {
+    fn pdo(&mut self, kind: PdoKind, number: u16, communication: u16, mapping: u16) -> ZencanPdo {
         let mappings = self.mappings(mapping);
         let stated = self.datum(communication, 1);
-        let number_of = |datum: &Datum| u32::try_from(datum.word()).unwrap_or(CobId::BIT_31);
+        let number_of = |datum: &Encoded| u32::try_from(datum.word()).unwrap_or(CobId::BIT_31);
         let stated_id = stated.filter(|datum| datum.bytes().is_empty()).map_or(CobId::BIT_31, number_of);
         let mut can_id = stated_id & CAN_ID;
         if (stated_id & CobId::FRAME == 0 && can_id + 127 > 0xFFFF) || can_id + 127 > CAN_ID {
             can_id &= 0x7FF; // zencan adds only these bits of a CAN-ID
         }
         let off = if mappings.is_none() { CobId::BIT_31 } else { 0 };
-        let pdo = Pdo {
+        let pdo = ZencanPdo {
             kind,
             number: number - 1,
             cob_id: can_id | (stated_id & !CAN_ID) | off,
-            add_node_id: stated.is_some_and(Datum::is_formula),
+            add_node_id: stated.is_some_and(Encoded::is_formula),
             transmission_type: self.described(communication, 2, 0xFF),
             mappings: mappings.unwrap_or_default(),
         };
@@ -87,18 +87,18 @@ impl Maker<'_> {
     }
 
     /// The SDO answers of a PDO's parameter objects.
-    fn parameters(&mut self, communication: u16, mapping: u16, pdo: &Pdo) {
-        let mut answer = Answer::number(Access::Rw, 4, pdo.cob_id.into());
+    fn parameters(&mut self, communication: u16, mapping: u16, pdo: &ZencanPdo) {
+        let mut answer = EntryAnswer::number(Access::Rw, 4, pdo.cob_id.into());
         if pdo.add_node_id {
             answer.held = Held::Formula(pdo.cob_id.into());
         }
-        self.answers.put(communication, 0, Answer::number(Access::Const, 1, 2));
+        self.answers.put(communication, 0, EntryAnswer::number(Access::Const, 1, 2));
         self.answers.put(communication, 1, answer);
-        self.answers.put(communication, 2, Answer::number(Access::Rw, 1, pdo.transmission_type));
-        self.answers.put(mapping, 0, Answer::number(Access::Rw, 1, pdo.mappings.len() as u64));
+        self.answers.put(communication, 2, EntryAnswer::number(Access::Rw, 1, pdo.transmission_type));
+        self.answers.put(mapping, 0, EntryAnswer::number(Access::Rw, 1, pdo.mappings.len() as u64));
         let mapped = pdo.mappings.iter().map(|mapped| mapped.to_number()).chain(std::iter::repeat(0));
         for (sub, number) in (1..=MAPPED).zip(mapped) {
-            self.answers.put(mapping, sub, Answer::number(Access::Rw, 4, number.into()));
+            self.answers.put(mapping, sub, EntryAnswer::number(Access::Rw, 4, number.into()));
         }
     }
 
@@ -114,7 +114,7 @@ impl Maker<'_> {
         let mut mappings = Vec::new();
         for sub in 1..=count as u8 {
             let number = match self.datum(index, sub) {
-                Some(Datum::Word(word)) => *word as u32, // the mapped object is in the lower half
+                Some(Encoded::Word(word)) => *word as u32, // the mapped object is in the lower half
                 _ => 0,
             };
             let mapped = MappedObject::from_number(number);

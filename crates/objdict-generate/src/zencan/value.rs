@@ -3,7 +3,7 @@
 use super::answers::Held;
 use crate::escape::toml_string;
 use crate::model::{Access, DataType, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape};
+use crate::resolve::{Encoded, EntryPlan, ValueShape};
 
 /// The representation of an entry in zencan.
 pub(super) struct Kept {
@@ -25,18 +25,18 @@ pub(super) fn text_of(bytes: &[u8]) -> Option<String> {
 
 impl Kept {
     /// An entry with its value for the node `node_id`.
-    pub(super) fn of(resolved: &Resolved, node_id: Option<u8>) -> Self {
+    pub(super) fn of(resolved: &EntryPlan, node_id: Option<u8>) -> Self {
         let writable = resolved.access.is_writable();
         match (resolved.shape, &resolved.default) {
-            (Shape::Word(data_type), datum) => {
+            (ValueShape::Word(data_type), datum) => {
                 let word = match (datum, node_id) {
-                    (Datum::Formula(offset), Some(node_id)) => offset.wrapping_add(node_id.into()),
-                    (Datum::Word(word) | Datum::Formula(word), _) => *word,
-                    (Datum::Bytes(_), _) => 0, // bytes have other shapes
+                    (Encoded::Formula(offset), Some(node_id)) => offset.wrapping_add(node_id.into()),
+                    (Encoded::Word(word) | Encoded::Formula(word), _) => *word,
+                    (Encoded::Bytes(_), _) => 0, // bytes have other shapes
                 };
                 Self::word(data_type, resolved.shape.size(), word, writable)
             }
-            (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => match data_type.kind() {
+            (ValueShape::Bytes(data_type, room), Encoded::Bytes(bytes)) => match data_type.kind() {
                 TypeKind::Domain => Self::domain(bytes.len()),
                 TypeKind::VisibleString => Self::string(bytes, room.into()),
                 _ => {
@@ -49,7 +49,7 @@ impl Kept {
                     kept
                 }
             },
-            (Shape::Block(length), Datum::Bytes(bytes)) => {
+            (ValueShape::Block(length), Encoded::Bytes(bytes)) => {
                 let mut kept = Self::octets(bytes, length.into(), Access::Const);
                 kept.loss = Some(format!("a device-specific type becomes `{}` in zencan", kept.data_type));
                 kept

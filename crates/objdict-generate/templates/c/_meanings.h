@@ -1,4 +1,4 @@
-{# Meanings<'_>::text #}
+{# MeaningMacros<'_>::text #}
 {% if !enums.is_empty() -%}
 /* Named values of entries. With ..._MASK, the value is that of these bits; any others are possible. */
 {%- for view in enums %}

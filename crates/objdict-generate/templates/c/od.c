@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# CView<'_>::source #}
 /*
  * {{ table.head.made_by }}; do not edit.
  *

@@ -1,4 +1,4 @@
-{# Tables<'_>::header #}
+{# CView<'_>::header #}
 /**
  * @file
  * {{ table.head.made_by }}; do not edit.

@@ -1,4 +1,4 @@
-{# Pdos<'_>::source #}
+{# PdoFiles<'_>::source #}
 /*
  * {{ table.head.made_by }}; do not edit.
  */

@@ -1,4 +1,4 @@
-{# Pdos<'_>::header #}
+{# PdoFiles<'_>::header #}
 /**
  * @file
  * {{ table.head.made_by }}; do not edit.

@@ -1,4 +1,4 @@
-{# Tables<'_>::structs_source #}
+{# CView<'_>::structs_source #}
 /*
  * {{ table.head.made_by }}; do not edit.
  *

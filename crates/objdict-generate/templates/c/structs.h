@@ -1,4 +1,4 @@
-{# Tables<'_>::structs_header #}
+{# CView<'_>::structs_header #}
 /**
  * @file
  * {{ table.head.made_by }}; do not edit.

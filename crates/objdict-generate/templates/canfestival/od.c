@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# CanFestivalView<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -102,7 +102,7 @@ static ODCallback_t {{ head.lower }}_Index{{ object.index|hex4 }}_callbacks[{{ o
 {%- endfor %}
 };
 {%- endfor %}
-{%- if slots.has(Slot::Server) %}
+{%- if slots.has(ListSlot::Server) %}
 
 /* The SDO server, which a node also has without 1200h. */
 static UNS32 {{ head.lower }}_serverCobIds[2] = {0x{{ self.server_cob_id(0x600) }}u, 0x{{ self.server_cob_id(0x580) }}u};
@@ -112,7 +112,7 @@ static UNS32 {{ head.lower }}_serverCobIds[2] = {0x{{ self.server_cob_id(0x600) 
     {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.lower }}_serverCobIds[1]),
 };
 {%- endif %}
-{%- if slots.has(Slot::NoPdo) %}
+{%- if slots.has(ListSlot::NoPdo) %}
 
 /* The parameters of a mapping without any: a PDO that is not valid. */
 static UNS32 {{ head.lower }}_noCobId = 0x80000000u;
@@ -125,7 +125,7 @@ static UNS32 {{ head.lower }}_noCobId = 0x80000000u;
     {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.lower }}_zero),
 };
 {%- endif %}
-{%- if slots.has(Slot::NoMapping) %}
+{%- if slots.has(ListSlot::NoMapping) %}
 
 /* The mapping of a PDO without any. */
 {{ head.upper }}_ROWS {{ head.lower }}_noMapping[2] = {
@@ -137,16 +137,16 @@ static UNS32 {{ head.lower }}_noCobId = 0x80000000u;
 const indextable {{ head.lower }}_objdict[] = {
 {%- for slot in slots.list %}
 {%- match slot %}
-{%- when Slot::Object(number) %}
+{%- when ListSlot::Object(number) %}
 {%- let object = plan.objects[*number] %}
     {(subindex *){{ head.lower }}_Index{{ object.index|hex4 }}, {{ object.rows.len() }}u, 0x{{ object.index|hex4 }}u},
-{%- when Slot::Nothing %}
+{%- when ListSlot::Nothing %}
     {NULL, 0u, 0u},
-{%- when Slot::NoPdo %}
+{%- when ListSlot::NoPdo %}
     {(subindex *){{ head.lower }}_noPdo, 6u, 0u},
-{%- when Slot::Server %}
+{%- when ListSlot::Server %}
     {(subindex *){{ head.lower }}_server, 3u, 0u},
-{%- when Slot::NoMapping %}
+{%- when ListSlot::NoMapping %}
     {(subindex *){{ head.lower }}_noMapping, 2u, 0u},
 {%- endmatch %}
 {%- endfor %}

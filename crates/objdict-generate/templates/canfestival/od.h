@@ -1,4 +1,4 @@
-{# Tables<'_>::header #}
+{# CanFestivalView<'_>::header #}
 /*
  * {{ head.made_by }}; do not edit.
  *

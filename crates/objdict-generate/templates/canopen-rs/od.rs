@@ -1,4 +1,4 @@
-{# Od::text #}
+{# CanOpenRsView::text #}
 // {{ head.made_by }}; do not edit.
 //
 // Object dictionary of {{ head.product|code_span }} by {{ head.vendor|code_span }}, for the crate canopen-rs 0.6.

@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# CanOpenStackView<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -6,7 +6,7 @@
  * Values of more than 4 bytes and REAL64 are stored for a little-endian processor.
  */
 #include "{{ head.stem }}.h"
-{%- if self.has(Type::Block) || self.has(Type::Bytes) %}
+{%- if self.has(RowType::Block) || self.has(RowType::Bytes) %}
 
 #include <string.h>
 {%- endif %}
@@ -16,7 +16,7 @@
 #error "the dictionary has {{ count }} {{ what }}: set CO_{{ name }}_N for the stack"
 #endif
 {%- endfor %}
-{%- if self.has(Type::Block) || self.has(Type::Bytes) %}
+{%- if self.has(RowType::Block) || self.has(RowType::Bytes) %}
 
 /* Number of bytes to copy from or to an object of size bytes, after the first offset bytes. */
 static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t wanted)
@@ -25,7 +25,7 @@ static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t w
     return wanted < rest ? wanted : rest;
 }
 {%- endif %}
-{%- if self.has(Type::Block) %}
+{%- if self.has(RowType::Block) %}
 
 /* A value of fixed size. The stack asks for the size when a transfer starts, and not every transfer resets the
    offset, so this resets it. */
@@ -65,11 +65,11 @@ static CO_ERR {{ head.lower }}_block_reset(struct CO_OBJ_T *obj, struct CO_NODE_
     return CO_ERR_NONE;
 }
 
-{% if !self.shares(Type::Block) %}static {% endif %}const CO_OBJ_TYPE {{ head.lower }}_block = {
+{% if !self.shares(RowType::Block) %}static {% endif %}const CO_OBJ_TYPE {{ head.lower }}_block = {
     {{ head.lower }}_block_size, NULL, {{ head.lower }}_block_read, {{ head.lower }}_block_write, {{ head.lower }}_block_reset,
 };
 {%- endif %}
-{%- if self.has(Type::Bytes) %}
+{%- if self.has(RowType::Bytes) %}
 
 /* A value of up to room bytes, such as a writable text. */
 typedef struct {
@@ -119,7 +119,7 @@ static CO_ERR {{ head.lower }}_bytes_reset(struct CO_OBJ_T *obj, struct CO_NODE_
     return CO_ERR_NONE;
 }
 
-{% if !self.shares(Type::Bytes) %}static {% endif %}const CO_OBJ_TYPE {{ head.lower }}_bytes = {
+{% if !self.shares(RowType::Bytes) %}static {% endif %}const CO_OBJ_TYPE {{ head.lower }}_bytes = {
     {{ head.lower }}_bytes_size, NULL, {{ head.lower }}_bytes_read, {{ head.lower }}_bytes_write, {{ head.lower }}_bytes_reset,
 };
 {%- endif %}

@@ -1,4 +1,4 @@
-{# Tables<'_>::header #}
+{# CanOpenStackView<'_>::header #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -47,13 +47,13 @@ typedef {{ structure }} {{ member.name }}_t;
 extern {{ layout::definition(member) }}; /* {{ layout::place(member) }}: {{ member.described|c_comment }} */
 {%- endfor %}
 {%- endif %}
-{%- if self.shares(Type::Block) || self.shares(Type::Bytes) %}
+{%- if self.shares(RowType::Block) || self.shares(RowType::Bytes) %}
 
 /* Types of this file that those below replace. */
-{%- if self.shares(Type::Block) %}
+{%- if self.shares(RowType::Block) %}
 extern const CO_OBJ_TYPE {{ head.lower }}_block;
 {%- endif %}
-{%- if self.shares(Type::Bytes) %}
+{%- if self.shares(RowType::Bytes) %}
 extern const CO_OBJ_TYPE {{ head.lower }}_bytes;
 {%- endif %}
 {%- endif %}

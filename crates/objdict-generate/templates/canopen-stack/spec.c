@@ -1,4 +1,4 @@
-{# Tables<'_>::specification #}
+{# CanOpenStackView<'_>::specification #}
 /*
  * {{ head.made_by }}.
  *

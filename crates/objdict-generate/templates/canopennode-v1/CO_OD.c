@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# CanOpenNodeV1View<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -7,7 +7,7 @@
 #include "CO_driver.h"
 #include "CO_OD.h"
 #include "CO_SDO.h"
-{%- for location in Location::ALL %}
+{%- for location in ValueLocation::ALL %}
 
 struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }} = {
     CO_OD_FIRST_LAST_WORD,

@@ -1,4 +1,4 @@
-{# Tables<'_>::header #}
+{# CanOpenNodeV1View<'_>::header #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -52,7 +52,7 @@ typedef struct { /* {{ record.index|hex4 }}h */
 
 /* The first and the last word of each memory: other values mean that it has other contents. */
 #define CO_OD_FIRST_LAST_WORD 0x55
-{%- for location in Location::ALL %}
+{%- for location in ValueLocation::ALL %}
 
 struct sCO_OD_{{ location.name() }} {
     UNSIGNED32 FirstWord;

@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# CanOpenNodeView<'_>::source #}
 {%- let od = prefix.as_str() -%}
 /*
  * {{ head.made_by }}; do not edit.
@@ -33,11 +33,11 @@
 typedef struct {
 {%- for object in objects %}
 {%- match object.layout %}
-{%- when Layout::Var(_) %}
+{%- when ObjectLayout::Var(_) %}
     OD_obj_var_t o_{{ object.name() }};
-{%- when Layout::Array(_, _) %}
+{%- when ObjectLayout::Array(_, _) %}
     OD_obj_array_t o_{{ object.name() }};
-{%- when Layout::Record(members) %}
+{%- when ObjectLayout::Record(members) %}
     OD_obj_record_t o_{{ object.name() }}[{{ members.len() }}];
 {%- endmatch %}
 {%- endfor %}
@@ -47,11 +47,11 @@ static CO_PROGMEM ODObjs_t ODObjs = {
 {%- for object in objects %}
     .o_{{ object.name() }} = {
     {%- match object.layout %}
-    {%- when Layout::Var(member) %}
+    {%- when ObjectLayout::Var(member) %}
         .dataOrig = {{ object.address(member, od) }},
         .attribute = {{ member.storage.attribute }},
         .dataLength = {{ member.storage.length }},
-    {%- when Layout::Array(sub0, elements) %}
+    {%- when ObjectLayout::Array(sub0, elements) %}
     {%- let storage = elements[0].storage %}
         .dataOrig0 = {{ object.address(sub0, od) }},
         .dataOrig = {{ object.address(&elements[0], od) }},
@@ -59,7 +59,7 @@ static CO_PROGMEM ODObjs_t ODObjs = {
         .attribute = {{ storage.attribute }},
         .dataElementLength = {{ storage.length }},
         .dataElementSizeof = {% if let Some(type_) = storage.type_ %}sizeof({{ type_ }}{{ storage.dimension() }}){% else %}0{% endif %},
-    {%- when Layout::Record(members) %}
+    {%- when ObjectLayout::Record(members) %}
     {%- for member in members %}
         {.dataOrig = {{ object.address(member, od) }}, .subIndex = {{ member.entry.sub }}, .attribute = {{ member.storage.attribute }}, .dataLength = {{ member.storage.length }}},
     {%- endfor %}

@@ -1,4 +1,4 @@
-{# Tables<'_>::header #}
+{# CanOpenNodeView<'_>::header #}
 {%- let od = prefix.as_str() -%}
 /*
  * {{ head.made_by }}; do not edit.

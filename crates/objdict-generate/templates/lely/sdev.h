@@ -1,4 +1,4 @@
-{# Tables<'_>::header #}
+{# LelyView<'_>::header #}
 /*
  * {{ head.made_by }}; do not edit.
  *

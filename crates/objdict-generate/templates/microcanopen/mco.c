@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# MicroCanOpenView<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *

@@ -1,4 +1,4 @@
-{# Tables<'_>::mapping #}
+{# ObjdictMacrosView<'_>::mapping #}
 /*
  * {{ head.made_by }}; do not edit.
  *

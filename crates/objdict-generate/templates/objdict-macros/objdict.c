@@ -1,4 +1,4 @@
-{# Tables<'_>::source #}
+{# ObjdictMacrosView<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *

@@ -1,4 +1,4 @@
-{# Meanings<'_>::text #}
+{# MeaningModules<'_>::text #}
 {% if !enums.is_empty() -%}
 /// Named values of entries.
 #[allow(dead_code, unreachable_pub)]

@@ -1,4 +1,4 @@
-{# Objects<'_>::text #}
+{# ObjectModules<'_>::text #}
 {% for area in areas -%}
 {%- if !loop.first %}
 {% endif -%}

@@ -1,4 +1,4 @@
-{# Od<'_>::text #}
+{# RustView<'_>::text #}
 // {{ table.head.made_by }}; do not edit.
 //
 // Object dictionary of {{ table.head.product|code_span }} by {{ table.head.vendor|code_span }}.

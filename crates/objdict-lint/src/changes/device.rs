@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Comparison, Spot, rules};
+use super::{DeviceComparison, Spot, rules};
 use crate::diagnostic::say;
 use crate::model::{Commissioning, DataType, Device, DeviceInfo, Field, Module, ModulePart, Part, Place};
 
@@ -43,7 +43,7 @@ fn bit_rates(device: &Device) -> Vec<(Field, String)> {
     found
 }
 
-impl Comparison<'_> {
+impl DeviceComparison<'_> {
     pub(super) fn device(&mut self) {
         self.facts();
         // without a section nothing is stated

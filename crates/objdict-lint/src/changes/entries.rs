@@ -4,18 +4,18 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use super::audience::{Affected, Audience, is_persistent, is_writable};
-use super::objects::{Pair, pdo_of, place};
-use super::values::{Range, is_same, shown};
-use super::{Comparison, Spot, rules};
+use super::objects::{ObjectPair, pdo_of, place};
+use super::values::{AllowedRange, is_same, shown};
+use super::{DeviceComparison, Spot, rules};
 use crate::diagnostic::{Text, say};
 use crate::model::{
     Access, CobId, Entry, Field, Identity, Meaning, Meanings, Object, PdoKind, Scaling, Value,
 };
 
-impl<'a> Comparison<'a> {
+impl<'a> DeviceComparison<'a> {
     /// An entry, at its old and at its new sub-index.
-    pub(super) fn entry(&mut self, pair: Pair<'a>, (old_sub, new_sub): (u8, u8)) {
-        let Pair { index: (old_index, new_index), old: old_object, new: new_object } = pair;
+    pub(super) fn entry(&mut self, pair: ObjectPair<'a>, (old_sub, new_sub): (u8, u8)) {
+        let ObjectPair { index: (old_index, new_index), old: old_object, new: new_object } = pair;
         let (Some(old), Some(new)) = (old_object.entry(old_sub), new_object.entry(new_sub)) else { return };
         let affected = Affected::by_entry(&self.old, (old_index, old_sub), old_object, &old);
         let places = [place(&self.old, old_index, old_sub), place(&self.new, new_index, new_sub)];
@@ -108,7 +108,7 @@ impl<'a> Comparison<'a> {
 
     fn limits(&mut self, spot: &Spot, old: &Entry, new: &Entry) {
         let is_writable = is_writable(old);
-        let (old, new) = (Range::of(old), Range::of(new));
+        let (old, new) = (AllowedRange::of(old), AllowedRange::of(new));
         let rule = match new.against(&old) {
             Ordering::Equal => return,
             Ordering::Less if !is_writable => &rules::READ_LIMITS_NARROWED,
@@ -215,7 +215,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// What the application processes say of the values.
-    fn meaning(&mut self, spot: &Spot, pair: Pair<'a>, (old_sub, new_sub): (u8, u8)) {
+    fn meaning(&mut self, spot: &Spot, pair: ObjectPair<'a>, (old_sub, new_sub): (u8, u8)) {
         let described = |object: &'a Object, sub: u8| object.subs.get(sub).unwrap_or(&object.main);
         let (old, new) = (described(pair.old, old_sub), described(pair.new, new_sub));
         let scales = [scale(&self.old.meanings.scaling_of(old)), scale(&self.new.meanings.scaling_of(new))];

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A part that may have moved, known by its name.
-pub(super) struct Part<K> {
+pub(super) struct MatchedPart<K> {
     pub(super) key: K,
     /// The words of its name; empty for one that does not move.
     pub(super) words: String,
@@ -27,7 +27,7 @@ pub(super) fn words(name: &str) -> String {
 }
 
 /// The parts by their names, without names that occur twice.
-fn unique<K: Copy + Ord>(parts: &[Part<K>]) -> BTreeMap<&str, &Part<K>> {
+fn unique<K: Copy + Ord>(parts: &[MatchedPart<K>]) -> BTreeMap<&str, &MatchedPart<K>> {
     let mut found = BTreeMap::new();
     let mut repeated = BTreeSet::new();
     for part in parts.iter().filter(|part| !part.words.is_empty()) {
@@ -41,9 +41,9 @@ fn unique<K: Copy + Ord>(parts: &[Part<K>]) -> BTreeMap<&str, &Part<K>> {
 
 /// Finds the old parts in the new device: at their key, or at another key if what they are called is there alone, has the
 /// same shape, and has left its old place.
-pub(super) fn matched<K: Copy + Ord>(old: &[Part<K>], new: &[Part<K>]) -> Matched<K> {
+pub(super) fn matched<K: Copy + Ord>(old: &[MatchedPart<K>], new: &[MatchedPart<K>]) -> Matched<K> {
     let (old_names, new_names) = (unique(old), unique(new));
-    let by_key = |parts: &[Part<K>]| -> BTreeMap<K, String> {
+    let by_key = |parts: &[MatchedPart<K>]| -> BTreeMap<K, String> {
         parts.iter().map(|part| (part.key, part.words.clone())).collect()
     };
     let (old_keys, new_keys) = (by_key(old), by_key(new));

@@ -88,7 +88,7 @@ fn as_help(remedy: &str) -> String {
 pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     let (old, new) = (old.with_implicit_pdos(), new.with_implicit_pdos());
     let (old, new) = (Side::new(&old), Side::new(&new));
-    let mut comparison = Comparison { old, new, moved: BTreeMap::new(), changes: Vec::new() };
+    let mut comparison = DeviceComparison { old, new, moved: BTreeMap::new(), changes: Vec::new() };
     comparison.objects();
     comparison.pdos();
     comparison.changes.sort_by_key(|change| (change.index.is_none(), change.index));
@@ -150,7 +150,7 @@ impl<'a> Side<'a> {
     }
 }
 
-struct Comparison<'a> {
+struct DeviceComparison<'a> {
     old: Side<'a>,
     new: Side<'a>,
     /// Entries that are elsewhere in the new device.
@@ -182,7 +182,7 @@ impl Spot {
     }
 }
 
-impl Comparison<'_> {
+impl DeviceComparison<'_> {
     fn report(
         &mut self,
         rule: &'static ChangeRule,

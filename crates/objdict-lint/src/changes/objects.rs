@@ -1,14 +1,14 @@
 //! Objects and their sub-indexes: added, removed, renamed, moved.
 
 use super::audience::{Affected, group};
-use super::matching::{Matched, Part, matched, words};
-use super::{Comparison, Side, Spot, rules};
+use super::matching::{Matched, MatchedPart, matched, words};
+use super::{DeviceComparison, Side, Spot, rules};
 use crate::diagnostic::{say, sub_index};
 use crate::model::{Device, Field, Object, ObjectType, PdoKind, Place};
 
 /// An object in both devices, at its old and at its new index.
 #[derive(Clone, Copy)]
-pub(super) struct Pair<'a> {
+pub(super) struct ObjectPair<'a> {
     pub(super) index: (u16, u16),
     pub(super) old: &'a Object,
     pub(super) new: &'a Object,
@@ -20,12 +20,12 @@ pub(super) fn pdo_of(index: u16) -> Option<(PdoKind, u16)> {
 }
 
 /// What an object is, for the search of those that moved: the indexes below 2000h are fixed.
-fn parts(device: &Device) -> Vec<Part<u16>> {
+fn parts(device: &Device) -> Vec<MatchedPart<u16>> {
     let part = |(&index, object): (&u16, &Object)| {
         let types = object.entries().map(|(sub, entry)| format!("{sub}{:?}", entry.implied_type()));
         let shape = format!("{:?}{}", object.object_type(), types.collect::<String>());
         let words = if index < 0x2000 { String::new() } else { own_words(object.name()) };
-        Part { key: index, words, shape }
+        MatchedPart { key: index, words, shape }
     };
     device.objects.iter().map(part).collect()
 }
@@ -37,21 +37,22 @@ fn own_words(name: &str) -> String {
 }
 
 /// The same of the sub-indexes of an object; sub-index 0 of a structure does not move, and neither do parameters of PDOs.
-fn subs(index: u16, object: &Object) -> Vec<Part<u8>> {
+fn subs(index: u16, object: &Object) -> Vec<MatchedPart<u8>> {
     let is_fixed = index < 0x2000 || object.object_type() == ObjectType::Array;
     let part = |(sub, entry): (u8, std::borrow::Cow<'_, crate::model::Entry>)| {
         let words = if sub == 0 || is_fixed { String::new() } else { own_words(&entry.name) };
-        Part { key: sub, words, shape: format!("{:?}", entry.implied_type()) }
+        MatchedPart { key: sub, words, shape: format!("{:?}", entry.implied_type()) }
     };
     object.entries().map(part).collect()
 }
 
-impl<'a> Comparison<'a> {
+impl<'a> DeviceComparison<'a> {
     pub(super) fn objects(&mut self) {
         let (old, new): (&'a Device, &'a Device) = (self.old.device, self.new.device);
         let Matched { pairs, removed, added } = matched(&parts(old), &parts(new));
-        let pair =
-            |&index: &(u16, u16)| Some(Pair { index, old: old.object(index.0)?, new: new.object(index.1)? });
+        let pair = |&index: &(u16, u16)| {
+            Some(ObjectPair { index, old: old.object(index.0)?, new: new.object(index.1)? })
+        };
         for pair in pairs.iter().filter_map(pair) {
             self.object(pair);
         }
@@ -80,8 +81,8 @@ impl<'a> Comparison<'a> {
     }
 
     /// An object that both have.
-    fn object(&mut self, pair: Pair<'a>) {
-        let Pair { index: (old_index, new_index), old, new } = pair;
+    fn object(&mut self, pair: ObjectPair<'a>) {
+        let ObjectPair { index: (old_index, new_index), old, new } = pair;
         if old_index == new_index && old == new && !self.has_meanings() {
             return;
         }
@@ -149,8 +150,8 @@ impl<'a> Comparison<'a> {
     }
 
     /// The sub-indexes of an object.
-    fn sub_indexes(&mut self, pair: Pair<'a>) {
-        let Pair { index: (old_index, new_index), old, new } = pair;
+    fn sub_indexes(&mut self, pair: ObjectPair<'a>) {
+        let ObjectPair { index: (old_index, new_index), old, new } = pair;
         let Matched { pairs, removed, added } = matched(&subs(old_index, old), &subs(new_index, new));
         for sub in pairs {
             let is_moved = sub.0 != sub.1;

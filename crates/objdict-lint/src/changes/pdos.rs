@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::audience::Affected;
-use super::{Comparison, Side, Spot, rules};
+use super::{DeviceComparison, Side, Spot, rules};
 use crate::diagnostic::{counted, say};
 use crate::model::{CobId, DataType, MappedObject, Pdo, PdoKind, Place};
 
-impl Comparison<'_> {
+impl DeviceComparison<'_> {
     pub(super) fn pdos(&mut self) {
         let numbers = |side: &Side<'_>| -> BTreeSet<(PdoKind, u16)> {
             side.device.pdos().map(|pdo| (pdo.kind, pdo.number)).collect()

@@ -41,13 +41,13 @@ pub(super) fn shown(value: &Value) -> String {
 }
 
 /// What an entry may be: from a lowest to a highest value.
-pub(super) struct Range<'a> {
-    low: Limit<'a>,
-    high: Limit<'a>,
+pub(super) struct AllowedRange<'a> {
+    low: RangeEnd<'a>,
+    high: RangeEnd<'a>,
 }
 
 /// One end of a range.
-enum Limit<'a> {
+enum RangeEnd<'a> {
     Stated(&'a Value),
     /// That of the data type.
     Implied(i128),
@@ -55,7 +55,7 @@ enum Limit<'a> {
     Open,
 }
 
-impl Limit<'_> {
+impl RangeEnd<'_> {
     fn order(&self, other: &Self) -> Option<Ordering> {
         let number = |limit: &Self| match limit {
             Self::Stated(value) => value.as_integer(),
@@ -77,13 +77,13 @@ impl Limit<'_> {
     }
 }
 
-impl<'a> Range<'a> {
+impl<'a> AllowedRange<'a> {
     pub(super) fn of(entry: &'a Entry) -> Self {
         let implied = entry.data_type.and_then(DataType::integer_range);
         let limit = |stated: Option<&'a Value>, implied: Option<i128>| match (stated, implied) {
-            (Some(value), _) => Limit::Stated(value),
-            (None, Some(number)) => Limit::Implied(number),
-            (None, None) => Limit::Open,
+            (Some(value), _) => RangeEnd::Stated(value),
+            (None, Some(number)) => RangeEnd::Implied(number),
+            (None, None) => RangeEnd::Open,
         };
         Self {
             low: limit(entry.low_limit.as_ref(), implied.map(|(low, _)| low)),
@@ -101,8 +101,8 @@ impl<'a> Range<'a> {
             None if is_open => Ordering::Greater,
             None => Ordering::Less,
         };
-        let low = narrower(self.low.order(&old.low), Ordering::Greater, matches!(self.low, Limit::Open));
-        let high = narrower(self.high.order(&old.high), Ordering::Less, matches!(self.high, Limit::Open));
+        let low = narrower(self.low.order(&old.low), Ordering::Greater, matches!(self.low, RangeEnd::Open));
+        let high = narrower(self.high.order(&old.high), Ordering::Less, matches!(self.high, RangeEnd::Open));
         match (low, high) {
             (Ordering::Less, _) | (_, Ordering::Less) => Ordering::Less,
             (Ordering::Equal, end) | (end, _) => end,

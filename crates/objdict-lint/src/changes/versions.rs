@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use super::{Audience, Comparison, DeviceChange, Spot, rules};
+use super::{Audience, DeviceChange, DeviceComparison, Spot, rules};
 use crate::diagnostic::say;
 use crate::model::{ClockTime, Date, Device, DeviceKind, Field, FileInfo, Identity, Part, Place};
 
-impl Comparison<'_> {
+impl DeviceComparison<'_> {
     pub(super) fn versions(&mut self) {
         // a configured node has the versions of its device
         if [self.old.device, self.new.device].iter().any(|device| device.kind == DeviceKind::Node) {

@@ -3,7 +3,7 @@
 use super::Expected;
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series, series_or};
 use crate::model::DataType;
-use crate::profile::{BitField, device_type_index};
+use crate::profile::{BitFieldFacts, device_type_index};
 use crate::stated;
 
 /// Reports set bits that the document does not define.
@@ -64,6 +64,6 @@ fn value(at: &Expected<'_>) -> Option<u64> {
     u64::try_from(value).ok().filter(|_| at.facts.accepts_value(value))
 }
 
-fn mask(field: &BitField<'_>) -> u64 {
+fn mask(field: &BitFieldFacts<'_>) -> u64 {
     field.of(u64::MAX).checked_shl(field.first.into()).unwrap_or(0)
 }

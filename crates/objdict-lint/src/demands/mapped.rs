@@ -4,7 +4,7 @@ use super::Applied;
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
 use crate::model::PdoKind;
 use crate::profile::Mapping;
-use crate::{Facts, Target};
+use crate::{Facts, MappedTo};
 
 /// Reports a PDO that maps an entry that the document defines for the other direction, although its access
 /// type allows it.
@@ -17,7 +17,7 @@ pub(crate) fn mapped_in_wrong_direction(
     for pdo in &facts.pdos {
         for mapped in &pdo.mapped {
             let (index, sub) = (mapped.object.index, mapped.object.sub);
-            let Target::Entry(entry) = &mapped.target else { continue };
+            let MappedTo::Entry(entry) = &mapped.target else { continue };
             let expected = applied.profile.object_in(applied.block, index);
             let Some(expected) = expected.and_then(|object| object.entry(sub)) else { continue };
             let right = match expected.mapping {

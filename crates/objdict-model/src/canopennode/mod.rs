@@ -128,17 +128,17 @@ pub fn is_disabled(object: &Object) -> bool {
 
 /// All unmet requirements of a device; none if the device has no objects at all.
 pub fn unmet(device: &Device) -> Vec<Unmet> {
-    let dictionary = Wanted { device, counters: Counters::new(objects(device)), unmet: Vec::new() };
+    let dictionary = WantedObject { device, counters: Counters::new(objects(device)), unmet: Vec::new() };
     if device.objects.is_empty() { Vec::new() } else { dictionary.all() }
 }
 
-struct Wanted<'a> {
+struct WantedObject<'a> {
     device: &'a Device,
     counters: Counters,
     unmet: Vec<Unmet>,
 }
 
-impl Wanted<'_> {
+impl WantedObject<'_> {
     fn all(mut self) -> Vec<Unmet> {
         self.services();
         self.ranges();

@@ -28,13 +28,13 @@ pub const MAX_QUOTED: usize = 80;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Text {
-    content: Content,
+    content: TextContent,
     /// The words of a syntax other than CiA 306.
     words: Option<Vocabulary>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Content {
+enum TextContent {
     /// A fixed text.
     Plain(Cow<'static, str>),
     /// A template with gaps for [`say!`].
@@ -67,12 +67,12 @@ pub enum Argument {
 impl Text {
     /// A template and its values; called by [`say!`], which checks their number.
     pub fn new(template: &'static str, arguments: Box<[Argument]>) -> Self {
-        Self { content: Content::Template(template, arguments), words: None }
+        Self { content: TextContent::Template(template, arguments), words: None }
     }
 
     /// Whether the text is empty.
     pub fn is_empty(&self) -> bool {
-        matches!(&self.content, Content::Plain(text) if text.is_empty())
+        matches!(&self.content, TextContent::Plain(text) if text.is_empty())
     }
 
     /// The text in the words of another syntax.
@@ -92,8 +92,8 @@ impl Text {
     /// and parts in it, and the values of gaps such as `{!}`, which say what is required.
     pub fn pattern(&self) -> String {
         let (template, arguments) = match &self.content {
-            Content::Plain(text) => return text.clone().into_owned(),
-            Content::Template(template, arguments) => (template, arguments),
+            TextContent::Plain(text) => return text.clone().into_owned(),
+            TextContent::Template(template, arguments) => (template, arguments),
         };
         let gaps = template.split('{').skip(1).filter(|gap| gap.starts_with(['}', ':', '!']));
         gaps.zip(arguments).fold((*template).to_owned(), |pattern, (gap, argument)| {
@@ -105,8 +105,8 @@ impl Text {
     /// The rendered text.
     pub fn shown(&self) -> Cow<'_, str> {
         match &self.content {
-            Content::Plain(text) => Cow::Borrowed(text),
-            Content::Template(..) => Cow::Owned(self.to_string()),
+            TextContent::Plain(text) => Cow::Borrowed(text),
+            TextContent::Template(..) => Cow::Owned(self.to_string()),
         }
     }
 
@@ -125,7 +125,7 @@ impl Text {
 
     /// The first quoted text of a file.
     pub fn quoted(&self) -> Option<&str> {
-        let Content::Template(_, arguments) = &self.content else { return None };
+        let TextContent::Template(_, arguments) = &self.content else { return None };
         arguments.iter().find_map(|argument| match argument {
             Argument::Value(text) => Some(&**text),
             _ => None,
@@ -133,14 +133,14 @@ impl Text {
     }
 
     fn any(&self, is_meant: &dyn Fn(&Argument) -> bool) -> bool {
-        let Content::Template(_, arguments) = &self.content else { return false };
+        let TextContent::Template(_, arguments) = &self.content else { return false };
         arguments.iter().any(|argument| argument.any(is_meant))
     }
 
     fn write(&self, words: Option<Vocabulary>, out: &mut dyn fmt::Write) -> fmt::Result {
         let (template, arguments) = match &self.content {
-            Content::Plain(text) => return out.write_str(text),
-            Content::Template(template, arguments) => (template, arguments),
+            TextContent::Plain(text) => return out.write_str(text),
+            TextContent::Template(template, arguments) => (template, arguments),
         };
         let mut arguments = arguments.iter();
         let mut rest = *template;
@@ -357,13 +357,13 @@ impl<T: Sayable + ToOwned + ?Sized> Sayable for Cow<'_, T> {
 
 impl From<&'static str> for Text {
     fn from(text: &'static str) -> Self {
-        Self { content: Content::Plain(Cow::Borrowed(text)), words: None }
+        Self { content: TextContent::Plain(Cow::Borrowed(text)), words: None }
     }
 }
 
 impl From<String> for Text {
     fn from(text: String) -> Self {
-        Self { content: Content::Plain(Cow::Owned(cut_quotes(text))), words: None }
+        Self { content: TextContent::Plain(Cow::Owned(cut_quotes(text))), words: None }
     }
 }
 

@@ -126,7 +126,7 @@ pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
 }
 
 /// A number as written, because hex digits may be two's complement.
-struct Number {
+struct WrittenNumber {
     value: i128,
     hex: bool,
 }
@@ -162,7 +162,7 @@ pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
 }
 
 /// Tries the common spellings first, and the others only if these fail.
-fn number(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
+fn number(text: &str, quirks: &mut Quirks) -> Result<WrittenNumber, Reason> {
     match plain_number(text) {
         Ok(number) => Ok(number),
         Err(_) => number_with_quirks(strip_comment(text, quirks), quirks),
@@ -170,7 +170,7 @@ fn number(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
 }
 
 /// Decimal without leading zero, or hex; with or without a sign.
-fn plain_number(text: &str) -> Result<Number, Reason> {
+fn plain_number(text: &str) -> Result<WrittenNumber, Reason> {
     let (negative, digits) = match text.as_bytes() {
         [b'-', rest @ ..] => (true, rest),
         [b'+', rest @ ..] => (false, rest),
@@ -182,7 +182,7 @@ fn plain_number(text: &str) -> Result<Number, Reason> {
         _ => (10, digits),
     };
     let value = i128::from(magnitude(digits, radix)?);
-    Ok(Number { value: if negative { -value } else { value }, hex: radix == 16 })
+    Ok(WrittenNumber { value: if negative { -value } else { value }, hex: radix == 16 })
 }
 
 fn magnitude(digits: &[u8], radix: u32) -> Result<u64, Reason> {
@@ -196,7 +196,7 @@ fn magnitude(digits: &[u8], radix: u32) -> Result<u64, Reason> {
     if digits.is_empty() { Err(Reason::NotANumber) } else { Ok(value) }
 }
 
-fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<Number, Reason> {
+fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<WrittenNumber, Reason> {
     let too_large = match plain_number(text) {
         Err(reason @ Reason::OutOfRange { .. }) => return Err(reason),
         Err(reason) => reason,
@@ -223,7 +223,7 @@ fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<Number, Reason>
     let same = magnitude(digits.as_bytes(), 10) == Ok(octal);
     quirks.add(if same { Quirk::LeadingZero } else { Quirk::Octal });
     let value = i128::from(octal);
-    Ok(Number { value: if negative { -value } else { value }, hex: false })
+    Ok(WrittenNumber { value: if negative { -value } else { value }, hex: false })
 }
 
 fn integer_value(text: &str, data_type: DataType, quirks: &mut Quirks) -> Result<Value, Reason> {
@@ -295,14 +295,14 @@ fn boolean(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
 }
 
 /// The bits of a hex literal, or the decimal text of a REAL without comment and C suffix.
-fn real_text<'a>(text: &'a str, quirks: &mut Quirks) -> Result<RealText<'a>, Reason> {
+fn real_text<'a>(text: &'a str, quirks: &mut Quirks) -> Result<ParsedReal<'a>, Reason> {
     if text.contains('$') {
         return Err(Reason::FormulaForType);
     }
     let text = strip_comment(text, quirks);
     if let Some(digits) = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         quirks.add(Quirk::RealAsBits);
-        return magnitude(digits.as_bytes(), 16).map(RealText::Bits).map_err(|_| Reason::NotReal);
+        return magnitude(digits.as_bytes(), 16).map(ParsedReal::Bits).map_err(|_| Reason::NotReal);
     }
     let decimal = match text.strip_suffix(['f', 'F']) {
         Some(without) => {
@@ -313,18 +313,18 @@ fn real_text<'a>(text: &'a str, quirks: &mut Quirks) -> Result<RealText<'a>, Rea
     };
     let is_decimal =
         decimal.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E'));
-    if is_decimal { Ok(RealText::Decimal(decimal)) } else { Err(Reason::NotReal) }
+    if is_decimal { Ok(ParsedReal::Decimal(decimal)) } else { Err(Reason::NotReal) }
 }
 
-enum RealText<'a> {
+enum ParsedReal<'a> {
     Bits(u64),
     Decimal(&'a str),
 }
 
 fn real32(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     let value = match real_text(text, quirks)? {
-        RealText::Bits(bits) => f32::from_bits(u32::try_from(bits).map_err(|_| Reason::NotReal)?),
-        RealText::Decimal(decimal) => {
+        ParsedReal::Bits(bits) => f32::from_bits(u32::try_from(bits).map_err(|_| Reason::NotReal)?),
+        ParsedReal::Decimal(decimal) => {
             decimal.parse().ok().filter(|v: &f32| v.is_finite()).ok_or(Reason::NotReal)?
         }
     };
@@ -333,8 +333,8 @@ fn real32(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
 
 fn real64(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     let value = match real_text(text, quirks)? {
-        RealText::Bits(bits) => f64::from_bits(bits),
-        RealText::Decimal(decimal) => {
+        ParsedReal::Bits(bits) => f64::from_bits(bits),
+        ParsedReal::Decimal(decimal) => {
             decimal.parse().ok().filter(|v: &f64| v.is_finite()).ok_or(Reason::NotReal)?
         }
     };

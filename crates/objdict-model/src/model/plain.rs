@@ -49,18 +49,18 @@ impl Value {
     }
 
     /// The key of the exact form.
-    const fn kind(&self) -> Kind {
+    const fn kind(&self) -> PlainKind {
         match self {
-            Self::Boolean(_) => Kind::Boolean,
-            Self::Signed(_) => Kind::Signed,
-            Self::Unsigned(_) => Kind::Unsigned,
-            Self::Real32(_) => Kind::Real32,
-            Self::Real64(_) => Kind::Real64,
-            Self::Text(_) => Kind::Text,
-            Self::Bytes(_) => Kind::Bytes,
-            Self::Time(_) => Kind::Time,
-            Self::NodeId(_) => Kind::NodeIdPlus,
-            Self::Raw(_) => Kind::Raw,
+            Self::Boolean(_) => PlainKind::Boolean,
+            Self::Signed(_) => PlainKind::Signed,
+            Self::Unsigned(_) => PlainKind::Unsigned,
+            Self::Real32(_) => PlainKind::Real32,
+            Self::Real64(_) => PlainKind::Real64,
+            Self::Text(_) => PlainKind::Text,
+            Self::Bytes(_) => PlainKind::Bytes,
+            Self::Time(_) => PlainKind::Time,
+            Self::NodeId(_) => PlainKind::NodeIdPlus,
+            Self::Raw(_) => PlainKind::Raw,
         }
     }
 }
@@ -146,7 +146,7 @@ impl<T: Serialize> Serialize for WithPlainValues<'_, T> {
 /// The keys of an exact form, or of the plain one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-enum Kind {
+enum PlainKind {
     Boolean,
     Signed,
     Unsigned,
@@ -161,7 +161,7 @@ enum Kind {
     Value,
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for PlainKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.serialize(f)
     }
@@ -175,7 +175,7 @@ struct RealText<T: real_text::Real>(#[serde(with = "real_text")] T);
 /// Bytes as the text of their exact form.
 #[derive(Deserialize)]
 #[serde(transparent)]
-struct HexBytes(#[serde(deserialize_with = "hex_text::deserialize")] Box<[u8]>);
+struct PlainBytes(#[serde(deserialize_with = "hex_text::deserialize")] Box<[u8]>);
 
 impl Serialize for Value {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -216,8 +216,8 @@ impl<'de> Visitor<'de> for ValueVisitor {
 
     fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Value, A::Error> {
         let (mut exact, mut plain): (Option<Value>, Option<Plain<'static>>) = (None, None);
-        while let Some(kind) = access.next_key::<Kind>()? {
-            if kind == Kind::Value {
+        while let Some(kind) = access.next_key::<PlainKind>()? {
+            if kind == PlainKind::Value {
                 if plain.replace(access.next_value()?).is_some() {
                     return Err(A::Error::custom("the key `value` is defined twice"));
                 }
@@ -232,16 +232,16 @@ impl<'de> Visitor<'de> for ValueVisitor {
                 return Err(A::Error::custom(message));
             }
             exact = Some(match kind {
-                Kind::Boolean => Value::Boolean(access.next_value()?),
-                Kind::Signed => Value::Signed(access.next_value()?),
-                Kind::Unsigned => Value::Unsigned(access.next_value()?),
-                Kind::Real32 => Value::Real32(access.next_value::<RealText<_>>()?.0),
-                Kind::Real64 => Value::Real64(access.next_value::<RealText<_>>()?.0),
-                Kind::Text => Value::Text(access.next_value()?),
-                Kind::Bytes => Value::Bytes(access.next_value::<HexBytes>()?.0),
-                Kind::Time => Value::Time(access.next_value::<Time>()?),
-                Kind::NodeIdPlus => Value::NodeId(access.next_value()?),
-                Kind::Raw | Kind::Value => Value::Raw(access.next_value()?),
+                PlainKind::Boolean => Value::Boolean(access.next_value()?),
+                PlainKind::Signed => Value::Signed(access.next_value()?),
+                PlainKind::Unsigned => Value::Unsigned(access.next_value()?),
+                PlainKind::Real32 => Value::Real32(access.next_value::<RealText<_>>()?.0),
+                PlainKind::Real64 => Value::Real64(access.next_value::<RealText<_>>()?.0),
+                PlainKind::Text => Value::Text(access.next_value()?),
+                PlainKind::Bytes => Value::Bytes(access.next_value::<PlainBytes>()?.0),
+                PlainKind::Time => Value::Time(access.next_value::<Time>()?),
+                PlainKind::NodeIdPlus => Value::NodeId(access.next_value()?),
+                PlainKind::Raw | PlainKind::Value => Value::Raw(access.next_value()?),
             });
         }
         let Some(value) = exact else {
@@ -300,7 +300,7 @@ mod schema {
 
     use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-    use super::{Kind, PLAIN, Time, Value};
+    use super::{PLAIN, PlainKind, Time, Value};
 
     impl JsonSchema for Value {
         fn schema_name() -> Cow<'static, str> {
@@ -321,7 +321,7 @@ mod schema {
             let bytes = || json_schema!({ "type": "string", "pattern": "^([0-9A-F]{2})*$" });
             let boolean = || json_schema!({ "type": "boolean" });
             let time = generator.subschema_for::<Time>();
-            let kind = |kind: Kind, about: &str, exact: Schema, plain: Schema| {
+            let kind = |kind: PlainKind, about: &str, exact: Schema, plain: Schema| {
                 let kind = kind.to_string();
                 json_schema!({
                     "description": about,
@@ -332,31 +332,31 @@ mod schema {
                 })
             };
             let kinds = [
-                kind(Kind::Boolean, "BOOLEAN.", boolean(), boolean()),
-                kind(Kind::Signed, "INTEGERn.", integer(true), integer(true)),
-                kind(Kind::Unsigned, "UNSIGNEDn.", integer(false), integer(false)),
+                kind(PlainKind::Boolean, "BOOLEAN.", boolean(), boolean()),
+                kind(PlainKind::Signed, "INTEGERn.", integer(true), integer(true)),
+                kind(PlainKind::Unsigned, "UNSIGNEDn.", integer(false), integer(false)),
                 kind(
-                    Kind::Real32,
+                    PlainKind::Real32,
                     "REAL32, as a text with every bit; infinity and NaN as bits after `0x`.",
                     bits(8),
                     real(),
                 ),
                 kind(
-                    Kind::Real64,
+                    PlainKind::Real64,
                     "REAL64, as a text with every bit; infinity and NaN as bits after `0x`.",
                     bits(16),
                     real(),
                 ),
-                kind(Kind::Text, "VISIBLE_STRING and UNICODE_STRING.", text(), text()),
-                kind(Kind::Bytes, "OCTET_STRING and DOMAIN, in hex.", bytes(), bytes()),
-                kind(Kind::Time, "TIME_OF_DAY and TIME_DIFFERENCE.", time, text()),
+                kind(PlainKind::Text, "VISIBLE_STRING and UNICODE_STRING.", text(), text()),
+                kind(PlainKind::Bytes, "OCTET_STRING and DOMAIN, in hex.", bytes(), bytes()),
+                kind(PlainKind::Time, "TIME_OF_DAY and TIME_DIFFERENCE.", time, text()),
                 kind(
-                    Kind::NodeIdPlus,
+                    PlainKind::NodeIdPlus,
                     "The node-ID plus this number (`$NODEID+n`), for integer types.",
                     integer(false),
                     text(),
                 ),
-                kind(Kind::Raw, "A text with a non-static data type, as written.", text(), text()),
+                kind(PlainKind::Raw, "A text with a non-static data type, as written.", text(), text()),
             ];
             json_schema!({
                 "description": "A value of an entry: its exact form, with its kind as key, and `value`, the plain form: a number, `true`, `false` or a text.",

@@ -5,7 +5,7 @@ use std::fmt;
 
 use objdict_bus::{Configurations, PlantNode, PowerOn};
 
-use super::super::boot::{Described, configurations, configured, described, manager_among};
+use super::super::boot::{DescribedFile, configurations, configured, described, manager_among};
 use super::super::{InstallError, stored};
 use super::{Build, BuiltFile};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
@@ -79,7 +79,7 @@ impl Build<'_> {
     fn replayed(
         &self,
         slave: &Slave,
-        described: &[Described],
+        described: &[DescribedFile],
         streams: &Configurations,
         files: &[BuiltFile],
         objections: &mut Vec<BuildObjection>,

@@ -1,6 +1,6 @@
 //! What the manager expects while it boots the network.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
@@ -13,7 +13,7 @@ use crate::rules::{
 use crate::source::Span;
 use crate::timing::sdo_bits;
 
-impl Check<'_, '_> {
+impl NetworkCheck<'_, '_> {
     pub(super) fn identities(&mut self) {
         for slave in &self.compiled.slaves {
             let node = &self.network.nodes[slave.node];

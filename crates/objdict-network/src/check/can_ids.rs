@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::{PdoState, indexes};
 use crate::connect::NodePdos;
 use crate::diagnostic::{At, Diagnostic, Severity, say, series};
@@ -14,7 +14,7 @@ use crate::rules::{
     UNSUPPORTED_BIT_RATE,
 };
 
-impl<'n> Check<'n, '_> {
+impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn nodes(&mut self) {
         self.node_ids();
         self.bit_rates();

@@ -1,6 +1,6 @@
 //! Monitoring.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::model::Place;
@@ -24,7 +24,7 @@ struct Consumer<'n> {
     milliseconds: u16,
 }
 
-impl<'n> Check<'n, '_> {
+impl<'n> NetworkCheck<'n, '_> {
     /// Sub-indexes of 1016h that name one node, and nodes that the described manager has no sub-index for.
     pub(super) fn monitored_twice(&mut self) {
         let manager = self.network.manager.as_ref();

@@ -1,6 +1,6 @@
 //! The one manager of a network, and the nodes that it boots.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::identity::number;
 use crate::model::{Device, Field, Part, Place};
@@ -16,7 +16,7 @@ const SLAVE: u32 = 1;
 /// 1F81h: the network does not start without the node.
 const MANDATORY: u32 = 1 << 3;
 
-impl Check<'_, '_> {
+impl NetworkCheck<'_, '_> {
     pub(super) fn managers(&mut self) {
         let Some(manager) = &self.network.manager else { return };
         for slave in &self.compiled.slaves {

@@ -1,6 +1,6 @@
 //! PDOs whose other side is missing.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::diagnostic::{Diagnostic, joined, say};
 use crate::model::PdoKind;
 use crate::rules::{RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER};
@@ -9,7 +9,7 @@ use crate::unlinked::{UnlinkedPdo, UnlinkedPdos};
 /// The most CAN-IDs that a message lists.
 const MAX_LISTED: usize = 8;
 
-impl Check<'_, '_> {
+impl NetworkCheck<'_, '_> {
     /// PDOs that no other node sends or receives: one finding for each that is configured, and one for all of a node and a
     /// direction that are valid by default.
     pub(super) fn unlinked(&mut self) {

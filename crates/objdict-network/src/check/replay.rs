@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::{Objection, PlanError};
@@ -10,7 +10,7 @@ use crate::effective::switched_on;
 use crate::model::PdoKind;
 use crate::rules::REFUSED_DOWNLOAD;
 
-impl Check<'_, '_> {
+impl NetworkCheck<'_, '_> {
     pub(super) fn downloads(&mut self) {
         // nodes that are configured already have what the manager holds
         if self.network.is_as_described {

@@ -1,6 +1,6 @@
 //! Values that CiA 301 reserves.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::model::{CobId, PdoKind};
@@ -16,7 +16,7 @@ const fn is_reserved_type(state: &PdoState) -> bool {
     matches!((state.pdo.kind, state.transmission), (_, 241..=251) | (PdoKind::Rpdo, 252 | 253))
 }
 
-impl Check<'_, '_> {
+impl NetworkCheck<'_, '_> {
     pub(super) fn reserved(&mut self) {
         let compiled = self.compiled;
         let undescribed = self.network.manager.as_ref().filter(|manager| manager.node.is_none());

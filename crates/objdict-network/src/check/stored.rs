@@ -1,6 +1,6 @@
 //! The configurations that the description of the manager holds.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, say};
 use crate::download::Download;
@@ -10,7 +10,7 @@ use crate::model::{Value, hex};
 use crate::network::{Node, Stored};
 use crate::rules::{CONFIGURATION_DATE, OTHER_CONFIGURATION, REFUSED_CONFIGURATION};
 
-impl Check<'_, '_> {
+impl NetworkCheck<'_, '_> {
     pub(super) fn stored_configurations(&mut self) {
         for slave in &self.compiled.slaves {
             let node = &self.network.nodes[slave.node];

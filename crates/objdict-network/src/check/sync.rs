@@ -1,6 +1,6 @@
 //! SYNC: who waits for it, how it is counted, and its window.
 
-use super::Check;
+use super::NetworkCheck;
 use super::reserved::is_reserved_overflow;
 use crate::compiled::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, Text, say, series};
@@ -12,7 +12,7 @@ use crate::traffic::Sync;
 /// The most PDOs that a message names.
 const MAX_NAMED: usize = 4;
 
-impl<'n> Check<'n, '_> {
+impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn sync(&mut self) {
         self.waiting();
         let Some(sync) = self.traffic().sync() else { return };

@@ -1,6 +1,6 @@
 //! The times of PDOs, and the load of the bus.
 
-use super::Check;
+use super::NetworkCheck;
 use crate::compiled::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::Message;
@@ -12,7 +12,7 @@ use crate::timing::{DeadlineKind, TrafficKind};
 /// The highest bit rate of CiA 301 in kbit/s.
 const FASTEST: u16 = 1000;
 
-impl<'n> Check<'n, '_> {
+impl<'n> NetworkCheck<'n, '_> {
     /// Inhibit time, event timer and deadline.
     pub(super) fn times(&mut self) {
         let mut findings = Vec::new();

@@ -18,7 +18,7 @@ use crate::source::Span;
 
 /// Which part of a network file gives an entry its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Part {
+pub(super) enum FilePart {
     /// A key, or a link.
     Key,
     /// `set`.
@@ -28,7 +28,7 @@ pub(super) enum Part {
 }
 
 /// The last value that each part gives to an entry, and where it says so.
-type Written = BTreeMap<Part, (Span, Vec<u8>)>;
+type WrittenValues = BTreeMap<FilePart, (Span, Vec<u8>)>;
 
 /// A node, its downloads so far, and their problems.
 pub(super) struct Compiler<'n, 'f> {
@@ -36,9 +36,9 @@ pub(super) struct Compiler<'n, 'f> {
     /// The node as it is after the downloads so far.
     pub(super) device: Device,
     /// What writes at present.
-    pub(super) part: Part,
+    pub(super) part: FilePart,
     /// What is written to each entry.
-    written: BTreeMap<(u16, u8), Written>,
+    written: BTreeMap<(u16, u8), WrittenValues>,
     pub(super) origins: Origins,
     /// The position of the node in the network.
     pub(super) position: usize,
@@ -58,7 +58,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         Self {
             node,
             device: before(node, node_id),
-            part: Part::Key,
+            part: FilePart::Key,
             written: BTreeMap::new(),
             origins: Origins::new(),
             position,
@@ -227,7 +227,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
                     .label(first, "the other value")
                     .help("remove one of the two");
                 // a download at the end is meant to be the last word
-                let severity = if part == Part::Download { Severity::Warning } else { Severity::Error };
+                let severity = if part == FilePart::Download { Severity::Warning } else { Severity::Error };
                 self.findings.push(finding.severity(severity).understood());
             }
         }

@@ -47,27 +47,27 @@ impl Carried {
 type Found<T> = Result<T, Box<Diagnostic>>;
 
 /// A node with some of its entries.
-pub(super) type End = (usize, Vec<Carried>);
+pub(super) type NodeEntries = (usize, Vec<Carried>);
 
 /// What a link sends.
 pub(super) struct Flow {
     /// The producer, or the consumer of what a manager without a description sends.
-    pub(super) lead: End,
+    pub(super) lead: NodeEntries,
     /// The direction of the lead's PDO.
     pub(super) kind: PdoKind,
     /// The consumers with a description, each with as many entries as the lead.
-    pub(super) consumers: Vec<End>,
+    pub(super) consumers: Vec<NodeEntries>,
     /// Whether a manager without a description has the other side.
     pub(super) has_manager: bool,
 }
 
 /// The nodes by name.
-pub(super) struct Names<'a> {
+pub(super) struct NodeNames<'a> {
     network: &'a Network,
     positions: HashMap<&'a str, usize>,
 }
 
-impl<'a> Names<'a> {
+impl<'a> NodeNames<'a> {
     pub(super) fn new(network: &'a Network) -> Self {
         let positions = network.nodes.iter().enumerate().rev().map(|(at, node)| (&*node.name.value, at));
         Self { network, positions: positions.collect() }
@@ -139,7 +139,7 @@ impl<'a> Names<'a> {
         self.network.manager.as_ref().is_some_and(|manager| manager.name.value == name)
     }
 
-    fn end(&self, end: &LinkEnd, kind: PdoKind) -> Found<End> {
+    fn end(&self, end: &LinkEnd, kind: PdoKind) -> Found<NodeEntries> {
         let position = *self.positions.get(&*end.node).ok_or_else(|| self.unknown_node(end))?;
         let node = &self.network.nodes[position];
         let Some(entries) = &end.entries else {
@@ -147,7 +147,7 @@ impl<'a> Names<'a> {
             let help = say!("write them behind a point, as in `{}.6000:1-5`", end.node);
             return Err(wrong(&UNKNOWN_ENTRY, end, message, help));
         };
-        Ok((position, Named { position, node, end, entries, kind }.entries()?))
+        Ok((position, NamedPart { position, node, end, entries, kind }.entries()?))
     }
 
     fn unknown_node(&self, end: &LinkEnd) -> Box<Diagnostic> {
@@ -167,7 +167,7 @@ impl<'a> Names<'a> {
     }
 
     /// Compares the two ends of a link, entry by entry.
-    fn compare(&self, link: &Link, end: &LinkEnd, from: &End, to: &End) -> Found<()> {
+    fn compare(&self, link: &Link, end: &LinkEnd, from: &NodeEntries, to: &NodeEntries) -> Found<()> {
         let related = |rule, message, help: &'static str| {
             wrong(rule, end, message, help).label(link.from.at, "the producer")
         };
@@ -216,7 +216,7 @@ fn wrong(
 }
 
 /// What an end names on its node.
-struct Named<'a> {
+struct NamedPart<'a> {
     position: usize,
     node: &'a Node,
     end: &'a LinkEnd,
@@ -224,7 +224,7 @@ struct Named<'a> {
     kind: PdoKind,
 }
 
-impl Named<'_> {
+impl NamedPart<'_> {
     /// The entries, in the order of their sub-indexes.
     fn entries(&self) -> Found<Vec<Carried>> {
         let at = self.address()?;

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::ends::Carried;
-use super::groups::{Receiver, Signal};
+use super::groups::{LeadSignal, Receiver};
 use crate::model::{MappedObject, Pdo};
 
 /// The entries of a group in a PDO.
-pub(super) struct Frame<'a> {
+pub(super) struct GroupFrame<'a> {
     /// Signals by the position of their first bit.
-    signals: Vec<(u32, &'a Signal)>,
+    signals: Vec<(u32, &'a LeadSignal)>,
     /// What the lead maps.
     pub(super) mapped: Vec<MappedObject>,
     /// The length of the PDO.
@@ -22,9 +22,9 @@ pub(super) struct Share {
     pub(super) receivers: Vec<(u32, Receiver)>,
 }
 
-impl<'a> Frame<'a> {
+impl<'a> GroupFrame<'a> {
     /// Signals one after the other, as many as fit.
-    pub(super) fn of(signals: &[&'a Signal], slots: usize) -> Self {
+    pub(super) fn of(signals: &[&'a LeadSignal], slots: usize) -> Self {
         let mut frame = Self { signals: Vec::new(), mapped: Vec::new(), bits: 0 };
         for signal in signals.iter().take(slots) {
             let mapped = signal.entry.mapped();
@@ -39,7 +39,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Those of the signals that a fixed mapping has.
-    pub(super) fn of_fixed(signals: &[&'a Signal], mapped: &[MappedObject]) -> Self {
+    pub(super) fn of_fixed(signals: &[&'a LeadSignal], mapped: &[MappedObject]) -> Self {
         let placed = MappedObject::placed(mapped, |object| object.bits);
         let carried = placed.filter_map(|(first, object)| {
             Some((first, *signals.iter().find(|signal| signal.entry.mapped() == *object)?))
@@ -53,11 +53,11 @@ impl<'a> Frame<'a> {
         self.signals.len()
     }
 
-    pub(super) fn carries(&self, signal: &Signal) -> bool {
+    pub(super) fn carries(&self, signal: &LeadSignal) -> bool {
         self.signals.iter().any(|(_, carried)| std::ptr::eq(*carried, signal))
     }
 
-    pub(super) fn signals(&self) -> impl Iterator<Item = &'a Signal> + '_ {
+    pub(super) fn signals(&self) -> impl Iterator<Item = &'a LeadSignal> + '_ {
         self.signals.iter().map(|(_, signal)| *signal)
     }
 

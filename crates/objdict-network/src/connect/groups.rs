@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::ends::{Carried, Flow, Names};
+use super::ends::{Carried, Flow, NodeNames};
 use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
 use crate::model::PdoKind;
 use crate::rules::TWO_PRODUCERS;
@@ -23,19 +23,19 @@ pub(super) struct LinkGroup {
     /// The nodes that receive all of it. Others may receive parts.
     pub(super) partners: Vec<usize>,
     pub(super) parameters: LinkParameters,
-    pub(super) signals: Vec<Signal>,
+    pub(super) signals: Vec<LeadSignal>,
 }
 
 /// An entry of the lead with all described nodes that receive it.
 #[derive(Clone, Debug)]
-pub(super) struct Signal {
+pub(super) struct LeadSignal {
     pub(super) entry: Carried,
     pub(super) receivers: Vec<Receiver>,
     /// The time in milliseconds after which the receiving one of the lead and a manager without a description misses the PDO.
     pub(super) deadline: Option<u16>,
 }
 
-impl Signal {
+impl LeadSignal {
     pub(super) fn has(&self, receiver: &Receiver) -> bool {
         self.receivers.contains(receiver)
     }
@@ -57,7 +57,7 @@ pub(super) struct Receiver {
 /// The groups of all links, in the order of the first link of each. A link at the end changes no group but by adding
 /// receivers to it, unless it has the same nodes and parameters.
 pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<LinkGroup> {
-    let names = Names::new(network);
+    let names = NodeNames::new(network);
     let mut collection = Collection::default();
     for (position, link) in network.links.iter().enumerate() {
         match names.flows(link, |finding| findings.push(finding)) {
@@ -78,7 +78,7 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<LinkGro
 type Lead = (usize, PdoKind);
 
 /// Where the value of a consumer's entry comes from: the producer, its entry, and the place of the link.
-type Source = (Option<usize>, Carried, Span);
+type ValueSource = (Option<usize>, Carried, Span);
 
 #[derive(Default)]
 struct Collection {
@@ -88,7 +88,7 @@ struct Collection {
     /// Where an entry of a lead is: group and signal.
     sent: HashMap<(Lead, u16, u8), Vec<(usize, usize)>>,
     /// What an entry of a consumer receives; a manager without a description is no node.
-    written: HashMap<(usize, u16, u8), Source>,
+    written: HashMap<(usize, u16, u8), ValueSource>,
 }
 
 impl Collection {
@@ -169,7 +169,7 @@ impl Collection {
     }
 
     /// The signal of an entry: one that is sent as the link says, else a new one.
-    fn signal(&mut self, (number, link): (usize, &Link), entry: Carried, flow: &Flow) -> &mut Signal {
+    fn signal(&mut self, (number, link): (usize, &Link), entry: Carried, flow: &Flow) -> &mut LeadSignal {
         let groups = &mut self.groups;
         let lead = (flow.lead.0, flow.kind);
         let sent = self.sent.entry((lead, entry.index, entry.sub)).or_default();
@@ -194,7 +194,7 @@ impl Collection {
                     groups.len() - 1
                 });
                 let signals = &mut groups[group].signals;
-                signals.push(Signal { entry, receivers: Vec::new(), deadline: None });
+                signals.push(LeadSignal { entry, receivers: Vec::new(), deadline: None });
                 let found = (group, signals.len() - 1);
                 sent.push(found);
                 found

@@ -1,6 +1,6 @@
 //! Why the PDOs of a node cannot be as a link needs them, in words.
 
-use super::pdos::{Candidate, NodePdos, Obstacle};
+use super::pdos::{CandidatePdo, NodePdos, Obstacle};
 use crate::Node;
 use crate::compiled::indexes;
 use crate::diagnostic::{At, Diagnostic, Severity, joined, say};
@@ -54,7 +54,7 @@ pub(super) fn explained(
 }
 
 /// PDOs that no link uses and that cannot be switched off.
-pub(super) fn stay_valid(pdos: &[&Candidate], (position, node): (usize, &Node), at: Span) -> Diagnostic {
+pub(super) fn stay_valid(pdos: &[&CandidatePdo], (position, node): (usize, &Node), at: Span) -> Diagnostic {
     let names = pdos.iter().take(MAX_NAMES).map(|pdo| format!("{} {}", pdo.name.kind, pdo.name.number));
     let rest = if pdos.len() > MAX_NAMES { ", …" } else { "" };
     let name = &node.name.value;

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::can_ids::{CanIds, User, plain, predefined};
-use super::frame::{Frame, Share};
-use super::groups::{LinkGroup, Signal};
+use super::frame::{GroupFrame, Share};
+use super::groups::{LeadSignal, LinkGroup};
 use super::obstacles;
-use super::pdos::{Candidate, Mapping, NodePdos, Obstacle};
+use super::pdos::{CandidatePdo, NewMapping, NodePdos, Obstacle};
 use crate::compiled::{Compiled, Slave, received_type};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
@@ -24,7 +24,7 @@ pub(super) fn pack(
 ) -> Vec<(usize, PdoRequest)> {
     let slave = |position| compiled.nodes().find(|slave| slave.node == position);
     let pdos = network.nodes.iter().enumerate().map(|(position, node)| NodePdos::of(node, slave(position)));
-    let mut packer = Packer {
+    let mut packer = FramePacker {
         nodes: &network.nodes,
         pdos: pdos.collect(),
         can_ids: CanIds::new(network, compiled),
@@ -48,7 +48,7 @@ pub(super) fn pack(
     packer.requests
 }
 
-struct Packer<'a> {
+struct FramePacker<'a> {
     nodes: &'a [Node],
     pdos: Vec<NodePdos>,
     can_ids: CanIds,
@@ -56,11 +56,11 @@ struct Packer<'a> {
 }
 
 /// A PDO of a consumer for a share of a frame.
-struct Reception {
+struct ConsumerPdo {
     node: usize,
     /// Its position among the PDOs of the node.
     pdo: usize,
-    mapping: Mapping,
+    mapping: NewMapping,
     deadline: Option<u16>,
     at: Span,
 }
@@ -70,7 +70,7 @@ type Obstacles = Vec<(usize, Obstacle)>;
 
 /// A frame with PDOs at both ends.
 struct Transfer<'a> {
-    frame: Frame<'a>,
+    frame: GroupFrame<'a>,
     /// The position of the lead's PDO.
     pdo: usize,
     receivers: Receivers,
@@ -79,7 +79,7 @@ struct Transfer<'a> {
 /// Who receives a frame.
 #[derive(Default)]
 struct Receivers {
-    receptions: Vec<Reception>,
+    receptions: Vec<ConsumerPdo>,
     /// What nodes that are no partners cannot take from this frame.
     left: Vec<Share>,
     /// The CAN-ID that the nodes leave no choice of.
@@ -87,14 +87,14 @@ struct Receivers {
 }
 
 /// Why there is no transfer.
-struct Refusal {
+struct TransferRefusal {
     node: usize,
     kind: PdoKind,
     /// What is against the PDOs of the node, by position. Others have a constant mapping without the entry.
     obstacles: Obstacles,
 }
 
-impl Packer<'_> {
+impl FramePacker<'_> {
     /// Gives a group as many PDOs as needed. What single consumers cannot take from them is returned as groups of their own.
     fn place(&mut self, group: &LinkGroup) -> Result<Vec<LinkGroup>, Box<Diagnostic>> {
         let bits: u32 = group.signals.iter().map(|signal| u32::from(signal.entry.bits)).sum();
@@ -105,7 +105,7 @@ impl Packer<'_> {
             return Err(Box::new(Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)));
         }
         let mut alone = Vec::new();
-        let mut rest: Vec<&Signal> = group.signals.iter().collect();
+        let mut rest: Vec<&LeadSignal> = group.signals.iter().collect();
         while !rest.is_empty() {
             let transfer = match self.transfer(group, &rest) {
                 Ok(transfer) => transfer,
@@ -123,9 +123,13 @@ impl Packer<'_> {
     }
 
     /// A PDO for the first of the signals and as many more as possible.
-    fn transfer<'a>(&self, group: &LinkGroup, rest: &[&'a Signal]) -> Result<Transfer<'a>, Refusal> {
+    fn transfer<'a>(
+        &self,
+        group: &LinkGroup,
+        rest: &[&'a LeadSignal],
+    ) -> Result<Transfer<'a>, TransferRefusal> {
         let pdos = &self.pdos[group.lead];
-        let mut of_lead = Refusal { node: group.lead, kind: group.kind, obstacles: Vec::new() };
+        let mut of_lead = TransferRefusal { node: group.lead, kind: group.kind, obstacles: Vec::new() };
         let mut of_consumer = None;
         for pdo in pdos.candidates(group.kind, rest[0].entry) {
             let candidate = &pdos.pdos[pdo];
@@ -137,8 +141,8 @@ impl Packer<'_> {
                 }
             };
             let mut frame = match candidate.mapping() {
-                Ok(slots) => Frame::of(rest, slots),
-                Err(mapped) => Frame::of_fixed(rest, mapped),
+                Ok(slots) => GroupFrame::of(rest, slots),
+                Err(mapped) => GroupFrame::of_fixed(rest, mapped),
             };
             if frame.len() == 0 {
                 of_lead.obstacles.push((pdo, candidate.other_mapping()));
@@ -150,7 +154,7 @@ impl Packer<'_> {
                 }
                 frame = match candidate.is_fixed() {
                     true => break,
-                    false => Frame::of(rest, frame.len() - 1),
+                    false => GroupFrame::of(rest, frame.len() - 1),
                 };
             }
         }
@@ -161,8 +165,8 @@ impl Packer<'_> {
     fn can_lead(
         &self,
         group: &LinkGroup,
-        candidate: &Candidate,
-        rest: &[&Signal],
+        candidate: &CandidatePdo,
+        rest: &[&LeadSignal],
     ) -> Result<Option<u32>, Obstacle> {
         let demanded = group.parameters.can_id;
         let constant = candidate.constant_can_id()?;
@@ -186,9 +190,9 @@ impl Packer<'_> {
     fn receivers(
         &self,
         group: &LinkGroup,
-        frame: &Frame<'_>,
+        frame: &GroupFrame<'_>,
         can_id: Option<u32>,
-    ) -> Result<Receivers, Refusal> {
+    ) -> Result<Receivers, TransferRefusal> {
         let is_partner = |share: &Share| group.partners.contains(&share.node);
         let (partners, others): (Vec<_>, Vec<_>) = frame.shares().into_iter().partition(is_partner);
         let mut receivers = Receivers { can_id, ..Receivers::default() };
@@ -199,7 +203,7 @@ impl Packer<'_> {
             });
             let (reception, fixed) = reception.map_err(|obstacles| {
                 let (node, kind) = (share.node, PdoKind::Rpdo);
-                Refusal { node, kind, obstacles }
+                TransferRefusal { node, kind, obstacles }
             })?;
             receivers.can_id = can_id.or(fixed);
             receivers.receptions.push(reception);
@@ -219,9 +223,9 @@ impl Packer<'_> {
         &self,
         share: &Share,
         bits: u32,
-        others: &[Reception],
+        others: &[ConsumerPdo],
         is_possible: impl Fn(u32) -> bool,
-    ) -> Result<(Reception, Option<u32>), Obstacles> {
+    ) -> Result<(ConsumerPdo, Option<u32>), Obstacles> {
         let pdos = &self.pdos[share.node];
         let entries = share.entries();
         let deadline = share.deadline();
@@ -244,7 +248,7 @@ impl Packer<'_> {
             });
             match found {
                 Ok((mapping, fixed)) => {
-                    let reception = Reception { node: share.node, pdo, mapping, deadline, at: first.at };
+                    let reception = ConsumerPdo { node: share.node, pdo, mapping, deadline, at: first.at };
                     return Ok((reception, fixed));
                 }
                 Err(obstacle) => obstacles.push((pdo, obstacle)),
@@ -287,7 +291,7 @@ impl Packer<'_> {
     }
 
     /// The request of the lead.
-    fn led(&self, group: &LinkGroup, frame: &Frame<'_>, pdo: usize, cob_id: u32) -> PdoRequest {
+    fn led(&self, group: &LinkGroup, frame: &GroupFrame<'_>, pdo: usize, cob_id: u32) -> PdoRequest {
         let candidate = &self.pdos[group.lead].pdos[pdo];
         let parameters = group.parameters;
         // only a TPDO says by bit 30 that it cannot be requested
@@ -316,8 +320,8 @@ impl Packer<'_> {
     }
 
     /// The request of a consumer.
-    fn received(&self, group: &LinkGroup, reception: Reception, pdo: PdoName, cob_id: u32) -> PdoRequest {
-        let Reception { node, at, mapping, deadline, .. } = reception;
+    fn received(&self, group: &LinkGroup, reception: ConsumerPdo, pdo: PdoName, cob_id: u32) -> PdoRequest {
+        let ConsumerPdo { node, at, mapping, deadline, .. } = reception;
         let transmission = group.parameters.transmission.map(received_type);
         let candidate = &self.pdos[node].pdos[reception.pdo];
         PdoRequest {
@@ -336,11 +340,11 @@ impl Packer<'_> {
         let pdos = self.pdos[slave.node].pdos.iter();
         let unused = pdos.filter(|pdo| !pdo.is_used && pdo.valid_cob_id().is_some());
         // those that a description only implies have no entries to write
-        let is_there = |pdo: &&Candidate| slave.pdos.iter().any(|state| state.pdo == pdo.name);
+        let is_there = |pdo: &&CandidatePdo| slave.pdos.iter().any(|state| state.pdo == pdo.name);
         let unused = unused.filter(is_there).filter(|pdo| slave.stated(network, pdo.name).is_none());
         let (constant, others): (Vec<_>, Vec<_>) = unused.partition(|pdo| pdo.is_cob_id_constant());
         let off =
-            |pdo: &Candidate| (slave.node, PdoRequest { enabled: false, ..PdoRequest::new(pdo.name, at) });
+            |pdo: &CandidatePdo| (slave.node, PdoRequest { enabled: false, ..PdoRequest::new(pdo.name, at) });
         self.requests.extend(others.into_iter().map(off));
         findings.push(match constant.as_slice() {
             [] => return,
@@ -381,8 +385,13 @@ impl Packer<'_> {
     }
 
     /// A PDO for a signal whose COB-ID or mapping the network file sets to something else.
-    fn contradicted(&self, group: &LinkGroup, signal: &Signal, refusal: &Refusal) -> Option<Diagnostic> {
-        let Refusal { node, kind, .. } = *refusal;
+    fn contradicted(
+        &self,
+        group: &LinkGroup,
+        signal: &LeadSignal,
+        refusal: &TransferRefusal,
+    ) -> Option<Diagnostic> {
+        let TransferRefusal { node, kind, .. } = *refusal;
         let entry = match kind {
             PdoKind::Tpdo => signal.entry,
             PdoKind::Rpdo => {
@@ -421,8 +430,8 @@ impl Packer<'_> {
         Some(finding.label_each(stated, "the other value").help("remove one of the two"))
     }
 
-    fn refused(&self, group: &LinkGroup, signal: &Signal, refusal: &Refusal) -> Diagnostic {
-        let Refusal { node, kind, .. } = *refusal;
+    fn refused(&self, group: &LinkGroup, signal: &LeadSignal, refusal: &TransferRefusal) -> Diagnostic {
+        let TransferRefusal { node, kind, .. } = *refusal;
         let name = &self.nodes[node].name.value;
         let own = || self.pdos[node].pdos.iter().filter(|pdo| pdo.name.kind == kind);
         let entry = match kind {
@@ -450,11 +459,11 @@ impl Packer<'_> {
 }
 
 /// A group for what a consumer cannot take from a frame.
-fn separate(group: &LinkGroup, frame: &Frame<'_>, share: &Share) -> LinkGroup {
+fn separate(group: &LinkGroup, frame: &GroupFrame<'_>, share: &Share) -> LinkGroup {
     let first = share.receivers.iter().map(|(_, receiver)| receiver).min_by_key(|receiver| receiver.link);
     let parts = frame.signals().flat_map(|signal| {
         let receivers = share.receivers.iter().filter(|(_, receiver)| signal.has(receiver));
-        receivers.map(|(_, receiver)| Signal {
+        receivers.map(|(_, receiver)| LeadSignal {
             entry: signal.entry,
             receivers: vec![*receiver],
             deadline: None,
@@ -476,6 +485,6 @@ fn no_can_id(at: Span) -> Diagnostic {
         .help("give the link a CAN-ID, or make PDOs invalid that are not needed")
 }
 
-fn spanned(mapping: Mapping, at: Span) -> Option<Vec<Said<crate::model::Address>>> {
+fn spanned(mapping: NewMapping, at: Span) -> Option<Vec<Said<crate::model::Address>>> {
     Some(mapping?.into_iter().map(|address| Said::new(address, at)).collect())
 }

@@ -11,13 +11,13 @@ use crate::{LinkParameters, Node, PdoRequest};
 /// The PDOs of a node.
 pub(crate) struct NodePdos {
     /// RPDOs, then TPDOs, by number.
-    pub(super) pdos: Vec<Candidate>,
+    pub(super) pdos: Vec<CandidatePdo>,
     dummies: Vec<Dummy>,
 }
 
 /// A PDO as it is before a link uses it.
 #[derive(Debug)]
-pub(crate) struct Candidate {
+pub(crate) struct CandidatePdo {
     pub(super) name: PdoName,
     /// Whether a link uses it, or the network file states its COB-ID or mapping.
     pub(super) is_used: bool,
@@ -27,7 +27,7 @@ pub(crate) struct Candidate {
     pub(super) cob_id: Option<u32>,
     is_cob_id_fixed: bool,
     is_mapping_fixed: bool,
-    parameters: Vec<Parameter>,
+    parameters: Vec<CommunicationParameter>,
     mapped: Vec<MappedObject>,
     /// How many entries can be mapped; `None` if the mapping cannot change.
     slots: Option<usize>,
@@ -35,7 +35,7 @@ pub(crate) struct Candidate {
 
 /// A communication parameter: sub-index, number, and whether it can be written.
 #[derive(Debug)]
-struct Parameter(u8, u32, bool);
+struct CommunicationParameter(u8, u32, bool);
 
 /// A data type that fills gaps in RPDOs.
 struct Dummy {
@@ -44,7 +44,7 @@ struct Dummy {
 }
 
 /// A mapping; `None` if the present one stays.
-pub(super) type Mapping = Option<Vec<Address>>;
+pub(super) type NewMapping = Option<Vec<Address>>;
 
 /// Why a PDO cannot be as a link needs it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +78,7 @@ impl NodePdos {
         };
         let pdos = device.pdos().filter(|pdo| pdo.communication.is_some());
         let pdos = pdos.map(|pdo| {
-            let mut candidate = Candidate::of(&device, &pdo, node.node_id.map(|said| said.value));
+            let mut candidate = CandidatePdo::of(&device, &pdo, node.node_id.map(|said| said.value));
             let is_requested = node.pdos.iter().any(|request| request.pdo == name_of(&pdo));
             candidate.stated = stated(&pdo).filter(|_| !is_requested);
             candidate.is_used = is_requested || candidate.stated.is_some();
@@ -103,7 +103,7 @@ impl NodePdos {
         pdo: usize,
         wanted: &[(u32, Carried)],
         frame: u32,
-    ) -> Result<Mapping, Obstacle> {
+    ) -> Result<NewMapping, Obstacle> {
         let candidate = &self.pdos[pdo];
         let Some(slots) = candidate.slots else {
             return candidate.receives(wanted, frame).then_some(None).ok_or(candidate.other_mapping());
@@ -157,7 +157,7 @@ impl NodePdos {
     }
 }
 
-impl Candidate {
+impl CandidatePdo {
     fn of(device: &Device, pdo: &Pdo<'_>, node_id: Option<u8>) -> Self {
         let name = name_of(pdo);
         let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
@@ -174,8 +174,9 @@ impl Candidate {
         let is_cob_id_fixed = !is_writable(communication, 1);
         // the inhibit time changes while the PDO is not valid (CiA 301 §7.5.2.37)
         let can_change = |sub| is_writable(communication, sub) && !(is_cob_id_fixed && sub == 3);
-        let parameter =
-            |(sub, number): (u8, Option<u32>)| Parameter(sub, number.unwrap_or(0), can_change(sub));
+        let parameter = |(sub, number): (u8, Option<u32>)| {
+            CommunicationParameter(sub, number.unwrap_or(0), can_change(sub))
+        };
         let cob_id = pdo.cob_id.and_then(|cob_id| on_node(cob_id, node_id));
         let is_locked = is_cob_id_fixed && cob_id.is_some_and(|cob_id| cob_id & CobId::BIT_31 == 0);
         let is_mapping_fixed = slots == 0 || !is_writable(mapping, 0);
@@ -240,10 +241,10 @@ impl Candidate {
             wanted.event_timer.map(u32::from),
         ];
         let mut pairs = wanted.into_iter().zip(&self.parameters);
-        let refused = pairs.find(|(wanted, Parameter(_, present, is_writable))| {
+        let refused = pairs.find(|(wanted, CommunicationParameter(_, present, is_writable))| {
             !is_writable && wanted.is_some_and(|wanted| wanted != *present)
         });
-        refused.map_or(Ok(()), |(_, Parameter(sub, ..))| Err(Obstacle::Parameter(*sub)))
+        refused.map_or(Ok(()), |(_, CommunicationParameter(sub, ..))| Err(Obstacle::Parameter(*sub)))
     }
 
     /// Whether the PDO is already as wanted, and its COB-ID, which starts and ends each change, cannot be written.
@@ -262,8 +263,9 @@ impl Candidate {
         self.is_cob_id_fixed
             && request.mapping.is_none()
             && of_manager.is_none()
-            && pairs
-                .all(|(wanted, Parameter(_, present, _))| wanted.is_none_or(|wanted: u32| wanted == *present))
+            && pairs.all(|(wanted, CommunicationParameter(_, present, _))| {
+                wanted.is_none_or(|wanted: u32| wanted == *present)
+            })
     }
 
     /// Whether the COB-ID is constant.
@@ -282,7 +284,7 @@ impl Candidate {
     }
 
     /// The mapping that is to be written; `None` if it is there already.
-    pub(super) fn changed(&self, mapping: &[MappedObject]) -> Mapping {
+    pub(super) fn changed(&self, mapping: &[MappedObject]) -> NewMapping {
         let address = |mapped: &MappedObject| Address { index: mapped.index, sub: Some(mapped.sub) };
         (self.mapped != mapping).then(|| mapping.iter().map(address).collect())
     }

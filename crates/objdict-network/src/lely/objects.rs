@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::text::{Type, hex};
-use super::{Mirrored, Writer};
+use super::{LelyWriter, Mirrored};
 use crate::compiled::{PdoState, received_type};
 use crate::model::{MappedObject, PdoKind};
 
@@ -14,7 +14,7 @@ const RECORD: u8 = 9;
 const NODES: usize = 127;
 
 /// Where the entries of a node's PDOs are in the master: an entry that an earlier PDO of the node carries keeps its place.
-struct Places<'a> {
+struct MasterPlaces<'a> {
     /// The first index.
     first: u16,
     /// The place of an entry, by node, index and sub-index.
@@ -23,7 +23,7 @@ struct Places<'a> {
     added: Vec<Vec<(MappedObject, Mirrored<'a>)>>,
 }
 
-impl<'a> Places<'a> {
+impl<'a> MasterPlaces<'a> {
     fn new(first: u16, pdos: &[Mirrored<'a>]) -> Self {
         let mut places = Self { first, places: BTreeMap::new(), added: Vec::new() };
         for (number, pdo) in (0_u16..).zip(pdos) {
@@ -50,11 +50,11 @@ impl<'a> Places<'a> {
 
 /// The indexes of the objects for the entries of PDOs.
 pub(super) fn indexes<'a>(first: u16, pdos: &[Mirrored<'a>]) -> impl Iterator<Item = u16> + use<'a> {
-    let added = Places::new(first, pdos).added;
+    let added = MasterPlaces::new(first, pdos).added;
     (first..).zip(added).filter(|(_, added)| !added.is_empty()).map(|(index, _)| index)
 }
 
-impl<'a> Writer<'a> {
+impl<'a> LelyWriter<'a> {
     /// 1000h to 102Ah.
     pub(super) fn communication(&mut self) {
         let manager = self.manager;
@@ -120,7 +120,7 @@ impl<'a> Writer<'a> {
             out.var(&sub(4), "compatibility entry", Type::U8, "rw");
             out.value(&sub(5), "event-timer", Type::U16, "rw", state.deadline);
         }
-        self.mappings(0x1600, "RPDO mapping parameter", &Places::new(0x2000, received), received);
+        self.mappings(0x1600, "RPDO mapping parameter", &MasterPlaces::new(0x2000, received), received);
         let out = &mut self.out;
         for (index, pdo) in (0x1800_u16..).zip(sent) {
             let section = format!("{index:04X}");
@@ -134,10 +134,10 @@ impl<'a> Writer<'a> {
             out.value(&sub(5), "event timer", Type::U16, "rw", state.event_timer);
             out.value(&sub(6), "SYNC start value", Type::U8, "rw", state.sync_start);
         }
-        self.mappings(0x1A00, "TPDO mapping parameter", &Places::new(0x2200, sent), sent);
+        self.mappings(0x1A00, "TPDO mapping parameter", &MasterPlaces::new(0x2200, sent), sent);
     }
 
-    fn mappings(&mut self, first: u16, name: &str, places: &Places<'_>, pdos: &[Mirrored<'_>]) {
+    fn mappings(&mut self, first: u16, name: &str, places: &MasterPlaces<'_>, pdos: &[Mirrored<'_>]) {
         for (index, pdo) in (first..).zip(pdos) {
             let mapped: Vec<MappedObject> =
                 pdo.state.mapping.values().map(|object| places.of(pdo, object)).collect();
@@ -232,15 +232,15 @@ impl<'a> Writer<'a> {
 
     /// The objects for the entries of the nodes' PDOs, and the mappings of the nodes.
     pub(super) fn application(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
-        self.entries("RPDO", "rww", &Places::new(0x2000, received));
-        self.entries("TPDO", "rwr", &Places::new(0x2200, sent));
+        self.entries("RPDO", "rww", &MasterPlaces::new(0x2000, received));
+        self.entries("TPDO", "rwr", &MasterPlaces::new(0x2200, sent));
         if self.options.remote_pdos {
             self.remote(0x5800, "TPDO", received);
             self.remote(0x5C00, "RPDO", sent);
         }
     }
 
-    fn entries(&mut self, kind: &str, access: &str, places: &Places<'_>) {
+    fn entries(&mut self, kind: &str, access: &str, places: &MasterPlaces<'_>) {
         for ((number, index), added) in (1..).zip(places.first..).zip(&places.added) {
             if added.is_empty() {
                 continue;

@@ -12,9 +12,9 @@ pub(super) enum Type {
 
 /// The text so far.
 #[derive(Default)]
-pub(super) struct Text(pub(super) String);
+pub(super) struct MasterText(pub(super) String);
 
-impl Text {
+impl MasterText {
     pub(super) fn section(&mut self, name: &str) {
         if !self.0.is_empty() {
             self.0.push('\n');

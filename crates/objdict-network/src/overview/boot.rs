@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{NodeRow, View};
+use super::{ConfiguredNetwork, NodeRow};
 use crate::Language;
 use crate::compiled::Slave;
 use crate::manager::numbers;
@@ -39,11 +39,11 @@ pub struct BootStep {
 }
 
 impl BootPlan {
-    pub(super) fn new(manager: &Manager, view: View<'_>, rows: &[NodeRow]) -> Self {
+    pub(super) fn new(manager: &Manager, view: ConfiguredNetwork<'_>, rows: &[NodeRow]) -> Self {
         let booted = rows.iter().filter(|row| !row.is_manager);
-        let objects = Objects(numbers(view.network, view.compiled));
+        let objects = ManagerObjects(numbers(view.network, view.compiled));
         let startup = objects.number(0x1F80, 0);
-        let words = Words(view.language);
+        let words = LanguageWords(view.language);
         let step = |row: &NodeRow| {
             let position = row.position?;
             let node = &view.network.nodes[position];
@@ -56,9 +56,9 @@ impl BootPlan {
 }
 
 /// What the objects of the manager have, by index and sub-index.
-struct Objects(BTreeMap<(u16, u8), u32>);
+struct ManagerObjects(BTreeMap<(u16, u8), u32>);
 
-impl Objects {
+impl ManagerObjects {
     /// The number in an entry; 0 without one.
     fn number(&self, index: u16, sub: u8) -> u32 {
         self.0.get(&(index, sub)).copied().unwrap_or(0)
@@ -73,9 +73,9 @@ impl Objects {
 
 /// The words of a language.
 #[derive(Clone, Copy)]
-struct Words(Language);
+struct LanguageWords(Language);
 
-impl Words {
+impl LanguageWords {
     fn said(self, english: impl Into<String>, german: impl Into<String>) -> String {
         match self.0 {
             Language::English => english.into(),
@@ -131,7 +131,7 @@ impl Words {
         vec![waits, starts, operates, self.said(english, german)]
     }
 
-    fn step(self, objects: &Objects, node: &Node, slave: &Slave, downloads: usize) -> BootStep {
+    fn step(self, objects: &ManagerObjects, node: &Node, slave: &Slave, downloads: usize) -> BootStep {
         let assignment = objects.number(0x1F81, slave.node_id);
         let boots = assignment & 1 << 2 != 0;
         let mut steps = match boots {
@@ -152,7 +152,7 @@ impl Words {
     }
 
     /// What comes before the start.
-    fn booting(self, objects: &Objects, node: &Node, slave: &Slave, downloads: usize) -> Vec<String> {
+    fn booting(self, objects: &ManagerObjects, node: &Node, slave: &Slave, downloads: usize) -> Vec<String> {
         let assigned = |bit: u32| objects.number(0x1F81, slave.node_id) & 1 << bit != 0;
         let mut steps = vec![match assigned(4) {
             false => self.said("resets communication", "setzt die Kommunikation zurück"),
@@ -193,7 +193,7 @@ impl Words {
     }
 
     /// Which values 1000h and 1018h must have (1F84h to 1F88h).
-    fn checked(self, objects: &Objects, node_id: u8) -> Option<String> {
+    fn checked(self, objects: &ManagerObjects, node_id: u8) -> Option<String> {
         let names = [
             self.said("device type", "Gerätetyp"),
             self.said("vendor-ID", "Hersteller-ID"),

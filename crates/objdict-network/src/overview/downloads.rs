@@ -1,6 +1,6 @@
 //! What configures a node, in order.
 
-use super::{MappedEntry, View};
+use super::{ConfiguredNetwork, MappedEntry};
 use crate::diagnostic::one_line;
 use crate::download::{ConciseDcf, transferred_type};
 use crate::model::Device;
@@ -16,7 +16,7 @@ pub struct DownloadRow {
     pub value: String,
 }
 
-impl View<'_> {
+impl ConfiguredNetwork<'_> {
     pub(super) fn downloads(self, device: &Device, downloads: &ConciseDcf) -> Vec<DownloadRow> {
         let row = |download: &crate::download::Download| {
             let (index, sub) = (download.index, download.sub);

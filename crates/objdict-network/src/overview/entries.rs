@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{End, View};
+use super::{ConfiguredNetwork, End};
 use crate::compiled::PdoState;
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{Address, Device, Entry, MappedObject};
@@ -67,7 +67,7 @@ objdict_model::inline_schemas! {
     MappedEntry: |_| schemars::json_schema!({ "type": "string" });
 }
 
-impl View<'_> {
+impl ConfiguredNetwork<'_> {
     /// The links of a message; none if it is no PDO.
     pub(super) fn links(self, can_id: MessageId, message: &Message) -> Vec<LinkRow> {
         let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_) | Service::MirroredPdo);
@@ -88,12 +88,12 @@ impl View<'_> {
     }
 
     fn linked(self, sender: Option<Party>, receiver: Option<Party>) -> Vec<CarriedEntry> {
-        let parts = |party: Option<Party>| -> Vec<Part> {
+        let parts = |party: Option<Party>| -> Vec<CarriedBits> {
             let state = party.and_then(|party| Some((self.state(&party)?, party.node?)));
             state.map_or_else(Vec::new, |(state, node)| self.parts(state, &self.network.nodes[node].device))
         };
         let (sent, received) = (parts(sender), parts(receiver));
-        let is_same = |one: &Part, other: &Part| (one.bit, one.bits) == (other.bit, other.bits);
+        let is_same = |one: &CarriedBits, other: &CarriedBits| (one.bit, one.bits) == (other.bit, other.bits);
         let mut entries: Vec<CarriedEntry> = Vec::new();
         for part in &sent {
             let to = received.iter().find(|other| is_same(part, other)).map(|other| other.entry.clone());
@@ -107,9 +107,9 @@ impl View<'_> {
         entries
     }
 
-    fn parts(self, pdo: &PdoState, device: &Device) -> Vec<Part> {
+    fn parts(self, pdo: &PdoState, device: &Device) -> Vec<CarriedBits> {
         let placed = MappedObject::placed(pdo.mapping.values(), |object| object.bits);
-        let part = |(bit, object): (u32, &MappedObject)| Part {
+        let part = |(bit, object): (u32, &MappedObject)| CarriedBits {
             bit,
             bits: object.bits.into(),
             entry: self.named(device, *object),
@@ -148,7 +148,7 @@ impl View<'_> {
 }
 
 /// A mapped object in its PDO.
-struct Part {
+struct CarriedBits {
     bit: u32,
     bits: u32,
     entry: MappedEntry,

@@ -166,7 +166,7 @@ impl Overview {
     pub fn in_language(network: &Network, compiled: &Compiled, tag: &str) -> Self {
         let messages = Messages::new(network, compiled);
         let language = Language::of_tag(tag).unwrap_or_default();
-        let view = View { network, compiled, tag, language };
+        let view = ConfiguredNetwork { network, compiled, tag, language };
         let traffic = Traffic { network, compiled, messages: &messages };
         let sync = traffic.sync();
         let row = |(can_id, message): (&MessageId, &Message)| view.message(*can_id, message, sync.as_ref());
@@ -196,7 +196,7 @@ impl Overview {
 
 /// A network with the configuration of its nodes.
 #[derive(Clone, Copy)]
-struct View<'n> {
+struct ConfiguredNetwork<'n> {
     network: &'n Network,
     compiled: &'n Compiled,
     /// The language of the names of entries.
@@ -205,7 +205,7 @@ struct View<'n> {
     language: Language,
 }
 
-impl<'n> View<'n> {
+impl<'n> ConfiguredNetwork<'n> {
     fn nodes(self) -> Vec<NodeRow> {
         let manager = self.network.manager.as_ref();
         let undescribed = manager.filter(|manager| manager.node.is_none()).map(|manager| NodeRow {

@@ -57,15 +57,15 @@ pub(crate) struct Streams {
 
 /// The longest time from the event that a message is about to its end on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Response {
+pub(crate) enum ResponseTime {
     Within(u64),
     /// The message may wait for ever.
-    Unbounded(Cause),
+    Unbounded(WaitCause),
 }
 
 /// Why a message may wait for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Cause {
+pub(crate) enum WaitCause {
     /// The message at this position may come at any time.
     Message(usize),
     /// The background may leave no time to it; without, there is a bound.
@@ -76,9 +76,9 @@ pub(crate) enum Cause {
 
 /// What messages of higher priority need.
 #[derive(Default)]
-struct Demand(Vec<Demanded>);
+struct Demand(Vec<DemandedTime>);
 
-struct Demanded {
+struct DemandedTime {
     period: u64,
     jitter: u64,
     cost: u64,
@@ -89,7 +89,7 @@ impl Demand {
     fn add(&mut self, period: u64, jitter: u64, cost: u64) {
         match self.0.iter_mut().find(|same| (same.period, same.jitter) == (period, jitter)) {
             Some(same) => same.cost += cost,
-            None => self.0.push(Demanded { period, jitter, cost }),
+            None => self.0.push(DemandedTime { period, jitter, cost }),
         }
     }
 
@@ -114,7 +114,7 @@ impl Least {
 
 impl Streams {
     /// The responses of all messages, in their order.
-    pub(crate) fn responses(&self) -> Vec<Response> {
+    pub(crate) fn responses(&self) -> Vec<ResponseTime> {
         let mut jitters: Vec<u64> = self.streams.iter().map(|stream| stream.jitter).collect();
         for _ in 0..ROUNDS {
             let responses = self.with(&mut jitters);
@@ -125,27 +125,27 @@ impl Streams {
                 None => return self.cut(&responses),
             }
         }
-        vec![Response::Unbounded(Cause::Load); self.streams.len()]
+        vec![ResponseTime::Unbounded(WaitCause::Load); self.streams.len()]
     }
 
     /// How late each message may be queued.
-    pub(crate) fn jitters(&self, responses: &[Response]) -> Vec<u64> {
+    pub(crate) fn jitters(&self, responses: &[ResponseTime]) -> Vec<u64> {
         self.streams.iter().map(|stream| stream.late(responses).unwrap_or(stream.jitter)).collect()
     }
 
     /// The responses where messages follow ones that may never come: all from the first of them on are not known.
-    fn cut(&self, responses: &[Response]) -> Vec<Response> {
+    fn cut(&self, responses: &[ResponseTime]) -> Vec<ResponseTime> {
         let first = self.streams.iter().position(|stream| stream.late(responses).is_none());
         let unknown = |at: usize| first.is_some_and(|first| at >= first);
         let cause = |at: usize| match responses[at] {
-            Response::Unbounded(cause) => Response::Unbounded(cause),
-            Response::Within(_) => Response::Unbounded(Cause::Load),
+            ResponseTime::Unbounded(cause) => ResponseTime::Unbounded(cause),
+            ResponseTime::Within(_) => ResponseTime::Unbounded(WaitCause::Load),
         };
         (0..responses.len()).map(|at| if unknown(at) { cause(at) } else { responses[at] }).collect()
     }
 
     /// The responses with these jitters, but for those of messages that follow one of higher priority, which are set.
-    fn with(&self, jitters: &mut [u64]) -> Vec<Response> {
+    fn with(&self, jitters: &mut [u64]) -> Vec<ResponseTime> {
         let blocking = self.blocking();
         let mut higher = Demand::default();
         let mut unbounded = None;
@@ -159,11 +159,11 @@ impl Streams {
                 unbounded = unbounded.or(Some(at));
             }
             responses.push(match unbounded {
-                Some(cause) => Response::Unbounded(Cause::Message(cause)),
+                Some(cause) => ResponseTime::Unbounded(WaitCause::Message(cause)),
                 None => {
                     let background =
                         self.background.filter(|background| at >= background.first && !stream.is_background);
-                    let level = Level {
+                    let level = PriorityLevel {
                         blocking: blocking[at],
                         higher: &higher,
                         background,
@@ -173,7 +173,7 @@ impl Streams {
                         least = Least::of(blocking[at]);
                     }
                     let response = level.response(stream, jitters[at], &mut least);
-                    response.map_or_else(|| level.unbounded(stream, jitters[at]), Response::Within)
+                    response.map_or_else(|| level.unbounded(stream, jitters[at]), ResponseTime::Within)
                 }
             });
             if let Arrival::Every(period) = stream.arrival {
@@ -212,32 +212,36 @@ impl Streams {
             }
         }
         let background = self.background.filter(|background| last >= background.first);
-        let level =
-            Level { blocking: self.blocking()[last], higher: &higher, background, bit_time: self.bit_time };
+        let level = PriorityLevel {
+            blocking: self.blocking()[last],
+            higher: &higher,
+            background,
+            bit_time: self.bit_time,
+        };
         level.settle(triggered.iter().map(|at| self.streams[*at].cost).sum(), 0)
     }
 }
 
 impl Stream {
     /// How late a message may be queued; `None` if it follows one that may never come.
-    fn late(&self, responses: &[Response]) -> Option<u64> {
+    fn late(&self, responses: &[ResponseTime]) -> Option<u64> {
         match self.after.map(|at| responses[at]) {
             None => Some(self.jitter),
-            Some(Response::Within(response)) => Some(response + self.jitter),
-            Some(Response::Unbounded(_)) => None,
+            Some(ResponseTime::Within(response)) => Some(response + self.jitter),
+            Some(ResponseTime::Unbounded(_)) => None,
         }
     }
 }
 
 /// What a message has to wait for.
-struct Level<'s> {
+struct PriorityLevel<'s> {
     blocking: u64,
     higher: &'s Demand,
     background: Option<Background>,
     bit_time: u64,
 }
 
-impl Level<'_> {
+impl PriorityLevel<'_> {
     /// The response of a message; `None` without a bound.
     fn response(&self, stream: &Stream, jitter: u64, least: &mut Least) -> Option<u64> {
         // SDO frames do not wait for each other
@@ -258,11 +262,11 @@ impl Level<'_> {
     }
 
     /// Why there is no response.
-    fn unbounded(&self, stream: &Stream, jitter: u64) -> Response {
-        let alone = Level { background: None, ..*self };
+    fn unbounded(&self, stream: &Stream, jitter: u64) -> ResponseTime {
+        let alone = PriorityLevel { background: None, ..*self };
         let is_bound = || alone.response(stream, jitter, &mut Least::of(self.blocking)).is_some();
         let is_background = self.background.is_some() && is_bound();
-        Response::Unbounded(if is_background { Cause::Background } else { Cause::Load })
+        ResponseTime::Unbounded(if is_background { WaitCause::Background } else { WaitCause::Load })
     }
 
     /// The time until a message may start, from a time that is no later.

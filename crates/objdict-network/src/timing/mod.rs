@@ -14,7 +14,7 @@ pub use self::boot::{BootTimes, NodeBootTime};
 pub use self::frames::{DeadlineKind, TrafficKind};
 pub use self::load::{Load, LoadShare};
 
-use self::analysis::{Arrival, Background, Cause, Response, Stream, Streams};
+use self::analysis::{Arrival, Background, ResponseTime, Stream, Streams, WaitCause};
 use self::frames::{Rhythm, TimedFrame};
 use crate::Language;
 use crate::compiled::Compiled;
@@ -324,7 +324,7 @@ impl Schedule {
         network: &Network,
         language: Language,
         streams: &Streams,
-        responses: &[Response],
+        responses: &[ResponseTime],
     ) -> Vec<TimedMessage> {
         let jitters = streams.jitters(responses);
         let message = |(at, frame): (usize, &TimedFrame)| TimedMessage {
@@ -338,14 +338,14 @@ impl Schedule {
             is_unbounded: frame.rhythm == Rhythm::Unbounded,
             jitter: jitters[at],
             response: match responses[at] {
-                Response::Within(time) => Some(time),
-                Response::Unbounded(_) => None,
+                ResponseTime::Within(time) => Some(time),
+                ResponseTime::Unbounded(_) => None,
             },
             unbounded_by: match responses[at] {
-                Response::Unbounded(Cause::Message(cause)) => Some(self.frames[cause].id),
+                ResponseTime::Unbounded(WaitCause::Message(cause)) => Some(self.frames[cause].id),
                 _ => None,
             },
-            waits_for_sdo: responses[at] == Response::Unbounded(Cause::Background),
+            waits_for_sdo: responses[at] == ResponseTime::Unbounded(WaitCause::Background),
             deadline: frame.deadline,
             sender: End::new(network, &frame.sender),
             receivers: frame.receivers.iter().map(|party| End::new(network, party)).collect(),
@@ -354,7 +354,7 @@ impl Schedule {
     }
 
     /// SYNC with all that it triggers.
-    fn sync_time(&self, streams: &Streams, responses: &[Response]) -> Option<SyncTime> {
+    fn sync_time(&self, streams: &Streams, responses: &[ResponseTime]) -> Option<SyncTime> {
         let at = self.position(TrafficKind::Sync)?;
         let triggered: Vec<usize> = (0..self.frames.len())
             .filter(|at| self.frames[*at].kind == TrafficKind::SynchronousPdo)
@@ -366,16 +366,16 @@ impl Schedule {
     }
 
     /// The positions of messages that miss their deadlines.
-    pub(crate) fn missed(&self, responses: &[Response], any_time: Option<u64>) -> Vec<usize> {
+    pub(crate) fn missed(&self, responses: &[ResponseTime], any_time: Option<u64>) -> Vec<usize> {
         let is_late = |at: &usize| {
             let frame = &self.frames[*at];
             let distance = any_time.filter(|_| frame.rhythm == Rhythm::Unbounded);
             let deadline =
                 [frame.deadline.map(|(deadline, _)| deadline), distance].into_iter().flatten().min();
             match responses[*at] {
-                Response::Within(response) => deadline.is_some_and(|deadline| response > deadline),
-                Response::Unbounded(Cause::Background) => false,
-                Response::Unbounded(_) => deadline.is_some(),
+                ResponseTime::Within(response) => deadline.is_some_and(|deadline| response > deadline),
+                ResponseTime::Unbounded(WaitCause::Background) => false,
+                ResponseTime::Unbounded(_) => deadline.is_some(),
             }
         };
         (0..self.frames.len()).filter(is_late).collect()
@@ -392,14 +392,14 @@ impl Schedule {
     pub(crate) fn late(&self, bit_rate: u16) -> Vec<(&TimedFrame, u64)> {
         let responses = self.streams(bit_rate, AnyTime::LeftOut).responses();
         let late = self.missed(&responses, None).into_iter().filter_map(|at| match responses[at] {
-            Response::Within(response) => Some((&self.frames[at], response)),
-            Response::Unbounded(_) => None,
+            ResponseTime::Within(response) => Some((&self.frames[at], response)),
+            ResponseTime::Unbounded(_) => None,
         });
         late.collect()
     }
 
     /// Whether SYNC and what it triggers may take longer than they have.
-    fn is_over_window(&self, streams: &Streams, responses: &[Response]) -> bool {
+    fn is_over_window(&self, streams: &Streams, responses: &[ResponseTime]) -> bool {
         let sync = self.sync_time(streams, responses);
         sync.is_some_and(|sync| sync.needed.is_none_or(|needed| needed > sync.limit()))
     }

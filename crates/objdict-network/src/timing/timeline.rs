@@ -24,7 +24,7 @@ const BAR: usize = 16;
 
 #[derive(Template)]
 #[template(path = "timeline.svg")]
-struct Picture {
+struct TimelineDiagram {
     label: String,
     height: usize,
     width: usize,
@@ -85,7 +85,7 @@ pub fn svg(timing: &Timing, spelled: impl Fn(MessageId) -> String) -> String {
         }
     };
     let loads: Vec<LoadBar> = timing.nodes.iter().enumerate().map(bar).collect();
-    let picture = Picture {
+    let picture = TimelineDiagram {
         label: format!(
             "{}: {} ms, {} kbit/s",
             one_line(timing.name.as_deref().unwrap_or("CANopen")),

@@ -195,9 +195,9 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
-type Wrong = (String, &'static str);
+type WrongText = (String, &'static str);
 
-fn download(statement: &str, node_id: Option<u8>) -> Result<Download, Wrong> {
+fn download(statement: &str, node_id: Option<u8>) -> Result<Download, WrongText> {
     let (at, rest) = word(statement);
     let address: Option<Address> = at.parse().ok();
     let Some(Address { index, sub: Some(sub) }) = address else {
@@ -226,7 +226,7 @@ fn word(text: &str) -> (&str, &str) {
 }
 
 /// Encodes the text of a value.
-fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<u8>, Wrong> {
+fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<u8>, WrongText> {
     let value = match data_type.kind() {
         TypeKind::VisibleString | TypeKind::UnicodeString => Value::Text(unquoted(text)?.into()),
         TypeKind::OctetString | TypeKind::Domain => return hex(text),
@@ -242,14 +242,14 @@ fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<
     resolved.and_then(|value| value.to_bytes(data_type)).ok_or_else(|| no_value(text, data_type))
 }
 
-fn no_value(text: &str, data_type: DataType) -> Wrong {
+fn no_value(text: &str, data_type: DataType) -> WrongText {
     (
         format!("`{text}` is not a valid {data_type}"),
         "write a number of the type, or the type `BYTES` and hex digits",
     )
 }
 
-fn number(text: &str, data_type: DataType) -> Result<Value, Wrong> {
+fn number(text: &str, data_type: DataType) -> Result<Value, WrongText> {
     if text.is_empty() {
         return Err((format!("the value of type {data_type} is missing"), "write `1017:00 UNSIGNED16 250`"));
     }
@@ -264,7 +264,7 @@ fn number(text: &str, data_type: DataType) -> Result<Value, Wrong> {
 }
 
 /// Removes the quotes of a text.
-fn unquoted(text: &str) -> Result<String, Wrong> {
+fn unquoted(text: &str) -> Result<String, WrongText> {
     let wrong = |what: &str| {
         Err((format!("`{text}` {what}"), "write the text in double quotes, with `\\\"` for a quote in it"))
     };
@@ -287,7 +287,7 @@ fn unquoted(text: &str) -> Result<String, Wrong> {
 }
 
 /// Parses pairs of hex digits, with or without spaces between them.
-fn hex(text: &str) -> Result<Vec<u8>, Wrong> {
+fn hex(text: &str) -> Result<Vec<u8>, WrongText> {
     let digits: String = text.split_whitespace().collect();
     match hex::parse(&digits) {
         Some(bytes) => Ok(bytes.into()),

@@ -74,7 +74,7 @@ objdict_model::error_messages! { SettingsFileError: {
 
 #[derive(Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
-struct Document {
+struct SettingsDocument {
     node_id: Option<u8>,
     #[serde(alias = "baudrate")]
     bit_rate: Option<u16>,
@@ -88,21 +88,21 @@ struct Document {
     time: Option<Toml>,
     guard: Option<String>,
     #[serde(default)]
-    set: Table,
+    set: SettingsTable,
     #[serde(default)]
     map: BTreeMap<String, Vec<String>>,
     #[serde(default)]
-    cob_id: Table,
+    cob_id: SettingsTable,
     #[serde(default)]
-    transmission: Table,
+    transmission: SettingsTable,
     #[serde(default)]
-    inhibit: Table,
+    inhibit: SettingsTable,
     #[serde(default)]
-    event_timer: Table,
+    event_timer: SettingsTable,
     #[serde(default)]
-    sync_start: Table,
+    sync_start: SettingsTable,
     #[serde(default)]
-    heartbeat_consumer: Table,
+    heartbeat_consumer: SettingsTable,
     #[serde(default)]
     sdo: Vec<Sdo>,
 }
@@ -115,12 +115,12 @@ struct Sdo {
     /// One value, or several in order.
     value: Toml,
     #[serde(default)]
-    when: When,
+    when: SettingTime,
 }
 
 #[derive(Clone, Copy, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-enum When {
+enum SettingTime {
     Before,
     #[default]
     After,
@@ -129,8 +129,8 @@ enum When {
 impl Sdo {
     fn setting(&self) -> Result<Setting, NoSetting> {
         let when = match self.when {
-            When::Before => Moment::Before,
-            When::After => Moment::After,
+            SettingTime::Before => Moment::Before,
+            SettingTime::After => Moment::After,
         };
         let values = match &self.value {
             Toml::Array(values) => values.iter().map(plain).collect(),
@@ -141,15 +141,15 @@ impl Sdo {
 }
 
 /// The settings of one option, by what is in front of `=`.
-type Table = BTreeMap<String, Toml>;
+type SettingsTable = BTreeMap<String, Toml>;
 
 /// Reads a setting as the option of its name.
 type Read = fn(&str) -> Result<Setting, NoSetting>;
 
-impl Document {
+impl SettingsDocument {
     /// The settings in the order in which they apply, later ones of an entry over earlier ones.
     fn settings(&self) -> Vec<Result<Setting, NoSetting>> {
-        let pairs = |table: &Table, read: Read| -> Vec<_> {
+        let pairs = |table: &SettingsTable, read: Read| -> Vec<_> {
             table.iter().map(|(at, value)| read(&format!("{at}={}", plain(value)))).collect()
         };
         let service = |value: &Option<Toml>, read: Read| value.as_ref().map(|value| read(&plain(value)));
@@ -177,7 +177,7 @@ impl SettingsFile {
     /// # Errors
     /// Fails on invalid TOML, unknown keys and invalid values.
     pub fn parse(text: &str) -> Result<Self, SettingsFileError> {
-        let document: Document = toml::from_str(text).map_err(SettingsFileError::Toml)?;
+        let document: SettingsDocument = toml::from_str(text).map_err(SettingsFileError::Toml)?;
         let mut settings = Vec::new();
         let mut wrong = Vec::new();
         for setting in document.settings() {

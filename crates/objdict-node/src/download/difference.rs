@@ -1,6 +1,6 @@
 //! Differences between two configurations, write by write.
 
-use super::settings::Key;
+use super::settings::EntryKey;
 use super::{ConciseDcf, Download};
 
 /// An entry that two configurations write differently.
@@ -39,12 +39,12 @@ impl ConciseDcf {
     /// written more than once.
     pub fn differences(&self, other: &Self) -> Differences {
         let (first, second) = (self.by_entry(), other.by_entry());
-        let mut keys: Vec<Key> = first.iter().chain(&second).map(|download| key(download)).collect();
+        let mut keys: Vec<EntryKey> = first.iter().chain(&second).map(|download| key(download)).collect();
         keys.sort_unstable();
         keys.dedup();
         keys.retain(|&key| !writes(&first, key).eq(writes(&second, key)));
         let owned = |all, key| writes(all, key).map(<[u8]>::to_vec).collect();
-        let difference = |&(index, sub): &Key| Difference {
+        let difference = |&(index, sub): &EntryKey| Difference {
             index,
             sub,
             first: owned(&first, (index, sub)),
@@ -63,12 +63,12 @@ impl ConciseDcf {
     }
 }
 
-fn key(download: &Download) -> Key {
+fn key(download: &Download) -> EntryKey {
     (download.index, download.sub)
 }
 
 /// What downloads that are sorted write to an entry.
-fn writes<'a>(sorted: &'a [&'a Download], entry: Key) -> impl Iterator<Item = &'a [u8]> {
+fn writes<'a>(sorted: &'a [&'a Download], entry: EntryKey) -> impl Iterator<Item = &'a [u8]> {
     let start = sorted.partition_point(|download| key(download) < entry);
     sorted[start..].iter().take_while(move |download| key(download) == entry).map(|download| &*download.data)
 }

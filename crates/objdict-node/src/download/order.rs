@@ -9,7 +9,7 @@ mod pdo;
 
 use std::collections::BTreeSet;
 
-use super::settings::{Key, Settings};
+use super::settings::{EntryKey, WritableEntries};
 use super::{Download, Step};
 
 /// Stages of a configuration, in order of transmission.
@@ -45,7 +45,7 @@ const INVALID: u32 = 1 << 31;
 const IDENTIFIER: u32 = 0x3FFF_FFFF;
 
 /// Returns the steps that write every wanted entry.
-pub(super) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
+pub(super) fn arrange(settings: &mut WritableEntries<'_>) -> Vec<Step> {
     let mut wanted = settings.wanted();
     wanted.sort_by_key(|key| group(key.0));
     let groups = wanted.iter().map(|key| group(key.0));
@@ -90,32 +90,32 @@ const fn group(index: u16) -> (Stage, u16) {
 }
 
 struct Arranger<'s, 'a> {
-    settings: &'s mut Settings<'a>,
+    settings: &'s mut WritableEntries<'a>,
     steps: Vec<(Stage, Step)>,
 }
 
 impl Arranger<'_, '_> {
     /// Writes these bytes.
-    fn put(&mut self, stage: Stage, (index, sub): Key, data: impl Into<Vec<u8>>) {
+    fn put(&mut self, stage: Stage, (index, sub): EntryKey, data: impl Into<Vec<u8>>) {
         self.steps.push((stage, Step::Write(Download::new(index, sub, data))));
     }
 
     /// Writes a 32-bit number.
-    fn put_number(&mut self, stage: Stage, key: Key, number: u32) {
+    fn put_number(&mut self, stage: Stage, key: EntryKey, number: u32) {
         self.put(stage, key, number.to_le_bytes());
     }
 
     /// Writes the target value of the entry, if it has one.
-    fn write(&mut self, stage: Stage, key: Key) {
+    fn write(&mut self, stage: Stage, key: EntryKey) {
         self.steps.extend(self.settings.step(key).map(|step| (stage, step)));
     }
 
     /// 1005h, 1006h, 1019h: the identifier may change only while the node does not generate SYNC, the counter
     /// overflow only while the period is 0.
     fn sync(&mut self, start: Stage) {
-        const COB_ID: Key = (0x1005, 0);
-        const PERIOD: Key = (0x1006, 0);
-        const OVERFLOW: Key = (0x1019, 0);
+        const COB_ID: EntryKey = (0x1005, 0);
+        const PERIOD: EntryKey = (0x1006, 0);
+        const OVERFLOW: EntryKey = (0x1019, 0);
         let overflow = self.settings.wants(OVERFLOW);
         if overflow && self.settings.can_write(PERIOD) {
             self.put_number(Stage::SwitchOff, PERIOD, 0);
@@ -149,7 +149,7 @@ impl Arranger<'_, '_> {
     /// 100Ch, 100Dh, 1017h: guarding and heartbeat must not run together, so the one that ends is disabled
     /// first.
     fn error_control(&mut self) {
-        let mut keys: Vec<Key> = [(0x100C, 0), (0x100D, 0), (0x1017, 0)].into();
+        let mut keys: Vec<EntryKey> = [(0x100C, 0), (0x100D, 0), (0x1017, 0)].into();
         keys.retain(|&key| self.settings.wants(key));
         keys.sort_by_key(|&key| {
             self.settings.target(key).is_some_and(|data| data.iter().any(|&byte| byte != 0))
@@ -159,7 +159,7 @@ impl Arranger<'_, '_> {
 
     /// 1016h: two entries must not monitor the same node, so a node that moves to another entry is removed
     /// from the old one first.
-    fn heartbeat_consumers(&mut self, keys: &[Key]) {
+    fn heartbeat_consumers(&mut self, keys: &[EntryKey]) {
         let mut done = BTreeSet::new();
         for &key in keys {
             let watched = self.settings.target_number(key).and_then(watched_node);
@@ -175,7 +175,7 @@ impl Arranger<'_, '_> {
     }
 
     /// COB-IDs with bits 0 to 29 changeable only after `off` is applied: 1012h, 1014h, 1028h.
-    fn identifiers(&mut self, keys: &[Key], off: impl Fn(u32) -> u32) {
+    fn identifiers(&mut self, keys: &[EntryKey], off: impl Fn(u32) -> u32) {
         for &key in keys {
             if let Some(new) = self.settings.target_number(key) {
                 let old = self.settings.default_number(key).unwrap_or(new);
@@ -189,8 +189,8 @@ impl Arranger<'_, '_> {
     }
 
     /// An SDO of 1200h to 12FFh: disable it, write its parameters, enable it.
-    fn sdo(&mut self, keys: &[Key]) {
-        let (identifiers, others): (Vec<Key>, Vec<Key>) =
+    fn sdo(&mut self, keys: &[EntryKey]) {
+        let (identifiers, others): (Vec<EntryKey>, Vec<EntryKey>) =
             keys.iter().partition(|(_, sub)| matches!(sub, 1 | 2));
         let mut on = Vec::new();
         for key in identifiers {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::order::{arrange, dcfgen};
-use super::settings::Settings;
+use super::settings::WritableEntries;
 use super::{ConciseDcf, Download, PlanError, Skipped};
 use crate::model::{Device, Moment};
 
@@ -119,7 +119,7 @@ impl ConciseDcf {
         }
         let compact = device.objects.iter().filter(|(_, object)| object.compact.is_some());
         let expanded = compact.map(|(&index, object)| (index, object.expanded().into_owned())).collect();
-        let mut settings = Settings::collect(device, &expanded, options);
+        let mut settings = WritableEntries::collect(device, &expanded, options);
         let mut steps = settings.explicit(Moment::Before);
         steps.extend(match options.order {
             Order::Safe => arrange(&mut settings),

@@ -12,21 +12,21 @@ use crate::model::{
 };
 
 /// Index and sub-index.
-pub(super) type Key = (u16, u8);
+pub(super) type EntryKey = (u16, u8);
 
 /// The entries of a device that a download may write.
-pub(super) struct Settings<'a> {
+pub(super) struct WritableEntries<'a> {
     device: &'a Device,
     /// Includes the node-ID for formulas.
     options: PlanOptions,
     /// In ascending order, the order of the dictionary, for binary search.
-    entries: Vec<(Key, Setting<'a>)>,
-    problems: BTreeMap<Key, Problem>,
-    skipped: BTreeMap<Key, Skipped>,
+    entries: Vec<(EntryKey, WritableEntry<'a>)>,
+    problems: BTreeMap<EntryKey, Problem>,
+    skipped: BTreeMap<EntryKey, Skipped>,
 }
 
 /// An entry that a download may write.
-struct Setting<'a> {
+struct WritableEntry<'a> {
     object: &'a Object,
     entry: &'a Entry,
     entry_type: EntryType,
@@ -51,7 +51,7 @@ const fn is_mapping(index: u16) -> bool {
     matches!(index, 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF)
 }
 
-impl<'a> Settings<'a> {
+impl<'a> WritableEntries<'a> {
     /// Collects the entries of `device`; entries with a configured value that cannot be written are recorded
     /// as skipped. Compact storage is read from `expanded`, which describes every entry.
     pub(super) fn collect(
@@ -75,7 +75,7 @@ impl<'a> Settings<'a> {
         settings
     }
 
-    fn add(&mut self, (index, sub): Key, object: &'a Object, entry: &'a Entry) {
+    fn add(&mut self, (index, sub): EntryKey, object: &'a Object, entry: &'a Entry) {
         let is_asked = self.is_asked(index);
         let unreadable = unreadable_value(entry).is_some();
         let from_file = download_file(entry).is_some();
@@ -97,7 +97,7 @@ impl<'a> Settings<'a> {
             });
         let wanted = is_asked && !is_given && (differs || is_complete && has_value && !count);
         let entry_type = EntryType::of(self.device, object, (index, sub), entry);
-        self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
+        self.entries.push(((index, sub), WritableEntry { object, entry, entry_type, wanted }));
     }
 
     /// Leaves out what a node does not let change: a mapping whose number of mapped objects is not 0 and cannot be
@@ -151,23 +151,23 @@ impl<'a> Settings<'a> {
         steps
     }
 
-    fn find(&self, key: Key) -> Option<&Setting<'a>> {
+    fn find(&self, key: EntryKey) -> Option<&WritableEntry<'a>> {
         let found = self.entries.binary_search_by_key(&key, |&(other, _)| other);
         found.ok().map(|position| &self.entries[position].1)
     }
 
     /// Whether a download may write the entry.
-    pub(super) fn can_write(&self, key: Key) -> bool {
+    pub(super) fn can_write(&self, key: EntryKey) -> bool {
         self.find(key).is_some()
     }
 
     /// Whether the plan has to write the entry.
-    pub(super) fn wants(&self, key: Key) -> bool {
+    pub(super) fn wants(&self, key: EntryKey) -> bool {
         self.find(key).is_some_and(|setting| setting.wanted)
     }
 
     /// The entries that the plan has to write.
-    pub(super) fn wanted(&self) -> Vec<Key> {
+    pub(super) fn wanted(&self) -> Vec<EntryKey> {
         self.entries.iter().filter(|(_, setting)| setting.wanted).map(|&(key, _)| key).collect()
     }
 
@@ -184,7 +184,7 @@ impl<'a> Settings<'a> {
     }
 
     /// The download that sets the entry to its target value, if it has one.
-    pub(super) fn step(&mut self, key @ (index, sub): Key) -> Option<Step> {
+    pub(super) fn step(&mut self, key @ (index, sub): EntryKey) -> Option<Step> {
         let setting = self.find(key)?;
         if let Some(name) = download_file(setting.entry) {
             return Some(Step::File(NeededFile { index, sub, name: name.into() }));
@@ -195,18 +195,18 @@ impl<'a> Settings<'a> {
 
     /// The bytes of the target value; `None` without a value or, after recording a problem, without a legal
     /// one.
-    pub(super) fn target(&mut self, key: Key) -> Option<Vec<u8>> {
+    pub(super) fn target(&mut self, key: EntryKey) -> Option<Vec<u8>> {
         let bytes = self.find(key)?.bytes(self.options.node_id)?;
         self.noted(key, bytes)
     }
 
     /// [`target`](Self::target) of a 32-bit entry, as a number.
-    pub(super) fn target_number(&mut self, key: Key) -> Option<u32> {
+    pub(super) fn target_number(&mut self, key: EntryKey) -> Option<u32> {
         self.target(key)?.try_into().ok().map(u32::from_le_bytes)
     }
 
     /// The default of a 32-bit entry as a number; `None` if the description does not state it.
-    pub(super) fn default_number(&mut self, key: Key) -> Option<u32> {
+    pub(super) fn default_number(&mut self, key: EntryKey) -> Option<u32> {
         let setting = self.find(key)?;
         let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.options.node_id) {
             Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
@@ -217,19 +217,19 @@ impl<'a> Settings<'a> {
     }
 
     /// Records that a service must be disabled but cannot be.
-    pub(super) fn no_cob_id(&mut self, key: Key) {
+    pub(super) fn no_cob_id(&mut self, key: EntryKey) {
         self.noted::<()>(key, Err(ProblemKind::NoCobId));
     }
 
     /// Records that an unused mapping entry is left out.
-    pub(super) fn unused(&mut self, key: Key) {
+    pub(super) fn unused(&mut self, key: EntryKey) {
         if let Some(setting) = self.find(key).filter(|setting| setting.entry.configured_value().is_some()) {
             let skipped = Skipped { place: place(key, setting.object), reason: SkipReason::Unused };
             self.skipped.insert(key, skipped);
         }
     }
 
-    fn noted<T>(&mut self, key: Key, result: Result<T, ProblemKind>) -> Option<T> {
+    fn noted<T>(&mut self, key: EntryKey, result: Result<T, ProblemKind>) -> Option<T> {
         match result {
             Ok(value) => Some(value),
             Err(kind) => {
@@ -251,7 +251,7 @@ impl<'a> Settings<'a> {
     }
 }
 
-impl Setting<'_> {
+impl WritableEntry<'_> {
     /// Encodes the target value and checks its limits. `None` without a value.
     fn bytes(&self, node_id: Option<u8>) -> Option<Result<Vec<u8>, ProblemKind>> {
         if let Some(text) = unreadable_value(self.entry) {
@@ -268,7 +268,7 @@ impl Setting<'_> {
 }
 
 /// The place of an entry in the description.
-fn place((index, sub): Key, object: &Object) -> Place {
+fn place((index, sub): EntryKey, object: &Object) -> Place {
     if object.object_type().has_subs() { Place::entry(index, sub) } else { Place::object(index) }
 }
 

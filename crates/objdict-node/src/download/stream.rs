@@ -177,10 +177,10 @@ fn decode_entries(stream: &[u8], count: u32) -> Result<ConciseDcf, DecodeError> 
         if rest.is_empty() {
             return error(at, DecodeErrorKind::CountTooLarge { count, found: entry - 1 });
         }
-        let Some(header) = Header::read(rest) else {
+        let Some(header) = DownloadHeader::read(rest) else {
             return error(at, DecodeErrorKind::TruncatedHeader { entry, count, left });
         };
-        let Header { index, sub, size } = header;
+        let DownloadHeader { index, sub, size } = header;
         let Some(data) = header.data(rest) else {
             let left = left - HEADER;
             let kind = DecodeErrorKind::TruncatedData { entry, count, index, sub, size, left };
@@ -196,13 +196,13 @@ fn decode_entries(stream: &[u8], count: u32) -> Result<ConciseDcf, DecodeError> 
 }
 
 #[derive(Clone, Copy)]
-struct Header {
+struct DownloadHeader {
     index: u16,
     sub: u8,
     size: u32,
 }
 
-impl Header {
+impl DownloadHeader {
     fn read(rest: &[u8]) -> Option<Self> {
         let [i0, i1, sub, s0, s1, s2, s3] = *rest.first_chunk()?;
         Some(Self { index: u16::from_le_bytes([i0, i1]), sub, size: u32::from_le_bytes([s0, s1, s2, s3]) })
@@ -240,12 +240,12 @@ fn padded_integer(stream: &[u8], count: u32) -> Option<DecodeError> {
         for (at, first) in ways {
             tried += 1;
             let Some(rest) = stream.get(at..) else { continue };
-            let Some(header) = Header::read(rest) else { continue };
+            let Some(header) = DownloadHeader::read(rest) else { continue };
             if let Some(data) = header.data(rest) {
                 next.entry(at + HEADER + data.len()).or_insert_with(|| first.clone());
             }
             if let Some(padded) = header.padded(rest) {
-                let Header { index, sub, size } = header;
+                let DownloadHeader { index, sub, size } = header;
                 let kind = DecodeErrorKind::PaddedInteger { entry, count, index, sub, size, padded };
                 let first = first.or(Some(DecodeError { offset: at, kind }));
                 next.entry(at + HEADER + padded as usize).or_insert(first);

@@ -6,14 +6,14 @@ use crate::model::Device;
 impl Condition {
     /// The condition as the end of a sentence, with the indexes of a logical device, counted from 0.
     pub fn in_words(&self, device: &Device, block: u8) -> String {
-        let mut words = Words { rest: &self.terms, device, block, text: String::new(), last: None };
+        let mut words = ConditionWords { rest: &self.terms, device, block, text: String::new(), last: None };
         words.term(true, false);
         words.text
     }
 }
 
 /// A condition being written.
-struct Words<'a> {
+struct ConditionWords<'a> {
     rest: &'a [Term],
     device: &'a Device,
     block: u8,
@@ -22,7 +22,7 @@ struct Words<'a> {
     last: Option<(u16, &'static str)>,
 }
 
-impl Words<'_> {
+impl ConditionWords<'_> {
     /// Writes the next term or its negation. Alternatives need brackets among terms joined by "and".
     fn term(&mut self, holds: bool, in_all: bool) {
         let Some((term, rest)) = self.rest.split_first() else { return };

@@ -30,195 +30,195 @@ pub(super) static PROFILE: Profile = Profile {
         commands: Cow::Borrowed(COMMANDS),
         transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
-        errors: Part(0, 0),
+        errors: SubList(0, 0),
         machine: None,
     },
 };
 
 static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_types, need, only, as_many_as, entries, source, about, confidence }:
-    (7936, 7936, Part(0, 11), Part(0, 1), Optional, None, Part(0, 0), Part(0, 1), Part(11, 4), Part(15, 56), High) // 1F00h Request SDO
-    (7937, 7937, Part(71, 11), Part(0, 1), Optional, None, Part(0, 0), Part(0, 1), Part(11, 4), Part(82, 43), High) // 1F01h Release SDO
-    (7938, 7938, Part(148, 19), Part(1, 2), Optional, None, Part(0, 0), Part(1, 2), Part(11, 4), Part(167, 46), High) // 1F02h SDO manager COB-IDs
-    (7939, 7939, Part(213, 22), Part(1, 2), Optional, None, Part(0, 0), Part(3, 3), Part(11, 4), Part(262, 111), High) // 1F03h SDO connections part 1
-    (7940, 7940, Part(373, 22), Part(1, 2), Optional, None, Part(0, 0), Part(6, 3), Part(11, 4), Part(395, 59), High) // 1F04h SDO connections part 2
-    (7941, 7941, Part(454, 22), Part(1, 2), Optional, None, Part(0, 0), Part(9, 3), Part(11, 4), Part(476, 59), High) // 1F05h SDO connections part 3
-    (7942, 7942, Part(535, 22), Part(1, 2), Optional, None, Part(0, 0), Part(12, 3), Part(11, 4), Part(557, 60), High) // 1F06h SDO connections part 4
-    (7952, 7952, Part(617, 28), Part(0, 1), Optional, None, Part(0, 0), Part(15, 1), Part(11, 4), Part(645, 59), High) // 1F10h Dynamic SDO connection state
-    (7953, 7953, Part(704, 12), Part(0, 1), Optional, None, Part(0, 0), Part(16, 1), Part(11, 4), Part(716, 81), High) // 1F11h Slave failed
-    (7968, 7968, Part(797, 9), Part(1, 2), When(0), None, Part(0, 0), Part(17, 2), Part(11, 4), Part(806, 95), High) // 1F20h Store DCF
-    (7969, 7969, Part(901, 21), Part(1, 2), When(1), None, Part(0, 0), Part(19, 2), Part(11, 4), Part(922, 52), High) // 1F21h Storage format of DCF
-    (7970, 7970, Part(974, 11), Part(1, 2), Optional, None, Part(0, 0), Part(21, 2), Part(11, 4), Part(985, 114), High) // 1F22h Concise DCF
-    (7971, 7971, Part(1099, 22), Part(1, 2), When(2), None, Part(0, 0), Part(23, 2), Part(11, 4), Part(1121, 72), High) // 1F23h Store EDS of NMT slave
-    (7972, 7972, Part(1193, 21), Part(1, 2), When(3), None, Part(0, 0), Part(25, 2), Part(11, 4), Part(1214, 57), High) // 1F24h Storage format of EDS
-    (7973, 7973, Part(1271, 15), Part(1, 2), Optional, None, Part(0, 0), Part(27, 3), Part(11, 4), Part(1295, 82), High) // 1F25h Configure slave
-    (7974, 7974, Part(1377, 27), Part(1, 2), When(4), None, Part(0, 0), Part(30, 2), Part(11, 4), Part(1404, 97), High) // 1F26h Expected configuration date
-    (7975, 7975, Part(1501, 27), Part(1, 2), When(5), None, Part(0, 0), Part(32, 2), Part(11, 4), Part(1528, 97), High) // 1F27h Expected configuration time
-    (8016, 8016, Part(1625, 12), Part(1, 2), Optional, None, Part(0, 0), Part(34, 3), Part(11, 4), Part(1637, 47), High) // 1F50h Program data
-    (8017, 8017, Part(1684, 15), Part(1, 2), When(6), None, Part(0, 1), Part(37, 3), Part(11, 4), Part(1699, 54), High) // 1F51h Program control
-    (8018, 8018, Part(1803, 27), Part(1, 2), Optional, None, Part(0, 0), Part(40, 3), Part(11, 4), Part(1830, 56), High) // 1F52h Verify application software
-    (8019, 8019, Part(1886, 34), Part(1, 2), Optional, None, Part(0, 0), Part(43, 2), Part(11, 4), Part(1920, 84), High) // 1F53h Expected application software date
-    (8020, 8020, Part(2004, 34), Part(1, 2), Optional, None, Part(0, 0), Part(45, 2), Part(11, 4), Part(2038, 84), High) // 1F54h Expected application software time
-    (8021, 8021, Part(2122, 32), Part(1, 2), Optional, None, Part(0, 0), Part(47, 2), Part(2154, 7), Part(2161, 94), Medium) // 1F55h Expected software identification
-    (8022, 8022, Part(2255, 31), Part(1, 2), Optional, None, Part(0, 0), Part(49, 3), Part(2154, 7), Part(2286, 58), Medium) // 1F56h Program software identification
-    (8023, 8023, Part(2344, 27), Part(1, 2), Optional, None, Part(0, 0), Part(52, 3), Part(2154, 7), Part(2556, 68), Medium) // 1F57h Flash status identification
-    (8024, 8024, Part(2624, 21), Part(1, 2), Optional, None, Part(0, 0), Part(55, 2), Part(2154, 7), Part(2645, 83), Medium) // 1F58h Program data of nodes
-    (8032, 8032, Part(2728, 24), Part(0, 0), Optional, None, Part(0, 0), Part(0, 0), Part(2752, 9), Part(2761, 42), Medium) // 1F60h Redundancy configuration
-    (8048, 8048, Part(2859, 15), Part(3, 1), Optional, None, Part(0, 0), Part(57, 3), Part(11, 4), Part(2874, 59), High) // 1F70h Process picture
-    (8064, 8064, Part(3151, 11), Part(0, 1), Optional, None, Part(0, 0), Part(60, 1), Part(11, 4), Part(3162, 82), High) // 1F80h NMT startup
-    (8065, 8065, Part(3244, 20), Part(1, 2), Optional, None, Part(0, 0), Part(61, 2), Part(11, 4), Part(3449, 115), High) // 1F81h NMT slave assignment
-    (8066, 8066, Part(3564, 11), Part(1, 2), Optional, None, Part(0, 0), Part(63, 3), Part(11, 4), Part(3575, 97), High) // 1F82h Request NMT
-    (8067, 8067, Part(3672, 21), Part(1, 2), Optional, None, Part(0, 0), Part(66, 3), Part(11, 4), Part(3693, 69), High) // 1F83h Request node guarding
-    (8068, 8068, Part(3762, 26), Part(1, 2), Optional, None, Part(0, 0), Part(69, 2), Part(11, 4), Part(3788, 97), High) // 1F84h Device type identification
-    (8069, 8069, Part(3885, 21), Part(1, 2), Optional, None, Part(0, 0), Part(71, 2), Part(11, 4), Part(3906, 87), High) // 1F85h Vendor identification
-    (8070, 8070, Part(3993, 12), Part(1, 2), Optional, None, Part(0, 0), Part(73, 2), Part(11, 4), Part(4005, 90), High) // 1F86h Product code
-    (8071, 8071, Part(4095, 15), Part(1, 2), Optional, None, Part(0, 0), Part(75, 2), Part(11, 4), Part(4110, 93), High) // 1F87h Revision number
-    (8072, 8072, Part(4203, 13), Part(1, 2), Optional, None, Part(0, 0), Part(77, 2), Part(11, 4), Part(4216, 91), High) // 1F88h Serial number
-    (8073, 8073, Part(4309, 9), Part(0, 1), Optional, None, Part(0, 0), Part(79, 1), Part(11, 4), Part(4318, 69), High) // 1F89h Boot time
-    (8074, 8074, Part(4387, 21), Part(1, 2), Optional, None, Part(0, 0), Part(80, 2), Part(2154, 7), Part(4408, 84), Medium) // 1F8Ah Restore configuration
-    (8080, 8080, Part(4671, 35), Part(0, 0), When(7), None, Part(0, 0), Part(82, 7), Part(4706, 15), Part(4721, 72), High) // 1F90h NMT flying master timing parameters
-    (8081, 8081, Part(4908, 37), Part(1, 2), Optional, None, Part(0, 0), Part(89, 4), Part(4706, 15), Part(4945, 81), High) // 1F91h Self-starting nodes timing parameters
+    (7936, 7936, SubList(0, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(0, 1), SubList(11, 4), SubList(15, 56), High) // 1F00h Request SDO
+    (7937, 7937, SubList(71, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(0, 1), SubList(11, 4), SubList(82, 43), High) // 1F01h Release SDO
+    (7938, 7938, SubList(148, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(1, 2), SubList(11, 4), SubList(167, 46), High) // 1F02h SDO manager COB-IDs
+    (7939, 7939, SubList(213, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(3, 3), SubList(11, 4), SubList(262, 111), High) // 1F03h SDO connections part 1
+    (7940, 7940, SubList(373, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(6, 3), SubList(11, 4), SubList(395, 59), High) // 1F04h SDO connections part 2
+    (7941, 7941, SubList(454, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(9, 3), SubList(11, 4), SubList(476, 59), High) // 1F05h SDO connections part 3
+    (7942, 7942, SubList(535, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(12, 3), SubList(11, 4), SubList(557, 60), High) // 1F06h SDO connections part 4
+    (7952, 7952, SubList(617, 28), SubList(0, 1), Optional, None, SubList(0, 0), SubList(15, 1), SubList(11, 4), SubList(645, 59), High) // 1F10h Dynamic SDO connection state
+    (7953, 7953, SubList(704, 12), SubList(0, 1), Optional, None, SubList(0, 0), SubList(16, 1), SubList(11, 4), SubList(716, 81), High) // 1F11h Slave failed
+    (7968, 7968, SubList(797, 9), SubList(1, 2), When(0), None, SubList(0, 0), SubList(17, 2), SubList(11, 4), SubList(806, 95), High) // 1F20h Store DCF
+    (7969, 7969, SubList(901, 21), SubList(1, 2), When(1), None, SubList(0, 0), SubList(19, 2), SubList(11, 4), SubList(922, 52), High) // 1F21h Storage format of DCF
+    (7970, 7970, SubList(974, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(21, 2), SubList(11, 4), SubList(985, 114), High) // 1F22h Concise DCF
+    (7971, 7971, SubList(1099, 22), SubList(1, 2), When(2), None, SubList(0, 0), SubList(23, 2), SubList(11, 4), SubList(1121, 72), High) // 1F23h Store EDS of NMT slave
+    (7972, 7972, SubList(1193, 21), SubList(1, 2), When(3), None, SubList(0, 0), SubList(25, 2), SubList(11, 4), SubList(1214, 57), High) // 1F24h Storage format of EDS
+    (7973, 7973, SubList(1271, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(27, 3), SubList(11, 4), SubList(1295, 82), High) // 1F25h Configure slave
+    (7974, 7974, SubList(1377, 27), SubList(1, 2), When(4), None, SubList(0, 0), SubList(30, 2), SubList(11, 4), SubList(1404, 97), High) // 1F26h Expected configuration date
+    (7975, 7975, SubList(1501, 27), SubList(1, 2), When(5), None, SubList(0, 0), SubList(32, 2), SubList(11, 4), SubList(1528, 97), High) // 1F27h Expected configuration time
+    (8016, 8016, SubList(1625, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(34, 3), SubList(11, 4), SubList(1637, 47), High) // 1F50h Program data
+    (8017, 8017, SubList(1684, 15), SubList(1, 2), When(6), None, SubList(0, 1), SubList(37, 3), SubList(11, 4), SubList(1699, 54), High) // 1F51h Program control
+    (8018, 8018, SubList(1803, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(40, 3), SubList(11, 4), SubList(1830, 56), High) // 1F52h Verify application software
+    (8019, 8019, SubList(1886, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(43, 2), SubList(11, 4), SubList(1920, 84), High) // 1F53h Expected application software date
+    (8020, 8020, SubList(2004, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(45, 2), SubList(11, 4), SubList(2038, 84), High) // 1F54h Expected application software time
+    (8021, 8021, SubList(2122, 32), SubList(1, 2), Optional, None, SubList(0, 0), SubList(47, 2), SubList(2154, 7), SubList(2161, 94), Medium) // 1F55h Expected software identification
+    (8022, 8022, SubList(2255, 31), SubList(1, 2), Optional, None, SubList(0, 0), SubList(49, 3), SubList(2154, 7), SubList(2286, 58), Medium) // 1F56h Program software identification
+    (8023, 8023, SubList(2344, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(52, 3), SubList(2154, 7), SubList(2556, 68), Medium) // 1F57h Flash status identification
+    (8024, 8024, SubList(2624, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(55, 2), SubList(2154, 7), SubList(2645, 83), Medium) // 1F58h Program data of nodes
+    (8032, 8032, SubList(2728, 24), SubList(0, 0), Optional, None, SubList(0, 0), SubList(0, 0), SubList(2752, 9), SubList(2761, 42), Medium) // 1F60h Redundancy configuration
+    (8048, 8048, SubList(2859, 15), SubList(3, 1), Optional, None, SubList(0, 0), SubList(57, 3), SubList(11, 4), SubList(2874, 59), High) // 1F70h Process picture
+    (8064, 8064, SubList(3151, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(60, 1), SubList(11, 4), SubList(3162, 82), High) // 1F80h NMT startup
+    (8065, 8065, SubList(3244, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(61, 2), SubList(11, 4), SubList(3449, 115), High) // 1F81h NMT slave assignment
+    (8066, 8066, SubList(3564, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(63, 3), SubList(11, 4), SubList(3575, 97), High) // 1F82h Request NMT
+    (8067, 8067, SubList(3672, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(66, 3), SubList(11, 4), SubList(3693, 69), High) // 1F83h Request node guarding
+    (8068, 8068, SubList(3762, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(69, 2), SubList(11, 4), SubList(3788, 97), High) // 1F84h Device type identification
+    (8069, 8069, SubList(3885, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(71, 2), SubList(11, 4), SubList(3906, 87), High) // 1F85h Vendor identification
+    (8070, 8070, SubList(3993, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(73, 2), SubList(11, 4), SubList(4005, 90), High) // 1F86h Product code
+    (8071, 8071, SubList(4095, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(75, 2), SubList(11, 4), SubList(4110, 93), High) // 1F87h Revision number
+    (8072, 8072, SubList(4203, 13), SubList(1, 2), Optional, None, SubList(0, 0), SubList(77, 2), SubList(11, 4), SubList(4216, 91), High) // 1F88h Serial number
+    (8073, 8073, SubList(4309, 9), SubList(0, 1), Optional, None, SubList(0, 0), SubList(79, 1), SubList(11, 4), SubList(4318, 69), High) // 1F89h Boot time
+    (8074, 8074, SubList(4387, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(80, 2), SubList(2154, 7), SubList(4408, 84), Medium) // 1F8Ah Restore configuration
+    (8080, 8080, SubList(4671, 35), SubList(0, 0), When(7), None, SubList(0, 0), SubList(82, 7), SubList(4706, 15), SubList(4721, 72), High) // 1F90h NMT flying master timing parameters
+    (8081, 8081, SubList(4908, 37), SubList(1, 2), Optional, None, SubList(0, 0), SubList(89, 4), SubList(4706, 15), SubList(4945, 81), High) // 1F91h Self-starting nodes timing parameters
 );
 
 static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
-    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
-    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(1, 2), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
-    (1, 254, Some(No), Optional, Part(142, 6), Part(0, 1), Part(3, 1), Part(0, 0), Some(0), Part(0, 0), Part(0, 0)) // COB-ID
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, Part(213, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 1
-    (2, 254, Some(No), Optional, Part(213, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 1
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, Part(373, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 2
-    (2, 254, Some(No), Optional, Part(373, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 2
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, Part(454, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 3
-    (2, 254, Some(No), Optional, Part(454, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 3
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, Part(535, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 4
-    (2, 254, Some(No), Optional, Part(535, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 4
-    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
-    (0, 0, Some(No), Mandatory, Part(0, 0), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(797, 9), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Store DCF
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(901, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Storage format of DCF
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(974, 11), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Concise DCF
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(1099, 22), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Store EDS of NMT slave
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(1193, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Storage format of EDS
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(1271, 15), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Configure slave
-    (128, 128, Some(No), Optional, Part(1286, 9), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // All nodes
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(1377, 27), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Expected configuration date
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(1501, 27), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Expected configuration time
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, Part(1625, 12), Part(3, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program data
-    (2, 254, Some(No), Optional, Part(1625, 12), Part(3, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program data
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, Part(1684, 15), Part(1, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program control
-    (2, 254, Some(No), Optional, Part(1684, 15), Part(1, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program control
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(4, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, Part(1753, 25), Part(0, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Application software date
-    (2, 2, Some(No), Optional, Part(1778, 25), Part(0, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Application software time
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(1886, 34), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Expected application software date
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(2004, 34), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Expected application software time
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(2122, 32), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Expected software identification
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, Part(2255, 31), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program software identification
-    (2, 254, Some(No), Optional, Part(2255, 31), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program software identification
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, Part(2344, 27), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 3)) // Flash status identification
-    (2, 254, Some(No), Optional, Part(2344, 27), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 3)) // Flash status identification
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(2624, 21), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program data of nodes
-    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(4, 1), Part(4, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, Part(2825, 14), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(3, 2)) // Selected range
-    (2, 2, Some(No), Mandatory, Part(2839, 20), Part(3, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Process image domain
-    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(5, 7))
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(3244, 20), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(12, 9)) // NMT slave assignment
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(3564, 11), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Request NMT
-    (128, 128, Some(No), Optional, Part(1286, 9), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // All nodes
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(3672, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Request node guarding
-    (128, 128, Some(No), Optional, Part(1286, 9), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // All nodes
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(3762, 26), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Device type identification
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(3885, 21), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Vendor identification
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(3993, 12), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Product code
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(4095, 15), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Revision number
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(4203, 13), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Serial number
-    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(4307, 2), Part(0, 0))
-    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, Part(4387, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Restore configuration
-    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(4, 1), Part(5, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, Part(4492, 42), Part(2, 1), Part(9, 2), Part(0, 0), Some(2), Part(4307, 2), Part(0, 0)) // Timeout for detection of active NMT master
-    (2, 2, Some(No), Mandatory, Part(4534, 33), Part(2, 1), Part(9, 2), Part(0, 0), Some(3), Part(4307, 2), Part(0, 0)) // NMT master negotiation time delay
-    (3, 3, Some(No), Mandatory, Part(4567, 25), Part(4, 2), Part(9, 2), Part(6, 1), None, Part(0, 0), Part(0, 0)) // NMT master priority level
-    (4, 4, Some(No), Mandatory, Part(4592, 18), Part(2, 1), Part(9, 2), Part(0, 0), Some(4), Part(4307, 2), Part(0, 0)) // Priority time slot
-    (5, 5, Some(No), Mandatory, Part(4610, 24), Part(2, 1), Part(9, 2), Part(0, 0), Some(5), Part(4307, 2), Part(0, 0)) // CANopen device time slot
-    (6, 6, Some(No), Mandatory, Part(4634, 37), Part(2, 1), Part(9, 2), Part(0, 0), None, Part(4307, 2), Part(0, 0)) // Multiple NMT master detect cycle time
-    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(4, 1), Part(7, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, Part(4793, 53), Part(2, 1), Part(9, 2), Part(0, 0), Some(2), Part(4307, 2), Part(0, 0)) // Timeout for detection of an NMT master capable device
-    (2, 2, Some(No), Mandatory, Part(4846, 48), Part(2, 1), Part(9, 2), Part(0, 0), Some(3), Part(4307, 2), Part(0, 0)) // Delay time for NMT master capable device request
-    (3, 3, Some(No), Mandatory, Part(4894, 14), Part(2, 1), Part(9, 2), Part(0, 0), Some(6), Part(4307, 2), Part(0, 0)) // Node time slot
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(1, 2), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 254, Some(No), Optional, SubList(142, 6), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // COB-ID
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(213, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 1
+    (2, 254, Some(No), Optional, SubList(213, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 1
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(373, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 2
+    (2, 254, Some(No), Optional, SubList(373, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 2
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(454, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 3
+    (2, 254, Some(No), Optional, SubList(454, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 3
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(535, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 4
+    (2, 254, Some(No), Optional, SubList(535, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 4
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(797, 9), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Store DCF
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(901, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Storage format of DCF
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(974, 11), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Concise DCF
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1099, 22), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Store EDS of NMT slave
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1193, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Storage format of EDS
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1271, 15), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configure slave
+    (128, 128, Some(No), Optional, SubList(1286, 9), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1377, 27), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Expected configuration date
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1501, 27), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Expected configuration time
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(1625, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
+    (2, 254, Some(No), Optional, SubList(1625, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program control
+    (2, 254, Some(No), Optional, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program control
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(1753, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software date
+    (2, 2, Some(No), Optional, SubList(1778, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software time
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1886, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software date
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2004, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software time
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2122, 32), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected software identification
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(2255, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
+    (2, 254, Some(No), Optional, SubList(2255, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(2344, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 3)) // Flash status identification
+    (2, 254, Some(No), Optional, SubList(2344, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 3)) // Flash status identification
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2624, 21), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data of nodes
+    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(2825, 14), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(3, 2)) // Selected range
+    (2, 2, Some(No), Mandatory, SubList(2839, 20), SubList(3, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Process image domain
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(5, 7))
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3244, 20), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(12, 9)) // NMT slave assignment
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3564, 11), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request NMT
+    (128, 128, Some(No), Optional, SubList(1286, 9), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3672, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request node guarding
+    (128, 128, Some(No), Optional, SubList(1286, 9), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3762, 26), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Device type identification
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3885, 21), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Vendor identification
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3993, 12), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Product code
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4095, 15), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Revision number
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4203, 13), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Serial number
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(4307, 2), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4387, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Restore configuration
+    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(4492, 42), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4307, 2), SubList(0, 0)) // Timeout for detection of active NMT master
+    (2, 2, Some(No), Mandatory, SubList(4534, 33), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4307, 2), SubList(0, 0)) // NMT master negotiation time delay
+    (3, 3, Some(No), Mandatory, SubList(4567, 25), SubList(4, 2), SubList(9, 2), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // NMT master priority level
+    (4, 4, Some(No), Mandatory, SubList(4592, 18), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(4), SubList(4307, 2), SubList(0, 0)) // Priority time slot
+    (5, 5, Some(No), Mandatory, SubList(4610, 24), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(5), SubList(4307, 2), SubList(0, 0)) // CANopen device time slot
+    (6, 6, Some(No), Mandatory, SubList(4634, 37), SubList(2, 1), SubList(9, 2), SubList(0, 0), None, SubList(4307, 2), SubList(0, 0)) // Multiple NMT master detect cycle time
+    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(4793, 53), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4307, 2), SubList(0, 0)) // Timeout for detection of an NMT master capable device
+    (2, 2, Some(No), Mandatory, SubList(4846, 48), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4307, 2), SubList(0, 0)) // Delay time for NMT master capable device request
+    (3, 3, Some(No), Mandatory, SubList(4894, 14), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(6), SubList(4307, 2), SubList(0, 0)) // Node time slot
 );
 
 static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
-    (0, 0, Part(2371, 28), Part(0, 0)) // program download in progress
-    (1, 7, Part(2399, 5), Part(0, 9)) // error
-    (16, 31, Part(2531, 25), Part(0, 0)) // error of the manufacturer
-    (0, 15, Part(2803, 7), Part(0, 0)) // segment
-    (16, 31, Part(2810, 15), Part(0, 0)) // length in bytes
-    (0, 0, Part(2933, 10), Part(9, 2)) // NMT master
-    (1, 1, Part(2948, 12), Part(11, 2)) // start slaves
-    (2, 2, Part(2981, 17), Part(13, 2)) // enter operational
-    (3, 3, Part(3016, 19), Part(15, 2)) // start slaves at all
-    (4, 4, Part(3035, 26), Part(17, 2)) // error of a mandatory slave
-    (5, 5, Part(3091, 13), Part(9, 2)) // flying master
-    (6, 6, Part(3104, 47), Part(9, 2)) // stop all nodes on an error of a mandatory slave
-    (0, 0, Part(3264, 20), Part(0, 0)) // slave of this master
-    (2, 2, Part(3284, 18), Part(0, 0)) // boot and configure
-    (3, 3, Part(3302, 9), Part(0, 0)) // mandatory
-    (4, 4, Part(3311, 47), Part(0, 0)) // no reset of its communication while operational
-    (5, 5, Part(3358, 19), Part(0, 0)) // verify its software
-    (6, 6, Part(3377, 19), Part(0, 0)) // update its software
-    (7, 7, Part(3396, 25), Part(0, 0)) // restore its configuration
-    (8, 15, Part(3421, 12), Part(0, 0)) // retry factor
-    (16, 31, Part(3433, 16), Part(0, 0)) // guard time in ms
+    (0, 0, SubList(2371, 28), SubList(0, 0)) // program download in progress
+    (1, 7, SubList(2399, 5), SubList(0, 9)) // error
+    (16, 31, SubList(2531, 25), SubList(0, 0)) // error of the manufacturer
+    (0, 15, SubList(2803, 7), SubList(0, 0)) // segment
+    (16, 31, SubList(2810, 15), SubList(0, 0)) // length in bytes
+    (0, 0, SubList(2933, 10), SubList(9, 2)) // NMT master
+    (1, 1, SubList(2948, 12), SubList(11, 2)) // start slaves
+    (2, 2, SubList(2981, 17), SubList(13, 2)) // enter operational
+    (3, 3, SubList(3016, 19), SubList(15, 2)) // start slaves at all
+    (4, 4, SubList(3035, 26), SubList(17, 2)) // error of a mandatory slave
+    (5, 5, SubList(3091, 13), SubList(9, 2)) // flying master
+    (6, 6, SubList(3104, 47), SubList(9, 2)) // stop all nodes on an error of a mandatory slave
+    (0, 0, SubList(3264, 20), SubList(0, 0)) // slave of this master
+    (2, 2, SubList(3284, 18), SubList(0, 0)) // boot and configure
+    (3, 3, SubList(3302, 9), SubList(0, 0)) // mandatory
+    (4, 4, SubList(3311, 47), SubList(0, 0)) // no reset of its communication while operational
+    (5, 5, SubList(3358, 19), SubList(0, 0)) // verify its software
+    (6, 6, SubList(3377, 19), SubList(0, 0)) // update its software
+    (7, 7, SubList(3396, 25), SubList(0, 0)) // restore its configuration
+    (8, 15, SubList(3421, 12), SubList(0, 0)) // retry factor
+    (16, 31, SubList(3433, 16), SubList(0, 0)) // guard time in ms
 );
 
 static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
-    (0, 0, Part(2404, 4)) // none
-    (1, 1, Part(2408, 16)) // no valid program
-    (2, 2, Part(2424, 14)) // unknown format
-    (3, 3, Part(2438, 14)) // wrong checksum
-    (4, 4, Part(2452, 17)) // flash not cleared
-    (5, 5, Part(2469, 17)) // flash write error
-    (6, 6, Part(2486, 13)) // wrong address
-    (7, 7, Part(2499, 13)) // flash secured
-    (63, 63, Part(2512, 19)) // of the manufacturer
-    (0, 0, Part(2943, 2)) // no
-    (1, 1, Part(2945, 3)) // yes
-    (0, 0, Part(2960, 10)) // one by one
-    (1, 1, Part(2970, 11)) // all at once
-    (0, 0, Part(2998, 9)) // by itself
-    (1, 1, Part(3007, 9)) // when told
-    (0, 0, Part(2945, 3)) // yes
-    (1, 1, Part(2943, 2)) // no
-    (0, 0, Part(3061, 15)) // that slave only
-    (1, 1, Part(3076, 15)) // reset all nodes
+    (0, 0, SubList(2404, 4)) // none
+    (1, 1, SubList(2408, 16)) // no valid program
+    (2, 2, SubList(2424, 14)) // unknown format
+    (3, 3, SubList(2438, 14)) // wrong checksum
+    (4, 4, SubList(2452, 17)) // flash not cleared
+    (5, 5, SubList(2469, 17)) // flash write error
+    (6, 6, SubList(2486, 13)) // wrong address
+    (7, 7, SubList(2499, 13)) // flash secured
+    (63, 63, SubList(2512, 19)) // of the manufacturer
+    (0, 0, SubList(2943, 2)) // no
+    (1, 1, SubList(2945, 3)) // yes
+    (0, 0, SubList(2960, 10)) // one by one
+    (1, 1, SubList(2970, 11)) // all at once
+    (0, 0, SubList(2998, 9)) // by itself
+    (1, 1, SubList(3007, 9)) // when told
+    (0, 0, SubList(2945, 3)) // yes
+    (1, 1, SubList(2943, 2)) // no
+    (0, 0, SubList(3061, 15)) // that slave only
+    (1, 1, SubList(3076, 15)) // reset all nodes
 );
 
 static COMMANDS: &[CommandRow] = &[];

@@ -22,8 +22,8 @@ struct OneOrMany<T>(Vec<T>);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMany<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Items<T>(std::marker::PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Items<T> {
+        struct ItemsVisitor<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for ItemsVisitor<T> {
             type Value = OneOrMany<T>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -42,7 +42,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMany<T> {
                 Ok(OneOrMany(all))
             }
         }
-        deserializer.deserialize_any(Items(std::marker::PhantomData))
+        deserializer.deserialize_any(ItemsVisitor(std::marker::PhantomData))
     }
 }
 
@@ -208,13 +208,13 @@ impl<'de> Deserialize<'de> for NumberOrPair {
 
 /// Meanings of a bit field's values: `{ 0 = "…", "1..3" = "…" }`.
 #[derive(Default)]
-pub(super) struct Meanings(pub Vec<(RangeInclusive<u64>, String)>);
+pub(super) struct ValueMeanings(pub Vec<(RangeInclusive<u64>, String)>);
 
-impl<'de> Deserialize<'de> for Meanings {
+impl<'de> Deserialize<'de> for ValueMeanings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Table;
-        impl<'de> Visitor<'de> for Table {
-            type Value = Meanings;
+        struct TableVisitor;
+        impl<'de> Visitor<'de> for TableVisitor {
+            type Value = ValueMeanings;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str("a table of values and their meanings such as `{ 0 = \"off\", 1 = \"on\" }`")
@@ -230,9 +230,9 @@ impl<'de> Deserialize<'de> for Meanings {
                     }
                 }
                 all.sort_by_key(|(range, _)| *range.start());
-                Ok(Meanings(all))
+                Ok(ValueMeanings(all))
             }
         }
-        deserializer.deserialize_map(Table)
+        deserializer.deserialize_map(TableVisitor)
     }
 }

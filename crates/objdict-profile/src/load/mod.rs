@@ -10,7 +10,9 @@ use std::ops::RangeInclusive;
 use serde::Deserialize;
 use toml::Spanned;
 
-use self::fields::{BitRange, ConditionText, Meanings, NeedText, NumberOrPair, number, ranges, word, words};
+use self::fields::{
+    BitRange, ConditionText, NeedText, NumberOrPair, ValueMeanings, number, ranges, word, words,
+};
 use self::machine::MachineTable;
 use self::pack::Packer;
 use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow, Tables};
@@ -111,7 +113,7 @@ struct ProfileFile {
     #[serde(default)]
     object: Vec<Spanned<ObjectTable>>,
     #[serde(default)]
-    errors: Meanings,
+    errors: ValueMeanings,
     state_machine: Option<MachineTable>,
 }
 
@@ -176,7 +178,7 @@ struct BitTable {
     at: BitRange,
     name: String,
     #[serde(default)]
-    values: Meanings,
+    values: ValueMeanings,
 }
 
 impl ObjectTable {

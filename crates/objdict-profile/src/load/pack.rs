@@ -7,12 +7,12 @@ use std::ops::RangeInclusive;
 use super::fields::NeedText;
 use crate::Condition;
 use crate::model::{Access, DataType, ObjectType, Value};
-use crate::tables::{BitRow, EntryRow, MeaningRow, NeedRow, Part, Tables};
+use crate::tables::{BitRow, EntryRow, MeaningRow, NeedRow, SubList, Tables};
 
 /// Concatenated lists of one type.
 pub(super) struct Lists<T> {
     items: Vec<T>,
-    known: HashMap<Box<[T]>, Part>,
+    known: HashMap<Box<[T]>, SubList>,
 }
 
 impl<T> Default for Lists<T> {
@@ -23,14 +23,14 @@ impl<T> Default for Lists<T> {
 
 impl<T: Clone + Eq + Hash> Lists<T> {
     /// The position of a list; appends it if necessary.
-    pub(super) fn part(&mut self, list: &[T]) -> Part {
+    pub(super) fn part(&mut self, list: &[T]) -> SubList {
         if list.is_empty() {
-            return Part::default();
+            return SubList::default();
         }
         if let Some(part) = self.known.get(list) {
             return *part;
         }
-        let part = Part(number(self.items.len()), number(list.len()));
+        let part = SubList(number(self.items.len()), number(list.len()));
         self.items.extend_from_slice(list);
         self.known.insert(list.into(), part);
         part
@@ -62,7 +62,7 @@ pub(super) struct Packer {
     pub(super) values: Lists<RangeInclusive<i128>>,
     pub(super) indexes: Lists<u16>,
     texts: String,
-    known_texts: HashMap<String, Part>,
+    known_texts: HashMap<String, SubList>,
     conditions: Vec<Condition>,
     known_conditions: HashMap<String, u32>,
     defaults: Vec<Value>,
@@ -88,14 +88,14 @@ impl Packer {
         }
     }
 
-    pub(super) fn text(&mut self, text: &str) -> Part {
+    pub(super) fn text(&mut self, text: &str) -> SubList {
         if text.is_empty() {
-            return Part::default();
+            return SubList::default();
         }
         if let Some(part) = self.known_texts.get(text) {
             return *part;
         }
-        let part = Part(number(self.texts.len()), number(text.len()));
+        let part = SubList(number(self.texts.len()), number(text.len()));
         self.texts.push_str(text);
         self.known_texts.insert(text.to_owned(), part);
         part
@@ -119,7 +119,7 @@ impl Packer {
         position(&mut self.defaults, &mut self.known_defaults, key, value)
     }
 
-    pub(super) fn meanings(&mut self, meanings: &[(RangeInclusive<u64>, String)]) -> Part {
+    pub(super) fn meanings(&mut self, meanings: &[(RangeInclusive<u64>, String)]) -> SubList {
         let row = |(range, text): &(RangeInclusive<u64>, String)| MeaningRow {
             first: *range.start(),
             last: *range.end(),

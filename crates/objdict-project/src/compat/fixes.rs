@@ -17,7 +17,7 @@ const MAX_LINES: usize = 1000;
 use Tool::{CanOpenEditor, DcfTools, NodeCanopen, PythonCanopen};
 
 /// The existing fixes of a rule, which are safe for the first tools and do harm to the others.
-struct Choice {
+struct FixChoice {
     rule: &'static str,
     better: &'static [Tool],
     worse: &'static [Tool],
@@ -25,12 +25,12 @@ struct Choice {
     when: fn(&Description, &Diagnostic) -> bool,
 }
 
-const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [Tool]) -> Choice {
-    Choice { rule, better, worse, when: |_, _| true }
+const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [Tool]) -> FixChoice {
+    FixChoice { rule, better, worse, when: |_, _| true }
 }
 
-const CHOICES: [Choice; 11] = [
-    Choice {
+const CHOICES: [FixChoice; 11] = [
+    FixChoice {
         // without its header, a section would be read into the one above
         when: |description, finding| {
             let line = shown(description, finding);
@@ -41,18 +41,18 @@ const CHOICES: [Choice; 11] = [
     choice("cia306/limit-above-type", &[DcfTools, PythonCanopen], &[]),
     // all readers of lists but this one do without the objects, which have no entries
     choice("cia306/listed-object-missing", &[DcfTools], &[]),
-    Choice {
+    FixChoice {
         // other misspelt keys may be those of a value
         when: |description, finding| shown(description, finding).contains(' '),
         ..choice("cia306/misspelt-key", &[DcfTools], &[])
     },
-    Choice {
+    FixChoice {
         // a fix that leaves `SubNumber` adds what is counted
         when: |_, finding| finding.fix.as_ref().is_some_and(|fix| fix.changes.len() == 1),
         ..choice("cia306/missing-sub-0", &[DcfTools], &[])
     },
     choice("cia306/nested-structure", &[NodeCanopen], &[]),
-    Choice {
+    FixChoice {
         when: |description, _| is_refused_for_its_letters(description),
         ..choice("cia306/not-ascii", &[DcfTools, PythonCanopen, CanOpenEditor, NodeCanopen], &[])
     },

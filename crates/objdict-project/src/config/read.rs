@@ -30,7 +30,7 @@ pub const SETTINGS: [(&str, &str); 8] = [
     ("ignore", "Rules that are not reported in the files of a pattern."),
 ];
 
-type Value<'a> = Spanned<DeValue<'a>>;
+type TomlValue<'a> = Spanned<DeValue<'a>>;
 
 /// How a list is written.
 const LIST: &str = "write texts in quotes between brackets, as in `[\"a\", \"b\"]`";
@@ -42,7 +42,7 @@ pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Settings> {
         errors.iter().for_each(|error| findings.push(damage(text, error)));
         return None;
     }
-    let mut reader = Reader { settings: Settings::default(), findings };
+    let mut reader = ConfigReader { settings: Settings::default(), findings };
     for (key, value) in table.get_ref() {
         reader.setting(key, value);
     }
@@ -73,13 +73,13 @@ fn damage(text: &str, error: &toml::de::Error) -> Diagnostic {
     finding.help("write `name = value`, with texts in quotes and lists in brackets")
 }
 
-struct Reader<'f> {
+struct ConfigReader<'f> {
     settings: Settings,
     findings: &'f mut Findings,
 }
 
-impl Reader<'_> {
-    fn setting(&mut self, key: &Spanned<std::borrow::Cow<'_, str>>, value: &Value<'_>) {
+impl ConfigReader<'_> {
+    fn setting(&mut self, key: &Spanned<std::borrow::Cow<'_, str>>, value: &TomlValue<'_>) {
         match &**key.get_ref() {
             "profiles" => {
                 let profiles = self.texts("profiles", value);
@@ -129,7 +129,7 @@ impl Reader<'_> {
         }
     }
 
-    fn node_id(&mut self, value: &Value<'_>) {
+    fn node_id(&mut self, value: &TomlValue<'_>) {
         let number = value.get_ref().as_integer();
         let number = number.and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok());
         match number.filter(|number| (1..=127).contains(number)) {
@@ -140,7 +140,7 @@ impl Reader<'_> {
         }
     }
 
-    fn rules(&mut self, value: &Value<'_>) {
+    fn rules(&mut self, value: &TomlValue<'_>) {
         let Some(table) = value.get_ref().as_table() else {
             let help = "write `\"cia306/file-name\" = \"off\"` below a line `[rules]`";
             return self.invalid(value, "`rules` is a table of rules and their severities", help);
@@ -155,7 +155,7 @@ impl Reader<'_> {
         }
     }
 
-    fn ignored(&mut self, value: &Value<'_>) {
+    fn ignored(&mut self, value: &TomlValue<'_>) {
         let Some(table) = value.get_ref().as_table() else {
             let help = "write `\"legacy\" = [\"cia306\"]` below a line `[ignore]`";
             return self.invalid(value, "`ignore` is a table of paths and lists of rules", help);
@@ -186,7 +186,7 @@ impl Reader<'_> {
     }
 
     /// The texts of a list with their places.
-    fn texts<'a>(&mut self, name: &str, value: &'a Value<'_>) -> Vec<(&'a str, Span)> {
+    fn texts<'a>(&mut self, name: &str, value: &'a TomlValue<'_>) -> Vec<(&'a str, Span)> {
         let Some(list) = value.get_ref().as_array() else {
             self.invalid(value, say!("`{}` is a list of texts", name), LIST);
             return Vec::new();
@@ -205,7 +205,7 @@ impl Reader<'_> {
     fn word<T: Copy>(
         &mut self,
         name: &str,
-        value: &Value<'_>,
+        value: &TomlValue<'_>,
         all: &[T],
         word: fn(&T) -> &'static str,
     ) -> Option<T> {
@@ -230,7 +230,7 @@ impl Reader<'_> {
         });
     }
 
-    fn invalid(&mut self, value: &Value<'_>, message: impl Into<Text>, help: impl Into<Text>) {
+    fn invalid(&mut self, value: &TomlValue<'_>, message: impl Into<Text>, help: impl Into<Text>) {
         self.findings.push(invalid_setting(span_of(&value.span()), message).help(help));
     }
 }

@@ -2,7 +2,7 @@
 
 /// A group of rules.
 #[derive(Debug)]
-pub struct Group {
+pub struct RuleGroup {
     /// The name, such as `cia306`: the first half of the ids of its rules.
     pub name: &'static str,
     /// The subject in a few words of Markdown.
@@ -47,7 +47,7 @@ macro_rules! with_rule_groups {
 macro_rules! list {
     ($($name:ident: $about:literal, $needs:expr;)+) => {
         /// The groups of rules, sorted by name.
-        pub static GROUPS: &[Group] = &[$(Group { name: stringify!($name), about: $about, needs: $needs }),+];
+        pub static GROUPS: &[RuleGroup] = &[$(RuleGroup { name: stringify!($name), about: $about, needs: $needs }),+];
     };
 }
 

@@ -14,7 +14,7 @@ use objdict_format as format;
 use objdict_lint as lint;
 use objdict_model::diagnostic::{RuleInfo, Selection, nearest};
 
-pub use self::groups::{GROUPS, Group};
+pub use self::groups::{GROUPS, RuleGroup};
 
 /// All rules, sorted by id.
 pub fn rules() -> Vec<&'static RuleInfo> {

@@ -22,7 +22,7 @@ pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnosti
 }
 
 /// What one cause explains.
-enum Extent<'a> {
+enum CauseExtent<'a> {
     All,
     /// What has this offset in it.
     At(u32),
@@ -36,7 +36,7 @@ enum Extent<'a> {
     Header(u32, u32, Option<u16>, String),
 }
 
-impl Extent<'_> {
+impl CauseExtent<'_> {
     /// An object, and what names it.
     fn named(index: u16) -> Self {
         Self::Header(0, 0, Some(index), format!("{index:04X}h"))
@@ -45,11 +45,11 @@ impl Extent<'_> {
 
 /// What all causes explain together of one rule and severity, so that a finding is not compared with each of them.
 #[derive(Default)]
-struct Scope<'a> {
+struct CauseScope<'a> {
     is_all: bool,
     /// Sorted by [`Self::sort`].
     offsets: Vec<u32>,
-    /// As [`Extent::Behind`]; [`Self::sort`] makes each end that of the farthest so far.
+    /// As [`CauseExtent::Behind`]; [`Self::sort`] makes each end that of the farthest so far.
     ranges: Vec<(u32, u32)>,
     sections: HashSet<usize>,
     objects: HashSet<u16>,
@@ -59,16 +59,16 @@ struct Scope<'a> {
     names: BTreeMap<usize, HashSet<Vec<u8>>>,
 }
 
-impl<'a> Scope<'a> {
-    fn add(&mut self, extent: &Extent<'a>) {
+impl<'a> CauseScope<'a> {
+    fn add(&mut self, extent: &CauseExtent<'a>) {
         match extent {
-            Extent::All => self.is_all = true,
-            Extent::At(offset) => self.offsets.push(*offset),
-            Extent::Behind(start, end) => self.ranges.push((*start, *end)),
-            Extent::Section(number) => drop(self.sections.insert(*number)),
-            Extent::Object(index) => drop(self.objects.insert(*index)),
-            Extent::Keys(message) => self.keys.push(message),
-            Extent::Header(start, end, index, name) => {
+            CauseExtent::All => self.is_all = true,
+            CauseExtent::At(offset) => self.offsets.push(*offset),
+            CauseExtent::Behind(start, end) => self.ranges.push((*start, *end)),
+            CauseExtent::Section(number) => drop(self.sections.insert(*number)),
+            CauseExtent::Object(index) => drop(self.objects.insert(*index)),
+            CauseExtent::Keys(message) => self.keys.push(message),
+            CauseExtent::Header(start, end, index, name) => {
                 self.ranges.push((*start, *end));
                 self.objects.extend(index);
                 self.names.entry(name.len()).or_default().insert(name.clone().into_bytes());
@@ -160,7 +160,7 @@ impl<'a> Places<'a> {
 
     /// Which of the findings others explain.
     fn explained(&self, findings: &[Diagnostic]) -> Vec<bool> {
-        let mut scopes: HashMap<(&str, Severity), Scope<'_>> = HashMap::new();
+        let mut scopes: HashMap<(&str, Severity), CauseScope<'_>> = HashMap::new();
         let located = || findings.iter().zip(&self.spans).filter(|(finding, _)| !finding.labels.is_empty());
         for (finding, span) in located() {
             for one in finding.rule.explains {
@@ -174,10 +174,11 @@ impl<'a> Places<'a> {
                 }
             }
         }
-        scopes.values_mut().for_each(Scope::sort);
+        scopes.values_mut().for_each(CauseScope::sort);
         let is_explained = |(finding, span): (&Diagnostic, &Span)| {
             let scope = scopes.get(&(finding.rule.name(), finding.severity));
-            let covers = |scope: &Scope<'_>| scope.covers(finding, self.text, *span, self.section(*span));
+            let covers =
+                |scope: &CauseScope<'_>| scope.covers(finding, self.text, *span, self.section(*span));
             !finding.labels.is_empty() && scope.is_some_and(covers)
         };
         findings.iter().zip(&self.spans).map(is_explained).collect()
@@ -188,29 +189,29 @@ impl<'a> Places<'a> {
         self.headers.partition_point(|&header| header < span.start)
     }
 
-    fn extent<'b>(&self, reach: Reach, finding: &'b Diagnostic, cause: Span) -> Option<Extent<'b>> {
+    fn extent<'b>(&self, reach: Reach, finding: &'b Diagnostic, cause: Span) -> Option<CauseExtent<'b>> {
         let line = || line(self.text, cause.start);
         match reach {
-            Reach::File => Some(Extent::All),
-            Reach::NoObjects => self.has_no_objects.then_some(Extent::All),
-            Reach::Around => Some(Extent::At(cause.start)),
-            Reach::Section => Some(Extent::Section(self.section(cause))),
+            Reach::File => Some(CauseExtent::All),
+            Reach::NoObjects => self.has_no_objects.then_some(CauseExtent::All),
+            Reach::Around => Some(CauseExtent::At(cause.start)),
+            Reach::Section => Some(CauseExtent::Section(self.section(cause))),
             Reach::Object => match (index_of(finding), self.index_of_section(cause)) {
-                (Some(index), _) => Some(Extent::Object(index)),
-                (None, Some(index)) => Some(Extent::named(index)),
+                (Some(index), _) => Some(CauseExtent::Object(index)),
+                (None, Some(index)) => Some(CauseExtent::named(index)),
                 (None, None) => self.object_of(cause),
             },
-            Reach::Keys => Some(Extent::Keys(&finding.message)),
-            Reach::Lost => self.lost.map(Extent::named),
+            Reach::Keys => Some(CauseExtent::Keys(&finding.message)),
+            Reach::Lost => self.lost.map(CauseExtent::named),
             Reach::List => {
                 let name = self.header_above(cause)?;
                 let list = ObjectList::ALL.into_iter().find(|list| list.name().eq_ignore_ascii_case(name));
-                self.unlisted.get(&list).copied().flatten().map(Extent::Object)
+                self.unlisted.get(&list).copied().flatten().map(CauseExtent::Object)
             }
-            Reach::Value => value_of(line()).map(Extent::Object),
+            Reach::Value => value_of(line()).map(CauseExtent::Object),
             Reach::Conflict if line().starts_with("<<<<<<<") => {
                 let next = self.conflict_ends.partition_point(|&end| end < cause.start);
-                self.conflict_ends.get(next).map(|&end| Extent::Behind(cause.start, end))
+                self.conflict_ends.get(next).map(|&end| CauseExtent::Behind(cause.start, end))
             }
             Reach::Header if line().trim_end().ends_with(']') => {
                 let name = line().trim_matches(|c: char| !c.is_ascii_alphanumeric());
@@ -218,7 +219,7 @@ impl<'a> Places<'a> {
                 let index = name.get(..4).and_then(|index| u16::from_str_radix(index, 16).ok());
                 let end = self.headers.get(self.section(cause)).map_or(u32::MAX, |&next| next);
                 let name = index.map_or(name.to_owned(), |index| format!("{index:04X}h"));
-                (name.len() > 3).then_some(Extent::Header(cause.start, end, index, name))
+                (name.len() > 3).then_some(CauseExtent::Header(cause.start, end, index, name))
             }
             Reach::Conflict | Reach::Header => None,
         }
@@ -234,12 +235,12 @@ impl<'a> Places<'a> {
         u16::from_str_radix(self.header_above(cause)?.get(..4)?, 16).ok()
     }
 
-    fn object_of(&self, cause: Span) -> Option<Extent<'static>> {
+    fn object_of(&self, cause: Span) -> Option<CauseExtent<'static>> {
         let [starts, ends] = &self.object_tags;
         let length = u32::try_from(OBJECT_START.len()).ok()?;
         let start = starts.partition_point(|&start| start + length <= cause.start).checked_sub(1)?;
         let end = ends.partition_point(|&end| end < cause.start);
-        Some(Extent::Behind(starts[start], *ends.get(end)?))
+        Some(CauseExtent::Behind(starts[start], *ends.get(end)?))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::path::Base;
+use super::path::RelativeBase;
 use super::{Location, Report, Subject, Tally};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, one_line, printable};
 
@@ -11,20 +11,20 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Severity, one_line, printa
 #[derive(Debug)]
 pub struct Github<W> {
     out: W,
-    base: Base,
+    base: RelativeBase,
     tally: Tally,
 }
 
 impl<W: Write> Github<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
-        Self { out, base: Base::default(), tally: Tally::default() }
+        Self { out, base: RelativeBase::default(), tally: Tally::default() }
     }
 
     /// With paths as they are seen from `folder`, which is that of the repository.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
-        self.base = Base::new(folder);
+        self.base = RelativeBase::new(folder);
         self
     }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::path::Base;
+use super::path::RelativeBase;
 use super::{Fingerprint, Location, Report, Subject, fingerprints};
 use objdict_model::diagnostic::one_line;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
@@ -15,7 +15,7 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 #[derive(Debug)]
 pub struct Gitlab<W> {
     out: W,
-    base: Base,
+    base: RelativeBase,
     is_empty: bool,
     /// How often each fingerprint was written.
     seen: HashMap<Fingerprint, u32>,
@@ -27,17 +27,17 @@ struct Issue<'a> {
     check_name: &'a str,
     fingerprint: Fingerprint,
     severity: &'static str,
-    location: Position<'a>,
+    location: GitlabPosition<'a>,
 }
 
 #[derive(Serialize)]
-struct Position<'a> {
+struct GitlabPosition<'a> {
     path: &'a str,
-    lines: Lines,
+    lines: GitlabLines,
 }
 
 #[derive(Serialize)]
-struct Lines {
+struct GitlabLines {
     begin: u32,
     end: u32,
 }
@@ -45,13 +45,13 @@ struct Lines {
 impl<W: Write> Gitlab<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
-        Self { out, base: Base::default(), is_empty: true, seen: HashMap::new() }
+        Self { out, base: RelativeBase::default(), is_empty: true, seen: HashMap::new() }
     }
 
     /// With paths as they are seen from `folder`, which is that of the repository.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
-        self.base = Base::new(folder);
+        self.base = RelativeBase::new(folder);
         self
     }
 }
@@ -94,6 +94,6 @@ fn issue<'a>(
             Severity::Warning => "minor",
             Severity::Note => "info",
         },
-        location: Position { path, lines: Lines { begin, end } },
+        location: GitlabPosition { path, lines: GitlabLines { begin, end } },
     }
 }

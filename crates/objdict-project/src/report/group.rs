@@ -19,7 +19,7 @@ const MAX_RANGES: usize = 6;
 
 /// What findings of one cause have in common: all but the place, and the numbers and texts of the file in message and help.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
-struct Cause {
+struct CommonCause {
     rule: &'static str,
     severity: Severity,
     pattern: String,
@@ -27,7 +27,7 @@ struct Cause {
     safety: Option<Applicability>,
 }
 
-impl Cause {
+impl CommonCause {
     fn of(finding: &Diagnostic) -> Self {
         Self {
             rule: finding.rule.id,
@@ -53,12 +53,12 @@ pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findi
     findings.rearrange(|kept| {
         let kept = without_consequences(subject, kept);
         let starts: Vec<u32> = kept.iter().map(|finding| start(subject, finding)).collect();
-        let causes: Vec<Cause> = kept.iter().map(Cause::of).collect();
-        let mut at_place: BTreeMap<(u32, &Cause), usize> = BTreeMap::new();
+        let causes: Vec<CommonCause> = kept.iter().map(CommonCause::of).collect();
+        let mut at_place: BTreeMap<(u32, &CommonCause), usize> = BTreeMap::new();
         for at in starts.iter().copied().zip(&causes) {
             *at_place.entry(at).or_default() += 1;
         }
-        let mut firsts: BTreeMap<&Cause, usize> = BTreeMap::new();
+        let mut firsts: BTreeMap<&CommonCause, usize> = BTreeMap::new();
         let mut joined: Vec<Diagnostic> = Vec::with_capacity(kept.len());
         for (finding, at @ (_, cause)) in kept.into_iter().zip(starts.iter().copied().zip(&causes)) {
             let is_alone = at_place.get(&at).is_none_or(|count| *count > 1);
@@ -91,7 +91,7 @@ fn count(subject: Subject<'_>, finding: &mut Diagnostic, has_more: bool) {
     if finding.also.iter().any(|other| other.help.as_ref().map(Text::shown) != help) {
         finding.help = finding.help.take().map(|help| help.followed_by(&"; the other places differ".into()));
     }
-    let spots: Vec<Spot> = finding.also.iter().map(|other| Spot::of(subject, other)).collect();
+    let spots: Vec<FindingSpot> = finding.also.iter().map(|other| FindingSpot::of(subject, other)).collect();
     let least = if has_more { "at least " } else { "" };
     let rest = say!("; {}{} more like this: {}", least, finding.also.len(), ranges(&spots));
     finding.message = std::mem::take(&mut finding.message).followed_by(&rest);
@@ -99,13 +99,13 @@ fn count(subject: Subject<'_>, finding: &mut Diagnostic, has_more: bool) {
 
 /// Where a finding is, in short.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Spot {
+enum FindingSpot {
     Object(u16),
     Entry(u16, u8),
     Line(u32),
 }
 
-impl Spot {
+impl FindingSpot {
     fn of(subject: Subject<'_>, finding: &Diagnostic) -> Self {
         match finding.labels.first().map(|label| &label.at) {
             Some(At::Place(Place { part: Part::Object(index), .. })) => Self::Object(*index),
@@ -136,8 +136,8 @@ impl Spot {
 }
 
 /// `2100h:02 to 2100h:28, line 17`; the first of them only where there are many.
-fn ranges(spots: &[Spot]) -> Text {
-    let mut ranges: Vec<(Spot, Spot, usize)> = Vec::new();
+fn ranges(spots: &[FindingSpot]) -> Text {
+    let mut ranges: Vec<(FindingSpot, FindingSpot, usize)> = Vec::new();
     for &spot in spots {
         match ranges.last_mut() {
             Some((_, last, count)) if spot.follows(*last) => (*last, *count) = (spot, *count + 1),
@@ -148,7 +148,7 @@ fn ranges(spots: &[Spot]) -> Text {
     let named = ranges.iter().take(MAX_RANGES).map(|&(first, last, count)| match count {
         1 => first.shown(),
         _ => match (first, last) {
-            (Spot::Line(first), Spot::Line(last)) => format!("lines {first} to {last}"),
+            (FindingSpot::Line(first), FindingSpot::Line(last)) => format!("lines {first} to {last}"),
             _ => format!("{} to {}", first.shown(), last.shown()),
         },
     });
@@ -213,10 +213,12 @@ mod tests {
 
     #[test]
     fn places_are_named_in_rows() {
-        let entries = (2..=0x28).map(|sub| Spot::Entry(0x2100, sub));
-        let spots: Vec<Spot> = entries.chain([Spot::Object(0x2101), Spot::Line(3), Spot::Line(4)]).collect();
+        let entries = (2..=0x28).map(|sub| FindingSpot::Entry(0x2100, sub));
+        let spots: Vec<FindingSpot> = entries
+            .chain([FindingSpot::Object(0x2101), FindingSpot::Line(3), FindingSpot::Line(4)])
+            .collect();
         assert_eq!(ranges(&spots), "2100h:02 to 2100h:28, 2101h, lines 3 to 4");
-        let spots: Vec<Spot> = (0..8).map(|number| Spot::Line(2 * number + 1)).collect();
+        let spots: Vec<FindingSpot> = (0..8).map(|number| FindingSpot::Line(2 * number + 1)).collect();
         assert_eq!(ranges(&spots), "line 1, line 3, line 5, line 7, line 9, line 11 and 2 more places");
     }
 }

@@ -34,20 +34,20 @@ pub struct CheckJson<'a> {
     /// The findings, file by file in the order of the arguments, in each file in the order of its text; absent with
     /// `--statistics=only`.
     #[schemars(skip_serializing_if = "Option::is_none")]
-    findings: Option<Vec<Finding<'a>>>,
+    findings: Option<Vec<FindingJson<'a>>>,
     /// With `--statistics`, the rules with findings: the highest severity first, then the most findings.
     #[schemars(skip_serializing_if = "Option::is_none")]
     statistics: Option<Vec<super::statistics::Statistic>>,
     /// Rules with more than 1000 findings in a file.
     omitted: Vec<Omitted>,
     /// What was found in all files.
-    summary: Summary,
+    summary: FindingCounts,
 }
 
 /// A finding.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Finding<'a> {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Finding"))]
+struct FindingJson<'a> {
     /// The file as it was given; `<stdin>` for the standard input.
     file: &'a str,
     /// The id of the rule; `objdict explain` prints its page.
@@ -55,7 +55,7 @@ struct Finding<'a> {
     /// How severe it is.
     severity: Severity,
     #[serde(flatten)]
-    at: Position,
+    at: PositionJson,
     /// The problem; quoted values are cut to 80 characters and `…`.
     message: Cow<'a, str>,
     /// The advice.
@@ -72,13 +72,13 @@ struct Finding<'a> {
     fingerprint: Fingerprint,
     /// What `check --fix` changes, with `--unsafe-fixes` if it is `unsafe`; those of one file never overlap.
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Fix>,
+    fix: Option<FixJson>,
 }
 
 /// A fix.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Fix {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Fix"))]
+struct FixJson {
     /// What it does, as an imperative.
     title: String,
     /// Whether it may be made without review.
@@ -114,7 +114,7 @@ struct Related<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
     #[serde(flatten)]
-    at: Position,
+    at: PositionJson,
     /// What is said of the place.
     message: Cow<'a, str>,
     /// Of another place of the same cause, where it differs from that of the finding.
@@ -124,8 +124,8 @@ struct Related<'a> {
 
 /// A place in the text.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Position {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Position"))]
+struct PositionJson {
     /// The line of the first character, counted from 1.
     line: u32,
     /// The column of the first character, counted from 1 in Unicode scalar values.
@@ -154,8 +154,8 @@ struct Omitted {
 
 /// What was found in all files.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Summary {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Summary"))]
+struct FindingCounts {
     /// The number of files that were checked.
     files: usize,
     /// The number of errors in `findings`.
@@ -242,7 +242,10 @@ impl<W: Write> Report for Json<W> {
         objdict_model::json::write(&mut self.out, &self.omitted)?;
         self.out.write_all(b",\n\"summary\":")?;
         let Tally { files, errors, warnings, notes, suppressed, .. } = self.tally;
-        objdict_model::json::write(&mut self.out, &Summary { files, errors, warnings, notes, suppressed })?;
+        objdict_model::json::write(
+            &mut self.out,
+            &FindingCounts { files, errors, warnings, notes, suppressed },
+        )?;
         self.out.write_all(b"}\n")?;
         self.out.flush()
     }
@@ -253,8 +256,8 @@ fn record<'a>(
     subject: Subject<'a>,
     finding: &'a Diagnostic,
     fingerprint: Fingerprint,
-) -> Finding<'a> {
-    let start = || Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None };
+) -> FindingJson<'a> {
+    let start = || PositionJson { line: 1, column: 1, end_line: 1, end_column: 1, place: None };
     let first = |finding: &'a Diagnostic| {
         finding.labels.first().map_or_else(start, |label| position(&Location::new(subject, label)))
     };
@@ -275,7 +278,7 @@ fn record<'a>(
             help: None,
         }
     };
-    Finding {
+    FindingJson {
         file,
         rule: finding.rule.id,
         severity: finding.severity,
@@ -289,8 +292,8 @@ fn record<'a>(
     }
 }
 
-fn position(location: &Location<'_>) -> Position {
-    Position {
+fn position(location: &Location<'_>) -> PositionJson {
+    PositionJson {
         line: location.start.line,
         column: location.start.column,
         end_line: location.end.line,
@@ -300,7 +303,7 @@ fn position(location: &Location<'_>) -> Position {
 }
 
 /// The fix of a finding, where this file can be changed so.
-fn fix(subject: Subject<'_>, finding: &Diagnostic) -> Option<Fix> {
+fn fix(subject: Subject<'_>, finding: &Diagnostic) -> Option<FixJson> {
     let description = subject.description()?;
     let fix = joint_fix(description, finding)?;
     let encoding = description.encoding_of(&fix).map(|encoding| encoding.to_string());
@@ -314,7 +317,7 @@ fn fix(subject: Subject<'_>, finding: &Diagnostic) -> Option<Fix> {
         Edit { line: start.line, column: start.column, end_line: end.line, end_column: end.column, text }
     };
     let edits = edits.unwrap_or_default().into_iter().map(edit).collect();
-    Some(Fix { title: fix.title.to_string(), safety: fix.safety, encoding, edits })
+    Some(FixJson { title: fix.title.to_string(), safety: fix.safety, encoding, edits })
 }
 
 #[cfg(test)]

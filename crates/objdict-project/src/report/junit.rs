@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::path::Base;
+use super::path::RelativeBase;
 use super::{Location, Report, Subject};
 use objdict_model::diagnostic::one_line;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
@@ -14,7 +14,7 @@ use objdict_xdd::xml::XmlWriter;
 #[derive(Debug)]
 pub struct Junit<W> {
     out: W,
-    base: Base,
+    base: RelativeBase,
     deny: Severity,
     xml: XmlWriter,
 }
@@ -24,13 +24,13 @@ impl<W: Write> Junit<W> {
     pub fn new(out: W) -> Self {
         let mut xml = XmlWriter::new();
         xml.open("testsuites", [("name", "objdict")]);
-        Self { out, base: Base::default(), deny: Severity::Error, xml }
+        Self { out, base: RelativeBase::default(), deny: Severity::Error, xml }
     }
 
     /// With paths as they are seen from `folder`, which is that of the repository.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
-        self.base = Base::new(folder);
+        self.base = RelativeBase::new(folder);
         self
     }
 

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 /// The folder that paths are relative to.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Base(Option<PathBuf>);
+pub(super) struct RelativeBase(Option<PathBuf>);
 
-impl Base {
+impl RelativeBase {
     pub(super) fn new(folder: &Path) -> Self {
         Self(Some(folder.to_owned()))
     }
@@ -69,7 +69,7 @@ mod tests {
     #[test]
     #[cfg(not(windows))]
     fn paths_are_relative_to_the_folder() {
-        let base = Base::new(Path::new("/home/me/product"));
+        let base = RelativeBase::new(Path::new("/home/me/product"));
         for (name, told) in [
             ("drive.eds", "drive.eds"),
             ("./eds/./drive.eds", "eds/drive.eds"),
@@ -81,7 +81,7 @@ mod tests {
         ] {
             assert_eq!(base.relative(name), told);
         }
-        assert_eq!(Base::default().relative("/home/me/a.eds"), "/home/me/a.eds");
+        assert_eq!(RelativeBase::default().relative("/home/me/a.eds"), "/home/me/a.eds");
     }
 
     #[test]

@@ -4,14 +4,14 @@ use objdict_model::source::{LineColumn, SourceFile};
 
 /// Finds lines and columns. Findings come in the order of the text, so on a long line the count goes on from the last one.
 #[derive(Debug)]
-pub(super) struct Columns<'a> {
+pub(super) struct ColumnCounter<'a> {
     source: &'a SourceFile,
     line: usize,
     /// Where the last count ended, and the column of it, counted from 0.
     at: (usize, u32),
 }
 
-impl<'a> Columns<'a> {
+impl<'a> ColumnCounter<'a> {
     pub(super) fn new(source: &'a SourceFile) -> Self {
         Self { source, line: 0, at: (0, 0) }
     }
@@ -41,7 +41,7 @@ mod tests {
     fn characters_beyond_the_basic_plane_are_two_units() {
         let text = "a°\u{1F600}b\r\nc\u{1F600}d";
         let source = SourceFile::from_text("a", text);
-        let mut columns = Columns::new(&source);
+        let mut columns = ColumnCounter::new(&source);
         let mut at = |part: &str| columns.at(text.find(part).unwrap_or(text.len()) as u32);
         assert_eq!(at("b"), LineColumn { line: 1, column: 5 });
         assert_eq!(at("d"), LineColumn { line: 2, column: 4 });

@@ -1,7 +1,7 @@
 //! ASC of Vector: `0.015991 1  18B  Rx  d 5 01 02 04 08 11`.
 
 use super::text::{BAD_ID, TOO_LONG, Words, decimal, fits, hex};
-use super::{Line, LogTime, LoggedFrame, State};
+use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// First words of lines that are not frames.
 const HEADERS: [&[u8]; 8] = [b"date", b"base", b"internal", b"no", b"begin", b"end", b"//", b"previous"];
@@ -37,19 +37,19 @@ pub(super) fn begins(line: &[u8]) -> bool {
     let is_header =
         HEADERS[..2].iter().any(|word| first.eq_ignore_ascii_case(word)) || line.starts_with(b"//");
     // the head of a log may be cut off
-    is_header || matches!(Asc::default().line(line, &mut State::default()), Line::Frame(_))
+    is_header || matches!(Asc::default().line(line, &mut LogState::default()), LogLine::Frame(_))
 }
 
 impl Asc {
-    pub(super) fn line(&mut self, line: &[u8], state: &mut State) -> Line {
+    pub(super) fn line(&mut self, line: &[u8], state: &mut LogState) -> LogLine {
         let mut words = Words(line);
-        let Some(first) = words.next() else { return Line::Other };
+        let Some(first) = words.next() else { return LogLine::Other };
         if first.starts_with(b"//") || HEADERS.iter().any(|word| first.eq_ignore_ascii_case(word)) {
             self.header(first, words);
-            return Line::Other;
+            return LogLine::Other;
         }
         let Some(time) = LogTime::parse(first, false) else {
-            return Line::Bad("the time is not a number");
+            return LogLine::Bad("the time is not a number");
         };
         self.now = if self.is_relative { self.now.after(time) } else { time };
         self.event(words, state)
@@ -62,8 +62,8 @@ impl Asc {
         }
     }
 
-    fn event(&self, mut words: Words<'_>, state: &mut State) -> Line {
-        let Some(channel) = words.next() else { return Line::Bad("the channel is missing") };
+    fn event(&self, mut words: Words<'_>, state: &mut LogState) -> LogLine {
+        let Some(channel) = words.next() else { return LogLine::Bad("the channel is missing") };
         if channel.eq_ignore_ascii_case(b"CANFD") {
             return self.fd_frame(words, state).into();
         }
@@ -71,10 +71,10 @@ impl Asc {
         let mut next = words;
         let second = next.next().unwrap_or_default();
         if is_event(channel) || is_event(second) {
-            return Line::Other;
+            return LogLine::Other;
         }
         if decimal(channel).is_none() {
-            return Line::Bad("the channel is not a number");
+            return LogLine::Bad("the channel is not a number");
         }
         self.frame(channel, words, state).into()
     }
@@ -84,7 +84,7 @@ impl Asc {
         &self,
         channel: &[u8],
         mut words: Words<'_>,
-        state: &mut State,
+        state: &mut LogState,
     ) -> Result<LoggedFrame, &'static str> {
         let id = words.next().unwrap_or_default();
         if id.eq_ignore_ascii_case(b"ErrorFrame") {
@@ -107,7 +107,7 @@ impl Asc {
     }
 
     /// `3 Tx 50005x [NAME] 0 0 5 5 01 02 04 08 11`, or `3 Tx ErrorFrame`.
-    fn fd_frame(&self, mut words: Words<'_>, state: &mut State) -> Result<LoggedFrame, &'static str> {
+    fn fd_frame(&self, mut words: Words<'_>, state: &mut LogState) -> Result<LoggedFrame, &'static str> {
         let channel =
             words.next().filter(|channel| decimal(channel).is_some()).ok_or("the channel is missing")?;
         let is_sent = direction(words.next())?;

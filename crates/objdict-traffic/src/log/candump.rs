@@ -1,7 +1,7 @@
 //! Logs of candump: `(1436509052.249713) can0 18B#0102040811`, and `  can0  18B   [5]  01 02 04 08 11` as it prints them.
 
 use super::text::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
-use super::{Line, LogTime, LoggedFrame, State};
+use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// The flag of error frames in a CAN-ID of SocketCAN.
 const ERROR: u32 = 0x2000_0000;
@@ -19,8 +19,8 @@ pub(super) struct Candump {
 /// Whether a line may be one of candump.
 pub(super) fn begins(line: &[u8]) -> bool {
     matches!(
-        Candump { has_distances: false, now: LogTime::default() }.line(line, &mut State::default()),
-        Line::Frame(_)
+        Candump { has_distances: false, now: LogTime::default() }.line(line, &mut LogState::default()),
+        LogLine::Frame(_)
     )
 }
 
@@ -37,15 +37,15 @@ impl Candump {
         }
     }
 
-    pub(super) fn line(&mut self, line: &[u8], state: &mut State) -> Line {
+    pub(super) fn line(&mut self, line: &[u8], state: &mut LogState) -> LogLine {
         // what `-e` prints behind an error frame
         if line.starts_with(b"\t") || line.trim_ascii().is_empty() {
-            return Line::Other;
+            return LogLine::Other;
         }
         self.frame(line.trim_ascii(), state).into()
     }
 
-    fn frame(&mut self, line: &[u8], state: &mut State) -> Result<LoggedFrame, &'static str> {
+    fn frame(&mut self, line: &[u8], state: &mut LogState) -> Result<LoggedFrame, &'static str> {
         let (time, rest) = match line.first() {
             Some(b'(') => time(line).ok_or("the time is not a number")?,
             _ => (LogTime::default(), line),

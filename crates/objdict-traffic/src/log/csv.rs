@@ -1,7 +1,7 @@
 //! CSV of python-can: `1436509052.249713,0x18b,0,0,0,5,AQIECBE=`.
 
 use super::text::{BAD_ID, TOO_LONG, fits, hex};
-use super::{Line, LogTime, LoggedFrame, State};
+use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 const HEADING: &[u8] = b"timestamp,arbitration_id,extended,remote,error,dlc,data";
 
@@ -15,15 +15,15 @@ impl Csv {
         (line == HEADING || line.split(|byte| *byte == b',').count() == 7).then_some(Self)
     }
 
-    pub(super) fn line(&self, line: &[u8], state: &mut State) -> Line {
+    pub(super) fn line(&self, line: &[u8], state: &mut LogState) -> LogLine {
         match line.trim_ascii() {
-            HEADING | [] => Line::Other,
+            HEADING | [] => LogLine::Other,
             line => frame(line, state).into(),
         }
     }
 }
 
-fn frame(line: &[u8], state: &mut State) -> Result<LoggedFrame, &'static str> {
+fn frame(line: &[u8], state: &mut LogState) -> Result<LoggedFrame, &'static str> {
     let mut cells = line.split(|byte| *byte == b',');
     let mut cell = || cells.next().unwrap_or_default();
     let time = LogTime::parse(cell(), false).ok_or("the time is not a number")?;

@@ -78,7 +78,7 @@ pub struct BadLine {
 }
 
 /// What a line is.
-enum Line {
+enum LogLine {
     Frame(LoggedFrame),
     /// A comment or an event that is not a frame.
     Other,
@@ -89,8 +89,8 @@ enum Line {
 #[derive(Debug)]
 pub struct LogReader<R> {
     source: R,
-    content: Content,
-    state: State,
+    content: LogContent,
+    state: LogState,
     /// The start of a line that is not complete.
     partial: Vec<u8>,
     /// The line of the last frame; empty in a capture.
@@ -98,7 +98,7 @@ pub struct LogReader<R> {
 }
 
 #[derive(Debug)]
-enum Content {
+enum LogContent {
     /// Nothing was read yet.
     Unknown,
     Text(TextLog),
@@ -107,9 +107,9 @@ enum Content {
 
 /// What is known of a log.
 #[derive(Debug, Default)]
-struct State {
+struct LogState {
     options: LogOptions,
-    channels: Channels,
+    channels: ChannelNames,
     line: u64,
     frames: u64,
     bad: Vec<BadLine>,
@@ -118,12 +118,12 @@ struct State {
 
 /// The names of channels by number.
 #[derive(Debug, Default)]
-struct Channels {
+struct ChannelNames {
     names: Vec<String>,
     last: usize,
 }
 
-impl Channels {
+impl ChannelNames {
     /// The number of a channel; of too many all others are one.
     fn number(&mut self, name: &[u8]) -> u16 {
         let is_it = |at: usize| self.names.get(at).is_some_and(|known| known.as_bytes() == name);
@@ -141,7 +141,7 @@ impl Channels {
     }
 }
 
-impl State {
+impl LogState {
     fn bad(&mut self, reason: &'static str) {
         self.bad_count += 1;
         if self.bad.len() < MAX_BAD_LINES {
@@ -153,8 +153,8 @@ impl State {
 impl<R: BufRead> LogReader<R> {
     /// A reader of a log.
     pub fn new(source: R, options: LogOptions) -> Self {
-        let state = State { options, ..State::default() };
-        Self { source, content: Content::Unknown, state, partial: Vec::new(), line_of_frame: Vec::new() }
+        let state = LogState { options, ..LogState::default() };
+        Self { source, content: LogContent::Unknown, state, partial: Vec::new(), line_of_frame: Vec::new() }
     }
 
     /// The next frame; `None` at the end. Lines that are not understood are passed over and [counted](Self::bad_count).
@@ -170,20 +170,20 @@ impl<R: BufRead> LogReader<R> {
     fn next_known(&mut self) -> io::Result<Option<LoggedFrame>> {
         loop {
             match &mut self.content {
-                Content::Unknown => {
+                LogContent::Unknown => {
                     let start = self.source.fill_buf()?;
                     self.content = match Capture::of(start) {
-                        Some(capture) => Content::Capture(capture),
-                        None => Content::Text(TextLog::default()),
+                        Some(capture) => LogContent::Capture(capture),
+                        None => LogContent::Text(TextLog::default()),
                     };
                 }
-                Content::Capture(capture) => {
+                LogContent::Capture(capture) => {
                     return capture.next_frame(&mut self.source, &mut self.state);
                 }
-                Content::Text(_) => match self.next_line()? {
-                    Some(Line::Frame(frame)) => return Ok(Some(frame)),
-                    Some(Line::Bad(reason)) => self.state.bad(reason),
-                    Some(Line::Other) => {}
+                LogContent::Text(_) => match self.next_line()? {
+                    Some(LogLine::Frame(frame)) => return Ok(Some(frame)),
+                    Some(LogLine::Bad(reason)) => self.state.bad(reason),
+                    Some(LogLine::Other) => {}
                     None => return Ok(None),
                 },
             }
@@ -191,8 +191,8 @@ impl<R: BufRead> LogReader<R> {
     }
 
     /// Reads a line where it is in the buffer, or puts its parts together.
-    fn next_line(&mut self) -> io::Result<Option<Line>> {
-        let Content::Text(log) = &mut self.content else { return Ok(None) };
+    fn next_line(&mut self) -> io::Result<Option<LogLine>> {
+        let LogContent::Text(log) = &mut self.content else { return Ok(None) };
         loop {
             let buffer = self.source.fill_buf()?;
             if buffer.is_empty() {
@@ -232,9 +232,9 @@ impl<R: BufRead> LogReader<R> {
     /// The form; `None` until the first frame.
     pub fn form(&self) -> Option<LogForm> {
         match &self.content {
-            Content::Unknown => None,
-            Content::Text(log) => log.form(),
-            Content::Capture(capture) => Some(capture.form()),
+            LogContent::Unknown => None,
+            LogContent::Text(log) => log.form(),
+            LogContent::Capture(capture) => Some(capture.form()),
         }
     }
 

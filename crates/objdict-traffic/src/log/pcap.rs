@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, ErrorKind, Read};
 
 use super::text::fits;
-use super::{LogForm, LogTime, LoggedFrame, State};
+use super::{LogForm, LogState, LogTime, LoggedFrame};
 
 /// The link type of SocketCAN.
 const SOCKETCAN: u32 = 227;
@@ -61,7 +61,7 @@ impl Capture {
     pub(super) fn next_frame(
         &mut self,
         source: &mut impl BufRead,
-        state: &mut State,
+        state: &mut LogState,
     ) -> io::Result<Option<LoggedFrame>> {
         while !self.is_over {
             let next = match self.form {
@@ -121,7 +121,7 @@ impl Capture {
     }
 
     /// A packet of pcap: seconds, fraction, length here, length on the bus.
-    fn packet(&mut self, source: &mut impl BufRead, state: &mut State) -> io::Result<Option<LoggedFrame>> {
+    fn packet(&mut self, source: &mut impl BufRead, state: &mut LogState) -> io::Result<Option<LoggedFrame>> {
         self.block.clear();
         if !self.is_started {
             self.fill(source, 24)?;
@@ -151,7 +151,7 @@ impl Capture {
     fn next_block(
         &mut self,
         source: &mut impl BufRead,
-        state: &mut State,
+        state: &mut LogState,
     ) -> io::Result<Option<LoggedFrame>> {
         self.block.clear();
         self.fill(source, 8)?;
@@ -192,7 +192,7 @@ impl Capture {
         units: u64,
         start: usize,
         length: u32,
-        state: &mut State,
+        state: &mut LogState,
     ) -> Option<LoggedFrame> {
         let end = start.saturating_add(length as usize).min(self.block.len().saturating_sub(4));
         match (self.interfaces.get(interface as usize), self.block.get(start..end)) {
@@ -205,7 +205,7 @@ impl Capture {
     }
 
     /// The description of an interface with its options: name, resolution and offset of times.
-    fn interface(&mut self, state: &mut State) {
+    fn interface(&mut self, state: &mut LogState) {
         if self.interfaces.len() >= MAX_INTERFACES {
             return state.bad("there are too many interfaces");
         }
@@ -244,7 +244,7 @@ impl Capture {
 }
 
 /// The frame in a packet: CAN-ID and flags in the order of the network, length, flags, two unused bytes, data.
-fn frame(interface: &Interface, units: u64, packet: &[u8], state: &mut State) -> Option<LoggedFrame> {
+fn frame(interface: &Interface, units: u64, packet: &[u8], state: &mut LogState) -> Option<LoggedFrame> {
     let mut bad = |reason| {
         state.bad(reason);
         None

@@ -1,6 +1,6 @@
 //! Logs in lines of text: which form they have, and what their lines are made of.
 
-use super::{Line, LogForm, LoggedFrame, MAX_LINE, State};
+use super::{LogForm, LogLine, LogState, LoggedFrame, MAX_LINE};
 use super::{asc, candump, csv, trc};
 
 /// A log whose form its first lines say.
@@ -26,9 +26,9 @@ impl TextLog {
     }
 
     /// What a line is. `next` is what is read of the lines behind it.
-    pub(super) fn line(&mut self, line: &[u8], next: &[u8], state: &mut State) -> Line {
+    pub(super) fn line(&mut self, line: &[u8], next: &[u8], state: &mut LogState) -> LogLine {
         if line.len() > MAX_LINE {
-            return Line::Bad("the line is too long");
+            return LogLine::Bad("the line is too long");
         }
         let line = line.strip_prefix(b"\xEF\xBB\xBF").filter(|_| state.line == 1).unwrap_or(line);
         match self {
@@ -41,10 +41,10 @@ impl TextLog {
     }
 
     /// A line before the form is known.
-    fn first(&mut self, line: &[u8], next: &[u8], state: &mut State) -> Line {
+    fn first(&mut self, line: &[u8], next: &[u8], state: &mut LogState) -> LogLine {
         let text = line.trim_ascii();
         if text.is_empty() {
-            return Line::Other;
+            return LogLine::Other;
         }
         *self = if let Some(log) = csv::Csv::of(text) {
             Self::Csv(log)
@@ -55,7 +55,7 @@ impl TextLog {
         } else if candump::begins(text) {
             Self::Candump(candump::Candump::new(text, next, state.options.has_distances))
         } else {
-            return Line::Bad("the form of the log is not known");
+            return LogLine::Bad("the form of the log is not known");
         };
         self.line(line, next, state)
     }
@@ -129,7 +129,7 @@ pub(super) const fn fits(can_id: u32, is_extended: bool) -> bool {
     can_id <= if is_extended { 0x1FFF_FFFF } else { 0x7FF }
 }
 
-impl From<Result<LoggedFrame, &'static str>> for Line {
+impl From<Result<LoggedFrame, &'static str>> for LogLine {
     fn from(result: Result<LoggedFrame, &'static str>) -> Self {
         match result {
             Ok(frame) => Self::Frame(frame),

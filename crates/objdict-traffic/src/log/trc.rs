@@ -1,7 +1,7 @@
 //! TRC of PEAK: `1)  1059.9  Rx  0300  7  00 00 00 00 04 00 00`, in the versions 1.0 to 1.3, 2.0 and 2.1.
 
 use super::text::{BAD_ID, Words, bytes, decimal, fits, hex};
-use super::{Line, LogTime, LoggedFrame, State};
+use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// The lengths of data by DLC of CAN FD from 9 on.
 const LENGTHS: [u32; 7] = [12, 16, 20, 24, 32, 48, 64];
@@ -36,12 +36,12 @@ struct Cells<'a> {
 }
 
 impl Trc {
-    pub(super) fn line(&mut self, line: &[u8], state: &mut State) -> Line {
+    pub(super) fn line(&mut self, line: &[u8], state: &mut LogState) -> LogLine {
         match line.trim_ascii() {
-            [] => Line::Other,
+            [] => LogLine::Other,
             [b';', header @ ..] => {
                 self.header(header.trim_ascii());
-                Line::Other
+                LogLine::Other
             }
             line => self.row(line, state),
         }
@@ -62,7 +62,7 @@ impl Trc {
         self.columns = columns.to_vec();
     }
 
-    fn row(&self, line: &[u8], state: &mut State) -> Line {
+    fn row(&self, line: &[u8], state: &mut LogState) -> LogLine {
         let mut words = Words(line);
         let mut cells = Cells::default();
         for column in self.columns.iter().filter(|column| **column != b'D') {
@@ -81,13 +81,13 @@ impl Trc {
         if matches!(cells.kind, b"ST" | b"EC" | b"EV")
             || matches!(cells.direction, b"Warng" | b"Event" | b"Status")
         {
-            return Line::Other;
+            return LogLine::Other;
         }
         frame(&cells, words, state).into()
     }
 }
 
-fn frame(cells: &Cells<'_>, mut words: Words<'_>, state: &mut State) -> Result<LoggedFrame, &'static str> {
+fn frame(cells: &Cells<'_>, mut words: Words<'_>, state: &mut LogState) -> Result<LoggedFrame, &'static str> {
     let time = LogTime::parse(cells.time, true).ok_or("the time is not a number")?;
     // version 1.0 writes error frames and statuses under this CAN-ID
     let is_error = cells.kind == b"ER" || cells.direction == b"Error" || cells.id == b"FFFFFFFF";

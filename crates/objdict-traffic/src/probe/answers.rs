@@ -57,13 +57,13 @@ pub(super) const SIZE: &str = "size";
 pub fn read_answers(text: &str) -> Result<Vec<Exchange>, AnswersError> {
     let text = text.trim_start_matches('\u{FEFF}');
     let rows = if text.trim_start().starts_with(['[', '{']) { of_json(text)? } else { of_csv(text)? };
-    rows.iter().enumerate().map(|(at, cells)| Row { number: at + 1, cells }.exchange()).collect()
+    rows.iter().enumerate().map(|(at, cells)| AnswerRow { number: at + 1, cells }.exchange()).collect()
 }
 
 /// The cells of a row by the names of their columns; empty ones are not there.
-type Cells = BTreeMap<String, String>;
+type NamedCells = BTreeMap<String, String>;
 
-fn of_json(text: &str) -> Result<Vec<Cells>, AnswersError> {
+fn of_json(text: &str) -> Result<Vec<NamedCells>, AnswersError> {
     let document: serde_json::Value = serde_json::from_str(text)
         .map_err(|error| AnswersError::Json { line: error.line(), message: error.to_string() })?;
     let list = document.as_array().or_else(|| document.get("answers")?.as_array());
@@ -97,7 +97,7 @@ fn cell(column: &str, value: &serde_json::Value) -> Option<String> {
     }
 }
 
-fn of_csv(text: &str) -> Result<Vec<Cells>, AnswersError> {
+fn of_csv(text: &str) -> Result<Vec<NamedCells>, AnswersError> {
     let mut rows = records(text).into_iter();
     let headings: Vec<String> = rows.next().unwrap_or_default().iter().map(|name| heading(name)).collect();
     for column in [INDEX, SUB] {
@@ -151,12 +151,12 @@ fn is_skipped(line: &str) -> bool {
 }
 
 /// A row that is read.
-struct Row<'a> {
+struct AnswerRow<'a> {
     number: usize,
-    cells: &'a Cells,
+    cells: &'a NamedCells,
 }
 
-impl Row<'_> {
+impl AnswerRow<'_> {
     fn exchange(&self) -> Result<Exchange, AnswersError> {
         let address = |column| self.hex(column)?.ok_or(AnswersError::MissingColumn(column));
         let (index, sub) = (address(INDEX)?, address(SUB)?);

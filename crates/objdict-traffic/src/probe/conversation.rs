@@ -2,7 +2,7 @@
 
 use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 use objdict_bus::Abort;
-use objdict_document::describe::frames::{SdoStep, SdoTransfer};
+use objdict_document::describe::frames::{SdoTransfer, TransferStep};
 use objdict_model::model::{CobId, Device, SdoChannel, predefined};
 
 /// The frames of the SDO channels of a node, taken in their order.
@@ -132,10 +132,10 @@ impl Channel {
         let before = if self.transfer.is_begun_by(data) { self.give_up() } else { None };
         let step = self.transfer.frame(data, true);
         let size = match step {
-            SdoStep::WriteStart(size) => size,
-            SdoStep::Read | SdoStep::BlockRead | SdoStep::Write => None,
+            TransferStep::WriteStart(size) => size,
+            TransferStep::Read | TransferStep::BlockRead | TransferStep::Write => None,
             // of a client that wants no more than the beginning, or that waited in vain
-            SdoStep::Abort(_) => return self.give_up(),
+            TransferStep::Abort(_) => return self.give_up(),
             _ => return before,
         };
         let is_download = self.transfer.is_download();
@@ -152,14 +152,14 @@ impl Channel {
             return None;
         }
         let step = self.transfer.frame(data, false);
-        asked.is_answered |= step != SdoStep::Malformed;
+        asked.is_answered |= step != TransferStep::Malformed;
         let is_of_entry = self.transfer.entry() == Some((asked.index, asked.sub));
         let answer = match step {
-            SdoStep::Abort(code) => SdoAnswer::Abort(Abort::from(code)),
-            SdoStep::Value if !is_of_entry => return None,
-            SdoStep::Value | SdoStep::LastSegment | SdoStep::BlockEnd => self.value(),
-            SdoStep::Written if self.transfer.is_complete() => SdoAnswer::Done,
-            SdoStep::ValueStart(size) => {
+            TransferStep::Abort(code) => SdoAnswer::Abort(Abort::from(code)),
+            TransferStep::Value if !is_of_entry => return None,
+            TransferStep::Value | TransferStep::LastSegment | TransferStep::BlockEnd => self.value(),
+            TransferStep::Written if self.transfer.is_complete() => SdoAnswer::Done,
+            TransferStep::ValueStart(size) => {
                 asked.size = size;
                 return None;
             }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::expectation::{Expectation, hex};
-use super::plan::{Attempt, ProbePlan, Step};
+use super::plan::{Attempt, ProbePlan, Question};
 
 /// The script without its data.
 const SCRIPT: &str = include_str!("probe.py");
@@ -20,7 +20,7 @@ impl ProbePlan {
     pub fn script(&self) -> String {
         let mut questions = "QUESTIONS = [\n".to_owned();
         for step in &self.steps {
-            let Step { index, sub, .. } = step;
+            let Question { index, sub, .. } = step;
             let _ = writeln!(questions, "    (0x{index:04X}, 0x{sub:02X}, {}),", step.attempt.python());
         }
         questions.push_str("]\n");
@@ -72,7 +72,7 @@ impl ProbePlan {
     }
 }
 
-impl Step {
+impl Question {
     fn data_type(&self) -> String {
         let data_type = self.entry.as_ref().and_then(|entry| entry.data_type);
         data_type.map(|data_type| data_type.to_string()).unwrap_or_default()

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 use super::expectation::{Expectation, hex, place};
-use super::verdicts::{Aspect, Contradiction, Memory, of_download, of_undescribed, of_upload, words};
+use super::verdicts::{Aspect, Contradiction, KnownValue, of_download, of_undescribed, of_upload, words};
 use objdict_bus::Abort;
 use objdict_lint::recorded::probe as rules;
 use objdict_model::diagnostic::{Diagnostic, Findings, RuleInfo};
@@ -57,7 +57,7 @@ pub fn judge(device: &Device, node_id: u8, exchanges: &[Exchange]) -> Judgement 
 struct Judge<'d> {
     device: &'d Device,
     node_id: u8,
-    memory: BTreeMap<(u16, u8), Memory>,
+    memory: BTreeMap<(u16, u8), KnownValue>,
     /// Entries that were written before the device saved its parameters.
     saved: BTreeSet<(u16, u8)>,
     /// What the device states as the highest sub-index.
@@ -116,7 +116,7 @@ impl<'d> Judge<'d> {
     fn restart(&mut self, reset: NodeReset) {
         self.memory.retain(|(index, _), _| !reset.concerns(*index));
         let saved = self.saved.iter().filter(|(index, _)| reset.concerns(*index));
-        self.memory.extend(saved.map(|&entry| (entry, Memory::Saved)));
+        self.memory.extend(saved.map(|&entry| (entry, KnownValue::Saved)));
     }
 
     /// What an accepted write does to other entries: saving keeps them over a reset (1010h), restoring undoes that (1011h).
@@ -146,7 +146,7 @@ impl<'d> Judge<'d> {
                 let is_above = entry.sub > 0
                     && self.highest.get(&entry.index).is_some_and(|highest| *highest < entry.sub);
                 let is_counted = is_above && matches!(answer, SdoAnswer::Abort(Abort::NoSubIndex));
-                let memory = self.memory.get(&(entry.index, entry.sub)).unwrap_or(&Memory::Untouched);
+                let memory = self.memory.get(&(entry.index, entry.sub)).unwrap_or(&KnownValue::Untouched);
                 of_upload(entry, answer, memory).filter(|_| !is_counted || self.is_counted_right(entry.index))
             }
             SdoRequest::Download(bytes) => {
@@ -155,8 +155,8 @@ impl<'d> Judge<'d> {
                     self.command(entry.index, bytes);
                 }
                 let memory = match problem {
-                    None => Memory::Written(bytes.clone()),
-                    Some(_) => Memory::Unknown,
+                    None => KnownValue::Written(bytes.clone()),
+                    Some(_) => KnownValue::Unknown,
                 };
                 if *answer == SdoAnswer::Done && (problem.is_none() || entry.is_writable()) {
                     self.memory.insert((entry.index, entry.sub), memory);
@@ -170,7 +170,7 @@ impl<'d> Judge<'d> {
     fn is_counted_right(&self, index: u16) -> bool {
         let Some(entry) = Expectation::of(self.device, index, 0, self.node_id) else { return true };
         let answer = self.highest.get(&index).map(|highest| SdoAnswer::Bytes(vec![*highest]));
-        let problem = answer.and_then(|answer| of_upload(&entry, &answer, &Memory::Untouched));
+        let problem = answer.and_then(|answer| of_upload(&entry, &answer, &KnownValue::Untouched));
         problem.is_none_or(|problem| problem.rule.id != rules::HIGHEST_SUB_INDEX.id)
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::probe::{Exchange, SdoAnswer, SdoRequest};
 use objdict_bus::Abort;
 use objdict_format::scaffold::base::{Demanded, documents};
-use objdict_format::scaffold::objects::Maker;
+use objdict_format::scaffold::objects::ObjectMaker;
 use objdict_format::scaffold::{Features, Wanted, device_info, file_info, newest_version};
 use objdict_model::model::{
     Access, ClockTime, DataType, Date, Device, DummyUsage, Entry, Object, ObjectLists, ObjectType,
@@ -14,7 +14,7 @@ use objdict_model::model::{
 
 /// What is known of an entry.
 #[derive(Debug, Default)]
-struct Seen<'a> {
+struct SeenEntry<'a> {
     answer: Option<&'a SdoAnswer>,
     /// Whether a write was accepted.
     is_writable: bool,
@@ -23,7 +23,7 @@ struct Seen<'a> {
 }
 
 /// The entries that answered.
-type Entries<'a> = BTreeMap<u16, BTreeMap<u8, Seen<'a>>>;
+type AnsweredEntries<'a> = BTreeMap<u16, BTreeMap<u8, SeenEntry<'a>>>;
 
 /// The description of a device that gave these answers; `None` if there is no entry among them. Names, types and access are those of CiA 301 and the
 /// profile of its device type (1000h) where they fit the answers. Of other entries the type is the unsigned integer of the size, or a
@@ -43,7 +43,7 @@ pub fn learn(
     let profile = number(0x1000, 0).and_then(|device_type| u16::try_from(device_type & 0xFFFF).ok());
     let profile = profile.filter(|profile| newest_version(*profile).is_some()).unwrap_or(301);
     let documents = documents(profile);
-    let maker = Maker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
+    let maker = ObjectMaker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     let mut device = Device::default();
     for (&index, entries) in &seen {
         let object = Learner { maker: &maker, node_id, index }.object(entries);
@@ -122,8 +122,8 @@ fn allow(entry: &mut Entry, is_received: bool, bits: u8) {
     }
 }
 
-fn seen(exchanges: &[Exchange]) -> Entries<'_> {
-    let mut seen = Entries::new();
+fn seen(exchanges: &[Exchange]) -> AnsweredEntries<'_> {
+    let mut seen = AnsweredEntries::new();
     for Exchange { index, sub, request, answer, .. } in exchanges {
         let is_write_only = *request == SdoRequest::Upload && *answer == SdoAnswer::Abort(Abort::WriteOnly);
         let is_written = *answer == SdoAnswer::Done;
@@ -143,25 +143,25 @@ fn seen(exchanges: &[Exchange]) -> Entries<'_> {
     seen
 }
 
-fn number_of(seen: &Entries<'_>, index: u16, sub: u8) -> Option<u32> {
+fn number_of(seen: &AnsweredEntries<'_>, index: u16, sub: u8) -> Option<u32> {
     let bytes = seen.get(&index)?.get(&sub)?.answer?.bytes(Some(DataType::UNSIGNED32))?;
     bytes.try_into().ok().map(u32::from_le_bytes)
 }
 
-fn text_of(seen: &Entries<'_>, index: u16) -> Option<String> {
+fn text_of(seen: &AnsweredEntries<'_>, index: u16) -> Option<String> {
     let bytes = seen.get(&index)?.get(&0)?.answer?.bytes(Some(DataType::VISIBLE_STRING))?;
     is_text(&bytes).then(|| String::from_utf8_lossy(&bytes).trim_end_matches('\0').to_owned())
 }
 
 /// Makes one object.
 struct Learner<'a> {
-    maker: &'a Maker<'a>,
+    maker: &'a ObjectMaker<'a>,
     node_id: Option<u8>,
     index: u16,
 }
 
 impl Learner<'_> {
-    fn object(&self, entries: &BTreeMap<u8, Seen<'_>>) -> Object {
+    fn object(&self, entries: &BTreeMap<u8, SeenEntry<'_>>) -> Object {
         let known = self.maker.described(self.index);
         let mut object = Object::default();
         let name = known
@@ -198,7 +198,7 @@ impl Learner<'_> {
         object
     }
 
-    fn entry(&self, sub: u8, seen: &Seen<'_>, name: String) -> Entry {
+    fn entry(&self, sub: u8, seen: &SeenEntry<'_>, name: String) -> Entry {
         let known = self.maker.knows(self.index, sub).then(|| self.maker.entry(self.index, sub));
         let known_type = known.as_ref().and_then(|known| known.data_type);
         let data_type = match (known_type, seen.answer) {

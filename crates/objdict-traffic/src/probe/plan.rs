@@ -20,12 +20,12 @@ pub struct ProbeOptions {
 #[derive(Clone, Debug)]
 pub struct ProbePlan {
     pub(super) node_id: u8,
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<Question>,
 }
 
 /// One question.
 #[derive(Clone, Debug)]
-pub(super) struct Step {
+pub(super) struct Question {
     pub(super) index: u16,
     pub(super) sub: u8,
     /// The entry; `None` for one that must not be there.
@@ -127,11 +127,17 @@ impl ProbePlan {
     }
 
     fn ask(&mut self, entry: Expectation, attempt: Attempt, refusal: Option<Abort>) {
-        self.steps.push(Step { index: entry.index, sub: entry.sub, entry: Some(entry), attempt, refusal });
+        self.steps.push(Question {
+            index: entry.index,
+            sub: entry.sub,
+            entry: Some(entry),
+            attempt,
+            refusal,
+        });
     }
 
     fn ask_nothing(&mut self, index: u16, sub: u8, refusal: Abort) {
-        self.steps.push(Step { index, sub, entry: None, attempt: Attempt::Read, refusal: Some(refusal) });
+        self.steps.push(Question { index, sub, entry: None, attempt: Attempt::Read, refusal: Some(refusal) });
     }
 
     /// What is tried with an entry that has a value, so that it can be written back.
@@ -173,7 +179,7 @@ struct Asking<T> {
 }
 
 impl<T: FnMut(u16, u8, &SdoRequest) -> SdoAnswer> Asking<T> {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &Question) {
         let before = self.read(step);
         let (false, Some(before)) = (step.attempt == Attempt::Read, before.filter(|bytes| !bytes.is_empty()))
         else {
@@ -187,16 +193,16 @@ impl<T: FnMut(u16, u8, &SdoRequest) -> SdoAnswer> Asking<T> {
         }
     }
 
-    fn read(&mut self, step: &Step) -> Option<Vec<u8>> {
+    fn read(&mut self, step: &Question) -> Option<Vec<u8>> {
         let answer = self.transfer(step, SdoRequest::Upload);
         answer.bytes(step.entry.as_ref().and_then(|entry| entry.data_type))
     }
 
-    fn write(&mut self, step: &Step, bytes: Vec<u8>) -> bool {
+    fn write(&mut self, step: &Question, bytes: Vec<u8>) -> bool {
         self.transfer(step, SdoRequest::Download(bytes)) == SdoAnswer::Done
     }
 
-    fn transfer(&mut self, step: &Step, request: SdoRequest) -> SdoAnswer {
+    fn transfer(&mut self, step: &Question, request: SdoRequest) -> SdoAnswer {
         let (index, sub) = (step.index, step.sub);
         let answer = (self.transfer)(index, sub, &request);
         self.exchanges.push(Exchange { reset: None, index, sub, request, answer: answer.clone() });

@@ -29,7 +29,7 @@ pub(super) enum Aspect {
 
 /// What is known of the value of an entry from what was written before.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) enum Memory {
+pub(super) enum KnownValue {
     /// It was not written.
     #[default]
     Untouched,
@@ -40,9 +40,9 @@ pub(super) enum Memory {
     Unknown,
 }
 
-type Verdict = Option<Contradiction>;
+type ProbeVerdict = Option<Contradiction>;
 
-fn contradiction(rule: &'static RuleInfo, at: Aspect, message: Text) -> Verdict {
+fn contradiction(rule: &'static RuleInfo, at: Aspect, message: Text) -> ProbeVerdict {
     Some(Contradiction { rule, message, at })
 }
 
@@ -52,7 +52,7 @@ pub(super) fn of_undescribed(
     request: &SdoRequest,
     answer: &SdoAnswer,
     has_object: bool,
-) -> Verdict {
+) -> ProbeVerdict {
     match answer {
         SdoAnswer::Silence => no_answer(place),
         SdoAnswer::Abort(Abort::NoObject) if !has_object => None,
@@ -70,7 +70,7 @@ pub(super) fn of_undescribed(
 }
 
 /// The answer to a request to read a described entry.
-pub(super) fn of_upload(entry: &Expectation, answer: &SdoAnswer, memory: &Memory) -> Verdict {
+pub(super) fn of_upload(entry: &Expectation, answer: &SdoAnswer, memory: &KnownValue) -> ProbeVerdict {
     let place = &entry.place();
     match answer {
         SdoAnswer::Silence => no_answer(place),
@@ -109,8 +109,8 @@ pub(super) fn of_upload(entry: &Expectation, answer: &SdoAnswer, memory: &Memory
 }
 
 /// A value that was read.
-fn of_value(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
-    if *memory == Memory::Unknown {
+fn of_value(entry: &Expectation, bytes: &[u8], memory: &KnownValue) -> ProbeVerdict {
+    if *memory == KnownValue::Unknown {
         return None;
     }
     of_size(entry, bytes.len())
@@ -134,22 +134,22 @@ fn of_value(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
         .or_else(|| of_content(entry, bytes, memory))
 }
 
-fn of_size(entry: &Expectation, length: usize) -> Verdict {
+fn of_size(entry: &Expectation, length: usize) -> ProbeVerdict {
     let expected = entry.length().filter(|expected| *expected != length)?;
     let message = say!("{} has {} bytes, and {} has {}", entry.place(), length, type_name(entry), expected);
     contradiction(&WRONG_SIZE, Aspect::Field(Field::DataType), message)
 }
 
 /// A value beside the one that is described, or that was written.
-fn of_content(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
+fn of_content(entry: &Expectation, bytes: &[u8], memory: &KnownValue) -> ProbeVerdict {
     let place = entry.place();
-    if let Memory::Written(written) = memory {
+    if let KnownValue::Written(written) = memory {
         let is_own = bytes == written || entry.is_mappable || is_service(entry.index);
         let message =
             || say!("{} is {}, and {} was written", place, entry.shown(bytes), entry.shown(written));
         return if is_own { None } else { contradiction(&OTHER_THAN_WRITTEN, Aspect::Entry, message()) };
     }
-    let described = entry.default.as_ref().filter(|_| !is_volatile(entry) && *memory != Memory::Saved)?;
+    let described = entry.default.as_ref().filter(|_| !is_volatile(entry) && *memory != KnownValue::Saved)?;
     if is_same(entry, bytes, described) {
         return None;
     }
@@ -174,7 +174,7 @@ fn is_same(entry: &Expectation, bytes: &[u8], described: &[u8]) -> bool {
 }
 
 /// The answer to a request to write a described entry.
-pub(super) fn of_download(entry: &Expectation, bytes: &[u8], answer: &SdoAnswer) -> Verdict {
+pub(super) fn of_download(entry: &Expectation, bytes: &[u8], answer: &SdoAnswer) -> ProbeVerdict {
     let place = &entry.place();
     let abort = match answer {
         SdoAnswer::Silence => return no_answer(place),
@@ -222,7 +222,7 @@ pub(super) fn of_download(entry: &Expectation, bytes: &[u8], answer: &SdoAnswer)
     }
 }
 
-fn of_wrong_size(entry: &Expectation, bytes: &[u8], abort: Option<Abort>) -> Verdict {
+fn of_wrong_size(entry: &Expectation, bytes: &[u8], abort: Option<Abort>) -> ProbeVerdict {
     let is_long = entry.length().is_some_and(|length| length < bytes.len());
     let right = if is_long { Abort::TooLong } else { Abort::TooShort };
     match abort {
@@ -236,15 +236,15 @@ fn of_wrong_size(entry: &Expectation, bytes: &[u8], abort: Option<Abort>) -> Ver
     }
 }
 
-fn no_answer(place: &str) -> Verdict {
+fn no_answer(place: &str) -> ProbeVerdict {
     contradiction(&NO_ANSWER, Aspect::Entry, say!("a request for {} has no answer", place))
 }
 
-fn absent(place: &str, abort: Abort) -> Verdict {
+fn absent(place: &str, abort: Abort) -> ProbeVerdict {
     contradiction(&ABSENT, Aspect::Entry, say!("the device lacks {}: it answers {}", place, words(abort)))
 }
 
-fn wrong_abort(place: &str, what: &str, abort: Abort, right: Abort) -> Verdict {
+fn wrong_abort(place: &str, what: &str, abort: Abort, right: Abort) -> ProbeVerdict {
     let message = say!("{} {} is aborted with `{}` instead of `{}`", what, place, words(abort), words(right));
     contradiction(&WRONG_ABORT, Aspect::Entry, message)
 }

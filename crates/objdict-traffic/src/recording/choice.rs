@@ -11,7 +11,7 @@ pub struct PlotChoice {
 
 /// A signal that may be chosen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Signal<'s> {
+pub(super) struct OfferedSignal<'s> {
     pub(super) node_id: u8,
     pub(super) node: &'s str,
     /// Index and sub-index; `None` for what no entry has.
@@ -20,7 +20,7 @@ pub(super) struct Signal<'s> {
 }
 
 impl PlotChoice {
-    pub(super) fn is_for(&self, signal: &Signal<'_>) -> bool {
+    pub(super) fn is_for(&self, signal: &OfferedSignal<'_>) -> bool {
         // a name of a node or of an entry may have points itself
         let mut points = self.text.match_indices('.').map(|(at, _)| self.text.split_at(at));
         signal.is_called(&self.text)
@@ -28,7 +28,7 @@ impl PlotChoice {
     }
 }
 
-impl Signal<'_> {
+impl OfferedSignal<'_> {
     fn is_of(&self, node: &str) -> bool {
         node.eq_ignore_ascii_case(self.node) || node.parse() == Ok(self.node_id)
     }
@@ -72,8 +72,12 @@ mod tests {
 
     #[test]
     fn signals_are_found_by_address_name_and_node() {
-        let position =
-            Signal { node_id: 5, node: "x.drive", entry: Some((0x6064, 0)), name: "Pos. actual value" };
+        let position = OfferedSignal {
+            node_id: 5,
+            node: "x.drive",
+            entry: Some((0x6064, 0)),
+            name: "Pos. actual value",
+        };
         let is_chosen = |text: &str| text.parse::<PlotChoice>().unwrap().is_for(&position);
         for text in [
             "6064",

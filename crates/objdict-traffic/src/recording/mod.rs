@@ -5,12 +5,12 @@ mod page;
 
 use std::collections::BTreeMap;
 
-use self::choice::Signal;
+use self::choice::OfferedSignal;
 pub use self::choice::{PlotChoice, address};
 pub use self::page::PageTexts;
 use super::{Bus, PRE_OPERATIONAL, raw};
 use crate::log::LoggedFrame;
-use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoStep, SignalReading, nmt_state};
+use objdict_document::describe::frames::{DecodedFrame, FrameKind, SignalReading, TransferStep, nmt_state};
 use objdict_document::{Bands, Curve, Density};
 use objdict_model::model::Value;
 
@@ -33,7 +33,7 @@ const MAX_BINS: usize = 1000;
 const NMT_STATE: &str = "NMT state";
 
 /// A signal: the position of the bus, the node-ID, index and sub-index.
-type Key = (usize, u8, u16, u8);
+type SignalKey = (usize, u8, u16, u8);
 
 /// What becomes of the values of a signal.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ enum Fate {
 /// The course of a signal.
 #[derive(Debug)]
 struct Plot {
-    key: Key,
+    key: SignalKey,
     /// The entry with its name.
     name: String,
     unit: String,
@@ -73,7 +73,7 @@ pub struct Recording {
     /// The lanes by bus and node-ID, 0 for frames of no node.
     lanes: BTreeMap<(usize, u8), usize>,
     states: BTreeMap<(usize, u8), Bands>,
-    signals: BTreeMap<Key, Fate>,
+    signals: BTreeMap<SignalKey, Fate>,
     plots: Vec<Plot>,
     /// Names of signals that are not drawn, and how many there are.
     left_out: (Vec<String>, usize),
@@ -143,14 +143,14 @@ impl Recording {
     /// A value that a node answers or has accepted.
     fn transfer(&mut self, decoded: &DecodedFrame, time: i64, (at, node_id): (usize, u8), bus: &Bus<'_>) {
         let Some(sdo) = decoded.sdo else { return };
-        let is_taken = sdo.step == SdoStep::Written || !sdo.is_request && sdo.step.has_value();
+        let is_taken = sdo.step == TransferStep::Written || !sdo.is_request && sdo.step.has_value();
         let Some((index, sub)) = sdo.entry.filter(|_| is_taken) else { return };
         if let Some((_, Some(value))) = bus.reader.transferred(decoded) {
             self.value((at, node_id, index, sub), &value, time, false, bus);
         }
     }
 
-    fn value(&mut self, key: Key, value: &Value, time: i64, is_pdo: bool, bus: &Bus<'_>) {
+    fn value(&mut self, key: SignalKey, value: &Value, time: i64, is_pdo: bool, bus: &Bus<'_>) {
         let (_, node_id, index, sub) = key;
         if !self.signals.contains_key(&key) {
             let is_wanted = !self.choices.is_empty() || is_pdo;
@@ -188,11 +188,11 @@ impl Recording {
     }
 
     /// What becomes of a signal where signals are chosen.
-    fn chosen(&mut self, key: Key, name: &str, entry: Option<(u16, u8)>, bus: &Bus<'_>) -> Fate {
+    fn chosen(&mut self, key: SignalKey, name: &str, entry: Option<(u16, u8)>, bus: &Bus<'_>) -> Fate {
         let node = bus.reader.name(key.1);
         // behind the address of the entry
         let own = if entry.is_some() { name.split_once(' ').map_or("", |(_, own)| own) } else { name };
-        let signal = Signal { node_id: key.1, node: &node, entry, name: own };
+        let signal = OfferedSignal { node_id: key.1, node: &node, entry, name: own };
         let mut is_chosen = false;
         for (choice, used) in self.choices.iter().zip(&mut self.used) {
             if choice.is_for(&signal) {
@@ -202,7 +202,7 @@ impl Recording {
         if is_chosen { self.drawn(key, name, MAX_PLOTS, bus) } else { Fate::LeftOut }
     }
 
-    fn drawn(&mut self, key: Key, name: &str, most: usize, bus: &Bus<'_>) -> Fate {
+    fn drawn(&mut self, key: SignalKey, name: &str, most: usize, bus: &Bus<'_>) -> Fate {
         if self.plots.len() >= most {
             self.left_out.1 += 1;
             if self.left_out.0.len() < MAX_NAMES {

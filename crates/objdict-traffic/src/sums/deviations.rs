@@ -2,7 +2,7 @@
 
 use crate::log::LoggedFrame;
 use crate::{Bus, raw};
-use objdict_document::describe::frames::{DecodedFrame, SdoStep};
+use objdict_document::describe::frames::{DecodedFrame, TransferStep};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::diagnostic::RuleInfo;
 use objdict_model::model::{Access, DataType, Entry};
@@ -15,7 +15,7 @@ pub(super) type Deviation = (&'static RuleInfo, String);
 
 /// What a description says of the frames of a TPDO.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Expected {
+pub(super) struct ExpectedFrames {
     /// How often PDOs had changed when it was found.
     changes: Option<u64>,
     bytes: Option<usize>,
@@ -25,7 +25,7 @@ pub(super) struct Expected {
     window: Option<i64>,
 }
 
-impl Expected {
+impl ExpectedFrames {
     fn of(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> Self {
         let changes = Some(bus.reader.changes().pdos);
         let bits = bus.reader.mapped_bits(decoded, &raw(frame));
@@ -98,7 +98,7 @@ fn name(decoded: &DecodedFrame, bus: &Bus<'_>) -> String {
 /// What a transfer says against the type, the access or the limits of its entry.
 pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<Deviation> {
     let sdo = decoded.sdo?;
-    let is_written = sdo.step == SdoStep::Written;
+    let is_written = sdo.step == TransferStep::Written;
     let is_answer = !sdo.is_request && sdo.step.has_value();
     let (index, sub) = sdo.entry.filter(|_| is_written || is_answer)?;
     let described = bus.description(node_id)?;

@@ -8,7 +8,7 @@ mod report;
 use std::collections::BTreeMap;
 
 use self::cycle::Cycle;
-use self::deviations::{Expected, of_transfer};
+use self::deviations::{ExpectedFrames, of_transfer};
 use self::history::History;
 pub use self::history::NodeEvent;
 pub(crate) use self::history::Seen;
@@ -16,7 +16,7 @@ pub use self::report::BusReport;
 use super::{Bus, Origin, PRE_OPERATIONAL};
 use crate::log::{LogTime, LoggedFrame};
 use objdict_bus::classical_bits;
-use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoStep};
+use objdict_document::describe::frames::{DecodedFrame, FrameKind, TransferStep};
 use objdict_lint::recorded::traffic as rules;
 use objdict_network::Service;
 
@@ -41,7 +41,7 @@ struct MessageSums {
     service: Option<Service>,
     node_id: Option<u8>,
     cycle: Cycle,
-    expected: Expected,
+    expected: ExpectedFrames,
 }
 
 /// What was seen of a node.
@@ -244,12 +244,12 @@ impl BusSums {
             self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
         }
         match (sdo.step, sdo.entry) {
-            (SdoStep::Abort(_), _) => {
+            (TransferStep::Abort(_), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
                 let moment = Seen::of(frame, origin);
                 self.aborts.add(moment, node_id, None, || bus.words(decoded, frame));
             }
-            (SdoStep::Written, Some((index, sub))) => {
+            (TransferStep::Written, Some((index, sub))) => {
                 let key = (node_id, index, sub);
                 if self.written.len() >= MAX_WRITTEN && !self.written.contains_key(&key) {
                     self.is_written_cut = true;

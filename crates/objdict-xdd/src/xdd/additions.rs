@@ -6,7 +6,7 @@ use super::{XddVersion, fact};
 use crate::diagnostic::Findings;
 use crate::model::Device;
 use crate::source::{EditError, SourceFile};
-use crate::xml::{Editor, Element, Tree, n};
+use crate::xml::{Element, Tree, XmlEditor, n};
 
 /// The bytes of `tree`, whose root is the container, with those objects of `device` that it lacks. `None` for a text without
 /// a list of objects.
@@ -16,7 +16,7 @@ pub fn with_objects(tree: &Tree, device: &Device) -> Option<Result<Vec<u8>, Edit
     let complete = parsed(without_references(&complete)?.ok()?);
     let (new_list, new) = object_list(&complete)?;
     let prefix = objects.first().map_or(list, |(_, object)| *object).prefix();
-    let mut editor = Editor::new(tree);
+    let mut editor = XmlEditor::new(tree);
     let counts =
         new_list.attributes().filter(|count| list.attributes().any(|old| old.name() == count.name()));
     for count in counts {
@@ -49,7 +49,7 @@ fn object_list(tree: &Tree) -> Option<(Element<'_>, Vec<(u32, Element<'_>)>)> {
 
 /// The text without the references of objects to parameters, which are in another profile of the file.
 fn without_references(tree: &Tree) -> Option<Result<String, EditError>> {
-    let mut editor = Editor::new(tree);
+    let mut editor = XmlEditor::new(tree);
     for element in Layout::of_document(tree)?.objects().flat_map(with_subs) {
         editor.remove_attribute(element, n::uniqueIDRef.text());
     }

@@ -6,7 +6,7 @@ use super::schema::network::DEVICE_COMMISSIONING;
 use super::{defaults, fact};
 use crate::model::Commissioning;
 use crate::source::EditError;
-use crate::xml::{Editor, Element, Name, Tree, escaped_value, n};
+use crate::xml::{Element, Name, Tree, XmlEditor, escaped_value, n};
 
 /// The bytes of `tree` as an XDC with the name `file_name` for the node `node`; the values of `node` replace
 /// those of the text. `None` if the file has no place for them: without a communication network profile, and
@@ -14,7 +14,7 @@ use crate::xml::{Editor, Element, Name, Tree, escaped_value, n};
 pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Result<Vec<u8>, EditError>> {
     let layout = Layout::of_document(tree)?;
     let body = layout.network?.body;
-    let mut editor = Editor::new(tree);
+    let mut editor = XmlEditor::new(tree);
     rename(&layout, file_name, &mut editor);
     let management = body.child(n::NetworkManagement);
     match management.and_then(|management| management.child(n::deviceCommissioning)) {
@@ -35,7 +35,7 @@ pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Resu
 /// `None` for a project with several devices.
 pub fn to_xdd(tree: &Tree, file_name: &str) -> Option<Result<Vec<u8>, EditError>> {
     let layout = Layout::of_document(tree)?;
-    let mut editor = Editor::new(tree);
+    let mut editor = XmlEditor::new(tree);
     rename(&layout, file_name, &mut editor);
     let management = layout.network.and_then(|network| network.body.child(n::NetworkManagement));
     for node in management.iter().flat_map(|management| management.children_named(n::deviceCommissioning)) {
@@ -52,7 +52,7 @@ pub fn to_xdd(tree: &Tree, file_name: &str) -> Option<Result<Vec<u8>, EditError>
     Some(editor.to_bytes())
 }
 
-fn rename<'a>(layout: &Layout<'a>, file_name: &str, editor: &mut Editor<'a>) {
+fn rename<'a>(layout: &Layout<'a>, file_name: &str, editor: &mut XmlEditor<'a>) {
     for profile in [layout.device, layout.network].into_iter().flatten() {
         editor.set_attribute(profile.body, n::fileName.text(), file_name);
     }
@@ -76,7 +76,7 @@ fn insert<'a>(
     body: Element<'a>,
     management: Option<Element<'a>>,
     node: &Commissioning,
-    editor: &mut Editor<'a>,
+    editor: &mut XmlEditor<'a>,
 ) {
     let settings = fact::texts(node, &DEVICE_COMMISSIONING, true).into_iter();
     let settings: String =

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::defaults::{self, Placeholders};
-use super::schema::{At, Attribute, Kind, Shape};
+use super::schema::{AttributePlace, SchemaAttribute, Shape, TextKind};
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
@@ -15,7 +15,7 @@ use crate::xml::{self, Element, Name, n};
 
 /// A text with its position.
 #[derive(Clone, Debug)]
-pub(crate) struct Text<'a> {
+pub(crate) struct PlacedText<'a> {
     /// For the text of an element: without blanks at its ends.
     pub(crate) text: Cow<'a, str>,
     /// The position of the text.
@@ -23,7 +23,7 @@ pub(crate) struct Text<'a> {
 }
 
 /// A part of the model with fields that an EDS has too.
-pub(crate) trait Facts {
+pub(crate) trait SharedFields {
     /// The texts that are not valid in their fields.
     fn invalid_values(&self) -> &InvalidValues;
 
@@ -33,7 +33,7 @@ pub(crate) trait Facts {
 
 macro_rules! facts {
     ($($Part:ty),+) => {$(
-        impl Facts for $Part {
+        impl SharedFields for $Part {
             fn invalid_values(&self) -> &InvalidValues {
                 &self.invalid_values
             }
@@ -50,18 +50,23 @@ facts! { Commissioning, DeviceInfo, Entry, FileInfo }
 /// A field that CiA 311 spells in one way, and real files in many.
 pub(crate) trait Fact {
     /// Reads a non-empty text.
-    fn take(&mut self, text: &Text<'_>, known: &Attribute, findings: &mut Findings) -> Result<(), Reason>;
+    fn take(
+        &mut self,
+        text: &PlacedText<'_>,
+        known: &SchemaAttribute,
+        findings: &mut Findings,
+    ) -> Result<(), Reason>;
 
     /// The text of the value; `None` without a value.
-    fn text(&self, known: &Attribute) -> Option<String>;
+    fn text(&self, known: &SchemaAttribute) -> Option<String>;
 }
 
 /// Passes a text to the field of the attribute with a name; `false` if there is none.
-pub(crate) fn take<P: Facts>(
+pub(crate) fn take<P: SharedFields>(
     part: &mut P,
     shape: &'static Shape<P>,
     name: Name,
-    text: &Text<'_>,
+    text: &PlacedText<'_>,
     placeholders: Placeholders,
     findings: &mut Findings,
 ) -> bool {
@@ -70,15 +75,15 @@ pub(crate) fn take<P: Facts>(
 }
 
 /// Passes a text to the field of an attribute; `false` if it has none.
-pub(crate) fn take_at<P: Facts>(
+pub(crate) fn take_at<P: SharedFields>(
     part: &mut P,
-    known: &Attribute,
-    at: &At<P>,
-    text: &Text<'_>,
+    known: &SchemaAttribute,
+    at: &AttributePlace<P>,
+    text: &PlacedText<'_>,
     placeholders: Placeholders,
     findings: &mut Findings,
 ) -> bool {
-    let At::Fact(field) = at else { return false };
+    let AttributePlace::Fact(field) = at else { return false };
     let is_placeholder = |nothing| text.text == nothing || text.trimmed() == nothing;
     let is_unstated = placeholders.are_dropped() && known.unstated.is_some_and(is_placeholder);
     if !is_unstated
@@ -92,8 +97,12 @@ pub(crate) fn take_at<P: Facts>(
 }
 
 /// The text of an attribute with a field: its value, or else the invalid text.
-pub(crate) fn text<P: Facts>(part: &P, known: &Attribute, at: &At<P>) -> Option<String> {
-    let At::Fact(field) = at else { return None };
+pub(crate) fn text<P: SharedFields>(
+    part: &P,
+    known: &SchemaAttribute,
+    at: &AttributePlace<P>,
+) -> Option<String> {
+    let AttributePlace::Fact(field) = at else { return None };
     let value = || (field.get)(part).and_then(|fact| fact.text(known));
     let invalid = || Some(part.invalid_values().get(&known.field()?)?.text.to_string());
     match known.name {
@@ -105,16 +114,20 @@ pub(crate) fn text<P: Facts>(part: &P, known: &Attribute, at: &At<P>) -> Option<
 
 /// The attributes of an element that have fields, in order; a required one without a value gets its
 /// placeholder.
-pub(crate) fn texts<P: Facts>(part: &P, shape: &'static Shape<P>, is_demanded: bool) -> Vec<(Name, String)> {
+pub(crate) fn texts<P: SharedFields>(
+    part: &P,
+    shape: &'static Shape<P>,
+    is_demanded: bool,
+) -> Vec<(Name, String)> {
     let attributes = shape.attributes.iter().zip(shape.values);
-    let text_of = |(known, at): (&Attribute, &At<P>)| {
+    let text_of = |(known, at): (&SchemaAttribute, &AttributePlace<P>)| {
         let unstated = || known.unstated.filter(|_| is_demanded).map(str::to_owned);
         Some((known.name, text(part, known, at).or_else(unstated)?))
     };
     attributes.filter_map(text_of).collect()
 }
 
-impl<'a> Text<'a> {
+impl<'a> PlacedText<'a> {
     /// The value of an attribute.
     pub(crate) fn of(attribute: xml::Attribute<'a>) -> Self {
         Self { text: attribute.value(), at: attribute.value_span() }
@@ -206,13 +219,13 @@ pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
 macro_rules! words {
     ($($Value:ty: $reason:ident, $read:expr, $write:expr;)+) => {$(
         impl Fact for Option<$Value> {
-            fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+            fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
                 *self = None;
                 *self = text.word($read, Reason::$reason)?;
                 Ok(())
             }
 
-            fn text(&self, _: &Attribute) -> Option<String> {
+            fn text(&self, _: &SchemaAttribute) -> Option<String> {
                 self.map($write)
             }
         }
@@ -235,13 +248,13 @@ words! {
 
 /// Two or four hex digits, or a name. Older versions of CANopenEditor write `0000` for a type that is not stated.
 impl Fact for Option<DataType> {
-    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+    fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         *self = None;
         *self = text.word(data_type, Reason::NotANumber)?.filter(|data_type| data_type.0 != 0);
         Ok(())
     }
 
-    fn text(&self, _: &Attribute) -> Option<String> {
+    fn text(&self, _: &SchemaAttribute) -> Option<String> {
         self.map(|data_type| format!("{:04X}", data_type.0))
     }
 }
@@ -250,12 +263,12 @@ impl Fact for Option<DataType> {
 macro_rules! numbers {
     ($($Number:ty)+) => {$(
         impl Fact for Option<$Number> {
-            fn take(&mut self, text: &Text<'_>, known: &Attribute, findings: &mut Findings) -> Result<(), Reason> {
+            fn take(&mut self, text: &PlacedText<'_>, known: &SchemaAttribute, findings: &mut Findings) -> Result<(), Reason> {
                 *self = None;
                 let most = known.most.unwrap_or(u64::from(<$Number>::MAX));
                 *self = match known.kind {
                     // 0 is what version 1.0 says of a node whose bit rate is not known
-                    Kind::Rate => text
+                    TextKind::Rate => text
                         .word(|text| bit_rate(text)?.try_into().ok(), Reason::UnknownWord)?
                         .filter(|kbit| *kbit != 0),
                     _ => text.integer(most, findings)?,
@@ -263,8 +276,8 @@ macro_rules! numbers {
                 Ok(())
             }
 
-            fn text(&self, known: &Attribute) -> Option<String> {
-                self.map(|number| if let Kind::Rate = known.kind { format!("{number} Kbps") } else { number.to_string() })
+            fn text(&self, known: &SchemaAttribute) -> Option<String> {
+                self.map(|number| if let TextKind::Rate = known.kind { format!("{number} Kbps") } else { number.to_string() })
             }
         }
     )+};
@@ -273,31 +286,31 @@ macro_rules! numbers {
 numbers! { u8 u16 u32 }
 
 impl Fact for Option<String> {
-    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+    fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         *self = Some(text.trimmed().to_owned());
         Ok(())
     }
 
-    fn text(&self, _: &Attribute) -> Option<String> {
+    fn text(&self, _: &SchemaAttribute) -> Option<String> {
         self.clone()
     }
 }
 
 /// Words separated by blanks.
 impl Fact for Vec<Box<str>> {
-    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+    fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         *self = text.text.split_ascii_whitespace().map(Into::into).collect();
         Ok(())
     }
 
-    fn text(&self, _: &Attribute) -> Option<String> {
+    fn text(&self, _: &SchemaAttribute) -> Option<String> {
         (!self.is_empty()).then(|| self.join(" "))
     }
 }
 
 /// `version.revision`, or the version alone.
 impl Fact for FileInfo {
-    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+    fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         // only numbers that are written back unchanged
         let plain = |text: &str| text.parse().ok().filter(|number: &u8| number.to_string() == text);
         let (version, revision) = text.trimmed().split_once('.').unwrap_or((text.trimmed(), ""));
@@ -310,7 +323,7 @@ impl Fact for FileInfo {
         Ok(())
     }
 
-    fn text(&self, _: &Attribute) -> Option<String> {
+    fn text(&self, _: &SchemaAttribute) -> Option<String> {
         let version = self.file_version.map(|version| version.to_string());
         match self.file_revision {
             Some(revision) => Some(format!("{}.{revision}", version.unwrap_or_default())),
@@ -321,7 +334,7 @@ impl Fact for FileInfo {
 
 /// A decimal object code, or the name of one.
 impl Fact for Option<ObjectType> {
-    fn take(&mut self, text: &Text<'_>, _: &Attribute, _: &mut Findings) -> Result<(), Reason> {
+    fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         let word = text.trimmed();
         if matches!(word, "" | defaults::ORPHAN) {
             return Ok(());
@@ -337,7 +350,7 @@ impl Fact for Option<ObjectType> {
         self.map(|_| ()).ok_or(Reason::UnknownWord)
     }
 
-    fn text(&self, _: &Attribute) -> Option<String> {
+    fn text(&self, _: &SchemaAttribute) -> Option<String> {
         self.map(|object_type| object_type.code().to_string())
     }
 }

@@ -76,6 +76,6 @@ pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
 }
 
 /// The element of the schema that a profile body is; `None` for any other element, and a body of another type.
-pub(super) fn body_schema(element: Element<'_>) -> Option<&'static super::schema::Element> {
+pub(super) fn body_schema(element: Element<'_>) -> Option<&'static super::schema::SchemaElement> {
     profiles::body(element)?.schema
 }

@@ -1,28 +1,28 @@
 //! Changes of a description as edits of its elements and attributes. Changes without a unique counterpart in
 //! CiA 311 are not made.
 
-use super::locate::{Locator, attribute_of};
+use super::locate::{ElementLocator, attribute_of};
 use super::schema::{self, DEVICE_BODY, GENERAL_FEATURES, OBJECT};
 use crate::diagnostic::Change;
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
-use crate::xml::{Editor, Element, Tree, n};
+use crate::xml::{Element, Tree, XmlEditor, n};
 
 /// The edits for the changes, in the order of the text; `None` if one of them has no place in the file.
-pub fn edits(tree: &Tree, locator: &Locator, changes: &[Change]) -> Option<Vec<(Span, String)>> {
-    let mut rewriter = Rewriter { tree, locator, editor: Editor::new(tree) };
+pub fn edits(tree: &Tree, locator: &ElementLocator, changes: &[Change]) -> Option<Vec<(Span, String)>> {
+    let mut rewriter = XddRewriter { tree, locator, editor: XmlEditor::new(tree) };
     changes.iter().try_for_each(|change| rewriter.change(change))?;
     rewriter.editor.into_list().ok()
 }
 
 /// A text while it is rewritten.
-struct Rewriter<'a> {
+struct XddRewriter<'a> {
     tree: &'a Tree,
-    locator: &'a Locator,
-    editor: Editor<'a>,
+    locator: &'a ElementLocator,
+    editor: XmlEditor<'a>,
 }
 
-impl<'a> Rewriter<'a> {
+impl<'a> XddRewriter<'a> {
     fn change(&mut self, change: &Change) -> Option<()> {
         match change {
             Change::Replace(span, text) => {

@@ -57,10 +57,10 @@ const fn is_blank(character: char) -> bool {
 }
 
 /// A child with the comments in front of it, and one behind it in the same line.
-struct Block<'a> {
+struct ChildBlock<'a> {
     comments: Vec<&'a str>,
     child: Element<'a>,
-    known: Option<&'static schema::Element>,
+    known: Option<&'static schema::SchemaElement>,
     trailing: Option<&'a str>,
     rank: (usize, u32),
 }
@@ -81,7 +81,7 @@ impl<'a> Arranged<'a> {
         (0..depth).for_each(|_| self.text.push_str("  "));
     }
 
-    fn element(&mut self, element: Element<'a>, known: Option<&'static schema::Element>, depth: usize) {
+    fn element(&mut self, element: Element<'a>, known: Option<&'static schema::SchemaElement>, depth: usize) {
         let is_container = element.tag() == n::ISO15745ProfileContainer;
         let known = if is_container { Some(&CONTAINER.element) } else { known };
         self.is_in_container |= is_container;
@@ -111,7 +111,7 @@ impl<'a> Arranged<'a> {
     }
 
     /// A start tag without its end. Declarations and attributes with a prefix come first, unknown attributes last.
-    fn tag(&mut self, element: Element<'a>, known: Option<&'static schema::Element>) {
+    fn tag(&mut self, element: Element<'a>, known: Option<&'static schema::SchemaElement>) {
         self.text.push('<');
         self.text.push_str(element.name_span().of(self.source));
         let mut attributes: Vec<_> = element.all_attributes().collect();
@@ -131,7 +131,12 @@ impl<'a> Arranged<'a> {
         }
     }
 
-    fn children(&mut self, element: Element<'a>, known: Option<&'static schema::Element>, depth: usize) {
+    fn children(
+        &mut self,
+        element: Element<'a>,
+        known: Option<&'static schema::SchemaElement>,
+        depth: usize,
+    ) {
         let (mut blocks, end) = self.blocks(element, known);
         if self.sorted {
             blocks.sort_by_key(|block| block.rank);
@@ -159,12 +164,12 @@ impl<'a> Arranged<'a> {
     fn blocks(
         &self,
         element: Element<'a>,
-        known: Option<&'static schema::Element>,
-    ) -> (Vec<Block<'a>>, Vec<&'a str>) {
-        let mut blocks: Vec<Block<'a>> = Vec::new();
+        known: Option<&'static schema::SchemaElement>,
+    ) -> (Vec<ChildBlock<'a>>, Vec<&'a str>) {
+        let mut blocks: Vec<ChildBlock<'a>> = Vec::new();
         let mut at = element.inner_span().start;
         let mut rank = (0, 0);
-        let comments = |from: u32, to: u32, last: Option<&mut Block<'a>>| {
+        let comments = |from: u32, to: u32, last: Option<&mut ChildBlock<'a>>| {
             let gap = &self.source[from as usize..to as usize];
             let mut comments: Vec<&str> = pieces(gap).collect();
             let is_line =
@@ -189,7 +194,7 @@ impl<'a> Arranged<'a> {
                 rank = (slot, number.unwrap_or(if rank.0 == slot { rank.1 } else { 0 }));
             }
             let known = found.map(|(_, known)| body_schema(child).unwrap_or(known));
-            blocks.push(Block { comments, child, known, trailing: None, rank });
+            blocks.push(ChildBlock { comments, child, known, trailing: None, rank });
         }
         let end = comments(at, element.inner_span().end, blocks.last_mut());
         (blocks, end)

@@ -59,14 +59,14 @@ pub(crate) struct Layout<'a> {
     /// The element around the profiles.
     pub(crate) container: Element<'a>,
     /// The device profile.
-    pub(crate) device: Option<Profile<'a>>,
+    pub(crate) device: Option<DescriptionProfile<'a>>,
     /// The communication network profile.
-    pub(crate) network: Option<Profile<'a>>,
+    pub(crate) network: Option<DescriptionProfile<'a>>,
 }
 
 /// A profile of a description.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Profile<'a> {
+pub(crate) struct DescriptionProfile<'a> {
     /// `ProfileHeader`.
     pub(crate) header: Option<Element<'a>>,
     /// `ProfileBody`.
@@ -157,7 +157,7 @@ pub(crate) fn below<'a>(element: Element<'a>, path: &[Name]) -> Option<Element<'
 
 /// The profiles of a container with their classes, in order. In a malformed file a profile or a body may be
 /// the container.
-fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
+fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, DescriptionProfile<'a>)> {
     let bodies = |parent: Element<'a>| match parent.tag() {
         n::ISO15745Profile => parent.children_named(n::ProfileBody).collect(),
         n::ProfileBody => vec![parent],
@@ -170,7 +170,7 @@ fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, Profile<'a>)> {
     let profile = |body: Element<'a>| {
         let around = body.parent().filter(|around| around.tag() == n::ISO15745Profile);
         let header = around.and_then(|around| around.child(n::ProfileHeader));
-        (class_of(header, body), Profile { header, body })
+        (class_of(header, body), DescriptionProfile { header, body })
     };
     found.into_iter().map(profile).collect()
 }

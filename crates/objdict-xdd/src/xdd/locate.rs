@@ -16,7 +16,7 @@ use crate::xml::{Attribute, Element, ElementId, Tree, n};
 
 /// The positions of the objects of a tree, and of the targets of their references.
 #[derive(Debug)]
-pub struct Locator {
+pub struct ElementLocator {
     /// The number of the container.
     number: usize,
     objects: HashMap<u16, ElementId>,
@@ -29,7 +29,7 @@ pub struct Locator {
     shared: OnceLock<Vec<u32>>,
 }
 
-impl Locator {
+impl ElementLocator {
     /// Finds the objects of one device of the file.
     pub fn new(tree: &Tree, number: usize) -> Self {
         let (objects, lists) = Default::default();
@@ -124,7 +124,7 @@ impl Locator {
 /// The attribute of a field, by the schema; else the attribute with the name of the field.
 pub(super) fn attribute_of<'a>(
     element: Element<'a>,
-    schema: &schema::Element,
+    schema: &schema::SchemaElement,
     field: &Field,
 ) -> Option<Attribute<'a>> {
     match schema.attribute_of(field) {

@@ -26,7 +26,7 @@ pub use self::configure::{to_xdc, to_xdd};
 pub use self::fix::edits;
 pub use self::fmt::arrange;
 pub use self::layout::{containers, is_network, is_project};
-pub use self::locate::Locator;
+pub use self::locate::ElementLocator;
 pub use self::read::{read, read_literally};
 pub use self::schema::{words_of, xsd};
 pub use self::version::XddVersion;

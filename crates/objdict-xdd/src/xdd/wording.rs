@@ -6,7 +6,8 @@ use std::collections::HashSet;
 
 use super::counterparts::written_access;
 use super::schema::{
-    self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
+    self, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES, OBJECT, SchemaAttribute,
+    SchemaElement,
 };
 use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity, Vocabulary};
 use crate::model::{Access, DataType, Field};
@@ -98,12 +99,12 @@ fn own(key: &str) -> Option<String> {
 /// The counterpart of an EDS key in an XDD.
 struct What {
     field: &'static Field,
-    form: Form,
+    form: KeyForm,
 }
 
-enum Form {
-    Element(&'static Element),
-    Attribute(&'static Attribute),
+enum KeyForm {
+    Element(&'static SchemaElement),
+    Attribute(&'static SchemaAttribute),
 }
 
 impl What {
@@ -111,14 +112,14 @@ impl What {
         let (_, field) = Field::NAMED.iter().find(|(known, _)| *known == key)?;
         let tables = [&OBJECT, &DEVICE_BODY, &GENERAL_FEATURES, &MASTER_FEATURES, &DEVICE_COMMISSIONING];
         let attribute = || tables.into_iter().find_map(|element| element.attribute_of(field));
-        let element = schema::identity_element(field).map(Form::Element);
-        Some(Self { field, form: element.or_else(|| attribute().map(Form::Attribute))? })
+        let element = schema::identity_element(field).map(KeyForm::Element);
+        Some(Self { field, form: element.or_else(|| attribute().map(KeyForm::Attribute))? })
     }
 
     fn name(&self) -> &'static str {
         match self.form {
-            Form::Element(element) => element.name.text(),
-            Form::Attribute(attribute) => attribute.name.text(),
+            KeyForm::Element(element) => element.name.text(),
+            KeyForm::Attribute(attribute) => attribute.name.text(),
         }
     }
 
@@ -128,8 +129,8 @@ impl What {
             (Field::AccessType, _, "rwr") => Some("readWriteInput".to_owned()),
             (Field::AccessType, _, "rww") => Some("readWriteOutput".to_owned()),
             (Field::Baudrate, _, rate) => Some(format!("{rate} Kbps")),
-            (_, Form::Attribute(attribute), value) => attribute.spelled(value),
-            (_, Form::Element(_), _) => None,
+            (_, KeyForm::Attribute(attribute), value) => attribute.spelled(value),
+            (_, KeyForm::Element(_), _) => None,
         }
     }
 
@@ -138,7 +139,7 @@ impl What {
         let spelled = self.spelled(value);
         let (name, spelled) = (self.name(), spelled.as_deref().unwrap_or(value));
         match (self.field, &self.form, value) {
-            (_, Form::Element(_), _) => format!("<{name}>{spelled}</{name}>"),
+            (_, KeyForm::Element(_), _) => format!("<{name}>{spelled}</{name}>"),
             (_, _, "") => format!("{name}=\"…\""),
             // an attribute of the parameter
             (Field::AccessType, _, "rwr" | "rww") => format!("access=\"{spelled}\""),

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use super::layout::ProfileClass;
-use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Marks, Need};
+use super::schema::{CONTAINER, MAX_SLOTS, Marks, Occurrence, SchemaElement, TextKind};
 use super::version::XddVersion;
 use super::written_ids::WrittenIds;
 use crate::xml::{Name, WriterMark, XmlWriter, n};
@@ -25,9 +25,9 @@ pub(crate) struct XddWriter {
     version: XddVersion,
     body: Option<ProfileClass>,
     /// The start tags that are not written yet, from the outermost to the innermost.
-    pending: Vec<Start>,
+    pending: Vec<StartTag>,
     /// The open elements whose start tags are written.
-    open: Vec<Open>,
+    open: Vec<OpenTag>,
     /// The number of open elements that are not written: the version does not have them, something that the
     /// table requires is missing, or they are inside such an element.
     skipped: usize,
@@ -40,8 +40,8 @@ pub(crate) struct XddWriter {
 }
 
 #[derive(Debug)]
-struct Start {
-    element: &'static Element,
+struct StartTag {
+    element: &'static SchemaElement,
     name: Cow<'static, str>,
     attributes: Vec<(Cow<'static, str>, String)>,
     text: Option<String>,
@@ -52,8 +52,8 @@ struct Start {
 
 /// An element whose start tag is written.
 #[derive(Debug)]
-struct Open {
-    element: &'static Element,
+struct OpenTag {
+    element: &'static SchemaElement,
     /// The state of the document before it.
     mark: WriterMark,
     ids: (usize, usize),
@@ -122,19 +122,19 @@ impl XddWriter {
     }
 
     /// Opens an element. Its attributes and its text or elements follow.
-    pub(crate) fn open(&mut self, element: &'static Element) {
+    pub(crate) fn open(&mut self, element: &'static SchemaElement) {
         self.start(element, element.is_global, false);
     }
 
     /// Writes an element with only attributes.
-    pub(crate) fn empty(&mut self, element: &'static Element, attributes: &[(Name, &str)]) {
+    pub(crate) fn empty(&mut self, element: &'static SchemaElement, attributes: &[(Name, &str)]) {
         self.open(element);
         attributes.iter().for_each(|(name, text)| self.attribute(*name, text));
         self.close();
     }
 
     /// Opens an element at a place that the standard does not define: it is not written.
-    pub(crate) fn open_stray(&mut self, element: &'static Element) {
+    pub(crate) fn open_stray(&mut self, element: &'static SchemaElement) {
         if self.is_checked {
             self.skipped += 1;
         } else {
@@ -143,7 +143,7 @@ impl XddWriter {
     }
 
     /// Opens an element that is only written if it gets attributes, a text or elements.
-    pub(crate) fn open_unless_empty(&mut self, element: &'static Element) {
+    pub(crate) fn open_unless_empty(&mut self, element: &'static SchemaElement) {
         self.start(element, element.is_global, true);
     }
 
@@ -155,9 +155,9 @@ impl XddWriter {
         let known = self.pending.last().and_then(|start| start.element.attribute(name));
         let text = match known {
             Some((_, known)) if self.is_checked => match known.kind {
-                _ if known.need == Need::Stray => None,
-                Kind::Id => Some(self.ids.define(value)),
-                Kind::Reference(_) => self.ids.refer(value),
+                _ if known.need == Occurrence::Stray => None,
+                TextKind::Id => Some(self.ids.define(value)),
+                TextKind::Reference(_) => self.ids.refer(value),
                 kind => kind.accepts(value).then_some(Cow::Borrowed(value)),
             },
             _ => Some(Cow::Borrowed(value)),
@@ -211,7 +211,7 @@ impl XddWriter {
 
     /// Closes the innermost element with children. It is taken back if one that the table requires is missing.
     fn close_open(&mut self) {
-        let Some(Open { element, mark, ids, counts }) = self.open.pop() else { return };
+        let Some(OpenTag { element, mark, ids, counts }) = self.open.pop() else { return };
         let lacks = element.content.iter().zip(counts).any(|(slot, count)| count < slot.least);
         if self.is_checked && lacks {
             self.writer.reset(mark);
@@ -223,8 +223,8 @@ impl XddWriter {
     }
 
     /// Counts a written child of the innermost element.
-    fn count(&mut self, child: &'static Element) {
-        if let Some(Open { element, counts, .. }) = self.open.last_mut()
+    fn count(&mut self, child: &'static SchemaElement) {
+        if let Some(OpenTag { element, counts, .. }) = self.open.last_mut()
             && let Some((number, _)) = element.slot(child.name, 0)
         {
             counts[number] += 1;
@@ -255,7 +255,7 @@ impl XddWriter {
         self.version == XddVersion::V1_0 && parent.is_some_and(|parent| parent.newer.contains(&name))
     }
 
-    fn start(&mut self, element: &'static Element, is_global: bool, needs_content: bool) {
+    fn start(&mut self, element: &'static SchemaElement, is_global: bool, needs_content: bool) {
         if self.skipped > 0 || self.is_too_new(element.name) || self.is_checked && self.is_full(element) {
             self.skipped += 1;
             return;
@@ -279,7 +279,7 @@ impl XddWriter {
             _ => Cow::Borrowed(name),
         };
         let ids = self.ids.mark();
-        self.pending.push(Start { element, name, attributes: Vec::new(), text: None, needs_content, ids });
+        self.pending.push(StartTag { element, name, attributes: Vec::new(), text: None, needs_content, ids });
         // the header and its content are in no namespace
         if element.name == n::ProfileHeader && self.version == XddVersion::V1_1 {
             self.declare("xmlns", "");
@@ -291,23 +291,23 @@ impl XddWriter {
         for start in self.pending.drain(..) {
             let mark = self.writer.mark();
             self.writer.open(&start.name, start.attributes());
-            self.open.push(Open { element: start.element, mark, ids: start.ids, counts: [0; MAX_SLOTS] });
+            self.open.push(OpenTag { element: start.element, mark, ids: start.ids, counts: [0; MAX_SLOTS] });
         }
     }
 
     /// Whether the innermost element takes no further child of this name.
-    fn is_full(&self, child: &Element) -> bool {
+    fn is_full(&self, child: &SchemaElement) -> bool {
         let Some(open) = self.open.last().filter(|_| self.pending.is_empty()) else { return false };
         let slot = open.element.slot(child.name, 0);
         slot.is_some_and(|(number, known)| open.counts[number] >= open.element.content[number].most_of(known))
     }
 }
 
-impl Start {
+impl StartTag {
     /// Adds placeholders for missing attributes; `false` if one has none.
     fn complete(&mut self, version: XddVersion) -> bool {
         for known in self.element.attributes {
-            let is_demanded = matches!(known.need, Need::Required | Need::Key)
+            let is_demanded = matches!(known.need, Occurrence::Required | Occurrence::Key)
                 && !(version == XddVersion::V1_0 && self.element.newer.contains(&known.name));
             if is_demanded && !self.attributes.iter().any(|(name, _)| *name == known.name.text()) {
                 let Some(text) = known.placeholder() else { return false };
@@ -319,7 +319,7 @@ impl Start {
 
     /// Whether the element, which has no children, needs none, and takes its text.
     fn is_whole(&self) -> bool {
-        let takes = |kind: Kind| kind.accepts(self.text.as_deref().unwrap_or_default());
+        let takes = |kind: TextKind| kind.accepts(self.text.as_deref().unwrap_or_default());
         self.element.content.iter().all(|slot| slot.least == 0)
             && self.element.text.is_none_or(|text| takes(text.kind))
     }

@@ -3,13 +3,13 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::build::{Builder, MAX_NAME};
+use super::build::{MAX_NAME, TreeBuilder};
 use super::chars::{is_blank, plain_name_length, plain_value_length, prefix_length};
 use super::findings::{self as rules, shown};
 use super::names::Name;
 use super::namespaces::{XML, XMLNS};
 use super::parts::{AttributeRecord, DECLARES, NONE};
-use super::tag::{Flaw, RawAttribute, Step, Steps};
+use super::tag::{Flaw, RawAttribute, Steps, TagStep};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
@@ -19,7 +19,7 @@ const MAX_ATTRIBUTES: usize = 256;
 /// Above this number, a hash table finds the duplicates.
 const FEW: usize = 16;
 
-impl<'a> Builder<'a, '_> {
+impl<'a> TreeBuilder<'a, '_> {
     /// Fast path for almost all tags: takes the attributes from `at` on if all are well-formed, have names
     /// of CiA 311 without prefix and values without references. Returns the end of the tag and whether it is
     /// `<a/>`; `None` if nothing was taken.
@@ -87,11 +87,11 @@ impl<'a> Builder<'a, '_> {
         loop {
             let step = steps.next();
             match step {
-                Step::End(end) => {
+                TagStep::End(end) => {
                     let is_empty = text.as_bytes().get(end as usize - 2) == Some(&b'/');
                     return (end as usize, is_empty);
                 }
-                Step::Unclosed(end) => {
+                TagStep::Unclosed(end) => {
                     if is_read {
                         let span = Self::span(name.start - 1, name.end);
                         self.defect(&rules::UNCLOSED_TAG, span, |_| {
@@ -101,7 +101,7 @@ impl<'a> Builder<'a, '_> {
                     return (end as usize, false);
                 }
                 _ if !is_read => {}
-                Step::Attribute(attribute) => {
+                TagStep::Attribute(attribute) => {
                     count += 1;
                     if count <= MAX_ATTRIBUTES {
                         self.flaw(attribute);
@@ -111,15 +111,15 @@ impl<'a> Builder<'a, '_> {
                         self.limit(attribute.name.start as usize, message);
                     }
                 }
-                Step::MissingValue(name) => {
+                TagStep::MissingValue(name) => {
                     self.defect(&rules::MISSING_VALUE, name, |name| {
                         format!("the attribute `{name}` has no value")
                     });
                 }
-                Step::MissingBlank(at) => {
+                TagStep::MissingBlank(at) => {
                     self.defect(&rules::MISSING_BLANK, Span::empty(at), |_| "a space is missing".to_owned());
                 }
-                Step::Junk(junk) => {
+                TagStep::Junk(junk) => {
                     self.defect(&rules::JUNK_IN_TAG, junk, |junk| format!("unexpected `{junk}` in a tag"));
                 }
             }

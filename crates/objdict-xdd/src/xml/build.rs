@@ -25,13 +25,13 @@ pub(super) const MAX_NAME: usize = 32_000;
 
 /// The tree of a source.
 pub(super) fn build(source: &SourceFile, findings: &mut Findings) -> Parts {
-    let mut builder = Builder::new(source, findings);
+    let mut builder = TreeBuilder::new(source, findings);
     builder.check_characters();
     builder.read();
     builder.finish()
 }
 
-pub(super) struct Builder<'a, 'f> {
+pub(super) struct TreeBuilder<'a, 'f> {
     source: &'a SourceFile,
     pub(super) text: &'a str,
     findings: &'f mut Findings,
@@ -40,7 +40,7 @@ pub(super) struct Builder<'a, 'f> {
     /// The attributes of the current tag.
     pub(super) raw: Vec<RawAttribute>,
     /// The open elements, from the root to the innermost.
-    pub(super) open: Vec<Open>,
+    pub(super) open: Vec<OpenElement>,
     pub(super) skip: Option<Skip>,
     /// The encoding that the XML declaration names.
     pub(super) encoding: Option<Span>,
@@ -60,7 +60,7 @@ pub(super) struct Builder<'a, 'f> {
 }
 
 /// An element whose end tag is not read yet.
-pub(super) struct Open {
+pub(super) struct OpenElement {
     id: u32,
     last_child: u32,
     namespaces: usize,
@@ -73,7 +73,7 @@ pub(super) struct Skip {
     depth: usize,
 }
 
-impl<'a, 'f> Builder<'a, 'f> {
+impl<'a, 'f> TreeBuilder<'a, 'f> {
     fn new(source: &'a SourceFile, findings: &'f mut Findings) -> Self {
         let text = source.text();
         let parts = Parts { is_complete: true, ..Parts::default() };
@@ -303,7 +303,12 @@ impl<'a, 'f> Builder<'a, 'f> {
         if is_empty {
             self.namespaces.forget(namespaces);
         } else {
-            self.open.push(Open { id, last_child: NONE, namespaces, name: Self::span(name.start, name.end) });
+            self.open.push(OpenElement {
+                id,
+                last_child: NONE,
+                namespaces,
+                name: Self::span(name.start, name.end),
+            });
         }
         end
     }

@@ -1,13 +1,13 @@
 //! Content between tags: text, references, comments, instructions, and everything before the root.
 
-use super::build::Builder;
+use super::build::TreeBuilder;
 use super::chars::{is_blank, is_blank_text, is_name};
-use super::expand::{Entity, MAX_EXPANSION, Reference, reference};
+use super::expand::{Entity, EntityReference, MAX_EXPANSION, reference};
 use super::findings::{self as rules, shown};
 use super::prolog;
 use crate::diagnostic::{Diagnostic, Severity};
 
-impl Builder<'_, '_> {
+impl TreeBuilder<'_, '_> {
     /// Reads the text from `start` up to the next tag; returns where to continue.
     pub(super) fn run(&mut self, start: usize) -> usize {
         let rest = &self.text.as_bytes()[start..];
@@ -79,19 +79,19 @@ impl Builder<'_, '_> {
         let (reference, length) = reference(&text[start..]);
         let span = Self::span(start, start + length);
         let name = match reference {
-            Reference::Character(_) => return,
-            Reference::BadNumber => {
+            EntityReference::Character(_) => return,
+            EntityReference::BadNumber => {
                 return self.defect(&rules::BAD_REFERENCE, span, |reference| {
                     format!("`{reference}` is not a character that XML allows")
                 });
             }
-            Reference::Lone => {
+            EntityReference::Lone => {
                 return self.report(&rules::BAD_REFERENCE, || {
                     Diagnostic::new(&rules::BAD_REFERENCE, span, "the `&` does not start a reference")
                         .help("write `&amp;`")
                 });
             }
-            Reference::Entity(name) => name,
+            EntityReference::Entity(name) => name,
         };
         let reason = match self.parts.entities.declared.get(name) {
             Some(Entity::Text(entity)) => {

@@ -10,7 +10,7 @@ use crate::source::{EditError, Edits, Span};
 
 /// Changes of one document, in any order.
 #[derive(Debug)]
-pub struct Editor<'a> {
+pub struct XmlEditor<'a> {
     tree: &'a Tree,
     edits: Edits<'a>,
     line_end: &'static str,
@@ -20,7 +20,7 @@ pub struct Editor<'a> {
     not_xml: Option<String>,
 }
 
-impl<'a> Editor<'a> {
+impl<'a> XmlEditor<'a> {
     /// An editor without changes. New lines end like the first line of the document.
     pub fn new(tree: &'a Tree) -> Self {
         let (edits, opened) = (Edits::new(tree.source()), BTreeMap::new());
@@ -257,9 +257,9 @@ mod tests {
     use crate::diagnostic::Findings;
     use crate::source::SourceFile;
 
-    fn edit(text: &str, change: impl for<'a> Fn(&mut Editor<'a>, Element<'a>)) -> String {
+    fn edit(text: &str, change: impl for<'a> Fn(&mut XmlEditor<'a>, Element<'a>)) -> String {
         let tree = Tree::new(SourceFile::from_text("test.xdd", text), &mut Findings::new());
-        let mut editor = Editor::new(&tree);
+        let mut editor = XmlEditor::new(&tree);
         change(&mut editor, tree.root().unwrap());
         let edited = editor.text().unwrap();
         if tree.is_complete() {
@@ -337,10 +337,10 @@ mod tests {
     fn what_xml_cannot_hold_is_refused() {
         let tree = Tree::new(SourceFile::from_text("test.xdd", "<a/>"), &mut Findings::new());
         let root = tree.root().unwrap();
-        let mut editor = Editor::new(&tree);
+        let mut editor = XmlEditor::new(&tree);
         editor.set_attribute(root, "b", "\0");
         assert_eq!(editor.to_bytes(), Err(EditError::NotXml("\0".to_owned())));
-        let mut editor = Editor::new(&tree);
+        let mut editor = XmlEditor::new(&tree);
         editor.set_attribute(root, "b c", "d");
         assert_eq!(editor.to_bytes(), Err(EditError::NotXml("b c".to_owned())));
     }
@@ -349,7 +349,7 @@ mod tests {
     fn without_changes_the_bytes_stay() {
         let tree = Tree::new(SourceFile::from_text("test.xdd", "<a b='1'>2</a>"), &mut Findings::new());
         let root = tree.root().unwrap();
-        let mut editor = Editor::new(&tree);
+        let mut editor = XmlEditor::new(&tree);
         editor.set_attribute(root, "b", "1");
         editor.set_text(root, "2");
         editor.remove_attribute(root, "c");

@@ -25,7 +25,7 @@ pub(super) enum Entity {
 
 /// A reference, which starts with `&`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Reference<'a> {
+pub(super) enum EntityReference<'a> {
     /// A character, by its number or by one of the five predefined names.
     Character(char),
     /// An entity of the document.
@@ -37,25 +37,25 @@ pub(super) enum Reference<'a> {
 }
 
 /// The reference at the start of `text`, which starts with `&`, and its length.
-pub(super) fn reference(text: &str) -> (Reference<'_>, usize) {
+pub(super) fn reference(text: &str) -> (EntityReference<'_>, usize) {
     let stop = |&byte: &u8| {
         !(byte.is_ascii_alphanumeric() || matches!(byte, b'#' | b'_' | b'-' | b'.' | b':' | 0x80..))
     };
     let length = text.bytes().skip(1).position(|byte| stop(&byte)).map_or(text.len(), |length| length + 1);
     if text.as_bytes().get(length) != Some(&b';') {
-        return (Reference::Lone, 1);
+        return (EntityReference::Lone, 1);
     }
     let name = &text[1..length];
     let reference = match name {
-        "lt" => Reference::Character('<'),
-        "gt" => Reference::Character('>'),
-        "amp" => Reference::Character('&'),
-        "quot" => Reference::Character('"'),
-        "apos" => Reference::Character('\''),
+        "lt" => EntityReference::Character('<'),
+        "gt" => EntityReference::Character('>'),
+        "amp" => EntityReference::Character('&'),
+        "quot" => EntityReference::Character('"'),
+        "apos" => EntityReference::Character('\''),
         _ => match name.strip_prefix('#') {
-            Some(number) => character(number).map_or(Reference::BadNumber, Reference::Character),
-            None if is_name(name) => Reference::Entity(name),
-            None => return (Reference::Lone, 1),
+            Some(number) => character(number).map_or(EntityReference::BadNumber, EntityReference::Character),
+            None if is_name(name) => EntityReference::Entity(name),
+            None => return (EntityReference::Lone, 1),
         },
     };
     (reference, length + 1)
@@ -124,8 +124,8 @@ impl Entities {
     fn push_reference(&self, rest: &str, is_value: bool, text: &mut String) -> usize {
         let (reference, length) = reference(rest);
         match reference {
-            Reference::Character(character) => text.push(character),
-            Reference::Entity(name) => match self.declared.get(name) {
+            EntityReference::Character(character) => text.push(character),
+            EntityReference::Entity(name) => match self.declared.get(name) {
                 Some(Entity::Text(entity)) if is_value => {
                     text.extend(
                         entity.chars().map(|c| if matches!(c, '\t' | '\n' | '\r') { ' ' } else { c }),
@@ -134,7 +134,7 @@ impl Entities {
                 Some(Entity::Text(entity)) => text.push_str(entity),
                 Some(Entity::Unread(_)) | None => text.push_str(&rest[..length]),
             },
-            Reference::BadNumber | Reference::Lone => text.push_str(&rest[..length]),
+            EntityReference::BadNumber | EntityReference::Lone => text.push_str(&rest[..length]),
         }
         length
     }
@@ -165,9 +165,9 @@ mod tests {
 
     #[test]
     fn kinds_of_references() {
-        assert_eq!(reference("&nbsp; x"), (Reference::Entity("nbsp"), 6));
-        assert_eq!(reference("&#xD800;"), (Reference::BadNumber, 8));
-        assert_eq!(reference("& x;"), (Reference::Lone, 1));
-        assert_eq!(reference("&amp"), (Reference::Lone, 1));
+        assert_eq!(reference("&nbsp; x"), (EntityReference::Entity("nbsp"), 6));
+        assert_eq!(reference("&#xD800;"), (EntityReference::BadNumber, 8));
+        assert_eq!(reference("& x;"), (EntityReference::Lone, 1));
+        assert_eq!(reference("&amp"), (EntityReference::Lone, 1));
     }
 }

@@ -19,7 +19,7 @@ mod write;
 
 pub(crate) use chars::{is_name, is_name_char};
 pub use comments::comments;
-pub use edit::Editor;
+pub use edit::XmlEditor;
 pub use names::{Name, n};
 pub use tree::{Attribute, Called, Element, ElementId, Tree};
 pub use write::XmlWriter;

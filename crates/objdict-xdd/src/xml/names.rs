@@ -70,8 +70,8 @@ macro_rules! names {
             use super::Name;
 
             #[allow(non_camel_case_types, dead_code, clippy::enum_variant_names, clippy::upper_case_acronyms, reason = "names as CiA 311 spells them")]
-            enum Number { Unknown, $($name),+ }
-            $(pub const $name: Name = Name(Number::$name as u16);)+
+            enum NameNumber { Unknown, $($name),+ }
+            $(pub const $name: Name = Name(NameNumber::$name as u16);)+
         }
 
         static WORDS: &[&str] = &["", $(names!(@ $name $($text)?)),+];

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use super::chars::{is_blank, is_name};
-use super::expand::{Entities, Entity, MAX_EXPANSION, Reference, reference};
-use super::tag::{RawAttribute, Step, Steps};
+use super::expand::{Entities, Entity, EntityReference, MAX_EXPANSION, reference};
+use super::tag::{RawAttribute, Steps, TagStep};
 use crate::source::{Encoding, Span};
 
 /// The content of an XML declaration.
@@ -25,7 +25,7 @@ pub(super) fn declaration(text: &str, span: Span) -> Declaration {
     let mut is_first = true;
     loop {
         let defect = match steps.next() {
-            Step::Attribute(attribute) => {
+            TagStep::Attribute(attribute) => {
                 let name = attribute.name.of(text);
                 if name == "encoding" {
                     declaration.encoding.get_or_insert(attribute.value);
@@ -38,14 +38,14 @@ pub(super) fn declaration(text: &str, span: Span) -> Declaration {
                     Some((attribute.name, format!("`{name}` is not allowed here in an XML declaration")))
                 }
             }
-            Step::MissingValue(name) => Some((name, format!("`{}` has no value", name.of(text)))),
-            Step::MissingBlank(at) => Some((Span::empty(at), "a space is missing".to_owned())),
-            Step::Junk(junk) => Some((junk, format!("unexpected `{}`", junk.of(text)))),
-            Step::Unclosed(at) => {
+            TagStep::MissingValue(name) => Some((name, format!("`{}` has no value", name.of(text)))),
+            TagStep::MissingBlank(at) => Some((Span::empty(at), "a space is missing".to_owned())),
+            TagStep::Junk(junk) => Some((junk, format!("unexpected `{}`", junk.of(text)))),
+            TagStep::Unclosed(at) => {
                 Some((Span::new(span.start, at), "the XML declaration has no `?>`".to_owned()))
             }
-            Step::End(_) if is_first => Some((span, "the XML declaration has no `version`".to_owned())),
-            Step::End(_) => return declaration,
+            TagStep::End(_) if is_first => Some((span, "the XML declaration has no `version`".to_owned())),
+            TagStep::End(_) => return declaration,
         };
         let is_end = matches!(defect, Some((Span { start, .. }, _)) if start == span.start);
         declaration.defect = declaration.defect.take().or(defect);
@@ -120,7 +120,7 @@ struct Declared<'a> {
 pub(super) fn document_type(text: &str) -> DocumentType {
     let mut declared = Declared::default();
     let defect = Scan { text, at: 0 }.read(&mut declared).err();
-    let mut resolver = Resolver { declared: &declared, entities: Entities::default(), size: 0 };
+    let mut resolver = EntityResolver { declared: &declared, entities: Entities::default(), size: 0 };
     for name in &declared.order {
         resolver.resolve(name, 0);
     }
@@ -128,14 +128,14 @@ pub(super) fn document_type(text: &str) -> DocumentType {
 }
 
 /// Resolves the references in entities, each entity once.
-struct Resolver<'a> {
+struct EntityResolver<'a> {
     declared: &'a Declared<'a>,
     entities: Entities,
     /// The total size of all entities so far, in bytes.
     size: usize,
 }
 
-impl Resolver<'_> {
+impl EntityResolver<'_> {
     fn resolve(&mut self, name: &str, depth: usize) -> Entity {
         if let Some(entity) = self.entities.declared.get(name) {
             return entity.clone();
@@ -186,13 +186,15 @@ impl Resolver<'_> {
         let (reference, length) = reference(rest);
         let is_number = rest.starts_with("&#");
         match reference {
-            Reference::Character('<' | '&') if is_number => return Err(MARKUP),
-            Reference::Character(character) => text.push(character),
-            Reference::Entity(inner) => match self.resolve(inner, depth + 1) {
+            EntityReference::Character('<' | '&') if is_number => return Err(MARKUP),
+            EntityReference::Character(character) => text.push(character),
+            EntityReference::Entity(inner) => match self.resolve(inner, depth + 1) {
                 Entity::Text(inner) => text.push_str(&inner),
                 Entity::Unread(reason) => return Err(reason),
             },
-            Reference::BadNumber | Reference::Lone => return Err("it contains an invalid reference"),
+            EntityReference::BadNumber | EntityReference::Lone => {
+                return Err("it contains an invalid reference");
+            }
         }
         Ok(length)
     }

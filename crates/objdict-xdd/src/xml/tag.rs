@@ -26,7 +26,7 @@ pub(super) enum Flaw {
 
 /// A step through a tag.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Step {
+pub(super) enum TagStep {
     Attribute(RawAttribute),
     /// A name without a value.
     MissingValue(Span),
@@ -76,25 +76,25 @@ impl<'a> Steps<'a> {
         Self { declaration: true, ..Self::tag(text, at) }
     }
 
-    pub(super) fn next(&mut self) -> Step {
+    pub(super) fn next(&mut self) -> TagStep {
         let before = self.at;
         self.skip_blanks();
         let at = self.at;
         let rest = self.bytes.get(at..).unwrap_or_default();
         match rest {
-            [] | [b'<', ..] => return Step::Unclosed(at as u32),
-            [b'>', ..] if !self.declaration => return Step::End(at as u32 + 1),
-            [b'/', b'>', ..] if !self.declaration => return Step::End(at as u32 + 2),
-            [b'?', b'>', ..] if self.declaration => return Step::End(at as u32 + 2),
-            [b'>', ..] => return Step::Unclosed(at as u32 + 1),
+            [] | [b'<', ..] => return TagStep::Unclosed(at as u32),
+            [b'>', ..] if !self.declaration => return TagStep::End(at as u32 + 1),
+            [b'/', b'>', ..] if !self.declaration => return TagStep::End(at as u32 + 2),
+            [b'?', b'>', ..] if self.declaration => return TagStep::End(at as u32 + 2),
+            [b'>', ..] => return TagStep::Unclosed(at as u32 + 1),
             [byte, ..] if ends_name(*byte) || is_punctuation(*byte) => {
                 self.at = self.end_of_junk(*byte);
                 self.reported = self.at;
-                return Step::Junk(span(at, self.at));
+                return TagStep::Junk(span(at, self.at));
             }
             _ if at == before && self.reported != at => {
                 self.reported = at;
-                return Step::MissingBlank(at as u32);
+                return TagStep::MissingBlank(at as u32);
             }
             _ => {}
         }
@@ -122,12 +122,12 @@ impl<'a> Steps<'a> {
         }
     }
 
-    fn value_of(&mut self, name: Span) -> Step {
+    fn value_of(&mut self, name: Span) -> TagStep {
         let behind_name = self.at;
         self.skip_blanks();
         if self.bytes.get(self.at) != Some(&b'=') {
             self.at = behind_name;
-            return Step::MissingValue(name);
+            return TagStep::MissingValue(name);
         }
         self.at += 1;
         let behind_equals = self.at;
@@ -140,9 +140,9 @@ impl<'a> Steps<'a> {
         let is_next_name = flaw == Some(Flaw::Unquoted) && self.bytes.get(self.at) == Some(&b'=');
         if is_next_name || flaw == Some(Flaw::Unquoted) && value.is_empty() {
             self.at = behind_equals;
-            return Step::MissingValue(name);
+            return TagStep::MissingValue(name);
         }
-        Step::Attribute(RawAttribute { name, value, flaw })
+        TagStep::Attribute(RawAttribute { name, value, flaw })
     }
 
     fn unquoted(&mut self) -> Span {
@@ -215,14 +215,14 @@ mod tests {
         loop {
             let step = steps.next();
             shown.push(match step {
-                Step::Attribute(RawAttribute { name, value, flaw }) => {
+                TagStep::Attribute(RawAttribute { name, value, flaw }) => {
                     let flaw = flaw.map(|flaw| format!(" {flaw:?}")).unwrap_or_default();
                     format!("{}={}{flaw}", name.of(text), value.of(text))
                 }
-                Step::MissingValue(name) => format!("no value {}", name.of(text)),
-                Step::MissingBlank(at) => format!("no blank {at}"),
-                Step::Junk(junk) => format!("junk {}", junk.of(text)),
-                Step::End(at) | Step::Unclosed(at) => {
+                TagStep::MissingValue(name) => format!("no value {}", name.of(text)),
+                TagStep::MissingBlank(at) => format!("no blank {at}"),
+                TagStep::Junk(junk) => format!("junk {}", junk.of(text)),
+                TagStep::End(at) | TagStep::Unclosed(at) => {
                     shown.push(format!("{:?}", &text[at as usize..]));
                     return shown;
                 }

@@ -10,7 +10,7 @@ use objdict_network::{
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Document<'a> {
+pub(crate) struct TimingJson<'a> {
     /// The version of the document.
     version: Version<1>,
     /// The files as they were given, with a blank between them.
@@ -26,11 +26,11 @@ pub(crate) struct Document<'a> {
     /// How much of the bus is used.
     load: LoadRow,
     /// The same for each sender.
-    nodes: Vec<Share<&'a str>>,
+    nodes: Vec<MessageLoad<&'a str>>,
     /// The same for each kind of message.
-    kinds: Vec<Share<TrafficKind>>,
+    kinds: Vec<MessageLoad<TrafficKind>>,
     /// The network at the bit rates of CiA 301, without PDOs that are sent at any time.
-    bit_rates: Vec<Rate>,
+    bit_rates: Vec<BitRateTimes>,
     /// The least of these bit rates from which the network fits.
     fits_from: Option<u16>,
     /// SYNC and what it triggers; `null` without SYNC.
@@ -38,7 +38,7 @@ pub(crate) struct Document<'a> {
     /// The least inhibit time in microseconds of PDOs without one with which all messages meet their deadlines.
     inhibit_time_us: Option<u64>,
     /// All messages, highest priority first.
-    messages: Vec<MessageRow<'a>>,
+    messages: Vec<MessageTimes<'a>>,
     /// What would help messages that are late.
     remedies: Vec<RemedyRow>,
     /// How long it takes to configure the nodes; `null` without a manager.
@@ -78,7 +78,7 @@ struct LoadRow {
 /// The load of a part of the messages.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Share<T> {
+struct MessageLoad<T> {
     /// The name of the node, or the kind of the messages.
     of: T,
     /// Its load.
@@ -89,7 +89,7 @@ struct Share<T> {
 /// A bit rate.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct Rate {
+struct BitRateTimes {
     /// In kbit/s.
     bit_rate: u16,
     /// The average load in percent.
@@ -119,7 +119,7 @@ struct SyncRow {
 /// A message. Times are in microseconds.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Message"))]
-struct MessageRow<'a> {
+struct MessageTimes<'a> {
     /// The CAN-ID.
     can_id: u32,
     /// Whether it has 29 bits.
@@ -225,7 +225,7 @@ impl LoadRow {
     }
 }
 
-impl<'a> Document<'a> {
+impl<'a> TimingJson<'a> {
     pub(super) fn new(file: &'a str, timing: &'a Timing, options: &TimingOptions) -> Self {
         let rate = timing.bit_rate;
         let nodes = timing.nodes.iter();
@@ -245,21 +245,26 @@ impl<'a> Document<'a> {
             is_met: timing.is_met(),
             load: LoadRow::new(&timing.load, rate),
             nodes: nodes
-                .map(|share| Share { of: share.of.node.as_str(), load: LoadRow::new(&share.load, rate) })
+                .map(|share| MessageLoad {
+                    of: share.of.node.as_str(),
+                    load: LoadRow::new(&share.load, rate),
+                })
                 .collect(),
-            kinds: kinds.map(|share| Share { of: share.of, load: LoadRow::new(&share.load, rate) }).collect(),
-            bit_rates: timing.rates.iter().map(Rate::new).collect(),
+            kinds: kinds
+                .map(|share| MessageLoad { of: share.of, load: LoadRow::new(&share.load, rate) })
+                .collect(),
+            bit_rates: timing.rates.iter().map(BitRateTimes::new).collect(),
             fits_from: timing.fits_from(),
             sync: timing.sync.as_ref().map(SyncRow::new),
             inhibit_time_us: timing.inhibit_time.map(|tenths| u64::from(tenths) * 100),
-            messages: timing.messages.iter().map(MessageRow::new).collect(),
+            messages: timing.messages.iter().map(MessageTimes::new).collect(),
             remedies: timing.remedies.iter().map(|remedy| RemedyRow::new(timing, remedy)).collect(),
             boot: timing.boot.as_ref().map(BootRow::new),
         }
     }
 }
 
-impl Rate {
+impl BitRateTimes {
     fn new(row: &RateRow) -> Self {
         Self {
             bit_rate: row.bit_rate,
@@ -282,7 +287,7 @@ impl SyncRow {
     }
 }
 
-impl<'a> MessageRow<'a> {
+impl<'a> MessageTimes<'a> {
     fn new(message: &'a TimedMessage) -> Self {
         let (response, deadline) = (message.response.map(up), message.deadline.map(|(time, _)| time / 1000));
         let mut receivers: Vec<&str> = message.receivers.iter().map(|end| end.node.as_str()).collect();

@@ -4,12 +4,12 @@ mod document;
 
 use std::io::{self, Write};
 
-pub(crate) use self::document::Document;
+pub(crate) use self::document::TimingJson;
 use super::super::args::{NetworkTimingArgs, ShowFormat};
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::super::save::save;
-use super::super::table::{Table, fit};
+use super::super::table::{TextTable, fit};
 use super::{resolved, source_names_of};
 use objdict_model::diagnostic::plural;
 use objdict_network::{
@@ -38,20 +38,20 @@ pub(super) fn run(args: &NetworkTimingArgs, out: &mut Output) -> Result<Outcome,
     match args.format {
         ShowFormat::Json => {
             let names = source_names_of(&args.files);
-            let document = Document::new(&names, &timing, &options);
+            let document = TimingJson::new(&names, &timing, &options);
             out.json(&document)?;
         }
-        ShowFormat::Table => Report { timing: &timing, options: &options }.write(out)?,
+        ShowFormat::Table => TimingReport { timing: &timing, options: &options }.write(out)?,
     }
     Ok(if timing.is_met() { Outcome::Clean } else { Outcome::Findings })
 }
 
-struct Report<'t> {
+struct TimingReport<'t> {
     timing: &'t Timing,
     options: &'t TimingOptions,
 }
 
-impl Report<'_> {
+impl TimingReport<'_> {
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         self.summary(out)?;
         writeln!(out)?;
@@ -107,7 +107,7 @@ impl Report<'_> {
             "CAN-ID", "Message", "From", "To", "Bytes", "Bits", "Period", "Jitter", "Response", "Deadline",
             "Slack",
         ];
-        let mut table = Table::new(headings, CELL);
+        let mut table = TextTable::new(headings, CELL);
         for message in &self.timing.messages {
             let time = |time: Option<u64>| time.map(milliseconds).unwrap_or_default();
             let [least, most] = message.bits;
@@ -173,9 +173,9 @@ impl Report<'_> {
             [name.to_owned(), average, bits(load.average), worst, bits(load.worst)]
         };
         let headings = |of| [of, "Average", "", "Worst case", ""];
-        let mut nodes = Table::new(headings("Load of"), CELL);
+        let mut nodes = TextTable::new(headings("Load of"), CELL);
         self.timing.nodes.iter().for_each(|share| nodes.row(row(&share.of.node, &share.load)));
-        let mut kinds = Table::new(headings("Load by"), CELL);
+        let mut kinds = TextTable::new(headings("Load by"), CELL);
         self.timing.kinds.iter().for_each(|share| kinds.row(row(kind(share.of), &share.load)));
         kinds.row(row("all messages", &self.timing.load));
         writeln!(out)?;
@@ -186,7 +186,7 @@ impl Report<'_> {
 
     fn rates(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "\nBit rates\n")?;
-        let mut table = Table::new(["kbit/s", "Average", "Worst case", ""], CELL);
+        let mut table = TextTable::new(["kbit/s", "Average", "Worst case", ""], CELL);
         for row in &self.timing.rates {
             let [average, worst] = percents(&row.load, row.bit_rate);
             let verdict = match row.missed {
@@ -213,7 +213,7 @@ impl Report<'_> {
         };
         writeln!(out, "\nConfiguration at boot\n")?;
         let mut table =
-            Table::new(["Node", "Name", "", "Downloads", "Frames", "With answers", "Limit", ""], CELL);
+            TextTable::new(["Node", "Name", "", "Downloads", "Frames", "With answers", "Limit", ""], CELL);
         for node in &boot.nodes {
             let is_limited = node.is_mandatory && boot.limit != 0;
             table.row([

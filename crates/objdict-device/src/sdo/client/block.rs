@@ -1,6 +1,6 @@
 //! Block transfers (CiA 301 §7.2.4.3.9 to §7.2.4.3.15).
 
-use super::{SdoClient, SdoData, Transfer, length_of, with_command};
+use super::{ClientState, SdoClient, SdoData, length_of, with_command};
 use crate::Abort;
 use crate::sdo::crc::crc;
 
@@ -9,10 +9,10 @@ const LAST: u8 = 0x80;
 
 /// Where a block transfer is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Block {
+pub(super) struct ClientBlock {
     /// Whether the server has a CRC.
     has_crc: bool,
-    /// The CRC of the bytes up to [`Block::counted`].
+    /// The CRC of the bytes up to [`ClientBlock::counted`].
     crc: u16,
     /// Of a download: up to where segments were sent, some of which may have to be sent again.
     counted: usize,
@@ -26,7 +26,7 @@ pub(super) struct Block {
     held: Option<[u8; 7]>,
 }
 
-impl Block {
+impl ClientBlock {
     const fn new(has_crc: bool, size: u8) -> Self {
         Self { has_crc, crc: 0, counted: 0, size, sequence: 0, is_last: false, held: None }
     }
@@ -53,14 +53,14 @@ impl Block {
 impl SdoClient {
     pub(super) fn begin_block_download(&mut self, bytes: [u8; 8]) -> Result<Option<[u8; 8]>, Abort> {
         let [command, _, _, _, size, ..] = bytes;
-        let block = Block::new(command & 4 != 0, accepted(size)?);
-        self.transfer = Transfer::BlockDownloadSegments(block);
+        let block = ClientBlock::new(command & 4 != 0, accepted(size)?);
+        self.transfer = ClientState::BlockDownloadSegments(block);
         Ok(None)
     }
 
     pub(super) fn next_block_segment<D: SdoData + ?Sized>(
         &mut self,
-        mut block: Block,
+        mut block: ClientBlock,
         data: &mut D,
     ) -> Result<[u8; 8], Abort> {
         let start = self.done + 7 * usize::from(block.sequence);
@@ -72,14 +72,14 @@ impl SdoClient {
         }
         block.sequence += 1;
         block.is_last = is_last;
-        self.transfer = Transfer::BlockDownloadSegments(block);
+        self.transfer = ClientState::BlockDownloadSegments(block);
         Ok(with_command(block.sequence | if is_last { LAST } else { 0 }, bytes))
     }
 
     /// Goes on after the segments that the server has.
     pub(super) fn acknowledged(
         &mut self,
-        mut block: Block,
+        mut block: ClientBlock,
         [_, sequence, size, ..]: [u8; 8],
     ) -> Result<Option<[u8; 8]>, Abort> {
         if sequence > block.sequence {
@@ -89,7 +89,7 @@ impl SdoClient {
         if !is_complete {
             self.done += 7 * usize::from(sequence);
             (block.sequence, block.is_last, block.size) = (0, false, accepted(size)?);
-            self.transfer = Transfer::BlockDownloadSegments(block);
+            self.transfer = ClientState::BlockDownloadSegments(block);
             return Ok(None);
         }
         let length = self.length.unwrap_or(0);
@@ -99,14 +99,14 @@ impl SdoClient {
             used => 7 - used as u8,
         };
         self.done = length;
-        self.transfer = Transfer::BlockDownloadEnd;
+        self.transfer = ClientState::BlockDownloadEnd;
         let [low, high] = if block.has_crc { block.crc.to_le_bytes() } else { [0; 2] };
         Ok(Some([0xC1 | unused << 2, low, high, 0, 0, 0, 0, 0]))
     }
 
     pub(super) fn begin_block_upload(&mut self, [command, _, _, _, length @ ..]: [u8; 8]) -> [u8; 8] {
         self.length = (command & 2 != 0).then(|| length_of(length));
-        self.transfer = Transfer::BlockUploadSegments(Block::new(command & 4 != 0, self.block_size));
+        self.transfer = ClientState::BlockUploadSegments(ClientBlock::new(command & 4 != 0, self.block_size));
         [0xA3, 0, 0, 0, 0, 0, 0, 0]
     }
 
@@ -114,7 +114,7 @@ impl SdoClient {
     /// acknowledged.
     pub(super) fn take_block_segment<D: SdoData + ?Sized>(
         &mut self,
-        mut block: Block,
+        mut block: ClientBlock,
         data: &mut D,
         [command, segment @ ..]: [u8; 8],
     ) -> Result<Option<[u8; 8]>, Abort> {
@@ -131,16 +131,16 @@ impl SdoClient {
         }
         let request = (is_last || sequence >= block.size).then(|| block.acknowledge());
         self.transfer = if is_last && in_order {
-            Transfer::BlockUploadEnd(block)
+            ClientState::BlockUploadEnd(block)
         } else {
-            Transfer::BlockUploadSegments(block)
+            ClientState::BlockUploadSegments(block)
         };
         Ok(request)
     }
 
     fn keep_segment<D: SdoData + ?Sized>(
         &mut self,
-        block: &mut Block,
+        block: &mut ClientBlock,
         data: &mut D,
         bytes: &[u8],
     ) -> Result<(), Abort> {
@@ -150,7 +150,7 @@ impl SdoClient {
 
     pub(super) fn end_block_upload<D: SdoData + ?Sized>(
         &mut self,
-        mut block: Block,
+        mut block: ClientBlock,
         data: &mut D,
         [command, low, high, ..]: [u8; 8],
     ) -> Result<[u8; 8], Abort> {

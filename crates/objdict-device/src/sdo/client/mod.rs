@@ -6,7 +6,7 @@ use super::with_command;
 use crate::frame::can_id;
 use crate::{Abort, Frame};
 
-use block::Block;
+use block::ClientBlock;
 
 const TOGGLE: u8 = 0x10;
 
@@ -35,7 +35,7 @@ pub struct SdoClient {
     timeout: u64,
     /// Segments in a sub-block of an upload.
     block_size: u8,
-    transfer: Transfer,
+    transfer: ClientState,
     /// The entry of the transfer as in a frame: index and sub-index.
     entry: [u8; 3],
     /// When the last frame came or went.
@@ -48,7 +48,7 @@ pub struct SdoClient {
 
 /// What the client waits for.
 #[derive(Clone, Copy, Debug)]
-enum Transfer {
+enum ClientState {
     None,
     Download,
     /// The answer to a segment with this toggle bit.
@@ -57,11 +57,11 @@ enum Transfer {
     /// A segment with this toggle bit.
     UploadSegment(u8),
     BlockDownload,
-    BlockDownloadSegments(Block),
+    BlockDownloadSegments(ClientBlock),
     BlockDownloadEnd,
     BlockUpload,
-    BlockUploadSegments(Block),
-    BlockUploadEnd(Block),
+    BlockUploadSegments(ClientBlock),
+    BlockUploadEnd(ClientBlock),
 }
 
 /// The bytes of a value: where those of a download come from, and where those of an upload go. A slice is both; for a value that is longer
@@ -138,7 +138,7 @@ impl SdoClient {
             response: can_id(response as u32),
             timeout: Self::TIMEOUT,
             block_size: 127,
-            transfer: Transfer::None,
+            transfer: ClientState::None,
             entry: [0; 3],
             since: 0,
             done: 0,
@@ -164,7 +164,7 @@ impl SdoClient {
     /// Whether a transfer is under way.
     #[must_use]
     pub const fn is_busy(&self) -> bool {
-        !matches!(self.transfer, Transfer::None)
+        !matches!(self.transfer, ClientState::None)
     }
 
     /// Begins to write a value of this length, 1 to 4 bytes expedited and others in segments, at a time in microseconds.
@@ -176,27 +176,27 @@ impl SdoClient {
         length: usize,
         now: u64,
     ) -> SdoStep {
-        self.start(Transfer::Download, index, sub, Some(length), now);
+        self.start(ClientState::Download, index, sub, Some(length), now);
         let request = self.request_download(data, length);
         self.conclude(request)
     }
 
     /// Begins to read a value.
     pub fn upload(&mut self, index: u16, sub: u8, now: u64) -> SdoStep {
-        self.start(Transfer::Upload, index, sub, None, now);
+        self.start(ClientState::Upload, index, sub, None, now);
         self.conclude(Ok(Some(self.with_entry(0x40, [0; 4]))))
     }
 
     /// Begins to write a value of this length by a block transfer, with a CRC if the server has one. [`Abort::UnknownCommand`] is the
     /// answer of a server without block transfers.
     pub fn download_block(&mut self, index: u16, sub: u8, length: usize, now: u64) -> SdoStep {
-        self.start(Transfer::BlockDownload, index, sub, Some(length), now);
+        self.start(ClientState::BlockDownload, index, sub, Some(length), now);
         self.conclude(Ok(Some(self.with_entry(0xC6, (length as u32).to_le_bytes()))))
     }
 
     /// Begins to read a value by a block transfer, with a CRC if the server has one. A server may answer by another protocol.
     pub fn upload_block(&mut self, index: u16, sub: u8, now: u64) -> SdoStep {
-        self.start(Transfer::BlockUpload, index, sub, None, now);
+        self.start(ClientState::BlockUpload, index, sub, None, now);
         self.conclude(Ok(Some(self.with_entry(0xA4, [self.block_size, 0, 0, 0]))))
     }
 
@@ -209,14 +209,14 @@ impl SdoClient {
     pub fn receive<D: SdoData + ?Sized>(&mut self, data: &mut D, frame: &Frame, now: u64) -> SdoStep {
         let is_of_channel = frame.id() == self.response && frame.data().len() == 8;
         let bytes = frame.bytes();
-        let is_segment = matches!(self.transfer, Transfer::BlockUploadSegments(_)) && bytes[0] != 0x80;
+        let is_segment = matches!(self.transfer, ClientState::BlockUploadSegments(_)) && bytes[0] != 0x80;
         if !self.is_busy() || !is_of_channel || !is_segment && self.is_of_another_entry(bytes) {
             return SdoStep::default();
         }
         self.since = now;
         let [command, .., a, b, c, d] = bytes;
         if command == 0x80 {
-            self.transfer = Transfer::None;
+            self.transfer = ClientState::None;
             let abort = Abort::from(u32::from_le_bytes([a, b, c, d]));
             return SdoStep { frame: None, end: Some(Err(abort)) };
         }
@@ -229,14 +229,16 @@ impl SdoClient {
     pub fn poll<D: SdoData + ?Sized>(&mut self, data: &mut D, now: u64) -> SdoStep {
         let waited = now.saturating_sub(self.since);
         let request = match &mut self.transfer {
-            Transfer::None => return SdoStep::default(),
+            ClientState::None => return SdoStep::default(),
             _ if waited >= self.timeout => Err(Abort::Timeout),
-            Transfer::BlockDownloadSegments(block) if block.is_sending() => {
+            ClientState::BlockDownloadSegments(block) if block.is_sending() => {
                 let block = *block;
                 self.since = now;
                 self.next_block_segment(block, data).map(Some)
             }
-            Transfer::BlockUploadSegments(block) if block.is_incomplete() && waited >= self.timeout / 2 => {
+            ClientState::BlockUploadSegments(block)
+                if block.is_incomplete() && waited >= self.timeout / 2 =>
+            {
                 Ok(Some(block.acknowledge()))
             }
             _ => return SdoStep::default(),
@@ -248,15 +250,15 @@ impl SdoClient {
     #[must_use]
     pub const fn next(&self) -> Option<u64> {
         let wait = match &self.transfer {
-            Transfer::None => return None,
-            Transfer::BlockDownloadSegments(block) if block.is_sending() => 0,
-            Transfer::BlockUploadSegments(block) if block.is_incomplete() => self.timeout / 2,
+            ClientState::None => return None,
+            ClientState::BlockDownloadSegments(block) if block.is_sending() => 0,
+            ClientState::BlockUploadSegments(block) if block.is_incomplete() => self.timeout / 2,
             _ => self.timeout,
         };
         Some(self.since.saturating_add(wait))
     }
 
-    const fn start(&mut self, transfer: Transfer, index: u16, sub: u8, length: Option<usize>, now: u64) {
+    const fn start(&mut self, transfer: ClientState, index: u16, sub: u8, length: Option<usize>, now: u64) {
         let [low, high] = index.to_le_bytes();
         self.entry = [low, high, sub];
         (self.transfer, self.length, self.done, self.since) = (transfer, length, 0, now);
@@ -266,7 +268,7 @@ impl SdoClient {
         let (bytes, end) = match request {
             Ok(bytes) => (bytes, (!self.is_busy()).then_some(Ok(self.done))),
             Err(abort) => {
-                self.transfer = Transfer::None;
+                self.transfer = ClientState::None;
                 (Some(self.with_entry(0x80, abort.code().to_le_bytes())), Some(Err(abort)))
             }
         };
@@ -289,21 +291,21 @@ impl SdoClient {
     fn go_on<D: SdoData + ?Sized>(&mut self, data: &mut D, bytes: [u8; 8]) -> Result<Option<[u8; 8]>, Abort> {
         let [command, ..] = bytes;
         match (command >> 5, self.transfer) {
-            (_, Transfer::BlockUploadSegments(block)) => self.take_block_segment(block, data, bytes),
-            (3, Transfer::Download) => self.first_segment(data),
-            (1, Transfer::DownloadSegment(toggle)) => self.segment_taken(data, toggle, command),
-            (2, Transfer::Upload | Transfer::BlockUpload) => self.begin_upload(data, bytes),
-            (0, Transfer::UploadSegment(toggle)) => self.take_segment(data, toggle, bytes),
-            (5, Transfer::BlockDownload) => self.begin_block_download(bytes),
-            (5, Transfer::BlockDownloadSegments(block)) if command & 3 == 2 => {
+            (_, ClientState::BlockUploadSegments(block)) => self.take_block_segment(block, data, bytes),
+            (3, ClientState::Download) => self.first_segment(data),
+            (1, ClientState::DownloadSegment(toggle)) => self.segment_taken(data, toggle, command),
+            (2, ClientState::Upload | ClientState::BlockUpload) => self.begin_upload(data, bytes),
+            (0, ClientState::UploadSegment(toggle)) => self.take_segment(data, toggle, bytes),
+            (5, ClientState::BlockDownload) => self.begin_block_download(bytes),
+            (5, ClientState::BlockDownloadSegments(block)) if command & 3 == 2 => {
                 self.acknowledged(block, bytes)
             }
-            (5, Transfer::BlockDownloadEnd) if command & 3 == 1 => {
-                self.transfer = Transfer::None;
+            (5, ClientState::BlockDownloadEnd) if command & 3 == 1 => {
+                self.transfer = ClientState::None;
                 Ok(None)
             }
-            (6, Transfer::BlockUpload) if command & 1 == 0 => Ok(Some(self.begin_block_upload(bytes))),
-            (6, Transfer::BlockUploadEnd(block)) if command & 1 == 1 => {
+            (6, ClientState::BlockUpload) if command & 1 == 0 => Ok(Some(self.begin_block_upload(bytes))),
+            (6, ClientState::BlockUploadEnd(block)) if command & 1 == 1 => {
                 self.end_block_upload(block, data, bytes).map(Some)
             }
             _ => Err(Abort::UnknownCommand),
@@ -330,7 +332,7 @@ impl SdoClient {
     fn first_segment<D: SdoData + ?Sized>(&mut self, data: &mut D) -> Result<Option<[u8; 8]>, Abort> {
         match self.length {
             Some(length @ 1..=4) => {
-                (self.transfer, self.done) = (Transfer::None, length);
+                (self.transfer, self.done) = (ClientState::None, length);
                 Ok(None)
             }
             _ => self.next_segment(data, 0).map(Some),
@@ -347,7 +349,7 @@ impl SdoClient {
             return Err(Abort::ToggleBit);
         }
         if self.length.is_none_or(|length| self.done >= length) {
-            self.transfer = Transfer::None;
+            self.transfer = ClientState::None;
             return Ok(None);
         }
         self.next_segment(data, toggle ^ TOGGLE).map(Some)
@@ -356,7 +358,7 @@ impl SdoClient {
     fn next_segment<D: SdoData + ?Sized>(&mut self, data: &mut D, toggle: u8) -> Result<[u8; 8], Abort> {
         let (bytes, used, is_last) = self.segment(data, self.done)?;
         self.done += usize::from(used);
-        self.transfer = Transfer::DownloadSegment(toggle);
+        self.transfer = ClientState::DownloadSegment(toggle);
         Ok(with_command(toggle | (7 - used) << 1 | u8::from(is_last), bytes))
     }
 
@@ -379,7 +381,7 @@ impl SdoClient {
         let states_length = command & SIZE != 0;
         if command & EXPEDITED != 0 {
             let used = if states_length { 4 - (command >> 2 & 3) } else { 4 };
-            self.transfer = Transfer::None;
+            self.transfer = ClientState::None;
             self.keep(data, value.get(..usize::from(used)).unwrap_or(&value))?;
             return Ok(None);
         }
@@ -388,7 +390,7 @@ impl SdoClient {
     }
 
     const fn request_segment(&mut self, toggle: u8) -> [u8; 8] {
-        self.transfer = Transfer::UploadSegment(toggle);
+        self.transfer = ClientState::UploadSegment(toggle);
         [0x60 | toggle, 0, 0, 0, 0, 0, 0, 0]
     }
 
@@ -425,7 +427,7 @@ impl SdoClient {
         if self.length.is_some_and(|length| self.done != length) {
             return Err(Abort::LengthMismatch);
         }
-        self.transfer = Transfer::None;
+        self.transfer = ClientState::None;
         Ok(())
     }
 }

@@ -108,7 +108,7 @@ pub struct SdoFrame {
     /// Index and sub-index; `None` if the log does not show them, because it begins in the transfer.
     pub entry: Option<(u16, u8)>,
     /// What happens.
-    pub step: SdoStep,
+    pub step: TransferStep,
     /// Which SDO channel of the node, 1 for the default one.
     pub channel: u16,
     /// Whether the client sends it.
@@ -118,7 +118,7 @@ pub struct SdoFrame {
 /// A step of an SDO transfer (CiA 301 §7.2.4.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum SdoStep {
+pub enum TransferStep {
     /// The client asks for a value.
     Read,
     /// The client sends a value in one frame.
@@ -163,7 +163,7 @@ pub enum SdoStep {
     Unknown(u8),
 }
 
-impl SdoStep {
+impl TransferStep {
     /// Whether the value is complete with this frame.
     pub const fn has_value(self) -> bool {
         matches!(self, Self::Write | Self::Value | Self::LastSegment | Self::BlockEnd)

@@ -14,14 +14,14 @@ use std::collections::BTreeSet;
 
 use objdict_network::Service;
 
-pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
+pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
 pub use self::sdo::SdoTransfer;
 use self::sdo::Transfers;
 use self::signals::SignalPlace;
 pub use self::signals::{PdoSignal, SignalReading};
 pub use self::talker::Talker;
-use self::talker::{Node, Nodes};
-use self::users::{Stale, User, Users};
+use self::talker::{Nodes, TalkingNode};
+use self::users::{CanIdUser, Stale, Users};
 use super::Decoder;
 use crate::model::{Device, PdoKind, Value};
 
@@ -173,9 +173,9 @@ impl<'a> FrameReader<'a> {
     /// What a multiplexed PDO of a node carries: the node whose entry it is, the entry, and its bytes.
     fn multiplexed<'n>(
         &'n self,
-        sender: &'n Node<'a>,
+        sender: &'n TalkingNode<'a>,
         frame: &RawFrame<'_>,
-    ) -> Option<(&'n Node<'a>, SignalPlace, u64)> {
+    ) -> Option<(&'n TalkingNode<'a>, SignalPlace, u64)> {
         let (multiplexer, entry, bytes) = signals::multiplexed(frame.data)?;
         // the entry of no one node has the type that the sender has
         let node = self.nodes.get(multiplexer.node_id()).unwrap_or(sender);
@@ -190,7 +190,7 @@ impl<'a> FrameReader<'a> {
     /// The value of an SDO transfer that is complete with this frame: its bytes, and the value where its type is known.
     pub fn transferred(&self, decoded: &DecodedFrame) -> Option<(&[u8], Option<Value>)> {
         let (node_id, sdo) = decoded.node_id.zip(decoded.sdo)?;
-        let is_known = sdo.step.has_value() || sdo.step == SdoStep::Written;
+        let is_known = sdo.step.has_value() || sdo.step == TransferStep::Written;
         let entry = sdo.entry.filter(|_| is_known)?;
         let bytes = self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry);
         let value = self.nodes.get(node_id).and_then(|node| node.value_of(entry, bytes));
@@ -237,7 +237,7 @@ impl<'a> FrameReader<'a> {
         Decoder::english(device, Some(node_id)).error_code(code.into())
     }
 
-    fn user(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<&User> {
+    fn user(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<&CanIdUser> {
         let is_pdo = matches!(decoded.service, Some(Service::Pdo(_)));
         let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
         user.filter(|user| is_pdo && Some(user.service) == decoded.service)
@@ -254,7 +254,7 @@ impl<'a> FrameReader<'a> {
     }
 
     fn reset(&mut self, node_id: u8) {
-        if self.nodes.get_mut(node_id).is_some_and(Node::reset) {
+        if self.nodes.get_mut(node_id).is_some_and(TalkingNode::reset) {
             self.note_other_values(node_id);
         }
     }
@@ -283,7 +283,7 @@ impl<'a> FrameReader<'a> {
         let sdo = self.transfers.frame(channel, data, is_request);
         if let Some(entry) = sdo.entry {
             self.learn(node_id, entry);
-            let is_accepted = is_download && !is_request && sdo.step == SdoStep::Written;
+            let is_accepted = is_download && !is_request && sdo.step == TransferStep::Written;
             let is_answer = !is_download && !is_request && sdo.step.has_value();
             if COMMUNICATION.contains(&entry.0) && (is_accepted || is_answer) {
                 self.take(channel, entry, is_accepted);
@@ -334,7 +334,7 @@ impl<'a> FrameReader<'a> {
             }
         }
         let key = users::key(frame.can_id, frame.is_extended);
-        let Some((at, &User { node_id, service, channel, .. })) = self.users.of(key) else {
+        let Some((at, &CanIdUser { node_id, service, channel, .. })) = self.users.of(key) else {
             return self.predefined(frame);
         };
         if let Service::SdoRequest | Service::SdoResponse = service {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::decoded::{SdoFrame, SdoStep};
+use super::decoded::{SdoFrame, TransferStep};
 
 /// The most bytes of a value that are kept.
 const LONGEST: usize = 1 << 24;
@@ -76,12 +76,12 @@ fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
 
 impl SdoTransfer {
     /// Takes a frame of the client (a request) or of the server, and says what happens with it.
-    pub fn frame(&mut self, data: &[u8], is_request: bool) -> SdoStep {
+    pub fn frame(&mut self, data: &[u8], is_request: bool) -> TransferStep {
         match whole(data, is_request) {
             Some(bytes) if self.has_segment(is_request, bytes[0]) => self.block_segment(bytes),
             Some(bytes) if is_request => self.request(bytes),
             Some(bytes) => self.response(bytes),
-            None => SdoStep::Malformed,
+            None => TransferStep::Malformed,
         }
     }
 
@@ -121,7 +121,7 @@ impl SdoTransfer {
         self.is_complete
     }
 
-    fn request(&mut self, bytes: [u8; 8]) -> SdoStep {
+    fn request(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [command, _, _, _, value @ ..] = bytes;
         match command >> 5 {
             1 => match expedited(command, value) {
@@ -130,60 +130,60 @@ impl SdoTransfer {
                     self.data.extend(value);
                     self.is_padded = command & 1 == 0;
                     self.is_complete = true;
-                    SdoStep::Write
+                    TransferStep::Write
                 }
                 None => {
                     self.begin(bytes, true);
-                    SdoStep::WriteStart(stated_size(command & 1 != 0, value))
+                    TransferStep::WriteStart(stated_size(command & 1 != 0, value))
                 }
             },
             2 => {
                 self.begin(bytes, false);
-                SdoStep::Read
+                TransferStep::Read
             }
             0 => self.segment(bytes, true),
-            3 => SdoStep::NextSegment,
+            3 => TransferStep::NextSegment,
             4 => self.abort(bytes),
             5 => self.block_upload(bytes),
             6 if command & 1 == 0 => {
                 self.begin(bytes, true);
                 self.blocks = Some(Blocks::default());
-                SdoStep::WriteStart(stated_size(command & 2 != 0, value))
+                TransferStep::WriteStart(stated_size(command & 2 != 0, value))
             }
             6 => self.end_of_blocks(command),
-            _ => SdoStep::Unknown(command),
+            _ => TransferStep::Unknown(command),
         }
     }
 
-    fn response(&mut self, bytes: [u8; 8]) -> SdoStep {
+    fn response(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [command, _, _, _, value @ ..] = bytes;
         match command >> 5 {
             3 => {
                 self.entry = Some(entry_of(bytes));
-                if self.is_complete { SdoStep::Written } else { SdoStep::Expected }
+                if self.is_complete { TransferStep::Written } else { TransferStep::Expected }
             }
             2 => {
                 self.begin(bytes, false);
                 let Some(value) = expedited(command, value) else {
-                    return SdoStep::ValueStart(stated_size(command & 1 != 0, value));
+                    return TransferStep::ValueStart(stated_size(command & 1 != 0, value));
                 };
                 self.data.extend(value);
                 self.is_padded = command & 1 == 0;
                 self.is_complete = true;
-                SdoStep::Value
+                TransferStep::Value
             }
-            1 if self.is_complete => SdoStep::Written,
-            1 => SdoStep::Accepted,
+            1 if self.is_complete => TransferStep::Written,
+            1 => TransferStep::Accepted,
             0 => self.segment(bytes, false),
             4 => self.abort(bytes),
             5 => self.block_download(bytes),
             6 if command & 1 == 0 => {
                 self.begin(bytes, false);
                 self.blocks = Some(Blocks::default());
-                SdoStep::ValueStart(stated_size(command & 2 != 0, value))
+                TransferStep::ValueStart(stated_size(command & 2 != 0, value))
             }
             6 => self.end_of_blocks(command),
-            _ => SdoStep::Unknown(command),
+            _ => TransferStep::Unknown(command),
         }
     }
 
@@ -193,11 +193,11 @@ impl SdoTransfer {
         *self = Self { entry: Some(entry_of(bytes)), is_download, data, ..Self::default() };
     }
 
-    fn abort(&mut self, bytes: [u8; 8]) -> SdoStep {
+    fn abort(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [_, _, _, _, code @ ..] = bytes;
         let (data, is_download) = (std::mem::take(&mut self.data), self.is_download);
         *self = Self { entry: Some(entry_of(bytes)), is_download, data, ..Self::default() };
-        SdoStep::Abort(u32::from_le_bytes(code))
+        TransferStep::Abort(u32::from_le_bytes(code))
     }
 
     fn extend(&mut self, bytes: &[u8]) {
@@ -207,18 +207,18 @@ impl SdoTransfer {
     }
 
     /// A segment of a value; with the last one the value is known.
-    fn segment(&mut self, bytes: [u8; 8], is_download: bool) -> SdoStep {
+    fn segment(&mut self, bytes: [u8; 8], is_download: bool) -> TransferStep {
         if self.entry.is_none() || self.is_download != is_download || self.is_complete {
-            return SdoStep::Stray;
+            return TransferStep::Stray;
         }
         let [command, segment @ ..] = bytes;
         let used = 7 - (command >> 1 & 7);
         self.extend(&segment[..usize::from(used)]);
         if command & 1 == 0 {
-            return SdoStep::Segment(used);
+            return TransferStep::Segment(used);
         }
         self.is_complete = true;
-        SdoStep::LastSegment
+        TransferStep::LastSegment
     }
 
     /// Whether a frame is a segment of a block: its first byte is a number from 1 to 127, not a command.
@@ -228,7 +228,7 @@ impl SdoTransfer {
             && self.blocks.is_some_and(|blocks| blocks.is_open)
     }
 
-    fn block_segment(&mut self, bytes: [u8; 8]) -> SdoStep {
+    fn block_segment(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [first, segment @ ..] = bytes;
         let (number, is_end) = (first & 0x7F, first & 0x80 != 0);
         if let Some(blocks) = &mut self.blocks {
@@ -239,11 +239,11 @@ impl SdoTransfer {
                 self.extend(&segment);
             }
         }
-        SdoStep::BlockSegment(number, is_end)
+        TransferStep::BlockSegment(number, is_end)
     }
 
     /// The receiver has so many segments of a block.
-    fn block_accepted(&mut self, number: u8) -> SdoStep {
+    fn block_accepted(&mut self, number: u8) -> TransferStep {
         if let Some(blocks) = &mut self.blocks {
             let is_whole = number >= blocks.last;
             blocks.accepted = blocks.accepted.saturating_add(7 * usize::from(number.min(blocks.last)));
@@ -252,37 +252,37 @@ impl SdoTransfer {
             blocks.is_open = !blocks.has_end;
             self.data.truncate(blocks.accepted);
         }
-        SdoStep::BlockAccepted(number)
+        TransferStep::BlockAccepted(number)
     }
 
     /// Answers of a server to blocks of the client.
-    fn block_download(&mut self, bytes: [u8; 8]) -> SdoStep {
+    fn block_download(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [command, number, ..] = bytes;
         match command & 3 {
             0 => {
                 self.entry = Some(entry_of(bytes));
                 self.open();
-                SdoStep::Expected
+                TransferStep::Expected
             }
-            1 => SdoStep::Written,
+            1 => TransferStep::Written,
             2 => self.block_accepted(number),
-            _ => SdoStep::Unknown(command),
+            _ => TransferStep::Unknown(command),
         }
     }
 
     /// Requests of a client that reads blocks.
-    fn block_upload(&mut self, bytes: [u8; 8]) -> SdoStep {
+    fn block_upload(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [command, number, ..] = bytes;
         match command & 3 {
             0 => {
                 self.begin(bytes, false);
-                SdoStep::BlockRead
+                TransferStep::BlockRead
             }
-            1 => SdoStep::BlockDone,
+            1 => TransferStep::BlockDone,
             2 => self.block_accepted(number),
             _ => {
                 self.open();
-                SdoStep::BlockStart
+                TransferStep::BlockStart
             }
         }
     }
@@ -294,14 +294,14 @@ impl SdoTransfer {
     }
 
     /// The sender says how many bytes of the last segment are not of the value.
-    fn end_of_blocks(&mut self, command: u8) -> SdoStep {
+    fn end_of_blocks(&mut self, command: u8) -> TransferStep {
         if self.blocks.take().is_none() {
-            return SdoStep::Stray;
+            return TransferStep::Stray;
         }
         let unused = usize::from(command >> 2 & 7);
         self.data.truncate(self.data.len().saturating_sub(unused));
         self.is_complete = true;
-        SdoStep::BlockEnd
+        TransferStep::BlockEnd
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::talker::Node;
+use super::talker::TalkingNode;
 use crate::dbc::Scaled;
-use crate::layout::{FieldKind, Layout};
+use crate::layout::{FieldKind, FrameLayout};
 use crate::model::{DataType, Pdo, Value};
 
 /// A value in a PDO.
@@ -88,8 +88,8 @@ pub(super) fn multiplexed(data: &[u8]) -> Option<(Multiplexer, (u16, u8), [u8; 4
 }
 
 impl PdoContent {
-    pub(super) fn new(node: &Node<'_>, pdo: &Pdo<'_>) -> Self {
-        let layout = Layout::new(&node.device, pdo, &|entry| entry.name.to_string());
+    pub(super) fn new(node: &TalkingNode<'_>, pdo: &Pdo<'_>) -> Self {
+        let layout = FrameLayout::new(&node.device, pdo, &|entry| entry.name.to_string());
         let meanings = node.meanings();
         let fields = layout.shown().filter(|(field, _)| field.kind != FieldKind::Dummy);
         let places = fields.map(|(field, span)| {
@@ -112,7 +112,7 @@ impl PdoContent {
     /// The values in a frame.
     pub(super) fn signals<'r>(
         &'r self,
-        node: &'r Node<'_>,
+        node: &'r TalkingNode<'_>,
         data: &'r [u8],
     ) -> impl Iterator<Item = PdoSignal<'r>> {
         let parts = self.parts(data);
@@ -134,7 +134,7 @@ impl PdoContent {
 
 impl SignalPlace {
     /// The value in a multiplexed PDO, which is of an entry of `node`; without a type all four bytes count.
-    pub(super) fn multiplexed(node: &Node<'_>, (index, sub): (u16, u8)) -> Self {
+    pub(super) fn multiplexed(node: &TalkingNode<'_>, (index, sub): (u16, u8)) -> Self {
         let data_type = node.data_type((index, sub));
         let bits =
             data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
@@ -169,7 +169,7 @@ impl SignalPlace {
         self.typed(raw).unwrap_or(Value::Unsigned(raw))
     }
 
-    pub(super) fn signal<'r>(&'r self, node: &Node<'_>, frame: Option<u64>) -> PdoSignal<'r> {
+    pub(super) fn signal<'r>(&'r self, node: &TalkingNode<'_>, frame: Option<u64>) -> PdoSignal<'r> {
         let bits = self.end - self.start;
         let raw = frame.map(|frame| self.raw(frame));
         let value = raw.and_then(|raw| self.typed(raw));

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::sdo::Transfers;
 use crate::dbc::{Scaled, scaling_of};
-use crate::describe::{Decoder, Reader};
+use crate::describe::{Decoder, ValueReader};
 use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Value};
 use crate::profile;
 
@@ -24,7 +24,7 @@ pub struct Talker<'a> {
 
 /// A node with the values that the frames have shown.
 #[derive(Debug)]
-pub(super) struct Node<'a> {
+pub(super) struct TalkingNode<'a> {
     pub(super) name: Cow<'a, str>,
     pub(super) node_id: u8,
     pub(super) is_described: bool,
@@ -36,7 +36,7 @@ pub(super) struct Node<'a> {
     learnt: usize,
 }
 
-impl<'a> Node<'a> {
+impl<'a> TalkingNode<'a> {
     fn of_talker(Talker { name, node_id, device }: Talker<'a>) -> Self {
         Self {
             name: Cow::Borrowed(name),
@@ -53,7 +53,7 @@ impl<'a> Node<'a> {
 /// The nodes of a bus.
 #[derive(Debug)]
 pub(super) struct Nodes<'a> {
-    all: Vec<Node<'a>>,
+    all: Vec<TalkingNode<'a>>,
     /// Positions of node-IDs.
     by_id: [Option<u8>; 128],
 }
@@ -61,12 +61,12 @@ pub(super) struct Nodes<'a> {
 impl<'a> Nodes<'a> {
     pub(super) fn new(talkers: Vec<Talker<'a>>) -> Self {
         let mut nodes = Self { all: Vec::new(), by_id: [None; 128] };
-        talkers.into_iter().for_each(|talker| nodes.add(Node::of_talker(talker)));
+        talkers.into_iter().for_each(|talker| nodes.add(TalkingNode::of_talker(talker)));
         nodes
     }
 
     /// The first of two nodes with one node-ID counts.
-    fn add(&mut self, node: Node<'a>) {
+    fn add(&mut self, node: TalkingNode<'a>) {
         let place = self.by_id.get_mut(usize::from(node.node_id)).filter(|place| place.is_none());
         if let Some((place, at)) = place.zip(u8::try_from(self.all.len()).ok()) {
             *place = Some(at);
@@ -79,29 +79,29 @@ impl<'a> Nodes<'a> {
         if self.get(node_id).is_none() {
             let name = Cow::Owned(format!("node {node_id}"));
             let [described, start, device] = std::array::from_fn(|_| Cow::Owned(Device::default()));
-            self.add(Node { name, node_id, is_described: false, described, start, device, learnt: 0 });
+            self.add(TalkingNode { name, node_id, is_described: false, described, start, device, learnt: 0 });
         }
     }
 
     /// Describes a node, which so far may be one without a description.
     pub(super) fn describe(&mut self, talker: Talker<'a>) {
-        let node = Node::of_talker(talker);
+        let node = TalkingNode::of_talker(talker);
         match self.by_id.get(usize::from(node.node_id)).copied().flatten() {
             Some(at) => self.all[usize::from(at)] = node,
             None => self.add(node),
         }
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &Node<'a>> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = &TalkingNode<'a>> {
         self.all.iter()
     }
 
-    pub(super) fn get(&self, node_id: u8) -> Option<&Node<'a>> {
+    pub(super) fn get(&self, node_id: u8) -> Option<&TalkingNode<'a>> {
         let at = self.by_id.get(usize::from(node_id)).copied().flatten()?;
         self.all.get(usize::from(at))
     }
 
-    pub(super) fn get_mut(&mut self, node_id: u8) -> Option<&mut Node<'a>> {
+    pub(super) fn get_mut(&mut self, node_id: u8) -> Option<&mut TalkingNode<'a>> {
         let at = self.by_id.get(usize::from(node_id)).copied().flatten()?;
         self.all.get_mut(usize::from(at))
     }
@@ -147,7 +147,7 @@ pub(super) fn digits(bytes: &[u8]) -> String {
     digits.join(" ")
 }
 
-impl Node<'_> {
+impl TalkingNode<'_> {
     /// The type of an entry.
     pub(super) fn data_type(&self, (index, sub): (u16, u8)) -> Option<DataType> {
         let object = self.device.object(index)?;
@@ -183,7 +183,7 @@ impl Node<'_> {
         scaling: impl FnOnce() -> Option<Scaled>,
     ) -> String {
         let node_id = Some(self.node_id);
-        let short = Reader { index, node_id }.short(Some(value), self.data_type((index, sub)));
+        let short = ValueReader { index, node_id }.short(Some(value), self.data_type((index, sub)));
         let decoder = Decoder { is_complete: self.is_described, ..Decoder::english(&self.device, node_id) };
         match decoder.of(index, sub, value) {
             Some(meaning) => match self.command(index, value) {
@@ -275,7 +275,7 @@ impl Node<'_> {
         let Some(value) = self.value_of(entry, bytes) else { return false };
         let is_known = self.device.object(index).and_then(|object| object.value(sub)).is_some_and(|known| {
             let data_type = self.data_type(entry);
-            let known = Reader { index, node_id: Some(self.node_id) }.resolve(&known, data_type);
+            let known = ValueReader { index, node_id: Some(self.node_id) }.resolve(&known, data_type);
             known == value
         });
         if !is_known {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use objdict_network::Service;
 
 use super::signals::PdoContent;
-use super::talker::Node;
+use super::talker::TalkingNode;
 use crate::model::{CobId, Pdo, PdoKind, SdoChannel, predefined};
 
 /// A CAN-ID as a number: bit 31 says that it has 29 bits.
@@ -17,7 +17,7 @@ pub(super) const fn key(can_id: u32, is_extended: bool) -> IdKey {
 
 /// A node that uses a CAN-ID.
 #[derive(Debug)]
-pub(super) struct User {
+pub(super) struct CanIdUser {
     pub(super) node_id: u8,
     pub(super) service: Service,
     /// The number of an SDO channel, from 2 on.
@@ -56,22 +56,22 @@ impl Stale {
 
 /// The services with CAN-IDs that nodes configure.
 #[derive(Debug, Default)]
-pub(super) struct Users(BTreeMap<IdKey, Vec<User>>);
+pub(super) struct Users(BTreeMap<IdKey, Vec<CanIdUser>>);
 
 impl Users {
     /// The users of a CAN-ID, and the one that sends: a TPDO before RPDOs.
-    pub(super) fn of(&self, key: IdKey) -> Option<(usize, &User)> {
+    pub(super) fn of(&self, key: IdKey) -> Option<(usize, &CanIdUser)> {
         let is_rpdo = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo);
         self.0.get(&key)?.iter().enumerate().min_by_key(|(_, user)| is_rpdo(user.service))
     }
 
     /// One of the users of a CAN-ID.
-    pub(super) fn get(&self, key: IdKey, at: usize) -> Option<&User> {
+    pub(super) fn get(&self, key: IdKey, at: usize) -> Option<&CanIdUser> {
         self.0.get(&key)?.get(at)
     }
 
     /// Takes services of a node as they are now.
-    pub(super) fn update(&mut self, node: &Node<'_>, stale: Stale) {
+    pub(super) fn update(&mut self, node: &TalkingNode<'_>, stale: Stale) {
         self.0.retain(|_, users| {
             users.retain(|user| user.node_id != node.node_id || !stale.has(user.service));
             !users.is_empty()
@@ -88,14 +88,14 @@ impl Users {
         }
     }
 
-    fn add_pdo(&mut self, node: &Node<'_>, pdo: &Pdo<'_>) {
+    fn add_pdo(&mut self, node: &TalkingNode<'_>, pdo: &Pdo<'_>) {
         if pdo.is_valid() == Some(true) {
             let content = PdoContent::new(node, pdo);
             self.add(node, pdo.cob_id, Service::pdo(pdo.kind, pdo.number), 0, content);
         }
     }
 
-    fn add_services(&mut self, node: &Node<'_>) {
+    fn add_services(&mut self, node: &TalkingNode<'_>) {
         let services = node.device.services();
         let mut add = |cob_id: Option<CobId>, service, channel| {
             self.add(node, cob_id, service, channel, PdoContent::default());
@@ -114,7 +114,7 @@ impl Users {
 
     fn add(
         &mut self,
-        node: &Node<'_>,
+        node: &TalkingNode<'_>,
         cob_id: Option<CobId>,
         service: Service,
         channel: u16,
@@ -123,7 +123,7 @@ impl Users {
         let Some(cob_id) = cob_id else { return };
         let key = key(cob_id.can_id(node.node_id), cob_id.is_extended());
         if key != 0 {
-            let user = User { node_id: node.node_id, service, channel, content };
+            let user = CanIdUser { node_id: node.node_id, service, channel, content };
             self.0.entry(key).or_default().push(user);
         }
     }

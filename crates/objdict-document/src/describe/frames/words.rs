@@ -2,9 +2,9 @@
 
 use objdict_network::Service;
 
-use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
+use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
 use super::signals::{self, Multiplexer};
-use super::talker::{Node, digits};
+use super::talker::{TalkingNode, digits};
 use super::{FrameReader, lss, nmt_state, users};
 use crate::describe::{Decoder, time};
 use crate::model::PdoKind;
@@ -96,28 +96,30 @@ impl FrameReader<'_> {
         };
         let size = |size: Option<u32>| size.map_or_else(String::new, |size| format!(", {size} bytes"));
         let said = match sdo.step {
-            SdoStep::Read | SdoStep::BlockRead => format!("read {}", entry()),
-            SdoStep::Write => format!("write {}", value()),
-            SdoStep::WriteStart(stated) => format!("write {}{}", entry(), size(stated)),
-            SdoStep::Expected => format!("{address} is expected"),
-            SdoStep::Written => format!("{address} is written"),
-            SdoStep::Value => value(),
-            SdoStep::ValueStart(stated) => format!("{}{}", entry(), size(stated)),
-            SdoStep::NextSegment => "next segment".to_owned(),
-            SdoStep::Segment(used) => format!("segment of {used} bytes"),
-            SdoStep::LastSegment => format!("last segment, {}", value()),
-            SdoStep::Accepted => "segment is accepted".to_owned(),
-            SdoStep::Stray => "segment without a transfer".to_owned(),
-            SdoStep::Abort(code) => format!("{}: {}", entry(), Abort::from(code)),
-            SdoStep::BlockStart => "start of the blocks".to_owned(),
-            SdoStep::BlockSegment(number, false) => format!("segment {number} of a block"),
-            SdoStep::BlockSegment(number, true) => format!("segment {number} of a block, the last one"),
-            SdoStep::BlockAccepted(number) => format!("segments up to {number} are accepted"),
-            SdoStep::BlockEnd => format!("end of the blocks, {}", value()),
-            SdoStep::BlockDone => "end of the blocks is confirmed".to_owned(),
-            SdoStep::Malformed if sdo.is_request => return format!("SDO of {} bytes to {name}", data.len()),
-            SdoStep::Malformed => return format!("SDO of {} bytes from {name}", data.len()),
-            SdoStep::Unknown(command) => format!("unknown SDO command {command:02X}h"),
+            TransferStep::Read | TransferStep::BlockRead => format!("read {}", entry()),
+            TransferStep::Write => format!("write {}", value()),
+            TransferStep::WriteStart(stated) => format!("write {}{}", entry(), size(stated)),
+            TransferStep::Expected => format!("{address} is expected"),
+            TransferStep::Written => format!("{address} is written"),
+            TransferStep::Value => value(),
+            TransferStep::ValueStart(stated) => format!("{}{}", entry(), size(stated)),
+            TransferStep::NextSegment => "next segment".to_owned(),
+            TransferStep::Segment(used) => format!("segment of {used} bytes"),
+            TransferStep::LastSegment => format!("last segment, {}", value()),
+            TransferStep::Accepted => "segment is accepted".to_owned(),
+            TransferStep::Stray => "segment without a transfer".to_owned(),
+            TransferStep::Abort(code) => format!("{}: {}", entry(), Abort::from(code)),
+            TransferStep::BlockStart => "start of the blocks".to_owned(),
+            TransferStep::BlockSegment(number, false) => format!("segment {number} of a block"),
+            TransferStep::BlockSegment(number, true) => format!("segment {number} of a block, the last one"),
+            TransferStep::BlockAccepted(number) => format!("segments up to {number} are accepted"),
+            TransferStep::BlockEnd => format!("end of the blocks, {}", value()),
+            TransferStep::BlockDone => "end of the blocks is confirmed".to_owned(),
+            TransferStep::Malformed if sdo.is_request => {
+                return format!("SDO of {} bytes to {name}", data.len());
+            }
+            TransferStep::Malformed => return format!("SDO of {} bytes from {name}", data.len()),
+            TransferStep::Unknown(command) => format!("unknown SDO command {command:02X}h"),
         };
         let short = if data.len() < 8 { format!(" (in {} bytes)", data.len()) } else { String::new() };
         match sdo.channel {
@@ -158,7 +160,7 @@ fn time_stamp(data: &[u8]) -> String {
 }
 
 /// An emergency message: `EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)`.
-fn emergency(node: &Node<'_>, data: &[u8]) -> String {
+fn emergency(node: &TalkingNode<'_>, data: &[u8]) -> String {
     let &[low, high, register, ref vendor @ ..] = data else {
         return format!("{} EMCY with {} bytes", node.name, data.len());
     };

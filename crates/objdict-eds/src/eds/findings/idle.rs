@@ -2,7 +2,7 @@
 
 use super::{DUPLICATE_KEY, DUPLICATE_SECTION};
 use crate::diagnostic::{At, Diagnostic, Findings};
-use crate::eds::keys::Key;
+use crate::eds::keys::FieldKey;
 use crate::eds::misspelt;
 use crate::eds::section::SectionName;
 use crate::ini::findings::lines::is_merge_mark;
@@ -72,7 +72,7 @@ const MOST_WRAPPED: usize = 8;
 fn is_prose(line: &str, before: &str) -> bool {
     let is_word = |word: &str| {
         let is_number = word.starts_with(|c: char| c.is_ascii_digit());
-        !is_number && Key::find(word).is_none() && misspelt::key(&Part::Object(0), word).is_none()
+        !is_number && FieldKey::find(word).is_none() && misspelt::key(&Part::Object(0), word).is_none()
     };
     let continues = || {
         let mut kinds = before.lines().rev().take(MOST_WRAPPED).filter_map(|line| Lines::new(line).next());

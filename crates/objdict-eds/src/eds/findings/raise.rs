@@ -7,8 +7,8 @@ use super::{
 };
 use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
 use crate::eds::item::Item;
-use crate::eds::keys::Key;
-use crate::eds::section::{SectionName, Spelling, section_name};
+use crate::eds::keys::FieldKey;
+use crate::eds::section::{NameSpelling, SectionName, section_name};
 use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, Place};
 use crate::source::Span;
 
@@ -171,7 +171,7 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
 }
 
 /// Reports a key that is read as another one.
-pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: Key) -> Diagnostic {
+pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: FieldKey) -> Diagnostic {
     // as severe as the missing key that it hides
     let is_required =
         matches!(meant.field(), Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber);
@@ -210,14 +210,14 @@ pub(in crate::eds) fn misspelt_section(name: &str, part: &Part, at: Span) -> Dia
 pub(in crate::eds) fn section_spelling(name: &str, parsed: &SectionName, at: Span) -> Option<Diagnostic> {
     let (rule, message) = match parsed.spelling {
         // misspelt names are checked once all sections are known
-        Spelling::Standard | Spelling::Misspelt => return None,
-        Spelling::CorrectCommissioning => {
+        NameSpelling::Standard | NameSpelling::Misspelt => return None,
+        NameSpelling::CorrectCommissioning => {
             (&COMMISSIONING_SPELLING, say!("the standard spells `[{}]` with one m", name))
         }
-        Spelling::LeadingZero => (&SECTION_SPELLING, say!("`[{}]` has a leading zero", name)),
-        Spelling::Decorated => (&SECTION_SPELLING, say!("`[{}]` is not a valid object section", name)),
+        NameSpelling::LeadingZero => (&SECTION_SPELLING, say!("`[{}]` has a leading zero", name)),
+        NameSpelling::Decorated => (&SECTION_SPELLING, say!("`[{}]` is not a valid object section", name)),
     };
-    let severe = parsed.spelling == Spelling::Decorated;
+    let severe = parsed.spelling == NameSpelling::Decorated;
     let finding =
         Diagnostic::new(rule, at, message).severity(if severe { Severity::Error } else { Severity::Warning });
     let title = say!("write `[{}]`", parsed.to_string());

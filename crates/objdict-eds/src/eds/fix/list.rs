@@ -3,13 +3,13 @@
 use std::collections::{HashMap, HashSet};
 
 use super::section::{KeyLine, is_counter, line_of};
-use super::{Rewriter, index_text, list_lines};
+use super::{EdsRewriter, index_text, list_lines};
 use crate::eds::order::counter_of;
 use crate::ini::Section;
 use crate::literal::{self, Quirks};
 use crate::model::{Field, ObjectList, Part};
 
-impl Rewriter<'_> {
+impl EdsRewriter<'_> {
     /// Sets the indexes of a list of objects.
     pub(super) fn list(&mut self, list: ObjectList, indexes: &[u16]) -> Option<()> {
         let part = Part::List(list);

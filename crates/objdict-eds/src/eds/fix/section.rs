@@ -1,10 +1,10 @@
 //! Edits of the keys of one section.
 
-use crate::eds::keys::Key;
+use crate::eds::keys::FieldKey;
 use crate::eds::misspelt;
 use crate::eds::order::{COUNTERS, counter_of, key_rank};
 use crate::eds::section::SectionName;
-use crate::ini::{Document, Entry, LineKind, Lines, Section};
+use crate::ini::{Document, IniEntry, LineKind, Lines, Section};
 use crate::model::{Field, Part};
 use crate::source::{Edits, Span};
 
@@ -20,7 +20,7 @@ pub(super) struct SectionEdit {
 /// An existing, changed or new key.
 pub(super) struct KeyLine {
     /// The entry in the text; `None` for a new key.
-    pub entry: Option<Entry>,
+    pub entry: Option<IniEntry>,
     pub key: String,
     /// The new value, if it changes.
     pub value: Option<String>,
@@ -30,8 +30,9 @@ pub(super) struct KeyLine {
 impl KeyLine {
     /// Whether the key of the line is a misspelt `key`.
     fn is_misspelt(&self, part: &Part, key: &str) -> bool {
-        Key::find(key)
-            .is_some_and(|key| Key::find(&self.key).is_none() && misspelt::key(part, &self.key) == Some(key))
+        FieldKey::find(key).is_some_and(|key| {
+            FieldKey::find(&self.key).is_none() && misspelt::key(part, &self.key) == Some(key)
+        })
     }
 }
 

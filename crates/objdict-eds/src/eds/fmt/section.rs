@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 
 use super::spell;
-use super::text::{Extent, Text};
-use crate::eds::keys::Key;
+use super::text::{ArrangedText, Extent};
+use crate::eds::keys::FieldKey;
 use crate::eds::order::{COUNTERS, Rank, key_rank};
 use crate::model::{Device, ModulePart, Part};
 
 /// A section and the lines that move with it.
-pub(super) struct Block<'a> {
+pub(super) struct SectionBlock<'a> {
     pub(super) rank: Rank,
     pub(super) part: Part,
     pub(super) name: String,
@@ -19,20 +19,20 @@ pub(super) struct Block<'a> {
     pub(super) is_above: bool,
     /// The text after the header on its line.
     pub(super) remark: Option<&'a str>,
-    pub(super) entries: Vec<Entry<'a>>,
+    pub(super) entries: Vec<KeyBlock<'a>>,
     /// The lines after the last key.
     pub(super) behind: Vec<&'a str>,
 }
 
 /// A key with the lines above it.
-pub(super) struct Entry<'a> {
+pub(super) struct KeyBlock<'a> {
     pub(super) notes: Vec<&'a str>,
     pub(super) key: &'a str,
     pub(super) value: &'a str,
 }
 
-impl Block<'_> {
-    pub(super) fn write(&self, device: &Device, extent: Extent, text: &mut Text) {
+impl SectionBlock<'_> {
+    pub(super) fn write(&self, device: &Device, extent: Extent, text: &mut ArrangedText) {
         for (number, paragraph) in self.above.iter().enumerate() {
             text.lines(paragraph);
             if number + 1 < self.above.len() || !self.is_above {
@@ -43,7 +43,7 @@ impl Block<'_> {
             text.line(&format!("; {remark}"));
         }
         text.line(&format!("[{}]", self.name));
-        let mut entries: Vec<&Entry<'_>> = self.entries.iter().collect();
+        let mut entries: Vec<&KeyBlock<'_>> = self.entries.iter().collect();
         if extent.keys {
             entries.sort_by_key(|entry| self.rank_of(entry.key));
         }
@@ -77,7 +77,7 @@ impl Block<'_> {
                         | ModulePart::SubExt(_)
                 )
         );
-        match Key::find(key).map(Key::field) {
+        match FieldKey::find(key).map(FieldKey::field) {
             Some(_) if has_order => key_rank(key).unwrap_or(u32::MAX),
             Some(field) if COUNTERS.contains(field) && !matches!(self.part, Part::Section(_)) => 0,
             _ => u32::MAX,
@@ -86,7 +86,7 @@ impl Block<'_> {
 
     /// A key in the spelling of the standard.
     fn key<'k>(&self, key: &'k str) -> Cow<'k, str> {
-        match Key::find(key) {
+        match FieldKey::find(key) {
             Some(found) if !matches!(self.part, Part::Section(_)) => found.field().name(),
             _ => Cow::Borrowed(key),
         }

@@ -2,13 +2,13 @@
 
 use std::borrow::Cow;
 
-use crate::eds::keys::Key;
+use crate::eds::keys::FieldKey;
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, DataType, Device, Field, ModulePart, ObjectType, Part, TypeKind};
 
 /// The value of a key of a part.
 pub(super) fn value<'a>(device: &Device, part: &Part, key: &str, text: &'a str) -> Cow<'a, str> {
-    let spelled = match Key::find(key).map(Key::field) {
+    let spelled = match FieldKey::find(key).map(FieldKey::field) {
         Some(field) => of_field(device, part, field, text),
         None => of_item(device, part, key, text),
     };

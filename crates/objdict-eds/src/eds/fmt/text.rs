@@ -22,12 +22,12 @@ impl Extent {
 }
 
 /// A text while it is arranged.
-pub(super) struct Text {
+pub(super) struct ArrangedText {
     pub text: String,
     pub line_end: &'static str,
 }
 
-impl Text {
+impl ArrangedText {
     pub(super) fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push_str(self.line_end);

@@ -9,31 +9,31 @@ use crate::ini::Document;
 use crate::model::{ObjectList, Part};
 
 /// The sections and keys of a text, without regard to case; the last of two equal keys counts.
-struct Config<'a> {
+struct LoadedConfig<'a> {
     text: &'a str,
-    sections: BTreeMap<String, Section<'a>>,
+    sections: BTreeMap<String, LoadedSection<'a>>,
 }
 
-struct Section<'a> {
+struct LoadedSection<'a> {
     name: Span,
     keys: BTreeMap<String, (&'a str, Span)>,
 }
 
 /// Where reading stops, and why.
-type Stop = (Span, Text);
+type LoadingStop = (Span, Text);
 
 /// Reports where reading stops.
 pub(super) fn check(document: &Document, findings: &mut Findings) {
-    if let Err((at, message)) = Config::of(document).load() {
+    if let Err((at, message)) = LoadedConfig::of(document).load() {
         let finding = Diagnostic::new(&UNLOADABLE, at, message);
         findings.push(finding.help("correct it, or use a copy without it for the tool"));
     }
 }
 
-impl<'a> Config<'a> {
+impl<'a> LoadedConfig<'a> {
     fn of(document: &'a Document) -> Self {
         let text = document.text();
-        let mut sections: BTreeMap<String, Section<'a>> = BTreeMap::new();
+        let mut sections: BTreeMap<String, LoadedSection<'a>> = BTreeMap::new();
         // a text of C ends there
         let end = text.find('\0').and_then(|at| u32::try_from(at).ok()).unwrap_or(u32::MAX);
         document.visit(
@@ -42,7 +42,7 @@ impl<'a> Config<'a> {
                 let name = header.name.of(text).to_ascii_lowercase();
                 let into = sections
                     .entry(name)
-                    .or_insert_with(|| Section { name: header.name, keys: BTreeMap::new() });
+                    .or_insert_with(|| LoadedSection { name: header.name, keys: BTreeMap::new() });
                 for entry in &section.entries {
                     let key = entry.key.of(text).to_ascii_lowercase();
                     into.keys.insert(key, (plain(entry.value.of(text)), entry.value));
@@ -53,11 +53,11 @@ impl<'a> Config<'a> {
         Self { text, sections }
     }
 
-    fn section(&self, name: &str) -> Option<&Section<'a>> {
+    fn section(&self, name: &str) -> Option<&LoadedSection<'a>> {
         self.sections.get(&name.to_ascii_lowercase())
     }
 
-    fn load(&self) -> Result<(), Stop> {
+    fn load(&self) -> Result<(), LoadingStop> {
         let mut indexes: Vec<u16> = Vec::new();
         for list in ObjectList::ALL {
             self.list(&section_name(&Part::List(list)).unwrap_or_default(), &mut indexes)?;
@@ -81,7 +81,7 @@ impl<'a> Config<'a> {
     }
 
     /// The indexes of a list.
-    fn list(&self, name: &str, indexes: &mut Vec<u16>) -> Result<(), Stop> {
+    fn list(&self, name: &str, indexes: &mut Vec<u16>) -> Result<(), LoadingStop> {
         let Some(section) = self.section(name) else { return Ok(()) };
         let Some((count, at)) = section.value("supportedobjects") else { return Ok(()) };
         for number in 1..=unsigned(count).min(0xFFFF) {
@@ -94,7 +94,7 @@ impl<'a> Config<'a> {
         Ok(())
     }
 
-    fn object(&self, index: u16, before: &[u16]) -> Result<(), Stop> {
+    fn object(&self, index: u16, before: &[u16]) -> Result<(), LoadingStop> {
         let name = format!("{index:X}");
         let Some(section) = self.section(&name).filter(|section| section.keys.contains_key("parametername"))
         else {
@@ -130,7 +130,12 @@ impl<'a> Config<'a> {
     }
 
     /// Type, access and values of an entry.
-    fn entry(&self, section: &Section<'a>, at: &Section<'a>, is_domain: bool) -> Result<(), Stop> {
+    fn entry(
+        &self,
+        section: &LoadedSection<'a>,
+        at: &LoadedSection<'a>,
+        is_domain: bool,
+    ) -> Result<(), LoadingStop> {
         let name = at.name.of(self.text);
         let stated = section.value("datatype");
         let data_type = match stated {
@@ -159,7 +164,7 @@ impl<'a> Config<'a> {
         self.value(section, "parametervalue", data_type)
     }
 
-    fn value(&self, section: &Section<'a>, key: &str, data_type: u16) -> Result<(), Stop> {
+    fn value(&self, section: &LoadedSection<'a>, key: &str, data_type: u16) -> Result<(), LoadingStop> {
         let Some((value, at)) = section.value(key) else { return Ok(()) };
         let is_formula = value.get(..7).is_some_and(|word| word.eq_ignore_ascii_case("$NODEID"));
         let rest = match value.get(7..).filter(|_| is_formula) {
@@ -176,7 +181,7 @@ impl<'a> Config<'a> {
     }
 }
 
-impl<'a> Section<'a> {
+impl<'a> LoadedSection<'a> {
     /// The value of a key; `None` for an empty one.
     fn value(&self, key: &str) -> Option<(&'a str, Span)> {
         self.keys.get(key).copied().filter(|(value, _)| !value.is_empty())

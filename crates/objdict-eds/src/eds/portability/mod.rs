@@ -8,8 +8,8 @@ mod spelling;
 mod structure;
 mod values;
 
-use super::keys::Key;
-use super::section::{SectionName, Spelling, section_name};
+use super::keys::FieldKey;
+use super::section::{NameSpelling, SectionName, section_name};
 use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
 use crate::ini::{self, Document};
 use crate::model::{Device, Entry, Field, Part};
@@ -20,15 +20,15 @@ pub use rules::RULES;
 /// Adds the findings of the text from which `device` was read.
 pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
     let mut spelling = spelling::Spellings::default();
-    let mut values = values::Values::default();
-    let mut order = structure::Order::default();
+    let mut values = values::ReportedValues::default();
+    let mut order = structure::ObjectOrder::default();
     let text = document.text();
     document.visit(
         |section| {
             let Some(header) = section.header else { return };
             let name = header.name.of(text);
             let parsed = SectionName::parse(name);
-            let section = Section { text, device, header, name, parsed: &parsed, ini: section };
+            let section = CheckedSection { text, device, header, name, parsed: &parsed, ini: section };
             spelling.check(&section, findings);
             values.check(&section, findings);
             order.check(&section, findings);
@@ -42,7 +42,7 @@ pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
 }
 
 /// A section and its part.
-struct Section<'a> {
+struct CheckedSection<'a> {
     text: &'a str,
     device: &'a Device,
     header: ini::Header,
@@ -53,25 +53,25 @@ struct Section<'a> {
 }
 
 /// A line of a section.
-struct Line<'a> {
-    key: Option<Key>,
+struct SectionLine<'a> {
+    key: Option<FieldKey>,
     name: &'a str,
     value: &'a str,
     name_at: Span,
     value_at: Span,
 }
 
-impl<'a> Section<'a> {
+impl<'a> CheckedSection<'a> {
     fn part(&self) -> &Part {
         &self.parsed.part
     }
 
-    fn lines(&self) -> impl Iterator<Item = Line<'a>> {
+    fn lines(&self) -> impl Iterator<Item = SectionLine<'a>> {
         let text = self.text;
         self.ini.entries.iter().map(move |entry| {
             let name = entry.key.of(text);
-            Line {
-                key: Key::find(name),
+            SectionLine {
+                key: FieldKey::find(name),
                 name,
                 value: entry.value.of(text),
                 name_at: entry.key,
@@ -93,13 +93,13 @@ impl<'a> Section<'a> {
 
     /// The name in the spelling of the standard.
     fn standard_name(&self) -> Option<String> {
-        section_name(self.part()).filter(|_| self.parsed.spelling == Spelling::Standard)
+        section_name(self.part()).filter(|_| self.parsed.spelling == NameSpelling::Standard)
     }
 }
 
-impl Line<'_> {
+impl SectionLine<'_> {
     fn field(&self) -> Option<&'static Field> {
-        self.key.map(Key::field)
+        self.key.map(FieldKey::field)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::rules::{
     BLANKS_AFTER_SECTION, EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE,
 };
-use super::{Line, Section, Together};
+use super::{CheckedSection, SectionLine, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part};
 
@@ -19,7 +19,7 @@ pub(super) struct Spellings {
 }
 
 impl Spellings {
-    pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+    pub(super) fn check(&mut self, section: &CheckedSection<'_>, findings: &mut Findings) {
         self.check_blanks(section);
         if matches!(section.part(), Part::Section(_)) {
             return;
@@ -43,7 +43,7 @@ impl Spellings {
         }
     }
 
-    fn check_blanks(&mut self, section: &Section<'_>) {
+    fn check_blanks(&mut self, section: &CheckedSection<'_>) {
         let line = section.header.line.of(section.text);
         let header = line.trim_end_matches([' ', '\t']);
         if header.len() < line.len() && header.ends_with(']') {
@@ -53,7 +53,7 @@ impl Spellings {
         }
     }
 
-    fn check_name(&mut self, section: &Section<'_>) {
+    fn check_name(&mut self, section: &CheckedSection<'_>) {
         let Some(standard) = section.standard_name() else { return };
         let is_object = matches!(section.part(), Part::Object(_));
         if standard == section.name || is_object || !standard.eq_ignore_ascii_case(section.name) {
@@ -70,7 +70,7 @@ impl Spellings {
         }
     }
 
-    fn check_key(&mut self, section: &Section<'_>, line: &Line<'_>) {
+    fn check_key(&mut self, section: &CheckedSection<'_>, line: &SectionLine<'_>) {
         let standard = match line.field() {
             Some(field) => field.name(),
             None => match section.part() {
@@ -86,7 +86,7 @@ impl Spellings {
     }
 
     /// Keys for which an empty value means the same as a missing key.
-    fn check_empty(&mut self, section: &Section<'_>, line: &Line<'_>) {
+    fn check_empty(&mut self, section: &CheckedSection<'_>, line: &SectionLine<'_>) {
         if !line.value.is_empty() {
             return;
         }
@@ -108,7 +108,7 @@ impl Spellings {
 }
 
 /// Whether tools read a value from the section: not from the section of an ARRAY or RECORD.
-fn holds_value(section: &Section<'_>) -> bool {
+fn holds_value(section: &CheckedSection<'_>) -> bool {
     match *section.part() {
         Part::Object(index) => {
             section.device.object(index).is_some_and(|object| !object.object_type().has_subs())
@@ -118,7 +118,7 @@ fn holds_value(section: &Section<'_>) -> bool {
 }
 
 /// The line including its line end.
-fn whole_line(text: &str, line: &Line<'_>) -> crate::source::Span {
+fn whole_line(text: &str, line: &SectionLine<'_>) -> crate::source::Span {
     let start = text[..line.name_at.start as usize].rfind(['\n', '\r']).map_or(0, |at| at + 1);
     let rest = &text[line.value_at.end as usize..];
     let end = rest.find(['\n', '\r']).unwrap_or(rest.len());
@@ -135,7 +135,7 @@ fn with_head(name: &str, head: &str) -> String {
 }
 
 /// Numbers that some tools parse only as decimal.
-fn check_number(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
+fn check_number(section: &CheckedSection<'_>, line: &SectionLine<'_>, findings: &mut Findings) {
     let rule: &'static RuleInfo = match (section.part(), line.field()) {
         (Part::List(_), Some(Field::SupportedObjects))
         | (Part::CompactNames(_) | Part::CompactValues(_), Some(Field::NrOfEntries)) => &HEX_COUNT,

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::rules::{COMMENTED_SECTION, DUMMY_USAGE, SPARSE_NAMES, SUB_BEFORE_OBJECT};
-use super::{Section, Together};
+use super::{CheckedSection, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, listing, listing_or, say};
 use crate::ini::{Document, LineKind};
 use crate::model::{Field, Part, Place};
@@ -11,13 +11,13 @@ use crate::source::Span;
 
 /// The objects whose section was seen, and those that were reported.
 #[derive(Default)]
-pub(super) struct Order {
+pub(super) struct ObjectOrder {
     met: HashSet<u16>,
     reported: HashSet<u16>,
 }
 
-impl Order {
-    pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+impl ObjectOrder {
+    pub(super) fn check(&mut self, section: &CheckedSection<'_>, findings: &mut Findings) {
         match *section.part() {
             Part::Object(index) => {
                 self.met.insert(index);
@@ -32,7 +32,7 @@ impl Order {
         }
     }
 
-    fn check_order(&mut self, index: u16, section: &Section<'_>, findings: &mut Findings) {
+    fn check_order(&mut self, index: u16, section: &CheckedSection<'_>, findings: &mut Findings) {
         let exists = section.device.object(index).is_some_and(|object| !object.orphan);
         if exists && !self.met.contains(&index) && self.reported.insert(index) {
             let message = say!("`[{}]` is before `[{:X}]`", section.name, index);
@@ -44,7 +44,7 @@ impl Order {
 }
 
 /// Reports gaps: tools read each name from 1 to `NrOfEntries`.
-fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
+fn check_names(index: u16, section: &CheckedSection<'_>, findings: &mut Findings) {
     let Some(object) = section.device.object(index) else { return };
     let Some(compact) = &object.compact else { return };
     let Some(highest) = compact.names.iter().map(|(sub, _)| *sub).max() else { return };
@@ -72,7 +72,7 @@ fn check_names(index: u16, section: &Section<'_>, findings: &mut Findings) {
     );
 }
 
-fn check_dummies(section: &Section<'_>, findings: &mut Findings) {
+fn check_dummies(section: &CheckedSection<'_>, findings: &mut Findings) {
     let is_there = |key: &String| section.lines().any(|line| line.name.eq_ignore_ascii_case(key));
     let missing: Vec<String> =
         (1..=7).map(|number| format!("Dummy{number:04}")).filter(|key| !is_there(key)).collect();

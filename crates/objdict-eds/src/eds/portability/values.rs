@@ -4,22 +4,22 @@ use super::rules::{
     BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, NEGATIVE_HEX, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT,
     UNQUOTED_STRING,
 };
-use super::{Line, Section, Together};
+use super::{CheckedSection, SectionLine, Together};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{DataType, Field, Part, TypeKind};
 
 /// Findings that are reported once per file.
 #[derive(Default)]
-pub(super) struct Values {
+pub(super) struct ReportedValues {
     reals: Together,
     strings: Together,
     limits: Together,
     negative: Together,
 }
 
-impl Values {
-    pub(super) fn check(&mut self, section: &Section<'_>, findings: &mut Findings) {
+impl ReportedValues {
+    pub(super) fn check(&mut self, section: &CheckedSection<'_>, findings: &mut Findings) {
         let data_type = section.entry().and_then(|entry| entry.data_type);
         for line in section.lines().filter(|line| !line.value.is_empty()) {
             let is_value = match line.field() {
@@ -67,7 +67,7 @@ impl Values {
         self.limits.finish(&LIMIT_NOT_READ, "check the limits in the application", no_fix, findings);
     }
 
-    fn check_real(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
+    fn check_real(&mut self, data_type: Option<DataType>, line: &SectionLine<'_>) {
         let is_real = matches!(data_type, Some(DataType::REAL32 | DataType::REAL64));
         if is_real && line.value != "0" && !is_hex(line.value) {
             self.reals.add(line.value_at, || say!("the REAL `{}` is not written as its bits", line.value));
@@ -77,14 +77,14 @@ impl Values {
         }
     }
 
-    fn check_string(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
+    fn check_string(&mut self, data_type: Option<DataType>, line: &SectionLine<'_>) {
         let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
         if is_string && !line.value.starts_with(['"', '\'']) {
             self.strings.add(line.value_at, || say!("the string `{}` has no quotes", line.value));
         }
     }
 
-    fn check_negative(&mut self, data_type: Option<DataType>, line: &Line<'_>) {
+    fn check_negative(&mut self, data_type: Option<DataType>, line: &SectionLine<'_>) {
         let digits = line.value.strip_prefix('-');
         if data_type.is_some_and(DataType::is_integer) && digits.is_some_and(is_hex) {
             self.negative.add(line.value_at, || say!("`{}` is a negative hex number", line.value));
@@ -97,7 +97,7 @@ impl Values {
         }
     }
 
-    fn check_limit(&mut self, data_type: Option<DataType>, field: &Field, line: &Line<'_>) {
+    fn check_limit(&mut self, data_type: Option<DataType>, field: &Field, line: &SectionLine<'_>) {
         let Some(data_type) = data_type else { return };
         let reason = match data_type {
             _ if line.value.starts_with('$') => "a formula",
@@ -127,7 +127,7 @@ fn is_hex(value: &str) -> bool {
     value.get(..2).is_some_and(|mark| mark.eq_ignore_ascii_case("0x"))
 }
 
-fn check_bare_node_id(data_type: Option<DataType>, line: &Line<'_>, findings: &mut Findings) {
+fn check_bare_node_id(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mut Findings) {
     let is_integer = data_type.is_some_and(DataType::is_integer);
     if is_integer && line.value.eq_ignore_ascii_case("$NODEID") {
         let message = say!("`{}` has no number to add", line.value);
@@ -138,7 +138,7 @@ fn check_bare_node_id(data_type: Option<DataType>, line: &Line<'_>, findings: &m
 }
 
 /// Whether a value is text with any characters; `data_type` is the type of a value of the device.
-fn is_text(section: &Section<'_>, line: &Line<'_>, data_type: Option<DataType>) -> bool {
+fn is_text(section: &CheckedSection<'_>, line: &SectionLine<'_>, data_type: Option<DataType>) -> bool {
     if let Some(data_type) = data_type {
         return matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::UnicodeString);
     }
@@ -167,7 +167,7 @@ fn is_text(section: &Section<'_>, line: &Line<'_>, data_type: Option<DataType>) 
 }
 
 /// A `;` or `#` after a space starts a comment in Python's INI reader, if configured so.
-fn check_text(section: &Section<'_>, line: &Line<'_>, findings: &mut Findings) {
+fn check_text(section: &CheckedSection<'_>, line: &SectionLine<'_>, findings: &mut Findings) {
     // spaces between `=` and the value count
     let behind_key = crate::source::Span::new(line.name_at.end, line.value_at.end).of(section.text);
     let is_behind_blank = |mark: char| {

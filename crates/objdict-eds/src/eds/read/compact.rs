@@ -1,6 +1,6 @@
 //! Names, values and denotations of compactly stored objects.
 
-use super::Reader;
+use super::EdsReader;
 use super::items::Items;
 use super::lists::check_count;
 use crate::eds::findings;
@@ -9,7 +9,7 @@ use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Compact, DataType, Extra, Field, InvalidValues, Part, Value};
 
-impl Reader<'_> {
+impl EdsReader<'_> {
     pub(super) fn compact_section(&mut self, part: Part, section: &ini::Section) {
         self.compact.push((part, section.clone()));
     }

@@ -8,7 +8,7 @@ use crate::model::{Object, Objects};
 
 /// The objects in the order of the file. A section is usually of the last object or of a new one and needs
 /// no lookup, and a tree built at the end from sorted objects is faster and smaller than a growing one.
-pub(super) struct Dictionary {
+pub(super) struct DictionaryReader {
     objects: Vec<(u16, Object)>,
     /// The known indexes, one bit each.
     known: Box<[u64; 1 << 10]>,
@@ -16,7 +16,7 @@ pub(super) struct Dictionary {
     positions: Option<BTreeMap<u16, usize>>,
 }
 
-impl Dictionary {
+impl DictionaryReader {
     /// An empty dictionary.
     pub(super) fn new() -> Self {
         Self { objects: Vec::new(), known: Box::new([0; 1 << 10]), positions: None }
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn objects_in_any_order_are_found_and_sorted() {
-        let mut dictionary = Dictionary::new();
+        let mut dictionary = DictionaryReader::new();
         let order = [0x2000, 0x1000, 0x2000, 0xFFFF, 0x1000, 0, 0x2000, 0];
         for index in order {
             dictionary.get_or_insert(index).links.push(index);

@@ -1,6 +1,6 @@
 //! Dynamic channels and tools.
 
-use super::Reader;
+use super::EdsReader;
 use super::items::Items;
 use super::lists::check_count;
 use super::modules::index_range;
@@ -11,7 +11,7 @@ use crate::model::{DataType, DynamicChannels, Extra, Field, InvalidValues, Segme
 /// The maximum number of segments; a device has a handful. A key with a larger number is an unknown key.
 const MAX_SEGMENTS: usize = 1024;
 
-impl Reader<'_> {
+impl EdsReader<'_> {
     pub(super) fn dynamic_channels(&mut self, section: &ini::Section) {
         let mut channels = DynamicChannels::default();
         let mut count = None;

@@ -1,6 +1,6 @@
 //! The sections about the file, the device and the node.
 
-use super::Reader;
+use super::EdsReader;
 use super::items::Items;
 use crate::diagnostic::{Fix, MAX_FIX_LINES, Severity};
 use crate::eds::findings;
@@ -19,7 +19,7 @@ const U32: (i64, u64) = (0, u32::MAX as u64);
 const GRANULARITY: (i64, u64) = (0, 64);
 const PDO_COUNT: (i64, u64) = (0, 512);
 
-impl Reader<'_> {
+impl EdsReader<'_> {
     pub(super) fn file_info(&mut self, section: &ini::Section) {
         let mut info = FileInfo::default();
         let mut items = Items::new(self.text, section, &mut self.findings);

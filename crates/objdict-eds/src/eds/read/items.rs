@@ -6,7 +6,7 @@ use std::hash::{BuildHasher, RandomState};
 
 use crate::diagnostic::Findings;
 use crate::eds::item::Item;
-use crate::eds::keys::{Key, KeySet};
+use crate::eds::keys::{FieldKey, KeySet};
 use crate::eds::section::SectionName;
 use crate::eds::{findings, misspelt};
 use crate::ini;
@@ -54,12 +54,12 @@ impl<'a> Items<'a> {
     }
 
     #[inline]
-    fn item_of(&self, entry: &ini::Entry) -> Item<'a> {
+    fn item_of(&self, entry: &ini::IniEntry) -> Item<'a> {
         let name = entry.key.of(self.text);
         // no field starts with a digit, but most keys of long lists do
         let is_number = name.as_bytes().first().is_some_and(u8::is_ascii_digit);
         Item {
-            key: if is_number { None } else { Key::find(name) },
+            key: if is_number { None } else { FieldKey::find(name) },
             name,
             value: entry.value.of(self.text),
             name_at: entry.key,
@@ -102,7 +102,7 @@ impl<'a> Items<'a> {
     }
 
     /// The intended key for a misspelt one, unless the section also has that key.
-    fn meant(&self, item: &Item<'a>) -> Option<Key> {
+    fn meant(&self, item: &Item<'a>) -> Option<FieldKey> {
         let is_word = item.key.is_none() && !item.name.as_bytes().first().is_some_and(u8::is_ascii_digit);
         // avoids a search for each key in a file of unknown keys
         let is_word = is_word && !self.findings.is_full(&findings::UNKNOWN_KEY);
@@ -110,7 +110,7 @@ impl<'a> Items<'a> {
             self.known.get_or_init(|| {
                 let mut keys = KeySet::default();
                 let names = self.section.entries.iter().map(|entry| entry.key.of(self.text));
-                names.filter_map(Key::find).for_each(|key| _ = keys.insert(key));
+                names.filter_map(FieldKey::find).for_each(|key| _ = keys.insert(key));
                 (SectionName::parse(self.section_name()).part, keys)
             })
         })?;
@@ -121,7 +121,7 @@ impl<'a> Items<'a> {
     fn begins_section(&self, position: usize, item: &Item<'a>, seen: &KeySet) -> bool {
         let mut next = self.section.entries.iter().skip(position + 1).take(3);
         let repeats =
-            next.any(|entry| Key::find(entry.key.of(self.text)).is_some_and(|key| seen.contains(key)));
+            next.any(|entry| FieldKey::find(entry.key.of(self.text)).is_some_and(|key| seen.contains(key)));
         let before = &self.text[..item.name_at.start as usize];
         let line = before.trim_end_matches([' ', '\t']);
         let is_below_empty_line = ["\n\n", "\r\n\r\n", "\r\r"].iter().any(|end| line.ends_with(end));
@@ -231,7 +231,7 @@ impl<'a> Items<'a> {
 impl Item<'_> {
     /// The field of the key, fixed or not.
     pub(crate) fn to_field(self) -> Field {
-        Key::field_of(self.key, self.name)
+        FieldKey::field_of(self.key, self.name)
     }
 }
 

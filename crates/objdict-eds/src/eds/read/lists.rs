@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::Reader;
+use super::EdsReader;
 use super::items::Items;
 use crate::diagnostic::{Fix, MAX_FIX_LINES};
 use crate::eds::findings;
@@ -12,7 +12,7 @@ use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Extra, Field, ObjectList, Part};
 
-impl Reader<'_> {
+impl EdsReader<'_> {
     pub(super) fn object_list(&mut self, list: ObjectList, section: &ini::Section) {
         let mut extra = Extra::default();
         let mut items = Items::new(self.text, section, &mut self.findings);

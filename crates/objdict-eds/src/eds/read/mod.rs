@@ -16,10 +16,10 @@ mod objects;
 use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 
-use self::dictionary::Dictionary;
+use self::dictionary::DictionaryReader;
 use self::items::Items;
 use super::findings::{self, DuplicateKind};
-use super::section::{SectionName, Spelling};
+use super::section::{NameSpelling, SectionName};
 use crate::diagnostic::Findings;
 use crate::ini::{self, Document};
 use crate::model::{
@@ -30,7 +30,7 @@ use crate::source::Span;
 /// Reads a document as the description of a device type or, if `kind` requests it or there is a
 /// commissioning section, of a node.
 pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
-    let mut reader = Reader::new(document.text());
+    let mut reader = EdsReader::new(document.text());
     let mut embedded = Extra::default();
     document.visit(
         |section| reader.section(section),
@@ -51,11 +51,11 @@ pub(super) fn embedded_in(line: &str) -> Option<(&str, &str)> {
 }
 
 /// A description while it is read.
-struct Reader<'a> {
+struct EdsReader<'a> {
     text: &'a str,
     device: Device,
     /// The objects of the device.
-    objects: Dictionary,
+    objects: DictionaryReader,
     findings: Findings,
     /// The parts found so far, except objects and their entries, which are in the dictionary.
     seen: HashSet<Part>,
@@ -68,12 +68,12 @@ struct Reader<'a> {
     hasher: RandomState,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> EdsReader<'a> {
     fn new(text: &'a str) -> Self {
         Self {
             text,
             device: Device::default(),
-            objects: Dictionary::new(),
+            objects: DictionaryReader::new(),
             findings: Findings::new(),
             seen: HashSet::new(),
             compact: Vec::new(),
@@ -89,10 +89,10 @@ impl<'a> Reader<'a> {
         };
         let text = header.name.of(self.text);
         let name = SectionName::parse(text);
-        if name.spelling == Spelling::Misspelt {
+        if name.spelling == NameSpelling::Misspelt {
             return self.misspelt.push((name.part, section.clone()));
         }
-        if name.spelling != Spelling::Standard
+        if name.spelling != NameSpelling::Standard
             && let Some(finding) = findings::section_spelling(text, &name, header.name)
         {
             self.findings.push(finding);

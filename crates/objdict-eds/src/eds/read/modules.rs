@@ -1,6 +1,6 @@
 //! The modules of a modular device.
 
-use super::Reader;
+use super::EdsReader;
 use super::info::comment_lines;
 use super::items::Items;
 use super::lists::{index_list, numbered};
@@ -12,7 +12,7 @@ use crate::model::{Entry, Extension, Extra, Field, Module, ModulePart, Modules, 
 const U8: (i64, u64) = (0, u8::MAX as u64);
 const U16: (i64, u64) = (0, u16::MAX as u64);
 
-impl Reader<'_> {
+impl EdsReader<'_> {
     fn modules_mut(&mut self) -> &mut Modules {
         self.device.modules.get_or_insert_default()
     }

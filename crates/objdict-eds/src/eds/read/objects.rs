@@ -1,6 +1,6 @@
 //! The sections of objects and sub-indexes.
 
-use super::Reader;
+use super::EdsReader;
 use super::items::Items;
 use crate::eds::findings::{self, DuplicateKind};
 use crate::eds::item::Item;
@@ -28,7 +28,7 @@ pub(super) enum SectionKind {
     Extension,
 }
 
-impl Reader<'_> {
+impl EdsReader<'_> {
     /// `[1018]`.
     pub(super) fn object(&mut self, index: u16, section: &ini::Section) {
         let mut items = Items::new(self.text, section, &mut self.findings);
@@ -77,7 +77,7 @@ pub(super) fn read_object(items: &mut Items<'_>, object: &mut Object) {
 
 /// The values of a section, which can only be read once the data type is known.
 #[derive(Default)]
-struct Values<'a> {
+struct SectionValues<'a> {
     default: Option<Item<'a>>,
     low: Option<Item<'a>>,
     high: Option<Item<'a>>,
@@ -87,7 +87,7 @@ struct Values<'a> {
 /// Reads a section into an empty entry.
 pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entry: &mut Entry) -> ObjectKeys {
     let mut read = ObjectKeys::default();
-    let mut values = Values::default();
+    let mut values = SectionValues::default();
     items.each(|items, item| match item.field() {
         Some(Field::DefaultValue) => values.default = Some(*item),
         Some(Field::LowLimit) => values.low = Some(*item),
@@ -205,7 +205,7 @@ fn extension_count(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Optio
     count
 }
 
-fn read_values(entry: &mut Entry, values: &Values<'_>, items: &mut Items<'_>) {
+fn read_values(entry: &mut Entry, values: &SectionValues<'_>, items: &mut Items<'_>) {
     let mut read = |item: &Option<Item<'_>>, entry: &mut Entry| match item {
         Some(item) if !item.value.is_empty() => read_value(item, entry, items),
         _ => None,

@@ -1,10 +1,10 @@
 //! The sections about the file, the device and the node.
 
-use super::Writer;
+use super::EdsWriter;
 use super::section_writer::SectionWriter;
 use crate::model::{Commissioning, DeviceInfo, DummyUsage, DynamicChannels, Field, FileInfo, Part, Segment};
 
-impl Writer<'_> {
+impl EdsWriter<'_> {
     /// Everything before modules and objects.
     pub(super) fn general(&self, sections: &mut SectionWriter<'_>) {
         let device = self.device;

@@ -14,7 +14,7 @@ use crate::model::Device;
 /// represent is approximated; reading the text back shows the loss.
 pub fn write(device: &Device, options: &Style) -> Vec<u8> {
     let mut sections = SectionWriter::new(options, &device.extra);
-    let writer = Writer { device };
+    let writer = EdsWriter { device };
     writer.general(&mut sections);
     writer.modules(&mut sections);
     writer.objects(&mut sections);
@@ -25,6 +25,6 @@ pub fn write(device: &Device, options: &Style) -> Vec<u8> {
 }
 
 /// A device while it is written.
-struct Writer<'a> {
+struct EdsWriter<'a> {
     device: &'a Device,
 }

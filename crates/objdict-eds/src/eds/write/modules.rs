@@ -1,12 +1,12 @@
 //! The modules of a modular device.
 
-use super::Writer;
+use super::EdsWriter;
 use super::info::comments;
-use super::objects::{Parts, index_text};
+use super::objects::{ObjectOwner, index_text};
 use super::section_writer::SectionWriter;
 use crate::model::{Field, Module, ModulePart, Part};
 
-impl Writer<'_> {
+impl EdsWriter<'_> {
     /// The supported modules, and the connected ones.
     pub(super) fn modules(&self, sections: &mut SectionWriter<'_>) {
         let Some(modules) = &self.device.modules else { return };
@@ -45,7 +45,7 @@ impl Writer<'_> {
             sections.close();
         }
         for (&index, object) in &module.fixed {
-            self.object(sections, index, object, Parts::Module(number));
+            self.object(sections, index, object, ObjectOwner::Module(number));
         }
         if !module.extension_list.is_empty() {
             sections.open(part(ModulePart::SubExtends));

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use super::Writer;
+use super::EdsWriter;
 use super::section_writer::SectionWriter;
 use crate::literal::{self, Spelling};
 use crate::model::{
@@ -13,14 +13,14 @@ use crate::model::{
 
 /// The owner of the written objects.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Parts {
+pub(super) enum ObjectOwner {
     /// The device.
     Device,
     /// The module with this number.
     Module(u16),
 }
 
-impl Parts {
+impl ObjectOwner {
     fn object(self, index: u16) -> Part {
         match self {
             Self::Device => Part::Object(index),
@@ -50,7 +50,7 @@ pub(super) fn index_text(index: &u16) -> String {
     format!("0x{index:04X}")
 }
 
-impl Writer<'_> {
+impl EdsWriter<'_> {
     /// The lists, each followed by its objects: data types first, objects in no list last.
     pub(super) fn objects(&self, sections: &mut SectionWriter<'_>) {
         let lists = lists(self.device);
@@ -75,18 +75,24 @@ impl Writer<'_> {
     fn objects_of(&self, sections: &mut SectionWriter<'_>, indexes: &[u16], written: &mut BTreeSet<u16>) {
         for &index in indexes {
             if let Some(object) = self.device.object(index).filter(|_| written.insert(index)) {
-                self.object(sections, index, object, Parts::Device);
+                self.object(sections, index, object, ObjectOwner::Device);
             }
         }
     }
 
     /// An object with all its sections.
-    pub(super) fn object(&self, sections: &mut SectionWriter<'_>, index: u16, object: &Object, parts: Parts) {
+    pub(super) fn object(
+        &self,
+        sections: &mut SectionWriter<'_>,
+        index: u16,
+        object: &Object,
+        parts: ObjectOwner,
+    ) {
         let stays_compact = |compact: &Compact| {
             // only objects of the device itself have sections for the names and values of compact entries
             let named =
                 !compact.names.is_empty() || !compact.values.is_empty() || !compact.denotations.is_empty();
-            sections.options.compact && (parts == Parts::Device || !named)
+            sections.options.compact && (parts == ObjectOwner::Device || !named)
         };
         let unknown = object.compact.as_ref().map(|compact| &compact.extra);
         let object = match &object.compact {
@@ -104,7 +110,7 @@ impl Writer<'_> {
         for (sub, entry) in object.subs.iter() {
             self.entry(sections, parts.entry(index, sub), index, entry, &Own::default());
         }
-        if parts == Parts::Device {
+        if parts == ObjectOwner::Device {
             if let Some(compact) = &object.compact {
                 self.compact(sections, index, &object, compact);
             } else if let Some(unknown) = unknown.filter(|unknown| !unknown.is_empty()) {

@@ -11,7 +11,7 @@ use crate::source::transliterate;
 /// The sections of a description, in order.
 pub(super) struct SectionWriter<'a> {
     pub(super) options: &'a Style,
-    sections: Vec<Section>,
+    sections: Vec<CleanSection>,
     /// Keys without a field in the model, by the known section they belong to.
     extras: Vec<(Part, Extra)>,
     /// The comment lines at the end, with what the format has no place for.
@@ -19,7 +19,7 @@ pub(super) struct SectionWriter<'a> {
 }
 
 /// A section with cleaned keys and values.
-struct Section {
+struct CleanSection {
     part: Part,
     /// Empty for the keys before the first section.
     name: String,
@@ -38,7 +38,7 @@ impl<'a> SectionWriter<'a> {
     /// Starts the section of a part; the following keys go into it.
     pub(super) fn open(&mut self, part: Part) {
         let name = section_name(&part).unwrap_or_default();
-        self.sections.push(Section { part, name, entries: Vec::new() });
+        self.sections.push(CleanSection { part, name, entries: Vec::new() });
     }
 
     /// A key with its value, unless the unknown keys of the section already contain it: the original text
@@ -138,7 +138,7 @@ impl<'a> SectionWriter<'a> {
                 Part::Section(_) if section.name().starts_with("xml:") => {}
                 Part::Section(_) => {
                     let name = self.clean_name(section.name());
-                    self.sections.push(Section { part, name, entries: Vec::new() });
+                    self.sections.push(CleanSection { part, name, entries: Vec::new() });
                     self.extra(section.entries());
                 }
                 part if self.extras.iter().any(|(other, _)| *other == part) => {
@@ -163,7 +163,7 @@ impl<'a> SectionWriter<'a> {
         self.sections.sort_by_key(|section| !section.name.is_empty());
         let mut text = String::new();
         let mut has_keys = false;
-        for Section { name, entries, .. } in &self.sections {
+        for CleanSection { name, entries, .. } in &self.sections {
             if has_keys && !entries.is_empty() && !name.is_empty() {
                 text.push_str(END);
             }

@@ -1,6 +1,6 @@
 //! Where the values of a storage group are in memory: natural alignment, as all 32-bit ABIs of microcontrollers have it.
 
-use super::tables::{Member, MemberKind};
+use super::tables::{ComparedMember, MemberKind};
 
 /// A variable in its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub(super) struct Located {
 }
 
 /// All variables of a group in order, and its size; `None` with a type of unknown size.
-pub(super) fn located(members: &[Member]) -> (Vec<Located>, Option<u64>) {
+pub(super) fn located(members: &[ComparedMember]) -> (Vec<Located>, Option<u64>) {
     let mut variables = Vec::new();
     let (end, alignment) = place(members, "", Some(0), &mut variables);
     (variables, end.and_then(|end| aligned(end, alignment)))
@@ -24,7 +24,7 @@ pub(super) fn located(members: &[Member]) -> (Vec<Located>, Option<u64>) {
 
 /// Places members from an offset on; returns the offset behind them, and their alignment.
 fn place(
-    members: &[Member],
+    members: &[ComparedMember],
     prefix: &str,
     start: Option<u64>,
     variables: &mut Vec<Located>,
@@ -59,8 +59,8 @@ fn place(
     (offset, widest)
 }
 
-fn alignment_of(members: &[Member]) -> u64 {
-    let alignment = |member: &Member| match &member.kind {
+fn alignment_of(members: &[ComparedMember]) -> u64 {
+    let alignment = |member: &ComparedMember| match &member.kind {
         MemberKind::Variable(of, _) => size_of(of).unwrap_or(1),
         MemberKind::Record(inner) => alignment_of(inner),
     };

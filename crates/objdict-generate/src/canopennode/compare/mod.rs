@@ -8,7 +8,7 @@ mod tables;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::layout::{Located, located};
-use self::tables::{ListedEntry, Member, Tables};
+use self::tables::{ComparedMember, ComparedTables, ListedEntry};
 use crate::{OutputFile, TableAspect, TableDifference};
 
 /// The storage group whose values are lost without power.
@@ -20,8 +20,8 @@ pub(crate) fn compare(header: &str, source: &str, made: &[OutputFile]) -> Option
         let file = made.iter().find(|file| file.path.ends_with(ending))?;
         std::str::from_utf8(&file.contents).ok()
     };
-    let old = Side::new(Tables::read(header, source));
-    let new = Side::new(Tables::read(text(".h")?, text(".c")?));
+    let old = TableSide::new(ComparedTables::read(header, source));
+    let new = TableSide::new(ComparedTables::read(text(".h")?, text(".c")?));
     if old.tables.groups.is_empty() && old.tables.objects.is_empty() {
         return None;
     }
@@ -31,13 +31,13 @@ pub(crate) fn compare(header: &str, source: &str, made: &[OutputFile]) -> Option
 }
 
 /// Tables, and their variables by name, each with its group.
-struct Side {
-    tables: Tables,
+struct TableSide {
+    tables: ComparedTables,
     variables: BTreeMap<String, (String, Located)>,
 }
 
-impl Side {
-    fn new(tables: Tables) -> Self {
+impl TableSide {
+    fn new(tables: ComparedTables) -> Self {
         let mut variables = BTreeMap::new();
         for (group, members) in &tables.groups {
             let placed = located(members).0.into_iter();
@@ -53,8 +53,8 @@ impl Side {
 }
 
 /// Old names by new ones: the same object, position in it and type, where the old name is gone.
-fn renamed(old: &Side, new: &Side) -> BTreeMap<String, String> {
-    fn only_in<'s>(side: &'s Side, other: &'s Side) -> impl Iterator<Item = &'s Located> {
+fn renamed(old: &TableSide, new: &TableSide) -> BTreeMap<String, String> {
+    fn only_in<'s>(side: &'s TableSide, other: &'s TableSide) -> impl Iterator<Item = &'s Located> {
         let variables = side.variables.iter().filter(|(path, _)| !other.variables.contains_key(*path));
         variables.map(|(_, (_, variable))| variable)
     }
@@ -70,8 +70,8 @@ fn renamed(old: &Side, new: &Side) -> BTreeMap<String, String> {
 }
 
 struct Sides {
-    old: Side,
-    new: Side,
+    old: TableSide,
+    new: TableSide,
     /// The new names of old variables.
     renamed: BTreeMap<String, String>,
 }
@@ -135,7 +135,7 @@ impl Sides {
     /// The first variable of each stored group that is at another place, or the size of the group.
     fn layout(&self) -> Vec<TableDifference> {
         let stored = self.old.tables.groups.iter().filter(|(group, _)| *group != VOLATILE);
-        let difference = |(group, members): (&String, &Vec<Member>)| {
+        let difference = |(group, members): (&String, &Vec<ComparedMember>)| {
             let (old, old_size) = located(members);
             let at = |variable: &Located| match variable.offset {
                 Some(offset) => format!("{} {} at byte {offset}", variable.declaration, variable.path),

@@ -9,9 +9,9 @@ const DEEPEST: usize = 8;
 
 /// The tables in `OD.h` and `OD.c`.
 #[derive(Debug, Default)]
-pub(super) struct Tables {
+pub(super) struct ComparedTables {
     /// The members of each storage group, in the order of memory.
-    pub(super) groups: BTreeMap<String, Vec<Member>>,
+    pub(super) groups: BTreeMap<String, Vec<ComparedMember>>,
     /// The names of entries (`OD_ENTRY_…`) and numbers of objects (`OD_CNT_…`) with their values.
     pub(super) macros: BTreeMap<String, String>,
     /// The objects that the stack serves.
@@ -22,7 +22,7 @@ pub(super) struct Tables {
 
 /// A variable of a storage group.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Member {
+pub(super) struct ComparedMember {
     pub(super) name: String,
     pub(super) kind: MemberKind,
 }
@@ -32,7 +32,7 @@ pub(super) enum MemberKind {
     /// The type, and the numbers of elements.
     Variable(String, Vec<u64>),
     /// The members of a record.
-    Record(Vec<Member>),
+    Record(Vec<ComparedMember>),
 }
 
 /// An object in the list of the stack.
@@ -57,7 +57,7 @@ pub(super) struct ListedEntry {
     pub(super) has_value: bool,
 }
 
-impl Tables {
+impl ComparedTables {
     /// Reads the header and the source. Declarations that tables do not have are passed over.
     pub(super) fn read(header: &str, source: &str) -> Self {
         let mut tables = Self::default();
@@ -150,7 +150,7 @@ fn members<'a, 't>(
     mut rest: &'a [Token<'t>],
     macros: &BTreeMap<&str, &str>,
     depth: usize,
-) -> Option<(Vec<Member>, &'a [Token<'t>])> {
+) -> Option<(Vec<ComparedMember>, &'a [Token<'t>])> {
     let mut found = Vec::new();
     loop {
         match rest {
@@ -158,7 +158,7 @@ fn members<'a, 't>(
             [Token::Word("struct"), Token::Mark('{'), body @ ..] if depth < DEEPEST => {
                 let (inner, behind) = members(body, macros, depth + 1)?;
                 let [Token::Word(name), behind @ ..] = behind else { return None };
-                found.push(Member { name: (*name).to_owned(), kind: MemberKind::Record(inner) });
+                found.push(ComparedMember { name: (*name).to_owned(), kind: MemberKind::Record(inner) });
                 rest = behind;
             }
             [Token::Word(of), Token::Word(name), behind @ ..] => {
@@ -170,7 +170,7 @@ fn members<'a, 't>(
                     Token::Quoted(_) | Token::Mark(_) => None,
                 });
                 let kind = MemberKind::Variable((*of).to_owned(), counts.collect());
-                found.push(Member { name: (*name).to_owned(), kind });
+                found.push(ComparedMember { name: (*name).to_owned(), kind });
                 rest = &behind[end..];
             }
             [Token::Mark(';'), behind @ ..] => rest = behind,

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, joined, say};
 use crate::model::{CobId, DeviceKind, PdoKind, predefined};
 use crate::rule::rules;
-use crate::{CobIdUse, Facts, PdoFacts, Service};
+use crate::{CobIdService, CobIdUse, Facts, PdoFacts};
 
 rules! {
     "cia301/can-id-in-both-directions" = CAN_ID_IN_BOTH_DIRECTIONS, Error, Facts(can_id_in_both_directions);
@@ -127,9 +127,10 @@ fn has_peer_rule(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUse)
     let own = facts.device.node_id().map(i128::from);
     let client = [transmitter, receiver]
         .into_iter()
-        .find(|one| matches!(one.service, Service::ClientRequest(_) | Service::ClientResponse(_)));
+        .find(|one| matches!(one.service, CobIdService::ClientRequest(_) | CobIdService::ClientResponse(_)));
     let is_own_client = client.is_some_and(|client| own.is_some() && facts.number(client.index, 3) == own);
-    let is_own_emcy = transmitter.service == Service::Emcy && receiver.service == Service::EmcyConsumer;
+    let is_own_emcy =
+        transmitter.service == CobIdService::Emcy && receiver.service == CobIdService::EmcyConsumer;
     is_own_emcy || is_own_client && transmitter.index != receiver.index
 }
 
@@ -149,7 +150,7 @@ fn both_directions(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUs
         transmitter.cob_id
     );
     // the mistake is probably in the entry for another node
-    let is_at_receiver = receiver.service == Service::EmcyConsumer || receiver.index > transmitter.index;
+    let is_at_receiver = receiver.service == CobIdService::EmcyConsumer || receiver.index > transmitter.index;
     let (at, other) = if is_at_receiver { (receiver, transmitter) } else { (transmitter, receiver) };
     CAN_ID_IN_BOTH_DIRECTIONS
         .at(place(at), message)
@@ -224,7 +225,7 @@ fn collision_of(facts: &Facts<'_>, first: &CobIdUse, second: &CobIdUse, node: Op
         .at(place(second), message)
         .label(place(first), say!("{} uses it here", one))
         .help("give each service its own CAN-ID, or set bit 31 to mark one of them as not valid");
-    let is_rpdo = |service| matches!(service, Service::Pdo(PdoKind::Rpdo, _));
+    let is_rpdo = |service| matches!(service, CobIdService::Pdo(PdoKind::Rpdo, _));
     if is_rpdo(one) && is_rpdo(other) { finding.severity(Severity::Warning) } else { finding }
 }
 
@@ -357,7 +358,7 @@ fn use_of_restricted(
     );
     let place = facts.device.value_place(cob_id.index, cob_id.sub);
     let finding = RESTRICTED_CAN_ID.at(place, message);
-    if cob_id.service == Service::EmcyConsumer && cob_id.cob_id == CobId::new(0) {
+    if cob_id.service == CobIdService::EmcyConsumer && cob_id.cob_id == CobId::new(0) {
         return finding.severity(Severity::Warning).help("write `0x80000000` for an unused entry");
     }
     let finding = finding.help(
@@ -373,9 +374,9 @@ fn service_cob_id_not_predefined(facts: &Facts<'_>, findings: &mut Findings) {
     }
     for cob_id in &facts.cob_ids {
         let base = match cob_id.service {
-            Service::Sync => predefined::SYNC,
-            Service::Time => predefined::TIME,
-            Service::Emcy => predefined::EMCY,
+            CobIdService::Sync => predefined::SYNC,
+            CobIdService::Time => predefined::TIME,
+            CobIdService::Emcy => predefined::EMCY,
             _ => continue,
         };
         if let Some(expected) = predefined_cob_id(facts, cob_id, base) {
@@ -395,7 +396,7 @@ fn service_cob_id_not_predefined(facts: &Facts<'_>, findings: &mut Findings) {
 
 /// The expected COB-ID with the same flags, if it differs.
 fn predefined_cob_id(facts: &Facts<'_>, cob_id: &CobIdUse, base: u16) -> Option<CobId> {
-    let per_node = cob_id.service == Service::Emcy;
+    let per_node = cob_id.service == CobIdService::Emcy;
     let stated = cob_id.cob_id;
     let is_explained = !cob_id.is_in_use()
         || cob_id.wrong_bits() != 0
@@ -414,8 +415,10 @@ fn predefined_cob_id(facts: &Facts<'_>, cob_id: &CobIdUse, base: u16) -> Option<
 /// Reports a node whose EMCY or SYNC has the CAN-ID of the EMCY of another node.
 fn emergency_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(own) = facts.device.node_id() else { return };
-    let services =
-        facts.cob_ids.iter().filter(|cob_id| matches!(cob_id.service, Service::Emcy | Service::Sync));
+    let services = facts
+        .cob_ids
+        .iter()
+        .filter(|cob_id| matches!(cob_id.service, CobIdService::Emcy | CobIdService::Sync));
     for cob_id in services.filter(|cob_id| cob_id.is_in_use() && !cob_id.cob_id.is_extended()) {
         let can_id = cob_id.cob_id.can_id(own);
         if !(0x81..=0xFF).contains(&can_id) || can_id == 0x80 + u32::from(own) {
@@ -427,7 +430,7 @@ fn emergency_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
         let finding =
             SERVICE_COB_ID_NOT_PREDEFINED.at(facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help(match service {
-            Service::Sync => {
+            CobIdService::Sync => {
                 say!("write `0x{:X}`", u32::from(predefined::SYNC) | cob_id.cob_id.number() & CobId::BIT_30)
             }
             _ => say!("write `$NODEID+0x{:X}`", predefined::EMCY),

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Fix, Severity, say, sub_index};
 use crate::model::{Device, DeviceKind, PdoKind, Place};
 use crate::rule::rules;
-use crate::{Facts, Service, stated};
+use crate::{CobIdService, Facts, stated};
 
 rules! {
     "cia301/default-error-register" = DEFAULT_ERROR_REGISTER, Warning, Device(default_error_register);
@@ -63,7 +63,7 @@ fn default_error_register(device: &Device, findings: &mut Findings) {
 }
 
 fn emergency_consumer_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
-    let consumers = facts.cob_ids.iter().filter(|cob_id| cob_id.service == Service::EmcyConsumer);
+    let consumers = facts.cob_ids.iter().filter(|cob_id| cob_id.service == CobIdService::EmcyConsumer);
     for consumer in consumers.filter(|consumer| consumer.is_in_use() && consumer.wrong_bits() == 0) {
         if consumer.cob_id.depends_on_node_id() && facts.device.node_id().is_none() {
             continue;
@@ -111,7 +111,7 @@ fn emergency_consumer_of_other_node(facts: &Facts<'_>, findings: &mut Findings) 
 
 fn emergency_disabled(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
-    let emcy = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Emcy);
+    let emcy = facts.cob_ids.iter().find(|cob_id| cob_id.service == CobIdService::Emcy);
     let Some(emcy) = emcy.filter(|emcy| !emcy.cob_id.is_valid() && device.objects.contains_key(&0x1015))
     else {
         return;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::diagnostic::{Findings, Fix, Severity, Text, say};
 use crate::model::{Access, DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::rule::rules;
-use crate::{Facts, PdoFacts, Target};
+use crate::{Facts, MappedTo, PdoFacts};
 
 rules! {
     "cia301/invalid-dummy-mapping" = INVALID_DUMMY_MAPPING, Error, Pdo(invalid_dummy_mapping);
@@ -93,7 +93,7 @@ rules! {
 }
 
 fn invalid_dummy_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
-    for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, Target::Dummy)) {
+    for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, MappedTo::Dummy)) {
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         if let Some((what, help)) = dummy_defect(pdo.pdo.kind, mapped.object) {
             let message = say!("{} {}", pdo.pdo, what);
@@ -140,7 +140,7 @@ fn mapped_object_missing(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
         let (object, index) = (mapped.object, pdo.pdo.mapping_index());
         let place = facts.device.value_place(index, mapped.slot);
         let finding = match mapped.target {
-            Target::NoEntry => {
+            MappedTo::NoEntry => {
                 let message = say!(
                     "{} maps {:04X}h:{:02X}, but the object has no such sub-index",
                     pdo.pdo,
@@ -173,7 +173,7 @@ fn target_place(facts: &Facts<'_>, MappedObject { index, sub, .. }: MappedObject
 
 fn mapped_object_not_mappable(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
-        let Target::Entry(entry) = &mapped.target else { continue };
+        let MappedTo::Entry(entry) = &mapped.target else { continue };
         // another rule reports a type without a fixed length
         let is_variable = mapped.variable_type().is_some();
         if entry.is_mappable() || is_variable || entry.invalid_values.get(&Field::PdoMapping).is_some() {
@@ -196,8 +196,8 @@ fn mapping_granularity(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     let Some(granularity) = granularity.filter(|granularity| (2..=64).contains(granularity)) else { return };
     let is_odd = |bits: u8| !bits.is_multiple_of(granularity);
     let mut known = pdo.mapped.iter().filter(|mapped| match mapped.target {
-        Target::Entry(_) => mapped.wrong_length().is_none(),
-        _ => matches!(mapped.target, Target::Dummy),
+        MappedTo::Entry(_) => mapped.wrong_length().is_none(),
+        _ => matches!(mapped.target, MappedTo::Dummy),
     });
     let Some(first) = known.find(|mapped| is_odd(mapped.object.bits)) else { return };
     let message = say!(
@@ -213,7 +213,7 @@ fn mapping_granularity(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
 }
 
 fn mapping_of_count(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
-    for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, Target::Count)) {
+    for mapped in pdo.mapped.iter().filter(|mapped| matches!(mapped.target, MappedTo::Count)) {
         let index = mapped.object.index;
         let message = say!("{} maps {:04X}h:00, the number of entries of an array or record", pdo.pdo, index);
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
@@ -235,7 +235,7 @@ fn mapping_of_variable_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
 
 fn object_mapped_twice(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let mut seen = BTreeMap::new();
-    for mapped in pdo.mapped.iter().filter(|mapped| !matches!(mapped.target, Target::Dummy)) {
+    for mapped in pdo.mapped.iter().filter(|mapped| !matches!(mapped.target, MappedTo::Dummy)) {
         let object = mapped.object;
         let place = |slot| facts.device.value_place(pdo.pdo.mapping_index(), slot);
         match seen.get(&(object.index, object.sub)) {
@@ -269,7 +269,7 @@ fn unaligned_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
 
 fn wrong_mapping_direction(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
-        let Target::Entry(entry) = &mapped.target else { continue };
+        let MappedTo::Entry(entry) = &mapped.target else { continue };
         let Some(access) = entry.access.filter(|_| entry.is_mappable() && !entry.fits_pdo(pdo.pdo.kind))
         else {
             continue;
@@ -300,7 +300,7 @@ fn direction_of(access: Access) -> &'static str {
 
 fn wrong_mapping_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
-        let (Some(bits), Target::Entry(entry)) = (mapped.wrong_length(), &mapped.target) else { continue };
+        let (Some(bits), MappedTo::Entry(entry)) = (mapped.wrong_length(), &mapped.target) else { continue };
         let MappedObject { index, sub, bits: stated } = mapped.object;
         let data_type = entry.data_type.map(|data_type| data_type.to_string()).unwrap_or_default();
         let unit = if stated == 1 { "bit" } else { "bits" };

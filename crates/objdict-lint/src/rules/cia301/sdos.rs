@@ -4,7 +4,7 @@ use crate::demands::Against;
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Device, DeviceKind, Field, Part, Place, predefined};
 use crate::rule::rules;
-use crate::{CobIdUse, Facts, Service, stated};
+use crate::{CobIdService, CobIdUse, Facts, stated};
 
 rules! {
     "cia301/default-sdo-cob-id" = DEFAULT_SDO_COB_ID, Error, Facts(default_sdo_cob_id), fix Unsafe;
@@ -75,8 +75,8 @@ rules! {
 fn default_sdo_cob_id(facts: &Facts<'_>, findings: &mut Findings) {
     for cob_id in &facts.cob_ids {
         let (base, direction) = match cob_id.service {
-            Service::ServerRequest(1) => (predefined::SDO_REQUEST, "from client to server"),
-            Service::ServerResponse(1) => (predefined::SDO_RESPONSE, "from server to client"),
+            CobIdService::ServerRequest(1) => (predefined::SDO_REQUEST, "from client to server"),
+            CobIdService::ServerResponse(1) => (predefined::SDO_RESPONSE, "from server to client"),
             _ => continue,
         };
         let expected = predefined::per_node(base);
@@ -153,7 +153,8 @@ fn incomplete_sdo_parameter(rule: &'static RuleInfo, at: &Against<'_>, findings:
 }
 
 fn partly_valid_sdo(facts: &Facts<'_>, findings: &mut Findings) {
-    let channels = facts.sdo_channels().filter(|(request, _)| request.service != Service::ServerRequest(1));
+    let channels =
+        facts.sdo_channels().filter(|(request, _)| request.service != CobIdService::ServerRequest(1));
     for (request, response) in channels.filter(|(one, other)| one.is_in_use() != other.is_in_use()) {
         let (valid, invalid) = if request.is_in_use() { (request, response) } else { (response, request) };
         let message = say!(
@@ -181,7 +182,7 @@ fn sdo_cob_ids_exchanged(facts: &Facts<'_>, findings: &mut Findings) {
             && !request.cob_id.is_extended()
             && !response.cob_id.is_extended();
         // the default SDO has its own rule
-        if !is_active || !is_exchanged || request.service == Service::ServerRequest(1) {
+        if !is_active || !is_exchanged || request.service == CobIdService::ServerRequest(1) {
             continue;
         }
         let place = |cob_id: &CobIdUse| facts.device.value_place(cob_id.index, cob_id.sub);
@@ -202,8 +203,8 @@ fn sdo_cob_ids_exchanged(facts: &Facts<'_>, findings: &mut Findings) {
 
 fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
     let requests = facts.cob_ids.iter().filter(|cob_id| match cob_id.service {
-        Service::ServerRequest(number) => number > 1,
-        service => matches!(service, Service::ClientRequest(_)),
+        CobIdService::ServerRequest(number) => number > 1,
+        service => matches!(service, CobIdService::ClientRequest(_)),
     });
     for request in requests.filter(|request| request.is_in_use()) {
         let Some(node) = facts.number(request.index, 3) else { continue };
@@ -227,7 +228,7 @@ fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
 
 /// The node whose default SDO a client uses.
 fn default_server(facts: &Facts<'_>, request: &CobIdUse) -> Option<i128> {
-    let is_client = matches!(request.service, Service::ClientRequest(_));
+    let is_client = matches!(request.service, CobIdService::ClientRequest(_));
     if !is_client || request.cob_id.depends_on_node_id() && facts.device.node_id().is_none() {
         return None;
     }
@@ -241,8 +242,8 @@ fn sdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {
     }
     for cob_id in facts.cob_ids.iter().filter(|cob_id| cob_id.is_in_use() && cob_id.wrong_bits() == 0) {
         let is_additional = match cob_id.service {
-            Service::ServerRequest(number) => number > 1,
-            service => matches!(service, Service::ClientRequest(_)),
+            CobIdService::ServerRequest(number) => number > 1,
+            service => matches!(service, CobIdService::ClientRequest(_)),
         };
         // other rules report a restricted CAN-ID and a channel with only one valid COB-ID
         let pair = facts.cob_ids.iter().find(|other| other.index == cob_id.index && other.sub == 2);

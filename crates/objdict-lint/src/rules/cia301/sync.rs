@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Severity, say};
 use crate::model::{Device, Object, PdoKind, Place};
 use crate::rule::rules;
-use crate::{Facts, PdoFacts, Service, stated, with_others};
+use crate::{CobIdService, Facts, PdoFacts, stated, with_others};
 
 rules! {
     "cia301/invalid-sync-counter" = INVALID_SYNC_COUNTER, Error, Facts(invalid_sync_counter);
@@ -157,7 +157,7 @@ fn sync_object_without_sync(device: &Device, index: u16, _: &Object, findings: &
 
 fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
-    let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
+    let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == CobIdService::Sync);
     let Some(sync) = sync.filter(|sync| sync.is_sent()) else { return };
     if !stated::is_there(device, 0x1006) {
         let message = say!(
@@ -215,7 +215,7 @@ fn synchronous_pdo_without_sync(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 fn time_producer_and_consumer(facts: &Facts<'_>, findings: &mut Findings) {
-    let time = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Time);
+    let time = facts.cob_ids.iter().find(|cob_id| cob_id.service == CobIdService::Time);
     let Some(time) = time.filter(|time| !time.cob_id.is_valid() && time.cob_id.bit_30()) else { return };
     let message = say!("`{}` makes the device both producer and consumer of TIME", time.cob_id);
     let finding = TIME_PRODUCER_AND_CONSUMER.at(facts.device.value_place(0x1012, 0), message);

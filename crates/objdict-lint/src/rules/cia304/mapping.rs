@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Text, say, sub_index};
 use crate::model::{DataType, Device, Field, MappedObject, Place};
 use crate::rule::rules;
-use crate::{Facts, Srdo, Target};
+use crate::{Facts, MappedTo, Srdo};
 
 rules! {
     "cia304/invalid-inverted-object" = INVALID_INVERTED_OBJECT, Error, Device(invalid_inverted_object);
@@ -107,11 +107,11 @@ fn inversion_problem(
 /// The mapping entries in use of all SRDOs, with their places and targets.
 fn mapped_entries<'a>(
     facts: &'a Facts<'_>,
-) -> impl Iterator<Item = (&'a Srdo<'a>, Place, MappedObject, Target<'a>)> {
+) -> impl Iterator<Item = (&'a Srdo<'a>, Place, MappedObject, MappedTo<'a>)> {
     facts.srdos.iter().flat_map(move |srdo| {
         srdo.mapped().map(move |(sub, mapped)| {
             let place = facts.device.value_place(srdo.mapping_index(), sub);
-            (srdo, place, mapped, Target::of(facts.device, mapped))
+            (srdo, place, mapped, MappedTo::of(facts.device, mapped))
         })
     })
 }
@@ -119,9 +119,9 @@ fn mapped_entries<'a>(
 fn mapped_object_missing(facts: &Facts<'_>, findings: &mut Findings) {
     for (srdo, place, mapped, target) in mapped_entries(facts) {
         let what = match target {
-            Target::NoObject => "but there is no such object",
-            Target::NoEntry => "but the object has no such sub-index",
-            Target::Count => "the number of entries of an array or record",
+            MappedTo::NoObject => "but there is no such object",
+            MappedTo::NoEntry => "but the object has no such sub-index",
+            MappedTo::Count => "the number of entries of an array or record",
             _ => continue,
         };
         let message = say!("{} maps {:04X}h:{:02X}, {}", srdo, mapped.index, mapped.sub, what);
@@ -135,7 +135,7 @@ fn object_not_safe(facts: &Facts<'_>, findings: &mut Findings) {
         return;
     }
     for (srdo, place, mapped, target) in mapped_entries(facts) {
-        let Target::Entry(entry) = target else { continue };
+        let MappedTo::Entry(entry) = target else { continue };
         if entry.safety.as_ref().and_then(|safety| safety.srdo_mapping) == Some(true) {
             continue;
         }
@@ -215,7 +215,7 @@ fn wrong_mapping_count(facts: &Facts<'_>, findings: &mut Findings) {
 
 fn wrong_mapping_length(facts: &Facts<'_>, findings: &mut Findings) {
     for (srdo, place, mapped, target) in mapped_entries(facts) {
-        let Target::Entry(entry) = target else { continue };
+        let MappedTo::Entry(entry) = target else { continue };
         let Some(data_type) = entry.data_type else { continue };
         let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
         let message = say!("{} maps {}, but its data type {} has {} bits", srdo, mapped, data_type, bits);

@@ -4,7 +4,7 @@ use crate::demands::Applied;
 use crate::diagnostic::{Argument, Findings, Fix, Severity, say, series};
 use crate::model::{Device, MappedObject};
 use crate::rule::rules;
-use crate::{Facts, PdoFacts, Target, channels};
+use crate::{Facts, MappedTo, PdoFacts, channels};
 
 rules! {
     "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning,
@@ -64,9 +64,9 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
 
 /// Whether the mapping is stated and not reported by another rule.
 fn is_mapping_readable(pdo: &PdoFacts<'_>) -> bool {
-    let fits = |target: &Target<'_>| match target {
-        Target::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),
-        Target::Dummy | Target::Elsewhere => true,
+    let fits = |target: &MappedTo<'_>| match target {
+        MappedTo::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),
+        MappedTo::Dummy | MappedTo::Elsewhere => true,
         _ => false,
     };
     let slots = || pdo.pdo.used_slots();

@@ -4,7 +4,7 @@ use crate::demands::Applied;
 use crate::diagnostic::{Findings, Fix, Severity, say};
 use crate::model::{DeviceKind, MappedObject, PdoKind};
 use crate::rule::rules;
-use crate::{Facts, PdoFacts, Target};
+use crate::{Facts, MappedTo, PdoFacts};
 
 rules! {
     "cia406/cyclic-timer-mismatch" = CYCLIC_TIMER_MISMATCH, Error, Applied(cyclic_timer_mismatch);
@@ -101,8 +101,8 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
 
 /// Whether the mapping is stated and not reported by another rule.
 fn is_mapping_readable(pdo: &PdoFacts<'_>) -> bool {
-    let fits = |target: &Target<'_>| match target {
-        Target::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),
+    let fits = |target: &MappedTo<'_>| match target {
+        MappedTo::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),
         _ => false,
     };
     pdo.lengths_are_right() && pdo.mapped.iter().all(|mapped| fits(&mapped.target))

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::configured::{Configured, Pair};
+use crate::configured::{ConfiguredDevice, EntryPair};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say, series, sub_index};
 use crate::model::{Access, Entry, Field, Place, Value};
 use crate::rule::rules;
@@ -58,7 +58,7 @@ rules! {
     source: "CiA 306-1 §4.6.3.2, §5.3.1",
 }
 
-fn different_access(configured: &Configured<'_>, findings: &mut Findings) {
+fn different_access(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     for pair in configured.pairs() {
         let Some((is, original)) = pair.entry.access.zip(pair.original.access) else { continue };
         let is_written = |access| !matches!(access, Access::Ro | Access::Const);
@@ -75,10 +75,11 @@ fn different_access(configured: &Configured<'_>, findings: &mut Findings) {
     }
 }
 
-fn different_default(configured: &Configured<'_>, findings: &mut Findings) {
+fn different_default(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     // the modules of a coupler change the module list, and count in the arrays that they extend
-    let is_of_modules =
-        |pair: &Pair<'_>| configured.origin.is_modular() && (pair.index == 0x1027 || pair.sub == Some(0));
+    let is_of_modules = |pair: &EntryPair<'_>| {
+        configured.origin.is_modular() && (pair.index == 0x1027 || pair.sub == Some(0))
+    };
     for pair in configured.pairs().filter(|pair| pair.index != 0x1018 && !is_of_modules(pair)) {
         let Some((is, original)) = pair.entry.default.as_ref().zip(pair.original.default.as_ref()) else {
             continue;
@@ -95,7 +96,7 @@ fn different_default(configured: &Configured<'_>, findings: &mut Findings) {
 
 type Limit = fn(&Entry) -> Option<&Value>;
 
-fn different_limits(configured: &Configured<'_>, findings: &mut Findings) {
+fn different_limits(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     let limits: [(Field, Limit); 2] = [
         (Field::LowLimit, |entry| entry.low_limit.as_ref()),
         (Field::HighLimit, |entry| entry.high_limit.as_ref()),
@@ -113,7 +114,7 @@ fn different_limits(configured: &Configured<'_>, findings: &mut Findings) {
     }
 }
 
-fn different_type(configured: &Configured<'_>, findings: &mut Findings) {
+fn different_type(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     for pair in configured.pairs() {
         let Some((is, original)) = pair.entry.data_type.zip(pair.original.data_type) else { continue };
         if is != original {
@@ -124,7 +125,7 @@ fn different_type(configured: &Configured<'_>, findings: &mut Findings) {
     }
 }
 
-fn unknown_entry(configured: &Configured<'_>, findings: &mut Findings) {
+fn unknown_entry(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     if configured.origin.is_modular() {
         return;
     }
@@ -158,7 +159,7 @@ fn push_by_use(finding: Diagnostic, is_configured: bool, findings: &mut Findings
     findings.push(if is_configured { finding.severity(Severity::Error) } else { finding });
 }
 
-fn value_outside_limits(configured: &Configured<'_>, findings: &mut Findings) {
+fn value_outside_limits(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     let node_id = configured.node_id();
     for pair in configured.pairs() {
         let Some(value) = pair.entry.configured_value() else { continue };

@@ -1,6 +1,6 @@
 //! The product and revision of a configuration, compared with its EDS.
 
-use crate::configured::Configured;
+use crate::configured::ConfiguredDevice;
 use crate::diagnostic::{At, Findings, say};
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule::rules;
@@ -23,7 +23,7 @@ rules! {
     source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
 }
 
-fn other_device(configured: &Configured<'_>, findings: &mut Findings) {
+fn other_device(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     let (device, origin) = (configured.device, configured.written);
     for (field, name, number, sub) in IDENTITY {
         let Some((place, is, other, wanted)) = difference(device, origin, &field, number, sub) else {
@@ -39,9 +39,9 @@ fn other_device(configured: &Configured<'_>, findings: &mut Findings) {
     }
 }
 
-type Number = fn(&DeviceInfo) -> Option<u32>;
+type NumberField = fn(&DeviceInfo) -> Option<u32>;
 
-const IDENTITY: [(Field, &str, Number, u8); 2] = [
+const IDENTITY: [(Field, &str, NumberField, u8); 2] = [
     (Field::VendorNumber, "vendor-ID", |info| info.vendor_number, 1),
     (Field::ProductNumber, "product code", |info| info.product_number, 2),
 ];
@@ -57,7 +57,7 @@ fn difference(
     device: &Device,
     origin: &Device,
     field: &Field,
-    number: Number,
+    number: NumberField,
     sub: u8,
 ) -> Option<(Place, u32, Place, u32)> {
     let of_info = |device: &Device| device.device_info.as_ref().and_then(number);
@@ -73,7 +73,7 @@ fn difference(
     )
 }
 
-fn other_revision(configured: &Configured<'_>, findings: &mut Findings) {
+fn other_revision(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     let (device, origin) = (configured.device, configured.written);
     let found = difference(device, origin, &Field::RevisionNumber, |info| info.revision_number, 3);
     let Some((place, is, other, wanted)) = found else { return };

@@ -79,7 +79,7 @@ fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, crate
 
 /// The place with a name that is not the `own` one. Most names are, and then the others are not asked for.
 fn place_of_other<T: Copy>(
-    named: &LazyCell<Places<T>, impl FnOnce() -> Places<T>>,
+    named: &LazyCell<NamedPlaces<T>, impl FnOnce() -> NamedPlaces<T>>,
     name: &str,
     own: &str,
 ) -> Option<T> {
@@ -89,10 +89,10 @@ fn place_of_other<T: Copy>(
     named.get(&plain_name(name)).copied().flatten()
 }
 
-type Places<T> = HashMap<String, Option<T>>;
+type NamedPlaces<T> = HashMap<String, Option<T>>;
 
 /// The first and the last number with each name; `None` for a name of several objects.
-fn places_of<'a, T: Copy + PartialEq>(named: impl Iterator<Item = (&'a str, (T, T))>) -> Places<(T, T)> {
+fn places_of<'a, T: Copy + PartialEq>(named: impl Iterator<Item = (&'a str, (T, T))>) -> NamedPlaces<(T, T)> {
     let mut places = HashMap::new();
     for (name, place) in named.filter(|(name, _)| !matches!(*name, "" | RESERVED_NAME)) {
         let is_one = place.0 == place.1;

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Fix, counted, say};
 use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, PdoMapping, Place};
 use crate::rule::rules;
-use crate::{EntryAt, Facts, Origin, PdoFacts};
+use crate::{EntryAt, EntryOwner, Facts, PdoFacts};
 
 rules! {
     "portability/implicit-pdo" = IMPLICIT_PDO, Note, Device(implicit_pdo);
@@ -60,7 +60,7 @@ fn implicit_pdo(device: &Device, findings: &mut Findings) {
 
 fn mapping_of_structure(at: &EntryAt<'_>, findings: &mut Findings) {
     let is_without_value = match at.object_type() {
-        _ if at.origin != Origin::Device => false,
+        _ if at.origin != EntryOwner::Device => false,
         Some(ObjectType::Domain) => true,
         Some(object_type) => object_type.has_subs() && at.sub.is_none() && at.object.compact.is_none(),
         None => false,

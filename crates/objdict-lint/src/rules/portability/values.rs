@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Fix, listing, listing_or, say};
 use crate::model::{Access, DataType, Device, Entry, Field, ModulePart, ObjectType, Part, Place, Value};
 use crate::rule::rules;
-use crate::{EntryAt, Origin, stated};
+use crate::{EntryAt, EntryOwner, stated};
 
 rules! {
     "portability/domain-without-type" = DOMAIN_WITHOUT_TYPE, Error, Entry(domain_without_type), fix Safe;
@@ -48,7 +48,7 @@ rules! {
 }
 
 fn domain_without_type(at: &EntryAt<'_>, findings: &mut Findings) {
-    if at.origin != Origin::Device || at.object_type() != Some(ObjectType::Domain) {
+    if at.origin != EntryOwner::Device || at.object_type() != Some(ObjectType::Domain) {
         return;
     }
     let stated = [

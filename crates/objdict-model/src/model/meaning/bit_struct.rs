@@ -46,7 +46,7 @@ impl BitField<'_> {
 }
 
 /// The form of a member.
-struct Form {
+struct MemberForm {
     bits: i128,
     is_signed: bool,
 }
@@ -75,7 +75,7 @@ impl<'a> BitStruct<'a> {
                 (Some(first), Ok(form)) if first + form.bits <= length => {
                     found.fields.push(meanings.field(member, name, first as u8, &form)); // both are less than 64
                 }
-                (Some(first), Ok(Form { bits, .. })) => found.defects.push(format!(
+                (Some(first), Ok(MemberForm { bits, .. })) => found.defects.push(format!(
                     "the member `{name}` ends at bit {}, a value of {data_type} at bit {}",
                     first + bits - 1,
                     length - 1
@@ -93,7 +93,7 @@ impl<'a> BitStruct<'a> {
 }
 
 impl<'a> Meanings<'a> {
-    fn field(&self, member: &'a VarDeclaration, name: &'a str, first: u8, form: &Form) -> BitField<'a> {
+    fn field(&self, member: &'a VarDeclaration, name: &'a str, first: u8, form: &MemberForm) -> BitField<'a> {
         let bits = form.bits as u8; // at most 64, because the field ends within the word
         let definition = member.data_type.as_ref().and_then(|reference| self.definition(reference));
         let data_type = holding(bits, form.is_signed);
@@ -117,7 +117,7 @@ impl<'a> Meanings<'a> {
     }
 
     /// The number of bits of a member.
-    fn form(&self, member: &VarDeclaration) -> Result<Form, String> {
+    fn form(&self, member: &VarDeclaration) -> Result<MemberForm, String> {
         let simple = match member.data_type.as_ref() {
             Some(DataTypeRef::Simple(simple)) => Some(*simple),
             Some(reference) => match self.simple(reference) {
@@ -149,7 +149,7 @@ impl<'a> Meanings<'a> {
         if bits > 1 && size > 1 {
             return Err("it is an array".to_owned());
         }
-        Ok(Form { bits: bits * size, is_signed: of_type })
+        Ok(MemberForm { bits: bits * size, is_signed: of_type })
     }
 
     /// The simple type behind a reference, through enumerations and aliases.

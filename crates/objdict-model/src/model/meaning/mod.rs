@@ -35,7 +35,7 @@ pub struct Meanings<'a> {
     templates: HashMap<&'a str, &'a Parameter>,
     allowed: HashMap<&'a str, &'a AllowedValues>,
     /// Shared targets of entries: parameters, members of structs, variables of functions.
-    shared: HashMap<&'a str, Described<'a>>,
+    shared: HashMap<&'a str, DescribedItem<'a>>,
 }
 
 /// How the engineering value of a parameter is made of its value: (value + offset) × multiplier, in a unit.
@@ -67,7 +67,7 @@ impl<'a> Scaling<'a> {
 
 /// The type, the allowed values and the scaling of an item.
 #[derive(Clone, Copy, Debug, Default)]
-struct Described<'a> {
+struct DescribedItem<'a> {
     data_type: Option<&'a DataTypeRef>,
     allowed: Option<&'a AllowedValues>,
     scaling: Scaling<'a>,
@@ -123,7 +123,7 @@ impl<'a> Meanings<'a> {
         let of_function =
             |function: &'a FunctionType| [&function.inputs, &function.outputs, &function.configuration];
         for variable in members.chain(process.function_types.iter().flat_map(of_function)).flatten() {
-            self.shared.entry(&variable.unique_id).or_insert(Described::of_variable(variable));
+            self.shared.entry(&variable.unique_id).or_insert(DescribedItem::of_variable(variable));
         }
     }
 
@@ -212,18 +212,18 @@ impl<'a> Meanings<'a> {
         None
     }
 
-    fn described(&self, entry: &'a Entry) -> Described<'a> {
+    fn described(&self, entry: &'a Entry) -> DescribedItem<'a> {
         match (&entry.parameter, entry.extra.get("uniqueIDRef")) {
             (Some(parameter), _) => self.of_parameter(parameter),
             (None, Some(id)) => self.shared.get(id.trim_ascii()).copied().unwrap_or_default(),
-            (None, None) => Described::default(),
+            (None, None) => DescribedItem::default(),
         }
     }
 
     /// The properties of a parameter, or else of its template.
-    fn of_parameter(&self, parameter: &'a Parameter) -> Described<'a> {
+    fn of_parameter(&self, parameter: &'a Parameter) -> DescribedItem<'a> {
         let template = self.template_of(parameter).unwrap_or(parameter);
-        Described {
+        DescribedItem {
             data_type: parameter.data_type.as_ref().or(template.data_type.as_ref()),
             allowed: parameter.allowed_values.as_ref().or(template.allowed_values.as_ref()),
             scaling: self.scaling(parameter),
@@ -238,7 +238,7 @@ impl<'a> Meanings<'a> {
     }
 }
 
-impl<'a> Described<'a> {
+impl<'a> DescribedItem<'a> {
     fn of_variable(variable: &'a VarDeclaration) -> Self {
         Self {
             data_type: variable.data_type.as_ref(),

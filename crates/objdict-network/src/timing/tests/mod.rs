@@ -2,7 +2,7 @@
 
 mod observed;
 
-use super::analysis::{Arrival, Cause, Response, Stream, Streams};
+use super::analysis::{Arrival, ResponseTime, Stream, Streams, WaitCause};
 use super::frames::{MICROSECOND, MILLISECOND, Rhythm, TimedFrame};
 use super::{AnyTime, Load, Schedule, TimingOptions, TrafficKind};
 use crate::messages::{MessageId, Party, Service};
@@ -20,8 +20,8 @@ fn streams(bit_time: u64, messages: &[(u64, u64)]) -> Streams {
     Streams { streams: messages.iter().map(stream).collect(), background: None, bit_time }
 }
 
-fn within(microseconds: u64) -> Response {
-    Response::Within(microseconds * MICROSECOND)
+fn within(microseconds: u64) -> ResponseTime {
+    ResponseTime::Within(microseconds * MICROSECOND)
 }
 
 #[test]
@@ -36,12 +36,16 @@ fn a_full_bus_has_no_bound() {
     let full = streams(1000, &[(100, 1000), (500, 1000), (400, 1000), (1, 1_000_000)]);
     let responses = full.responses();
     assert_eq!(responses[0], within(600), "the longest frame below, and its own");
-    assert_eq!(responses[3], Response::Unbounded(Cause::Load));
+    assert_eq!(responses[3], ResponseTime::Unbounded(WaitCause::Load));
     let mut any = streams(1000, &[(100, 1000), (100, 1000), (100, 1000)]);
     any.streams[1].arrival = Arrival::Unbounded;
     assert_eq!(
         any.responses(),
-        [within(200), Response::Unbounded(Cause::Message(1)), Response::Unbounded(Cause::Message(1))]
+        [
+            within(200),
+            ResponseTime::Unbounded(WaitCause::Message(1)),
+            ResponseTime::Unbounded(WaitCause::Message(1))
+        ]
     );
     any.streams[1].arrival = Arrival::Rare;
     assert_eq!(any.responses(), [within(200), within(300), within(200)]);
@@ -89,9 +93,9 @@ fn schedule(frames: Vec<TimedFrame>, sdo: bool) -> Schedule {
 /// Responses in units of 10 µs, at 125 kbit/s.
 fn responses(schedule: &Schedule) -> Vec<u64> {
     let found = schedule.streams(125, AnyTime::Counts).responses();
-    let number = |response: &Response| match response {
-        Response::Within(time) => time / 10_000,
-        Response::Unbounded(_) => 0,
+    let number = |response: &ResponseTime| match response {
+        ResponseTime::Within(time) => time / 10_000,
+        ResponseTime::Unbounded(_) => 0,
     };
     found.iter().map(number).collect()
 }
@@ -112,9 +116,9 @@ fn the_network_of_the_book_has_these_responses() {
     let expected = [152, 236, 288, 364, 440, 492, 576, 652, 728];
     assert_eq!(with_sdo.responses()[..9], expected.map(|time| within(time * 10)));
     // nodes that answer at once leave no time between two SDO frames
-    assert_eq!(with_sdo.responses()[10..], [Response::Unbounded(Cause::Background); 2]);
+    assert_eq!(with_sdo.responses()[10..], [ResponseTime::Unbounded(WaitCause::Background); 2]);
     with_sdo.background.as_mut().unwrap().response_time = MILLISECOND;
-    assert!(matches!(with_sdo.responses()[11], Response::Within(time) if time > 724 * 10_000));
+    assert!(matches!(with_sdo.responses()[11], ResponseTime::Within(time) if time > 724 * 10_000));
 }
 
 #[test]

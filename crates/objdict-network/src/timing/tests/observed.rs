@@ -1,6 +1,6 @@
 //! No response that a simulated bus shows is longer than the one that the analysis says, and the worst case shows it.
 
-use super::super::analysis::{Arrival, Background, Response, Stream, Streams};
+use super::super::analysis::{Arrival, Background, ResponseTime, Stream, Streams};
 use super::super::simulation::{Queued, Sent, send};
 use crate::traffic::frame_bits;
 
@@ -118,7 +118,7 @@ fn compare(bus: &Bus, random: &mut Random, seed: u64) -> usize {
     let mut compared = 0;
     for _ in 0..2 {
         for sent in simulate(bus, random, 3_000_000_000) {
-            let Response::Within(bound) = bounds[sent.stream] else { continue };
+            let ResponseTime::Within(bound) = bounds[sent.stream] else { continue };
             compared += 1;
             let response = sent.end - sent.queued;
             assert!(
@@ -196,7 +196,7 @@ fn the_critical_instant_shows_the_response_within_a_few_bits() {
         let mut random = Random::seeded(seed);
         let bus = Bus::random(&mut random);
         for (stream, bound) in bus.streams.responses().into_iter().enumerate() {
-            let Response::Within(bound) = bound else { continue };
+            let ResponseTime::Within(bound) = bound else { continue };
             let seen = critical(&bus.streams, stream);
             assert!(seen <= bound, "network {seed}, stream {stream}: {seen} ns, but {bound} ns");
             looked += 1;

@@ -1,14 +1,14 @@
 //! The order of dcfgen (dcf-tools of lely-core), for managers whose files must stay comparable with its files.
 
-use super::{Arranger, INVALID, Key, Stage};
+use super::{Arranger, EntryKey, INVALID, Stage};
 use crate::download::Step;
-use crate::download::settings::Settings;
+use crate::download::settings::WritableEntries;
 
 /// The services that dcfgen configures first, in its order.
 const SERVICES: [u16; 6] = [0x1016, 0x1012, 0x1017, 0x100C, 0x100D, 0x1029];
 
 /// Returns the steps that write every wanted entry: services, RPDOs, TPDOs, all others.
-pub(in crate::download) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
+pub(in crate::download) fn arrange(settings: &mut WritableEntries<'_>) -> Vec<Step> {
     let mut wanted = settings.wanted();
     wanted.sort_by_key(|&key| rank(key));
     let mut arranger = Arranger { settings, steps: Vec::new() };
@@ -22,12 +22,12 @@ pub(in crate::download) fn arrange(settings: &mut Settings<'_>) -> Vec<Step> {
 }
 
 /// The communication parameter of the PDO that an entry belongs to.
-fn communication((index, _): Key) -> Option<u16> {
+fn communication((index, _): EntryKey) -> Option<u16> {
     matches!(index, 0x1400..=0x1BFF).then_some(index & !0x0200)
 }
 
 /// The place of an entry in the order.
-fn rank(key: Key) -> (usize, u16, Key) {
+fn rank(key: EntryKey) -> (usize, u16, EntryKey) {
     if let Some(communication) = communication(key) {
         return (SERVICES.len(), communication, key);
     }

@@ -1,6 +1,6 @@
 //! PDOs and SRDOs: communication parameter and mapping are changed while the object is not valid.
 
-use super::{Arranger, INVALID, Key, Stage};
+use super::{Arranger, EntryKey, INVALID, Stage};
 
 /// Offset from the communication parameter of a PDO to its mapping.
 const PDO_MAPPING: u16 = 0x200;
@@ -9,19 +9,19 @@ const PDO_MAPPING: u16 = 0x200;
 const SRDO_MAPPING: u16 = 0x80;
 
 /// 13FEh: configuration valid flag of the SRDOs.
-const SRDO_VALID: Key = (0x13FE, 0);
+const SRDO_VALID: EntryKey = (0x13FE, 0);
 
 /// A PDO with its present and its new COB-ID.
 #[derive(Clone, Copy)]
-struct Pdo {
+struct OrderedPdo {
     /// Index of the communication parameter.
     communication: u16,
     /// Present and new COB-ID; `None` if sub-index 1 cannot be written.
     cob_ids: Option<(u32, u32)>,
 }
 
-impl Pdo {
-    fn cob_id(self) -> Key {
+impl OrderedPdo {
+    fn cob_id(self) -> EntryKey {
         (self.communication, 1)
     }
 
@@ -36,7 +36,8 @@ impl Arranger<'_, '_> {
     /// Configures the PDOs with these communication parameters one by one (CiA 301 §7.5.2.36, §7.5.2.38). If
     /// an earlier PDO receives the CAN-ID of a later one, the later one is disabled in the first stage.
     pub(super) fn pdos(&mut self, communication: &[u16]) {
-        let pdos: Vec<Pdo> = communication.iter().map(|&communication| self.pdo_of(communication)).collect();
+        let pdos: Vec<OrderedPdo> =
+            communication.iter().map(|&communication| self.pdo_of(communication)).collect();
         for (position, &pdo) in pdos.iter().enumerate() {
             let gives_way = pdos[..position].iter().any(|&before| pdo.gives_id_to(before));
             let stage = if gives_way { Stage::SwitchOff } else { Stage::Pdo };
@@ -44,14 +45,14 @@ impl Arranger<'_, '_> {
         }
     }
 
-    fn pdo_of(&mut self, communication: u16) -> Pdo {
+    fn pdo_of(&mut self, communication: u16) -> OrderedPdo {
         let key = (communication, 1);
         let new = self.settings.target_number(key);
         let cob_ids = new.map(|new| (self.settings.default_number(key).unwrap_or(new), new));
-        Pdo { communication, cob_ids }
+        OrderedPdo { communication, cob_ids }
     }
 
-    fn pdo(&mut self, pdo: Pdo, switch_off: Stage) {
+    fn pdo(&mut self, pdo: OrderedPdo, switch_off: Stage) {
         let cob_id = pdo.cob_id();
         let mut on = None;
         match pdo.cob_ids {
@@ -126,7 +127,7 @@ impl Arranger<'_, '_> {
 
     /// Configures the SRDOs (CiA 301 §7.5.2.40 to §7.5.2.43). Their configuration is marked invalid first;
     /// the checksums and the valid flag are written last.
-    pub(super) fn srdos(&mut self, keys: &[Key]) {
+    pub(super) fn srdos(&mut self, keys: &[EntryKey]) {
         let stage = Stage::Communication;
         if self.settings.can_write(SRDO_VALID) {
             self.put(Stage::SwitchOff, SRDO_VALID, [0]);

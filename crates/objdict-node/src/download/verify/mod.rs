@@ -8,7 +8,7 @@ mod node;
 mod objection;
 mod services;
 
-use self::node::{Node, node_place};
+use self::node::{AcceptingNode, node_place};
 pub use self::objection::{AbortCode, Objection, ObjectionKind};
 use super::{ConciseDcf, Download};
 use crate::model::{Device, Place};
@@ -51,7 +51,7 @@ impl ConciseDcf {
     /// [`ObjectionKind::is_refusal`] is false.
     pub fn verify(&self, device: &Device, node_id: Option<u8>) -> Verification {
         let device = &*device.with_implicit_pdos();
-        let mut node = Node::new(device, node_id.or_else(|| device.node_id()));
+        let mut node = AcceptingNode::new(device, node_id.or_else(|| device.node_id()));
         let mut objections = Vec::new();
         for (position, (offset, download)) in self.with_offsets().enumerate() {
             let mut object = |kind| {

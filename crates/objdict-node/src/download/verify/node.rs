@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use objdict_device::{Abort, Attributes, Dictionary, Scope, check_write};
 
-use super::super::settings::Key;
+use super::super::settings::EntryKey;
 use super::super::transfer::{Beyond, EntryType, beyond};
 use super::super::{Download, ProblemKind};
 use super::objection::ObjectionKind;
@@ -13,23 +13,23 @@ use crate::model::{
 };
 
 /// The result of a write: accepted, accepted with an objection, or rejected.
-pub(super) type Judgement = Result<Option<ObjectionKind>, ObjectionKind>;
+pub(super) type WriteJudgement = Result<Option<ObjectionKind>, ObjectionKind>;
 
 /// A node.
-pub(super) struct Node<'a> {
+pub(super) struct AcceptingNode<'a> {
     pub(super) device: &'a Device,
     node_id: Option<u8>,
     /// The written entries; all others have their defaults.
-    written: BTreeMap<Key, Vec<u8>>,
+    written: BTreeMap<EntryKey, Vec<u8>>,
     /// Entries whose default was needed but depends on the missing node-ID.
-    unknown: BTreeSet<Key>,
+    unknown: BTreeSet<EntryKey>,
     /// Whether 1010h was written.
     is_stored: bool,
     /// Whether 1020h was written and no later write cleared it.
     is_verified: bool,
 }
 
-impl<'a> Node<'a> {
+impl<'a> AcceptingNode<'a> {
     pub(super) fn new(device: &'a Device, node_id: Option<u8>) -> Self {
         let (written, unknown) = (BTreeMap::new(), BTreeSet::new());
         Self { device, node_id, written, unknown, is_stored: false, is_verified: false }
@@ -41,7 +41,7 @@ impl<'a> Node<'a> {
     }
 
     /// Applies a download, or rejects it without changing the state. The order of the checks is that of a node.
-    pub(super) fn take(&mut self, download: &Download) -> Judgement {
+    pub(super) fn take(&mut self, download: &Download) -> WriteJudgement {
         let key @ (index, sub) = (download.index, download.sub);
         let object = self.device.object(index).ok_or(ObjectionKind::NoObject)?;
         let entry = object.entry(sub).ok_or(ObjectionKind::NoSubIndex)?;
@@ -106,12 +106,12 @@ impl<'a> Node<'a> {
     }
 
     /// The present value of a 32-bit entry; `None` if the node does not have it, or the value is unknown.
-    pub(super) fn word(&mut self, (index, sub): Key) -> Option<u32> {
+    pub(super) fn word(&mut self, (index, sub): EntryKey) -> Option<u32> {
         u32::try_from(Dictionary::number(self, index, sub).ok()?).ok()
     }
 
     /// The value at power-on: the default, or what a description states of an entry that is never written. Without one it is 0.
-    fn default(&mut self, key @ (index, sub): Key) -> Option<Vec<u8>> {
+    fn default(&mut self, key @ (index, sub): EntryKey) -> Option<Vec<u8>> {
         let object = self.device.object(index)?;
         let entry = object.entry(sub)?;
         let entry_type = EntryType::of(self.device, object, key, &entry);
@@ -127,7 +127,7 @@ impl<'a> Node<'a> {
     }
 
     /// The access type; without one that of CiA 301, and else that of a generated table.
-    fn access(&self, (index, sub): Key, object: &Object, entry: &Entry) -> Access {
+    fn access(&self, (index, sub): EntryKey, object: &Object, entry: &Entry) -> Access {
         let sub = object.object_type().has_subs().then_some(sub);
         let intended =
             || entry.invalid_values.get(&Field::AccessType).and_then(InvalidValue::intended_access);
@@ -135,7 +135,7 @@ impl<'a> Node<'a> {
         entry.implied_access().or_else(intended).or_else(defined).unwrap_or(Access::Ro)
     }
 
-    fn can_be_written(&self, key: Key, object: &Object, entry: &Entry) -> bool {
+    fn can_be_written(&self, key: EntryKey, object: &Object, entry: &Entry) -> bool {
         let object_type = object.object_type();
         let is_definition =
             matches!(object_type, ObjectType::Null | ObjectType::DefType | ObjectType::DefStruct);
@@ -144,7 +144,7 @@ impl<'a> Node<'a> {
 }
 
 /// The dictionary that the rules of a node ask.
-impl Dictionary for Node<'_> {
+impl Dictionary for AcceptingNode<'_> {
     fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
         let object = self.device.object(index).ok_or(Abort::NoObject)?;
         let entry = object.entry(sub).ok_or(Abort::NoSubIndex)?;

@@ -3,9 +3,9 @@
 
 use objdict_device::{Dictionary, Refusal};
 
-use super::super::settings::Key;
+use super::super::settings::EntryKey;
 use super::ObjectionKind;
-use super::node::Node;
+use super::node::AcceptingNode;
 use crate::model::{CobId, DataType, MappedObject, PdoKind, restricted};
 
 /// The identifier and frame format bits of a COB-ID.
@@ -18,7 +18,7 @@ const USES_TIME: u32 = CobId::BIT_30 | CobId::BIT_31;
 type IsOff = fn(u32) -> bool;
 
 /// When the service of a COB-ID is not in use, and how to achieve that; `None` for other entries.
-fn service((index, sub): Key) -> Option<(IsOff, &'static str)> {
+fn service((index, sub): EntryKey) -> Option<(IsOff, &'static str)> {
     let is_invalid: IsOff = |cob_id| !CobId::new(cob_id).is_valid();
     Some(match (index, sub) {
         (0x1005, 0) => (|cob_id| cob_id & CobId::BIT_30 == 0, "clear bit 30 of 1005h"),
@@ -31,7 +31,7 @@ fn service((index, sub): Key) -> Option<(IsOff, &'static str)> {
 }
 
 /// Why the entry does not have a value.
-const fn undefined((index, sub): Key, cob_id: u32) -> &'static str {
+const fn undefined((index, sub): EntryKey, cob_id: u32) -> &'static str {
     match (index, sub) {
         (0x1003, _) => "only 0 is valid, which clears the history",
         (0x1019, _) => "the counter overflow is 0, or 2 to 240",
@@ -43,9 +43,9 @@ const fn undefined((index, sub): Key, cob_id: u32) -> &'static str {
     }
 }
 
-impl Node<'_> {
+impl AcceptingNode<'_> {
     /// A refusal of the rules, with the values that explain it.
-    pub(super) fn explain(&mut self, refusal: Refusal, key: Key, new: u64) -> ObjectionKind {
+    pub(super) fn explain(&mut self, refusal: Refusal, key: EntryKey, new: u64) -> ObjectionKind {
         let ((index, sub), new) = (key, u32::try_from(new).unwrap_or(u32::MAX));
         let pdo = PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));
         let (kind, number) = pdo.unwrap_or((PdoKind::Rpdo, 0));
@@ -100,7 +100,7 @@ impl Node<'_> {
     }
 
     /// A write to a communication object that is accepted, but is probably a mistake.
-    pub(super) fn doubt(&mut self, key: Key, new: u64) -> Option<ObjectionKind> {
+    pub(super) fn doubt(&mut self, key: EntryKey, new: u64) -> Option<ObjectionKind> {
         let word = u32::try_from(new).ok()?;
         match key {
             (0x1016, 1..=0x7F) => watches_nobody(word),

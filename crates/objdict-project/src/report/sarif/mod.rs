@@ -10,8 +10,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::group::joint_fix;
-use super::path::{Base, uri};
-use super::utf16::Columns;
+use super::path::{RelativeBase, uri};
+use super::utf16::ColumnCounter;
 use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject, fingerprints};
 use log::{
     Artifact, ArtifactChange, ArtifactLocation, AssociatedRule, Content, Fix, FixProperties, Invocation,
@@ -27,7 +27,7 @@ use objdict_model::source::{Encoding, SourceFile, Span};
 #[derive(Debug)]
 pub struct Sarif<W> {
     out: W,
-    base: Base,
+    base: RelativeBase,
     is_empty: bool,
     rules: Vec<&'static RuleInfo>,
     rule_numbers: HashMap<&'static str, usize>,
@@ -43,7 +43,7 @@ impl<W: Write> Sarif<W> {
     pub fn new(out: W) -> Self {
         Self {
             out,
-            base: Base::default(),
+            base: RelativeBase::default(),
             is_empty: true,
             rules: Vec::new(),
             rule_numbers: HashMap::new(),
@@ -58,7 +58,7 @@ impl<W: Write> Sarif<W> {
     /// With paths as they are seen from `folder`, which is that of the repository.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
-        self.base = Base::new(folder);
+        self.base = RelativeBase::new(folder);
         self
     }
 
@@ -157,13 +157,13 @@ impl<W: Write> Report for Sarif<W> {
 
 impl<W: Write> Sarif<W> {
     /// A file that places are in.
-    fn open<'a>(&mut self, subject: Subject<'a>) -> File<'a> {
-        File { subject, artifact: self.artifact(subject), columns: Columns::new(subject.source()) }
+    fn open<'a>(&mut self, subject: Subject<'a>) -> SarifFile<'a> {
+        SarifFile { subject, artifact: self.artifact(subject), columns: ColumnCounter::new(subject.source()) }
     }
 
     fn result(
         &mut self,
-        file: &mut File<'_>,
+        file: &mut SarifFile<'_>,
         finding: &Diagnostic,
         rule_index: usize,
         fingerprint: Fingerprint,
@@ -200,13 +200,13 @@ impl<W: Write> Sarif<W> {
 }
 
 /// A file whose findings are written, or to which they refer.
-struct File<'a> {
+struct SarifFile<'a> {
     subject: Subject<'a>,
     artifact: ArtifactLocation,
-    columns: Columns<'a>,
+    columns: ColumnCounter<'a>,
 }
 
-impl File<'_> {
+impl SarifFile<'_> {
     fn location(&mut self, id: Option<usize>, at: &At, text: &str) -> Location {
         let span = self.subject.span_of(at);
         let mut region = self.region(span);

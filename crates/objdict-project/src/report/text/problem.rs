@@ -13,7 +13,7 @@ use objdict_model::source::{SourceFile, Span};
 pub fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str>) -> String {
     let excerpts = Excerpts::new(source);
     let label = LabeledSpan::new_primary_with_span(None, excerpts.cut(span));
-    let problem = Problem { message: shown(message), help: help.map(shown), excerpts, label };
+    let problem = DrawnProblem { message: shown(message), help: help.map(shown), excerpts, label };
     let mut text = String::new();
     // writing to a string cannot fail
     let _ = Printer { colour: false, width: WIDTH }.draw(&mut text, &problem, &[]);
@@ -21,22 +21,22 @@ pub fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str
 }
 
 #[derive(Debug)]
-struct Problem<'a> {
+struct DrawnProblem<'a> {
     message: String,
     help: Option<String>,
     excerpts: Excerpts<'a>,
     label: LabeledSpan,
 }
 
-impl fmt::Display for Problem<'_> {
+impl fmt::Display for DrawnProblem<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
     }
 }
 
-impl std::error::Error for Problem<'_> {}
+impl std::error::Error for DrawnProblem<'_> {}
 
-impl miette::Diagnostic for Problem<'_> {
+impl miette::Diagnostic for DrawnProblem<'_> {
     fn severity(&self) -> Option<miette::Severity> {
         Some(miette::Severity::Error)
     }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rules};
 use crate::xdd::fact::trimmed;
-use crate::xdd::schema::Target;
+use crate::xdd::schema::ReferenceTarget;
 use crate::xml::{Attribute, Element, ElementId, Name, n};
 
 use super::walk::Walk;
@@ -124,10 +124,10 @@ pub(super) struct Ids<'a> {
 
 /// An attribute that refers to an element.
 #[derive(Clone, Copy)]
-pub(super) struct Reference<'a> {
+pub(super) struct IdReference<'a> {
     pub(super) element: Element<'a>,
     pub(super) attribute: Attribute<'a>,
-    pub(super) target: Target,
+    pub(super) target: ReferenceTarget,
 }
 
 impl<'a> Ids<'a> {
@@ -172,7 +172,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
         match found {
             None => dangling(&reference, &walk.ids, walk.findings),
             Some((element, at)) => {
-                if reference.target == Target::Application {
+                if reference.target == ReferenceTarget::Application {
                     *walk.ids.uses.entry(element.id()).or_default() += 1;
                 }
                 if !accepts(&reference, element.tag()) {
@@ -184,7 +184,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
     check_cycles(walk);
 }
 
-fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
+fn dangling(reference: &IdReference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
     let (rule, what, _) = about(reference.target);
     if findings.is_full(rule) {
         // a finding above the limit is only counted and needs no text
@@ -205,14 +205,14 @@ fn dangling(reference: &Reference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
 }
 
 /// Whether a reference may refer to an element of this name.
-fn accepts(reference: &Reference<'_>, name: Name) -> bool {
+fn accepts(reference: &IdReference<'_>, name: Name) -> bool {
     match reference.target {
         // these describe no value
-        Target::Application => !matches!(
+        ReferenceTarget::Application => !matches!(
             name,
             n::LEDstate | n::interface | n::functionType | n::parameterGroup | n::allowedValuesTemplate
         ),
-        Target::Parameter if reference.element.tag() == n::conditionalSupport => {
+        ReferenceTarget::Parameter if reference.element.tag() == n::conditionalSupport => {
             matches!(name, n::parameter | n::parameterTemplate | n::varDeclaration)
         }
         _ => about(reference.target).2.contains(&name),
@@ -220,26 +220,32 @@ fn accepts(reference: &Reference<'_>, name: Name) -> bool {
 }
 
 /// The rule for dangling references, a description of the expected target, and the elements of that kind.
-fn about(target: Target) -> (&'static RuleInfo, &'static str, &'static [Name]) {
+fn about(target: ReferenceTarget) -> (&'static RuleInfo, &'static str, &'static [Name]) {
     match target {
-        Target::Application => (&DANGLING_UNIQUE_ID_REF, "parameter", &[n::parameter, n::varDeclaration]),
-        Target::Parameter => (&DANGLING_PARAMETER_REF, "parameter", &[n::parameter]),
-        Target::DataType => {
+        ReferenceTarget::Application => {
+            (&DANGLING_UNIQUE_ID_REF, "parameter", &[n::parameter, n::varDeclaration])
+        }
+        ReferenceTarget::Parameter => (&DANGLING_PARAMETER_REF, "parameter", &[n::parameter]),
+        ReferenceTarget::DataType => {
             (&DANGLING_DATA_TYPE_REF, "data type", &[n::array, n::r#struct, n::r#enum, n::derived])
         }
-        Target::ParameterTemplate => (&DANGLING_TEMPLATE_REF, "parameter template", &[n::parameterTemplate]),
-        Target::AllowedValuesTemplate => {
+        ReferenceTarget::ParameterTemplate => {
+            (&DANGLING_TEMPLATE_REF, "parameter template", &[n::parameterTemplate])
+        }
+        ReferenceTarget::AllowedValuesTemplate => {
             (&DANGLING_TEMPLATE_REF, "template of allowed values", &[n::allowedValuesTemplate])
         }
-        Target::LedState => (&DANGLING_LED_STATE_REF, "LED state", &[n::LEDstate]),
-        Target::FunctionType => (&DANGLING_FUNCTION_REF, "function type", &[n::functionType]),
-        Target::FunctionInstance => (&DANGLING_FUNCTION_REF, "function instance", &[n::functionInstance]),
-        Target::Variable => (&DANGLING_FUNCTION_REF, "variable", &[n::varDeclaration]),
-        Target::ModuleInterface => (&DANGLING_INTERFACE_REF, "module interface", &[n::interface]),
+        ReferenceTarget::LedState => (&DANGLING_LED_STATE_REF, "LED state", &[n::LEDstate]),
+        ReferenceTarget::FunctionType => (&DANGLING_FUNCTION_REF, "function type", &[n::functionType]),
+        ReferenceTarget::FunctionInstance => {
+            (&DANGLING_FUNCTION_REF, "function instance", &[n::functionInstance])
+        }
+        ReferenceTarget::Variable => (&DANGLING_FUNCTION_REF, "variable", &[n::varDeclaration]),
+        ReferenceTarget::ModuleInterface => (&DANGLING_INTERFACE_REF, "module interface", &[n::interface]),
     }
 }
 
-fn wrong_kind(reference: &Reference<'_>, element: Element<'_>, at: Attribute<'_>) -> Diagnostic {
+fn wrong_kind(reference: &IdReference<'_>, element: Element<'_>, at: Attribute<'_>) -> Diagnostic {
     let (id, kind) = (trimmed(reference.attribute.value()), element.name());
     let message = format!("`{}` refers to `{id}`, which is a `{kind}`", reference.element.name());
     Diagnostic::new(&REFERENCE_TO_WRONG_KIND, reference.attribute.value_span(), message)

@@ -36,18 +36,18 @@ text_rules! {
 pub(super) struct Forms<'a> {
     container: Element<'a>,
     version: Option<XddVersion>,
-    wrong_form: Tally<'a>,
-    foreign: Tally<'a>,
+    wrong_form: NamespaceTally<'a>,
+    foreign: NamespaceTally<'a>,
 }
 
 /// The first of a group of elements, and their number.
 #[derive(Default)]
-struct Tally<'a> {
+struct NamespaceTally<'a> {
     first: Option<Element<'a>>,
     count: usize,
 }
 
-impl<'a> Tally<'a> {
+impl<'a> NamespaceTally<'a> {
     fn take(&mut self, element: Element<'a>) {
         self.first.get_or_insert(element);
         self.count += 1;
@@ -57,7 +57,7 @@ impl<'a> Tally<'a> {
 impl<'a> Forms<'a> {
     pub(super) fn new(container: Element<'a>) -> Self {
         let version = container.namespace().and_then(XddVersion::from_namespace);
-        Self { container, version, wrong_form: Tally::default(), foreign: Tally::default() }
+        Self { container, version, wrong_form: NamespaceTally::default(), foreign: NamespaceTally::default() }
     }
 
     /// Whether the file is of version 1.0.
@@ -73,7 +73,7 @@ impl<'a> Forms<'a> {
     }
 
     /// Records the namespace of an element of the schema.
-    pub(super) fn look_at(&mut self, element: Element<'a>, schema: &schema::Element) {
+    pub(super) fn look_at(&mut self, element: Element<'a>, schema: &schema::SchemaElement) {
         let Some(version) = self.version else { return };
         let belongs_in = version == XddVersion::V1_0 || schema.is_global;
         match element.namespace() {

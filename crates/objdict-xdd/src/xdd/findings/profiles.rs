@@ -82,7 +82,7 @@ pub(super) struct Body {
     /// Derived from the type, or else from the content.
     class: Option<ProfileClass>,
     /// The class as an element of the schema.
-    pub(super) schema: Option<&'static schema::Element>,
+    pub(super) schema: Option<&'static schema::SchemaElement>,
 }
 
 /// The body in an element; `None` for any other element.

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Findings, Severity, listing, text_rules};
 use crate::source::Span;
-use crate::xdd::schema::{self, Need, Slot};
+use crate::xdd::schema::{self, Child, Occurrence};
 use crate::xml::{Attribute, Element, n};
 
 text_rules! {
@@ -87,12 +87,12 @@ text_rules! {
 /// Reports an attribute that is not known; the known one whose name differs only in case is meant.
 pub(super) fn unknown_attribute(
     element: Element<'_>,
-    schema: &'static schema::Element,
+    schema: &'static schema::SchemaElement,
     attribute: Attribute<'_>,
     findings: &mut Findings,
-) -> Option<(usize, &'static schema::Attribute)> {
-    let is_meant = |known: &schema::Attribute| {
-        known.need != Need::Stray && known.name.text().eq_ignore_ascii_case(attribute.name())
+) -> Option<(usize, &'static schema::SchemaAttribute)> {
+    let is_meant = |known: &schema::SchemaAttribute| {
+        known.need != Occurrence::Stray && known.name.text().eq_ignore_ascii_case(attribute.name())
     };
     let meant = schema.attributes.iter().enumerate().find(|(_, known)| is_meant(known));
     let meant = meant.filter(|(_, known)| element.attribute(known.name).is_none());
@@ -112,13 +112,13 @@ pub(super) fn unknown_attribute(
 /// Reports a child that is not known; the known one whose name differs only in case is meant.
 pub(super) fn unknown_element(
     parent: Element<'_>,
-    schema: &'static schema::Element,
+    schema: &'static schema::SchemaElement,
     child: Element<'_>,
     is_ours: bool,
     findings: &mut Findings,
-) -> Option<(usize, &'static schema::Element)> {
+) -> Option<(usize, &'static schema::SchemaElement)> {
     let (name, at) = (child.name(), child.name_span());
-    let slots = schema.content.iter().enumerate().filter(|(_, slot)| slot.need != Need::Stray);
+    let slots = schema.content.iter().enumerate().filter(|(_, slot)| slot.need != Occurrence::Stray);
     let mut known = slots.flat_map(|(number, slot)| slot.of.iter().map(move |element| (number, *element)));
     let meant = known.find(|(_, element)| element.name.text().eq_ignore_ascii_case(name));
     findings.push(match meant {
@@ -137,18 +137,18 @@ fn misspelt(at: Span, name: &str, meant: &str) -> Diagnostic {
     Diagnostic::new(&MISSPELT_NAME, at, message).help(format!("write `{meant}`"))
 }
 
-pub(super) fn missing_attribute(element: Element<'_>, attribute: &schema::Attribute) -> Diagnostic {
+pub(super) fn missing_attribute(element: Element<'_>, attribute: &schema::SchemaAttribute) -> Diagnostic {
     let message = format!("`{}` lacks the attribute `{}`", element.name(), attribute.name.text());
     Diagnostic::new(&MISSING_ATTRIBUTE, element.name_span(), message)
         .severity(severity(attribute.need))
         .help(format!("add `{}=\"…\"`", attribute.name.text()))
 }
 
-fn severity(need: Need) -> Severity {
-    if need == Need::Key { Severity::Error } else { Severity::Warning }
+fn severity(need: Occurrence) -> Severity {
+    if need == Occurrence::Key { Severity::Error } else { Severity::Warning }
 }
 
-pub(super) fn missing_element(element: Element<'_>, slot: &Slot, count: u32) -> Diagnostic {
+pub(super) fn missing_element(element: Element<'_>, slot: &Child, count: u32) -> Diagnostic {
     let parent = element.name();
     let names = slot.of.iter().map(|element| element.name.text());
     let (message, help) = match (slot.of, count) {

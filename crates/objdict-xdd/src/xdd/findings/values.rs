@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Findings, Fix, Text, listing, say, text_rule
 use crate::literal;
 use crate::source::Span;
 use crate::xdd::fact;
-use crate::xdd::schema::{BAUD_RATES, Kind, decimal, is_language, whole_number};
+use crate::xdd::schema::{BAUD_RATES, TextKind, decimal, is_language, whole_number};
 
 text_rules! {
     INVALID_NUMBER = "cia311/invalid-number", Error;
@@ -97,11 +97,11 @@ text_rules! {
 }
 
 /// Reports `text`, the value of `name` at `at`, unless it is valid for its kind.
-pub(super) fn check(text: &str, kind: Kind, at: Span, name: &str, findings: &mut Findings) -> bool {
+pub(super) fn check(text: &str, kind: TextKind, at: Span, name: &str, findings: &mut Findings) -> bool {
     let trimmed = text.trim_ascii();
     let is_valid = match kind {
-        Kind::Reference(_) => true,
-        Kind::Decimal => decimal(trimmed).is_some_and(|number| number != 0.0 || name != "multiplier"),
+        TextKind::Reference(_) => true,
+        TextKind::Decimal => decimal(trimmed).is_some_and(|number| number != 0.0 || name != "multiplier"),
         kind => kind.accepts(trimmed),
     };
     if !is_valid {
@@ -110,22 +110,22 @@ pub(super) fn check(text: &str, kind: Kind, at: Span, name: &str, findings: &mut
     is_valid
 }
 
-fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
+fn finding(text: &str, kind: TextKind, at: Span, name: &str) -> Diagnostic {
     let shown = if text.is_empty() { say!("an empty text") } else { say!("`{}`", text) };
     let new = |rule, what: &str| Diagnostic::new(rule, at, say!("{} is {!}", shown, what));
     match kind {
-        Kind::Number(low, high) => invalid_number(text, &shown, name, (low, high), at),
-        Kind::Decimal if decimal(text).is_some() => {
+        TextKind::Number(low, high) => invalid_number(text, &shown, name, (low, high), at),
+        TextKind::Decimal if decimal(text).is_some() => {
             new(&INVALID_SCALING, "not a valid multiplier: all values become 0")
                 .help("write the factor, 1 for no scaling")
         }
-        Kind::Decimal => new(&INVALID_SCALING, &format!("not a number, as `{name}` requires"))
+        TextKind::Decimal => new(&INVALID_SCALING, &format!("not a number, as `{name}` requires"))
             .help("write a number with a decimal point"),
-        Kind::Boolean => {
+        TextKind::Boolean => {
             new(&INVALID_BOOLEAN, &format!("not a valid `{name}`: `true` or `false` is expected"))
                 .help("write `true` or `false` in lower case")
         }
-        Kind::Hex(least, most) => {
+        TextKind::Hex(least, most) => {
             let digits = if least == most {
                 format!("{least} hexadecimal digits")
             } else {
@@ -157,30 +157,33 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
                 None => finding.understood(),
             }
         }
-        Kind::Date => {
+        TextKind::Date => {
             let finding = new(&INVALID_DATE, "not a date of the form `yyyy-mm-dd`")
                 .help("write year, month and day with four, two and two digits: `2026-01-31`");
             let read = literal::date(text).map(|(date, is_clear)| (date.to_iso(), is_clear));
             respelled(finding, read, at)
         }
-        Kind::Time => {
+        TextKind::Time => {
             let finding = new(&INVALID_TIME, "not a time of the form `hh:mm:ss`")
                 .help("write hour (00 to 23), minute and second with two digits each: `09:45:00`");
             respelled(finding, literal::clock_time(text).map(|time| (time.to_iso(true), true)), at)
         }
-        Kind::Word(words) | Kind::Words(words) => {
+        TextKind::Word(words) | TextKind::Words(words) => {
             new(&INVALID_WORD, &format!("not a valid `{name}`")).help(word_help(text, words))
         }
-        Kind::BaudRate => new(&INVALID_BAUD_RATE, "not a bit rate of CiA 311").help(rate_help(text)),
-        Kind::Dummy => new(&INVALID_DUMMY, "not of the form `Dummy0001=0`")
+        TextKind::BaudRate => new(&INVALID_BAUD_RATE, "not a bit rate of CiA 311").help(rate_help(text)),
+        TextKind::Dummy => new(&INVALID_DUMMY, "not of the form `Dummy0001=0`")
             .help("write `Dummy`, the data type from 0001 to 0007, and `=0` or `=1`"),
-        Kind::Language | Kind::Languages => {
+        TextKind::Language | TextKind::Languages => {
             new(&INVALID_LANGUAGE, "not a language code").help(language_help(text))
         }
-        Kind::Id | Kind::Name | Kind::Names | Kind::Text | Kind::Rate | Kind::Reference(_) => {
-            new(&INVALID_ID, &format!("not a valid `{name}`"))
-                .help("start with a letter or `_`, and use letters, digits, `.`, `-` and `_`")
-        }
+        TextKind::Id
+        | TextKind::Name
+        | TextKind::Names
+        | TextKind::Text
+        | TextKind::Rate
+        | TextKind::Reference(_) => new(&INVALID_ID, &format!("not a valid `{name}`"))
+            .help("start with a letter or `_`, and use letters, digits, `.`, `-` and `_`"),
     }
 }
 

@@ -1,11 +1,11 @@
 //! One walk over the elements of a container, along the schema.
 
-use super::ids::{Ids, Reference};
+use super::ids::{IdReference, Ids};
 use super::namespaces::Forms;
 use super::texts::Languages;
 use super::{profiles, structure, texts, values};
 use crate::diagnostic::Findings;
-use crate::xdd::schema::{self, Kind, MAX_SLOTS, Need};
+use crate::xdd::schema::{self, MAX_SLOTS, Occurrence, TextKind};
 use crate::xml::{Attribute, Element, Name, n};
 
 /// The findings of the walk, and its state for rules that compare several elements.
@@ -13,18 +13,18 @@ pub(super) struct Walk<'a, 'f> {
     pub(super) findings: &'f mut Findings,
     pub(super) forms: Forms<'a>,
     pub(super) ids: Ids<'a>,
-    pub(super) references: Vec<Reference<'a>>,
+    pub(super) references: Vec<IdReference<'a>>,
     pub(super) languages: Languages<'a>,
-    pub(super) seen: Seen<'a>,
+    pub(super) seen: SeenElements<'a>,
     pub(super) bodies: Vec<Element<'a>>,
     pub(super) object_lists: Vec<Element<'a>>,
 }
 
 /// Elements that further rules look at, in the order of the file.
 #[derive(Default)]
-pub(super) struct Seen<'a>(Vec<Element<'a>>);
+pub(super) struct SeenElements<'a>(Vec<Element<'a>>);
 
-/// The elements in [`Seen`].
+/// The elements in [`SeenElements`].
 const LOOKED_AT: [Name; 15] = [
     n::parameter,
     n::varDeclaration,
@@ -43,7 +43,7 @@ const LOOKED_AT: [Name; 15] = [
     n::baudRate,
 ];
 
-impl<'a> Seen<'a> {
+impl<'a> SeenElements<'a> {
     /// The elements of the given names.
     pub(super) fn of<const N: usize>(&self, names: [Name; N]) -> impl Iterator<Item = Element<'a>> {
         self.0.iter().copied().filter(move |element| names.contains(&element.tag()))
@@ -64,14 +64,14 @@ impl<'a, 'f> Walk<'a, 'f> {
             ids: Ids::default(),
             references: Vec::new(),
             languages: Languages::default(),
-            seen: Seen::default(),
+            seen: SeenElements::default(),
             bodies: Vec::new(),
             object_lists: Vec::new(),
         }
     }
 
     /// An element with a known place in the schema, and its content.
-    pub(super) fn element(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+    pub(super) fn element(&mut self, element: Element<'a>, schema: &'static schema::SchemaElement) {
         self.forms.look_at(element, schema);
         match element.tag() {
             n::ProfileBody => self.bodies.push(element),
@@ -87,7 +87,7 @@ impl<'a, 'f> Walk<'a, 'f> {
         self.children(element, schema);
     }
 
-    fn attributes(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+    fn attributes(&mut self, element: Element<'a>, schema: &'static schema::SchemaElement) {
         let mut present = 0_u32;
         for attribute in element.attributes() {
             // `xsi:type` and similar, and extensions in other namespaces
@@ -96,7 +96,7 @@ impl<'a, 'f> Walk<'a, 'f> {
             }
             let found = schema
                 .attribute(attribute.tag())
-                .filter(|(_, known)| known.need != Need::Stray)
+                .filter(|(_, known)| known.need != Occurrence::Stray)
                 .or_else(|| structure::unknown_attribute(element, schema, attribute, self.findings));
             let Some((number, known)) = found else { continue };
             present |= 1 << number;
@@ -107,31 +107,33 @@ impl<'a, 'f> Walk<'a, 'f> {
             self.value(element, attribute, known.kind);
         }
         for (number, attribute) in schema.attributes.iter().enumerate() {
-            if matches!(attribute.need, Need::Required | Need::Key) && present & (1 << number) == 0 {
+            if matches!(attribute.need, Occurrence::Required | Occurrence::Key)
+                && present & (1 << number) == 0
+            {
                 self.findings.push(structure::missing_attribute(element, attribute));
             }
         }
     }
 
-    fn value(&mut self, element: Element<'a>, attribute: Attribute<'a>, kind: Kind) {
+    fn value(&mut self, element: Element<'a>, attribute: Attribute<'a>, kind: TextKind) {
         match kind {
-            Kind::Text => return,
-            Kind::Reference(target) => {
-                self.references.push(Reference { element, attribute, target });
+            TextKind::Text => return,
+            TextKind::Reference(target) => {
+                self.references.push(IdReference { element, attribute, target });
                 return;
             }
             _ => {}
         }
         let value = attribute.value();
         let is_name = values::check(&value, kind, attribute.value_span(), attribute.name(), self.findings);
-        if matches!(kind, Kind::Id) && is_name {
+        if matches!(kind, TextKind::Id) && is_name {
             self.ids.define(element, attribute, self.findings);
         }
     }
 
-    fn text(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+    fn text(&mut self, element: Element<'a>, schema: &'static schema::SchemaElement) {
         match schema.text.map(|text| text.kind) {
-            Some(Kind::Text) => {}
+            Some(TextKind::Text) => {}
             Some(kind) => {
                 let text = element.text();
                 let span = match element.text_span() {
@@ -150,7 +152,7 @@ impl<'a, 'f> Walk<'a, 'f> {
         }
     }
 
-    fn children(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+    fn children(&mut self, element: Element<'a>, schema: &'static schema::SchemaElement) {
         let mut counts = [0_u32; MAX_SLOTS];
         let mut first: [Option<Element<'a>>; MAX_SLOTS] = [None; MAX_SLOTS];
         let (mut at, mut last) = (0, None);
@@ -158,7 +160,7 @@ impl<'a, 'f> Walk<'a, 'f> {
         for child in element.children() {
             let found = schema
                 .slot(child.tag(), at)
-                .filter(|(number, _)| schema.content[*number].need != Need::Stray)
+                .filter(|(number, _)| schema.content[*number].need != Occurrence::Stray)
                 .or_else(|| {
                     let is_ours = self.forms.is_ours(child);
                     structure::unknown_element(element, schema, child, is_ours, self.findings)

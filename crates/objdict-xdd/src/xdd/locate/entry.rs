@@ -1,6 +1,6 @@
 //! Places of objects and sub-objects: their attributes, or the parameter that replaces them.
 
-use super::{Locator, attribute_of, text_of, value_of};
+use super::{ElementLocator, attribute_of, text_of, value_of};
 use crate::model::{Field, SimpleType};
 use crate::source::Span;
 use crate::xdd::layout::{Layout, below};
@@ -8,7 +8,7 @@ use crate::xdd::read::EntryAttributes;
 use crate::xdd::schema::OBJECT;
 use crate::xml::{Element, Name, Tree, n};
 
-impl Locator {
+impl ElementLocator {
     /// The span of a field of an object or sub-object; for a missing sub-object, that of its object.
     pub(super) fn entry(
         &self,

@@ -5,7 +5,7 @@ use crate::model::{BaudRates, Field, Part};
 use crate::source::Span;
 use crate::xdd::counterparts::{channel_attribute, count_attribute, default_rate_field, supported_field};
 use crate::xdd::fact::bit_rate;
-use crate::xdd::layout::{Layout, Profile, below};
+use crate::xdd::layout::{DescriptionProfile, Layout, below};
 use crate::xdd::schema::{
     self, BAUD_RATES, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES,
 };
@@ -74,7 +74,7 @@ pub(super) fn carried(layout: &Layout<'_>, name: &str) -> Option<Span> {
 }
 
 fn file_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
-    let Profile { body, .. } = layout.device.or(layout.network)?;
+    let DescriptionProfile { body, .. } = layout.device.or(layout.network)?;
     let found = match field? {
         Field::Description => {
             layout.in_device(&[n::DeviceIdentity, n::productText, n::description]).map(text_of)
@@ -118,7 +118,7 @@ fn feature(layout: &Layout<'_>, field: &Field) -> Option<Span> {
 
 /// The meaning of a field of a bit rate.
 #[derive(Clone, Copy)]
-enum Rate {
+enum RateField {
     Kbit(u16),
     Auto,
     Default,
@@ -126,28 +126,28 @@ enum Rate {
     Wrong,
 }
 
-fn rate_of(field: &Field) -> Option<Rate> {
+fn rate_of(field: &Field) -> Option<RateField> {
     if let Some((kbit, ..)) = BaudRates::default().iter().find(|(_, known, _)| known == field) {
-        return Some(Rate::Kbit(kbit));
+        return Some(RateField::Kbit(kbit));
     }
     match field {
-        Field::BaudRateAuto => Some(Rate::Auto),
-        field if *field == default_rate_field() => Some(Rate::Default),
-        field if *field == supported_field() => Some(Rate::Wrong),
+        Field::BaudRateAuto => Some(RateField::Auto),
+        field if *field == default_rate_field() => Some(RateField::Default),
+        field if *field == supported_field() => Some(RateField::Wrong),
         _ => None,
     }
 }
 
 /// The element of a bit rate, else the element around all of them.
-fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
+fn bit_rates(layout: &Layout<'_>, rate: RateField) -> Option<Span> {
     let list = layout.in_network(&[n::TransportLayers, n::PhysicalLayer, n::baudRate])?;
     let mut values =
         list.children_named(n::supportedBaudRate).filter_map(|element| element.attribute(n::value));
     let found = match rate {
-        Rate::Default => list.attribute(n::defaultValue),
-        Rate::Kbit(kbit) => values.find(|value| bit_rate(value.value().trim_ascii()) == Some(kbit)),
-        Rate::Auto => values.find(|value| value.value().to_ascii_lowercase().contains("auto")),
-        Rate::Wrong => values.find(|value| {
+        RateField::Default => list.attribute(n::defaultValue),
+        RateField::Kbit(kbit) => values.find(|value| bit_rate(value.value().trim_ascii()) == Some(kbit)),
+        RateField::Auto => values.find(|value| value.value().to_ascii_lowercase().contains("auto")),
+        RateField::Wrong => values.find(|value| {
             let text = value.value();
             let kbit = bit_rate(text.trim_ascii());
             let is_known = kbit.is_some() && BAUD_RATES.iter().any(|known| bit_rate(known) == kbit);

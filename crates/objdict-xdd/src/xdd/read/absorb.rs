@@ -25,7 +25,7 @@ pub(crate) fn absorb(
     let template = definitions.template(parameter);
     access(entry, parameter, template);
     let data_type = entry.implied_type();
-    let mut values = Values { entry, data_type, place, findings };
+    let mut values = EntryValues { entry, data_type, place, findings };
     values.take(parameter, definitions);
     if let Some(template) = template {
         values.take(&mut template.clone(), definitions);
@@ -96,14 +96,14 @@ fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parame
 }
 
 /// The values of an entry.
-struct Values<'a> {
+struct EntryValues<'a> {
     entry: &'a mut Entry,
     data_type: Option<DataType>,
     place: &'a Place,
     findings: &'a mut Findings,
 }
 
-impl Values<'_> {
+impl EntryValues<'_> {
     /// Takes all values of a parameter.
     fn take(&mut self, parameter: &mut Parameter, definitions: &Definitions<'_>) {
         self.absorb(Slots::Default, &mut parameter.default_value);

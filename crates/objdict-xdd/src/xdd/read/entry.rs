@@ -3,9 +3,9 @@
 use crate::diagnostic::Findings;
 use crate::model::{Entry, StackOptions};
 use crate::xdd::defaults::{self, Placeholders};
-use crate::xdd::fact::{self, Text, hex};
+use crate::xdd::fact::{self, PlacedText, hex};
 use crate::xdd::schema::network::OBJECT;
-use crate::xdd::schema::{At, Slots};
+use crate::xdd::schema::{AttributePlace, Slots};
 use crate::xdd::shape::stack_attribute;
 use crate::xml::{Attribute, Element, Name, n};
 
@@ -82,11 +82,11 @@ impl<'a> EntryAttributes<'a> {
         }
         for ((known, at), attribute) in OBJECT.attributes.iter().zip(OBJECT.values).zip(self.known) {
             if let Some(attribute) = attribute {
-                let text = Text::of(attribute);
+                let text = PlacedText::of(attribute);
                 fact::take_at(&mut entry, known, at, &text, Placeholders::Dropped, findings);
             }
         }
-        let denotation = self.get(n::denotation).map(Text::of);
+        let denotation = self.get(n::denotation).map(PlacedText::of);
         if let Some(text) = denotation.filter(|text| !text.trimmed().is_empty()) {
             entry.configured_mut().denotation = Some(text.trimmed().into());
         }
@@ -105,8 +105,8 @@ impl<'a> EntryAttributes<'a> {
     pub(crate) fn read_values(&self, entry: &mut Entry, findings: &mut Findings) {
         let data_type = entry.implied_type();
         for (at, attribute) in OBJECT.values.iter().zip(self.known) {
-            let (&At::Value(place), Some(attribute)) = (at, attribute) else { continue };
-            let text = Text::of(attribute);
+            let (&AttributePlace::Value(place), Some(attribute)) = (at, attribute) else { continue };
+            let text = PlacedText::of(attribute);
             let value = match place {
                 // its spelling is judged once the default is known
                 Slots::High => text.value(data_type, &mut Findings::new()),
@@ -122,7 +122,7 @@ impl<'a> EntryAttributes<'a> {
 
     /// Reads the high limit again beside the other values, of which the parameter may have stated some.
     pub(crate) fn settle_high_limit(&self, entry: &mut Entry, findings: &mut Findings) {
-        let Some(text) = self.get(n::highLimit).map(Text::of) else { return };
+        let Some(text) = self.get(n::highLimit).map(PlacedText::of) else { return };
         if let Ok(Some(value)) = text.high_limit(entry, findings) {
             entry.high_limit = Some(value);
         }

@@ -1,20 +1,20 @@
 //! The headers of the profiles, and the file attributes of their bodies.
 
-use super::{Reader, drop_same};
+use super::{XddReader, drop_same};
 use crate::diagnostic::Findings;
 use crate::model::{FileInfo, ProfileHeader};
 use crate::xdd::defaults::Placeholders;
-use crate::xdd::fact::{self, Text};
-use crate::xdd::layout::{Profile, ProfileClass};
+use crate::xdd::fact::{self, PlacedText};
+use crate::xdd::layout::{DescriptionProfile, ProfileClass};
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::container::DEVICE_BODY;
 use crate::xdd::shape;
 use crate::xml::{Element, n};
 
-impl<'a> Reader<'a> {
+impl<'a> XddReader<'a> {
     /// The headers of both profiles; headers equal to the placeholders are dropped.
     pub(super) fn headers(&mut self) {
-        let header = |profile: Option<Profile<'a>>| profile.and_then(|profile| profile.header);
+        let header = |profile: Option<DescriptionProfile<'a>>| profile.and_then(|profile| profile.header);
         let (device, network) = (header(self.layout.device), header(self.layout.network));
         self.device.headers.device = device.and_then(|element| self.header(element, ProfileClass::Device));
         self.device.headers.network = network.and_then(|element| self.header(element, ProfileClass::Network));
@@ -29,7 +29,7 @@ impl<'a> Reader<'a> {
     /// The file attributes of the bodies. Of the communication network profile, only differences are kept.
     pub(super) fn files(&mut self) {
         let placeholders = self.placeholders;
-        let mut info = |profile: Option<Profile<'a>>| {
+        let mut info = |profile: Option<DescriptionProfile<'a>>| {
             profile
                 .map(|profile| file_info(profile.body, placeholders, &mut self.leftovers, &mut self.findings))
         };
@@ -56,7 +56,7 @@ fn file_info<'a>(
 ) -> FileInfo {
     let mut info = FileInfo::default();
     for attribute in body.attributes() {
-        let text = Text::of(attribute);
+        let text = PlacedText::of(attribute);
         // the network profile has fewer attributes
         let is_taken = match attribute.tag() {
             n::formatName => text.trimmed() == "CANopen",

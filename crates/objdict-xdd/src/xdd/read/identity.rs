@@ -1,15 +1,15 @@
 //! The identity of the device: `DeviceIdentity`, and `identity` of the communication network profile.
 
-use super::{Reader, drop_same};
+use super::{XddReader, drop_same};
 use crate::diagnostic::Findings;
 use crate::model::{DeviceInfo, Field, Label, Labels, NetworkIdentity};
 use crate::xdd::defaults::{self, Placeholders};
-use crate::xdd::fact::Text;
+use crate::xdd::fact::PlacedText;
 use crate::xdd::schema::{DEVICE_IDENTITY, IDENTITY};
 use crate::xdd::shape;
 use crate::xml::{Element, Name, n};
 
-impl<'a> Reader<'a> {
+impl<'a> XddReader<'a> {
     pub(super) fn device_identity(&mut self, element: Element<'a>) {
         let mut identity = shape::read(element, &DEVICE_IDENTITY, &mut self.leftovers);
         let rest = &mut identity.rest;
@@ -71,7 +71,7 @@ impl<'a> Reader<'a> {
 /// Vendor-ID and product code.
 fn numbers(element: Element<'_>, info: &mut DeviceInfo, placeholders: Placeholders, findings: &mut Findings) {
     let mut number = |name: Name, field: Field| {
-        let text = Text::in_element(element.child(name)?);
+        let text = PlacedText::in_element(element.child(name)?);
         if text.text == defaults::ID && placeholders.are_dropped() {
             return None;
         }

@@ -11,9 +11,9 @@ mod parameters;
 mod project;
 
 pub(crate) use self::entry::EntryAttributes;
-use self::parameters::Slot;
+use self::parameters::ParameterSlot;
 use super::defaults::{self, Placeholders};
-use super::layout::{Layout, Profile, containers};
+use super::layout::{DescriptionProfile, Layout, containers};
 use super::leftovers::Leftovers;
 use super::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_MANAGER};
 use super::shape;
@@ -42,7 +42,7 @@ pub fn read(tree: &Tree, number: usize, kind: DeviceKind) -> (Device, Findings) 
 
 /// Reads one of the [`containers`] of a tree.
 fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings) {
-    let mut reader = Reader::new(Layout::of_container(container), Placeholders::Dropped);
+    let mut reader = XddReader::new(Layout::of_container(container), Placeholders::Dropped);
     reader.headers();
     reader.files();
     reader.device_body();
@@ -58,7 +58,7 @@ fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings
 /// writer. Objects are not read.
 pub fn read_literally(tree: &Tree, kind: DeviceKind) -> Device {
     let Some(&container) = containers(tree).first() else { return Device::default() };
-    let mut reader = Reader::new(Layout::of_container(container), Placeholders::Kept);
+    let mut reader = XddReader::new(Layout::of_container(container), Placeholders::Kept);
     reader.files();
     let identity = reader.layout.device.and_then(|profile| profile.body.child(n::DeviceIdentity));
     if let Some(identity) = identity {
@@ -69,7 +69,7 @@ pub fn read_literally(tree: &Tree, kind: DeviceKind) -> Device {
 }
 
 /// A description while it is read.
-struct Reader<'a> {
+struct XddReader<'a> {
     layout: Layout<'a>,
     device: Device,
     findings: Findings,
@@ -77,7 +77,7 @@ struct Reader<'a> {
     placeholders: Placeholders,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> XddReader<'a> {
     fn new(layout: Layout<'a>, placeholders: Placeholders) -> Self {
         Self {
             layout,
@@ -96,7 +96,7 @@ impl<'a> Reader<'a> {
     /// The device profile without its file attributes, and the objects that refer to it.
     fn device_body(&mut self) {
         let (mut application, parameters) = match self.layout.device {
-            Some(Profile { body, .. }) => self.device_parts(body),
+            Some(DescriptionProfile { body, .. }) => self.device_parts(body),
             None => Default::default(),
         };
         self.objects(&mut application, parameters);
@@ -110,7 +110,7 @@ impl<'a> Reader<'a> {
 
     /// Reads the parts of the device profile. Parameters of the application processes are only collected,
     /// because objects refer to them.
-    fn device_parts(&mut self, body: Element<'a>) -> (Vec<ApplicationProcess>, Vec<Slot<'a>>) {
+    fn device_parts(&mut self, body: Element<'a>) -> (Vec<ApplicationProcess>, Vec<ParameterSlot<'a>>) {
         let mut application = Vec::new();
         let mut slots = Vec::new();
         let mut has_identity = false;
@@ -130,7 +130,9 @@ impl<'a> Reader<'a> {
                 n::ApplicationProcess => {
                     let (process, found) =
                         shape::read_without(element, &APPLICATION_PROCESS, n::parameter, &mut self.leftovers);
-                    slots.extend(found.into_iter().map(|parameter| Slot::new(parameter, application.len())));
+                    slots.extend(
+                        found.into_iter().map(|parameter| ParameterSlot::new(parameter, application.len())),
+                    );
                     application.push(process);
                 }
                 _ => self.leftovers.element(element),

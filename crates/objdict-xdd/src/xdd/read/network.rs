@@ -1,6 +1,6 @@
 //! The communication network profile without its objects: features, bit rates, dummies, channels, the node.
 
-use super::Reader;
+use super::XddReader;
 use crate::model::{
     BaudRates, Commissioning, DataType, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field,
     ModuleObjects, ObjectList, Reason, Segment,
@@ -9,18 +9,18 @@ use crate::xdd::counterparts::{
     DIRECTIONS, channel_field, count, count_attribute, default_rate_field, range_length, supported_field,
 };
 use crate::xdd::defaults;
-use crate::xdd::fact::{self, Text, bit_rate, hex, value_text};
-use crate::xdd::layout::Profile;
+use crate::xdd::fact::{self, PlacedText, bit_rate, hex, value_text};
+use crate::xdd::layout::DescriptionProfile;
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::network::{DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
 use crate::xdd::schema::{APPLICATION_LAYERS, MODULE_MANAGEMENT, Shape};
 use crate::xdd::shape;
 use crate::xml::{Element, Name, n};
 
-impl<'a> Reader<'a> {
+impl<'a> XddReader<'a> {
     /// The communication network profile without its file attributes and objects.
     pub(super) fn network_body(&mut self) {
-        let Some(Profile { body, .. }) = self.layout.network else { return };
+        let Some(DescriptionProfile { body, .. }) = self.layout.network else { return };
         self.children(body, |this, element| match element.tag() {
             n::ApplicationLayers => this.application_layers(element),
             n::TransportLayers => this.transport_layers(element),
@@ -49,7 +49,7 @@ impl<'a> Reader<'a> {
     fn facts(&mut self, element: Element<'a>, shape: &'static Shape<DeviceInfo>) {
         let info = self.device.device_info.get_or_insert_default();
         for attribute in element.attributes() {
-            let (name, text) = (attribute.tag(), Text::of(attribute));
+            let (name, text) = (attribute.tag(), PlacedText::of(attribute));
             if !fact::take(info, shape, name, &text, self.placeholders, &mut self.findings) {
                 self.leftovers.attribute(element, attribute);
             }
@@ -102,7 +102,7 @@ impl<'a> Reader<'a> {
                 self.leftovers.element(child);
                 continue;
             };
-            let text = Text::of(entry);
+            let text = PlacedText::of(entry);
             let (key, value) = text.trimmed().split_once('=').unwrap_or((text.trimmed(), ""));
             let (key, value) = (key.trim_ascii(), value.trim_ascii());
             let data_type = key.strip_prefix("Dummy").and_then(|digits| hex(digits, 4));
@@ -138,7 +138,7 @@ impl<'a> Reader<'a> {
         let mut segment = Segment::default();
         let (mut first, mut last) = (None, None);
         for attribute in child.attributes() {
-            let text = Text::of(attribute);
+            let text = PlacedText::of(attribute);
             let index = || Ok(text.hex(4)?.and_then(|number| u16::try_from(number).ok()));
             let word = |to_eds: fn(&str) -> Box<str>| Ok(value_text(&text.text, None).map(to_eds));
             let findings = &mut self.findings;
@@ -191,7 +191,7 @@ impl<'a> Reader<'a> {
                     continue;
                 }
                 let info = self.info();
-                let text = Text::of(attribute);
+                let text = PlacedText::of(attribute);
                 match text.word(default_rate, Reason::UnknownWord) {
                     Ok(rate) => info.default_baud_rate = rate,
                     Err(reason) => info.invalid_values.push(default_rate_field(), &text.text, reason),
@@ -199,7 +199,7 @@ impl<'a> Reader<'a> {
             }
             for supported in rate.children() {
                 match supported.attribute(n::value).filter(|_| supported.tag() == n::supportedBaudRate) {
-                    Some(value) => rates.push(Text::of(value)),
+                    Some(value) => rates.push(PlacedText::of(value)),
                     None => self.leftovers.element(supported),
                 }
             }
@@ -237,7 +237,7 @@ impl<'a> Reader<'a> {
                 n::NodeID => n::nodeID,
                 name => name,
             };
-            let (shape, text) = (&DEVICE_COMMISSIONING, Text::of(attribute));
+            let (shape, text) = (&DEVICE_COMMISSIONING, PlacedText::of(attribute));
             if !fact::take(&mut node, shape, name, &text, self.placeholders, &mut self.findings) {
                 node.extra.push(attribute.name(), &attribute.value());
             }
@@ -284,7 +284,7 @@ fn rate(rates: &mut BaudRates, kbit: u16) -> Option<&mut Option<bool>> {
     })
 }
 
-fn supported(info: &mut DeviceInfo, text: &Text<'_>) {
+fn supported(info: &mut DeviceInfo, text: &PlacedText<'_>) {
     let place = match default_rate(text.trimmed()) {
         Some(DefaultBaudRate::Auto) => Some(&mut info.baud_rates.auto),
         Some(DefaultBaudRate::Kbit(kbit)) => rate(&mut info.baud_rates, kbit),

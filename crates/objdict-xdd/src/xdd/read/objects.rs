@@ -1,25 +1,25 @@
 //! The object list: objects, sub-objects, and the parameters they refer to.
 
-use super::Reader;
+use super::XddReader;
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
-use super::parameters::{Definitions, Parameters, Reference, Slot, variables};
+use super::parameters::{Definitions, ParameterSlot, Parameters, Reference, variables};
 use super::project;
 use crate::diagnostic::Findings;
 use crate::model::{
     Access, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues,
     Object, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
-use crate::xdd::fact::{Text, hex};
+use crate::xdd::fact::{PlacedText, hex};
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::shape::take_stack_options;
 use crate::xdd::types;
 use crate::xml::{Element, n};
 
-impl<'a> Reader<'a> {
+impl<'a> XddReader<'a> {
     /// Reads all objects. Parameters that belong to no entry, or to several, go to the application
     /// processes.
-    pub(super) fn objects(&mut self, application: &mut [ApplicationProcess], slots: Vec<Slot<'a>>) {
+    pub(super) fn objects(&mut self, application: &mut [ApplicationProcess], slots: Vec<ParameterSlot<'a>>) {
         let mut parameters = Parameters::new(slots, application, &self.layout);
         let definitions = Definitions::of(application);
         let mut entries = Entries {
@@ -79,7 +79,7 @@ impl<'t> Entries<'t, '_> {
     fn object(&mut self, element: Element<'t>, attributes: &EntryAttributes<'t>, index: u16) -> Object {
         let main = self.entry(attributes, index, None, None);
         let mut object = Object { orphan: attributes.is_orphan(), main, ..Object::default() };
-        if let Some(text) = attributes.get(n::subNumber).map(Text::of) {
+        if let Some(text) = attributes.get(n::subNumber).map(PlacedText::of) {
             match text.integer(255, self.findings) {
                 Ok(number) => object.sub_number = number,
                 Err(reason) => object.main.invalid_values.push(Field::SubNumber, &text.text, reason),

@@ -16,7 +16,7 @@ use crate::xml::{Attribute, Element, n};
 
 /// All parameters of a description. They are read once it is known which entry they belong to.
 pub(crate) struct Parameters<'a> {
-    slots: Vec<Slot<'a>>,
+    slots: Vec<ParameterSlot<'a>>,
     /// What each object and sub-object refers to, in the order of the file.
     references: Vec<Reference>,
     /// The ids that groups and conditions refer to.
@@ -25,7 +25,7 @@ pub(crate) struct Parameters<'a> {
 
 /// A parameter.
 #[derive(Debug)]
-pub(crate) struct Slot<'a> {
+pub(crate) struct ParameterSlot<'a> {
     element: Element<'a>,
     /// The application process of the parameter.
     process: usize,
@@ -37,7 +37,7 @@ pub(crate) struct Slot<'a> {
     shared: Option<Box<Parameter>>,
 }
 
-impl<'a> Slot<'a> {
+impl<'a> ParameterSlot<'a> {
     /// A parameter of an application process.
     pub(crate) fn new(element: Element<'a>, process: usize) -> Self {
         Self { element, process, uses: 0, is_own: false, shared: None }
@@ -64,7 +64,7 @@ pub(crate) enum Reference {
 impl<'a> Parameters<'a> {
     /// Resolves the references of the objects.
     pub(crate) fn new(
-        mut slots: Vec<Slot<'a>>,
+        mut slots: Vec<ParameterSlot<'a>>,
         application: &[ApplicationProcess],
         layout: &Layout<'a>,
     ) -> Self {
@@ -122,7 +122,11 @@ fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Parameter {
 
 /// Resolves `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids, the
 /// first counts.
-fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &Layout<'_>) -> Vec<Reference> {
+fn references(
+    slots: &[ParameterSlot<'_>],
+    application: &[ApplicationProcess],
+    layout: &Layout<'_>,
+) -> Vec<Reference> {
     let mut targets: HashMap<Cow<'_, str>, Reference> = HashMap::with_capacity(slots.len());
     for (number, slot) in (0..).zip(slots) {
         if let Some(id) = slot.id() {
@@ -157,7 +161,7 @@ pub(crate) fn variables(application: &[ApplicationProcess]) -> impl Iterator<Ite
 }
 
 /// The ids of parameters that groups and conditions refer to.
-fn named_ids(slots: &[Slot<'_>], application: &[ApplicationProcess]) -> HashSet<Box<str>> {
+fn named_ids(slots: &[ParameterSlot<'_>], application: &[ApplicationProcess]) -> HashSet<Box<str>> {
     fn of_groups(groups: &[ParameterGroup], ids: &mut HashSet<Box<str>>) {
         for group in groups {
             ids.extend(group.parameters.iter().cloned());

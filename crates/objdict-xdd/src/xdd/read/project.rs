@@ -3,15 +3,15 @@
 
 use std::borrow::Cow;
 
-use super::Reader;
+use super::XddReader;
 use crate::model::{Commissioning, DataType, DummyUsage, Field, Label, Labels};
 use crate::xdd::defaults::{self, Placeholders};
-use crate::xdd::fact::{self, Text, boolean};
+use crate::xdd::fact::{self, PlacedText, boolean};
 use crate::xdd::layout::below;
 use crate::xdd::schema::container::DEVICE_BODY;
 use crate::xml::{Attribute, Element, n};
 
-impl<'a> Reader<'a> {
+impl<'a> XddReader<'a> {
     /// Everything except the objects.
     pub(super) fn project(&mut self, device: Element<'a>) {
         for object in self.device.objects.values_mut() {
@@ -47,7 +47,7 @@ impl<'a> Reader<'a> {
     }
 
     fn project_file(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
-        let text = Text::of(attribute);
+        let text = PlacedText::of(attribute);
         if text.trimmed().is_empty() {
             return;
         }
@@ -71,7 +71,7 @@ impl<'a> Reader<'a> {
     }
 
     fn project_identity(&mut self, element: Element<'a>) {
-        let text = Text::in_element(element);
+        let text = PlacedText::in_element(element);
         let word = text.trimmed();
         if word.is_empty() && element.children().next().is_none() {
             return;
@@ -106,7 +106,7 @@ impl<'a> Reader<'a> {
 
     fn project_description(&mut self, element: Element<'a>) {
         for child in element.children() {
-            let text = Text::in_element(child);
+            let text = PlacedText::in_element(child);
             match child.tag() {
                 _ if text.text.is_empty() => {}
                 n::description => {
@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
 
     /// A key of `[DeviceInfo]` with its value, as two labels.
     fn project_capability(&mut self, characteristic: Element<'a>) {
-        let label = |name| below(characteristic, &[name, n::label]).map(Text::in_element);
+        let label = |name| below(characteristic, &[name, n::label]).map(PlacedText::in_element);
         let Some(name) = label(n::characteristicName).filter(|name| !name.text.is_empty()) else { return };
         let content = label(n::characteristicContent);
         let word = content.as_ref().map_or("", |content| content.trimmed());
@@ -168,7 +168,7 @@ fn set<T>(field: &mut Option<T>, value: Option<T>) -> bool {
 /// A text of an object of a project; `None` for any other element.
 pub(super) fn label(element: Element<'_>) -> Option<Label> {
     let lang = element.attribute(n::lang).map_or(Cow::Borrowed(defaults::LANGUAGE), Attribute::value);
-    let (lang, text) = (lang.as_ref().into(), Text::in_element(element).text.as_ref().into());
+    let (lang, text) = (lang.as_ref().into(), PlacedText::in_element(element).text.as_ref().into());
     match element.tag() {
         n::label => Some(Label::Name { lang, text }),
         n::description => {

@@ -3,10 +3,13 @@
 use super::application::APPLICATION_PROCESS;
 use super::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 use super::network::{APPLICATION_LAYERS, NETWORK_MANAGEMENT, TRANSPORT_LAYERS};
-use super::{At, Attribute, Element, Kind, Need, Shape, Slot, at, attribute, elements, kept, lens, of, slot};
+use super::{
+    AttributePlace, Child, Occurrence, SchemaAttribute, SchemaElement, Shape, TextKind, at, attribute,
+    elements, kept, lens, of, slot,
+};
 use crate::model::{Field, FileInfo, ProfileHeader};
 use crate::xdd::defaults;
-use crate::xdd::shape::{Fixed, Nothing, Same, ValuesIn};
+use crate::xdd::shape::{FixedContent, Nothing, Same, ValuesIn};
 use crate::xml::n;
 
 const PROFILE_CLASSES: &[&str] = &[
@@ -20,9 +23,9 @@ const PROFILE_CLASSES: &[&str] = &[
     "Human",
     "Material",
 ];
-const CANOPEN: Kind = Kind::Word(&["CANopen"]);
-const FORMAT: Kind = Kind::Word(&["1.0"]);
-const DEVICE_CLASSES: Kind = Kind::Word(&["compact", "modular", "configurable"]);
+const CANOPEN: TextKind = TextKind::Word(&["CANopen"]);
+const FORMAT: TextKind = TextKind::Word(&["1.0"]);
+const DEVICE_CLASSES: TextKind = TextKind::Word(&["compact", "modular", "configurable"]);
 
 elements! {
     CONTAINER global ISO15745ProfileContainer of Nothing, [some PROFILE];
@@ -30,25 +33,25 @@ elements! {
     // abstract: `xsi:type` selects one of the bodies below
     BODY local ProfileBody of Nothing;
 
-    PROFILE_IDENTIFICATION local ProfileIdentification of Nothing = Kind::Text;
-    PROFILE_REVISION local ProfileRevision of Nothing = Kind::Text;
-    PROFILE_NAME local ProfileName of Nothing = Kind::Text;
-    PROFILE_SOURCE local ProfileSource of Nothing = Kind::Text;
-    PROFILE_CLASS_ID local ProfileClassID of Nothing = Kind::Word(PROFILE_CLASSES);
-    PROFILE_DATE local ProfileDate of Nothing = Kind::Date;
-    ADDITIONAL_INFORMATION local AdditionalInformation of Nothing = Kind::Text;
+    PROFILE_IDENTIFICATION local ProfileIdentification of Nothing = TextKind::Text;
+    PROFILE_REVISION local ProfileRevision of Nothing = TextKind::Text;
+    PROFILE_NAME local ProfileName of Nothing = TextKind::Text;
+    PROFILE_SOURCE local ProfileSource of Nothing = TextKind::Text;
+    PROFILE_CLASS_ID local ProfileClassID of Nothing = TextKind::Word(PROFILE_CLASSES);
+    PROFILE_DATE local ProfileDate of Nothing = TextKind::Date;
+    ADDITIONAL_INFORMATION local AdditionalInformation of Nothing = TextKind::Text;
     ISO_REFERENCE local ISO15745Reference of ProfileHeader, [
         one ISO_PART => "1", one ISO_EDITION => "1", one PROFILE_TECHNOLOGY => "CANopen",
     ];
-    ISO_PART local ISO15745Part of Nothing = Kind::POSITIVE;
-    ISO_EDITION local ISO15745Edition of Nothing = Kind::POSITIVE;
-    PROFILE_TECHNOLOGY local ProfileTechnology of Nothing = Kind::Text;
-    IAS_INTERFACE_TYPE local IASInterfaceType of Nothing = Kind::Text;
+    ISO_PART local ISO15745Part of Nothing = TextKind::POSITIVE;
+    ISO_EDITION local ISO15745Edition of Nothing = TextKind::POSITIVE;
+    PROFILE_TECHNOLOGY local ProfileTechnology of Nothing = TextKind::Text;
+    IAS_INTERFACE_TYPE local IASInterfaceType of Nothing = TextKind::Text;
 
     EXTERNAL_HANDLE local ExternalProfileHandle of Nothing, [
         one PROFILE_IDENTIFICATION, one PROFILE_REVISION, maybe PROFILE_LOCATION,
     ];
-    PROFILE_LOCATION local ProfileLocation of Nothing = Kind::Text;
+    PROFILE_LOCATION local ProfileLocation of Nothing = TextKind::Text;
 }
 
 /// Declares the header of each profile; they differ only in their class.
@@ -76,15 +79,15 @@ macro_rules! bodies {
         $($NAME local ProfileBody of FileInfo (
             formatName?: CANOPEN,
             formatVersion?: FORMAT,
-            fileName!: Kind::Text => {FileName file_name unstated defaults::FILE_NAME},
-            fileCreator!: Kind::Text => {CreatedBy created_by unstated defaults::NOT_STATED},
-            fileCreationDate!: Kind::Date => {CreationDate creation_date unstated defaults::DATE},
-            fileCreationTime?: Kind::Time => {CreationTime creation_time},
-            fileModifiedBy?: Kind::Text => {ModifiedBy modified_by},
-            fileModificationDate?: Kind::Date => {ModificationDate modification_date},
-            fileModificationTime?: Kind::Time => {ModificationTime modification_time},
-            fileVersion!: Kind::Text => {FileVersion self unstated ""},
-            supportedLanguages?: Kind::Languages => {Named languages},
+            fileName!: TextKind::Text => {FileName file_name unstated defaults::FILE_NAME},
+            fileCreator!: TextKind::Text => {CreatedBy created_by unstated defaults::NOT_STATED},
+            fileCreationDate!: TextKind::Date => {CreationDate creation_date unstated defaults::DATE},
+            fileCreationTime?: TextKind::Time => {CreationTime creation_time},
+            fileModifiedBy?: TextKind::Text => {ModifiedBy modified_by},
+            fileModificationDate?: TextKind::Date => {ModificationDate modification_date},
+            fileModificationTime?: TextKind::Time => {ModificationTime modification_time},
+            fileVersion!: TextKind::Text => {FileVersion self unstated ""},
+            supportedLanguages?: TextKind::Languages => {Named languages},
             $($attribute)*
         ), [$($content)+];)+
     }};

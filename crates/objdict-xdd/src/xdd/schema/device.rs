@@ -1,45 +1,45 @@
 //! The device profile without its application process: identity, manager and function (CiA 311 annex A).
 
 use super::{
-    At, Attribute, Choice, Element, Kind, Need, Shape, Slot, Target, at, attribute, choice, elements, kept,
-    lens, of, slot,
+    AttributePlace, Child, ElementChoice, Occurrence, ReferenceTarget, SchemaAttribute, SchemaElement, Shape,
+    TextKind, at, attribute, choice, elements, kept, lens, of, slot,
 };
 use crate::model::{
     Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DeviceFunction,
     DeviceManager, DeviceVersion, Dictionary, Label, Labels, Led, LedState, ModuleInterface, ModuleType,
     OwnInterface, Picture, TextRef,
 };
-use crate::xdd::shape::{Identity, Nothing, PartsIn, Same, ValuesIn};
+use crate::xdd::shape::{IdentityContent, Nothing, PartsIn, Same, ValuesIn};
 use crate::xml::n;
 
 // at least one of them is a name or a description
 choice! { LABELS of Label: LABEL DESCRIPTION LABEL_REF DESCRIPTION_REF }
 
-const FLAG: Kind = Kind::Boolean;
+const FLAG: TextKind = TextKind::Boolean;
 
 /// An element with only a text and a mark.
 type MarkedText = Box<str>;
 
 elements! {
     LABEL local label of Label as (Label::Name { lang: Box::default(), text: Box::default() }, Label::Name { .. }) (
-        lang!: Kind::Language => [in self Label::Name { lang, .. } => lang],
-    ) = Kind::Text => [in self Label::Name { text, .. } => text];
+        lang!: TextKind::Language => [in self Label::Name { lang, .. } => lang],
+    ) = TextKind::Text => [in self Label::Name { text, .. } => text];
     DESCRIPTION local description of Label as (
         Label::Description { lang: Box::default(), uri: None, text: Box::default() }, Label::Description { .. }
     ) (
-        lang!: Kind::Language => [in self Label::Description { lang, .. } => lang],
-        URI?: Kind::Text => [in self Label::Description { uri, .. } => uri],
-    ) = Kind::Text => [in self Label::Description { text, .. } => text];
+        lang!: TextKind::Language => [in self Label::Description { lang, .. } => lang],
+        URI?: TextKind::Text => [in self Label::Description { uri, .. } => uri],
+    ) = TextKind::Text => [in self Label::Description { text, .. } => text];
     LABEL_REF local labelRef of Label as (Label::NameRef(TextRef::default()), Label::NameRef(_)) (
-        dictID*: Kind::Text => [in self Label::NameRef(TextRef { dictionary, .. }) => dictionary],
-        textID*: Kind::Text => [in self Label::NameRef(TextRef { text_id, .. }) => text_id],
-    ) = Kind::Text => [in self Label::NameRef(TextRef { uri, .. }) => uri];
+        dictID*: TextKind::Text => [in self Label::NameRef(TextRef { dictionary, .. }) => dictionary],
+        textID*: TextKind::Text => [in self Label::NameRef(TextRef { text_id, .. }) => text_id],
+    ) = TextKind::Text => [in self Label::NameRef(TextRef { uri, .. }) => uri];
     DESCRIPTION_REF local descriptionRef of Label as (Label::DescriptionRef(TextRef::default()), Label::DescriptionRef(_)) (
-        dictID*: Kind::Text => [in self Label::DescriptionRef(TextRef { dictionary, .. }) => dictionary],
-        textID*: Kind::Text => [in self Label::DescriptionRef(TextRef { text_id, .. }) => text_id],
-    ) = Kind::Text => [in self Label::DescriptionRef(TextRef { uri, .. }) => uri];
+        dictID*: TextKind::Text => [in self Label::DescriptionRef(TextRef { dictionary, .. }) => dictionary],
+        textID*: TextKind::Text => [in self Label::DescriptionRef(TextRef { text_id, .. }) => text_id],
+    ) = TextKind::Text => [in self Label::DescriptionRef(TextRef { uri, .. }) => uri];
 
-    DEVICE_IDENTITY global DeviceIdentity of Identity, [
+    DEVICE_IDENTITY global DeviceIdentity of IdentityContent, [
         one VENDOR_NAME => [vendor_name],
         maybe VENDOR_ID => [vendor_id],
         maybe VENDOR_TEXT => [rest.vendor_text],
@@ -54,21 +54,21 @@ elements! {
         maybe SPECIFICATION_REVISION => [rest.specification_revision],
         maybe INSTANCE_NAME => [rest.instance_name],
     ], marks [rest.read_only];
-    VENDOR_NAME global vendorName of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
-    VENDOR_ID global vendorID of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    VENDOR_NAME global vendorName of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
+    VENDOR_ID global vendorID of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
     VENDOR_TEXT global vendorText of Labels (readOnly?: FLAG => mark), [some (LABELS) => [0]];
     DEVICE_FAMILY global deviceFamily of Labels (readOnly?: FLAG => mark), [some (LABELS) => [0]];
-    PRODUCT_FAMILY global productFamily of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
-    PRODUCT_NAME global productName of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
-    PRODUCT_ID global productID of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    PRODUCT_FAMILY global productFamily of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
+    PRODUCT_NAME global productName of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
+    PRODUCT_ID global productID of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
     PRODUCT_TEXT global productText of Labels (readOnly?: FLAG => mark), [some (LABELS) => [0]];
-    ORDER_NUMBER global orderNumber of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    ORDER_NUMBER global orderNumber of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
     VERSION global version of DeviceVersion (
-        versionType!: Kind::Word(&["SW", "FW", "HW"]) => [kind], readOnly?: FLAG => mark,
-    ) = Kind::Text => [version];
-    BUILD_DATE global buildDate of Nothing = Kind::Date;
-    SPECIFICATION_REVISION global specificationRevision of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
-    INSTANCE_NAME global instanceName of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+        versionType!: TextKind::Word(&["SW", "FW", "HW"]) => [kind], readOnly?: FLAG => mark,
+    ) = TextKind::Text => [version];
+    BUILD_DATE global buildDate of Nothing = TextKind::Date;
+    SPECIFICATION_REVISION global specificationRevision of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
+    INSTANCE_NAME global instanceName of MarkedText (readOnly?: FLAG => mark) = TextKind::Text => [self];
 
     DEVICE_MANAGER global DeviceManager of DeviceManager, [
         maybe INDICATOR_LIST => same, maybe MODULE_MANAGEMENT => same,
@@ -76,27 +76,27 @@ elements! {
     INDICATOR_LIST global indicatorList of DeviceManager, [maybe LED_LIST => same];
     LED_LIST global LEDList of DeviceManager, [some LED => [leds], any COMBINED_STATE => [combined_states]];
     LED global LED of Led (
-        LEDcolors!: Kind::Word(&["monocolor", "bicolor"]) => [colors],
-        LEDtype?: Kind::Word(&["IO", "device", "communication"]) => [kind],
+        LEDcolors!: TextKind::Word(&["monocolor", "bicolor"]) => [colors],
+        LEDtype?: TextKind::Word(&["IO", "device", "communication"]) => [kind],
     ), [some (LABELS) => [labels.0], some LED_STATE => [states]];
     LED_STATE global LEDstate of LedState (
-        uniqueID*: Kind::Id => [unique_id],
-        state!: Kind::Word(&["on", "off", "flashing"]) => [state],
-        LEDcolor!: Kind::Word(&["green", "amber", "red"]) => [color],
-        flashingPeriod?: Kind::INT => [flashing_period],
-        impulsWidth?: Kind::BYTE => [impulse_width],
-        numberOfImpulses?: Kind::BYTE => [impulses],
+        uniqueID*: TextKind::Id => [unique_id],
+        state!: TextKind::Word(&["on", "off", "flashing"]) => [state],
+        LEDcolor!: TextKind::Word(&["green", "amber", "red"]) => [color],
+        flashingPeriod?: TextKind::INT => [flashing_period],
+        impulsWidth?: TextKind::BYTE => [impulse_width],
+        numberOfImpulses?: TextKind::BYTE => [impulses],
     ), [some (LABELS) => [labels.0]];
     COMBINED_STATE global combinedState of CombinedState, [some (LABELS) => [labels.0], two LED_STATE_REF => {states}];
-    LED_STATE_REF local LEDstateRef of Nothing (stateIDRef*: Kind::Reference(Target::LedState));
+    LED_STATE_REF local LEDstateRef of Nothing (stateIDRef*: TextKind::Reference(ReferenceTarget::LedState));
 
     MODULE_MANAGEMENT global moduleManagement of DeviceManager, [
         one [MODULE_INTERFACE_LIST | MODULE_INTERFACE] => (same [own_interface]),
     ];
     MODULE_INTERFACE_LIST global moduleInterfaceList of DeviceManager, [some INTERFACE => [module_interfaces]];
     INTERFACE global interface of ModuleInterface (
-        uniqueID*: Kind::Id => [unique_id],
-        maxChilds!: Kind::POSITIVE => [max_modules],
+        uniqueID*: TextKind::Id => [unique_id],
+        maxChilds!: TextKind::POSITIVE => [max_modules],
         unusedSlots!: FLAG => [unused_slots],
         multipleChilds!: FLAG => [multiple],
     ), [
@@ -104,13 +104,13 @@ elements! {
     ];
     FILE_LIST global fileList of ModuleInterface, [one FILE => {files}];
     MODULE_TYPE_LIST global moduleTypeList of ModuleInterface, [some MODULE_TYPE => [module_types]];
-    MODULE_TYPE global moduleType of ModuleType (uniqueID+: Kind::Id => [unique_id], r#type*: Kind::Name => [kind]);
+    MODULE_TYPE global moduleType of ModuleType (uniqueID+: TextKind::Id => [unique_id], r#type*: TextKind::Name => [kind]);
     CONNECTED_MODULE_LIST local connectedModuleList of ModuleInterface, [some CONNECTED_MODULE => [connected]];
     CONNECTED_MODULE local connectedModule of ConnectedModule (
-        childIDRef*: Kind::Name => [child], position+: Kind::INT => [position], address+: Kind::INT => [address],
+        childIDRef*: TextKind::Name => [child], position+: TextKind::INT => [position], address+: TextKind::INT => [address],
     );
     MODULE_INTERFACE local moduleInterface of OwnInterface (
-        childID*: Kind::Name => [child_id], r#type*: Kind::Name => [kind], maxCount?: Kind::NATURAL => [max_count],
+        childID*: TextKind::Name => [child_id], r#type*: TextKind::Name => [kind], maxCount?: TextKind::NATURAL => [max_count],
     );
 
     DEVICE_FUNCTION global DeviceFunction of DeviceFunction, [
@@ -130,13 +130,13 @@ elements! {
     CHARACTERISTIC_CONTENT global characteristicContent of Labels, [some (LABELS) => [0]];
     STANDARD_COMPLIANCE_LIST global standardComplianceList of DeviceFunction, [some COMPLIANT_WITH => [compliance]];
     COMPLIANT_WITH global compliantWith of Compliance (
-        name!: Kind::Text => [name], range?: Kind::Word(&["international", "internal"]) => [range],
+        name!: TextKind::Text => [name], range?: TextKind::Word(&["international", "internal"]) => [range],
     ), [some (LABELS) => [labels.0]];
     PICTURES_LIST global picturesList of DeviceFunction, [some PICTURE => [pictures]];
-    PICTURE global picture of Picture (URI*: Kind::Text => [uri], number?: Kind::INT => [number]), [some (LABELS) => [labels.0]];
+    PICTURE global picture of Picture (URI*: TextKind::Text => [uri], number?: TextKind::INT => [number]), [some (LABELS) => [labels.0]];
     DICTIONARY_LIST global dictionaryList of DeviceFunction, [some DICTIONARY => [dictionaries]];
-    DICTIONARY global dictionary of Dictionary (lang!: Kind::Language => [lang], dictID*: Kind::Text => [id]), [
+    DICTIONARY global dictionary of Dictionary (lang!: TextKind::Language => [lang], dictID*: TextKind::Text => [id]), [
         one FILE => {uri},
     ];
-    FILE global file of Nothing (URI*: Kind::Text);
+    FILE global file of Nothing (URI*: TextKind::Text);
 }

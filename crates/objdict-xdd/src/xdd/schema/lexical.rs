@@ -1,10 +1,10 @@
 //! The texts that attributes and elements take, as XML Schema spells them.
 
-use super::values::{BAUD_RATES, Kind};
+use super::values::{BAUD_RATES, TextKind};
 use crate::model::Date;
 use crate::xml;
 
-impl Kind {
+impl TextKind {
     /// Whether the schema takes a text.
     pub(crate) fn accepts(self, text: &str) -> bool {
         let trimmed = text.trim_ascii();

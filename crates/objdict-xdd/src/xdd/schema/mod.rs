@@ -23,7 +23,7 @@ pub(crate) use self::container::{
 pub(crate) use self::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 pub(crate) use self::lexical::{decimal, is_language, is_name, is_name_character, whole_number};
 pub(crate) use self::network::{APPLICATION_LAYERS, IDENTITY, MODULE_MANAGEMENT};
-pub(crate) use self::values::{BAUD_RATES, Kind, Target};
+pub(crate) use self::values::{BAUD_RATES, ReferenceTarget, TextKind};
 pub use self::xsd::xsd;
 
 /// The words that an attribute of an object or sub-object may be; none where it is no word.
@@ -34,8 +34,8 @@ pub fn words_of(element: crate::xml::Element<'_>, name: &str) -> &'static [&'sta
     };
     let known = schema.and_then(|schema| schema.attribute(crate::xml::Name::of(name)));
     match known.map(|(_, attribute)| &attribute.kind) {
-        Some(Kind::Word(words) | Kind::Words(words)) => words,
-        Some(Kind::Boolean) => &["true", "false"],
+        Some(TextKind::Word(words) | TextKind::Words(words)) => words,
+        Some(TextKind::Boolean) => &["true", "false"],
         _ => &[],
     }
 }
@@ -46,33 +46,33 @@ use crate::model::{Entry, Field, Value};
 use crate::xml::{Name, n};
 
 /// The structure of elements with fields of an EDS.
-pub(crate) static OBJECT: &Element = &network::OBJECT.element;
-pub(crate) static DEVICE_BODY: &Element = &container::DEVICE_BODY.element;
-pub(crate) static GENERAL_FEATURES: &Element = &network::GENERAL_FEATURES.element;
-pub(crate) static MASTER_FEATURES: &Element = &network::MASTER_FEATURES.element;
-pub(crate) static DEVICE_COMMISSIONING: &Element = &network::DEVICE_COMMISSIONING.element;
+pub(crate) static OBJECT: &SchemaElement = &network::OBJECT.element;
+pub(crate) static DEVICE_BODY: &SchemaElement = &container::DEVICE_BODY.element;
+pub(crate) static GENERAL_FEATURES: &SchemaElement = &network::GENERAL_FEATURES.element;
+pub(crate) static MASTER_FEATURES: &SchemaElement = &network::MASTER_FEATURES.element;
+pub(crate) static DEVICE_COMMISSIONING: &SchemaElement = &network::DEVICE_COMMISSIONING.element;
 
 /// An element in a certain context: `range` of `allowedValues` differs from `range` of `rangeList`.
 #[derive(Debug)]
-pub(crate) struct Element {
+pub(crate) struct SchemaElement {
     pub name: Name,
     /// Whether version 1.1 declares the element globally, so that it is in the namespace there.
     pub is_global: bool,
-    pub attributes: &'static [Attribute],
+    pub attributes: &'static [SchemaAttribute],
     /// The kind of the text; `None` if only elements are allowed.
-    pub text: Option<Attribute>,
+    pub text: Option<SchemaAttribute>,
     /// The child elements, in order.
-    pub content: &'static [Slot],
+    pub content: &'static [Child],
     /// The attributes and children that version 1.0 does not define.
     pub newer: &'static [Name],
 }
 
 /// An attribute, or the text of an element.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Attribute {
+pub(crate) struct SchemaAttribute {
     pub name: Name,
-    pub kind: Kind,
-    pub need: Need,
+    pub kind: TextKind,
+    pub need: Occurrence,
     /// The field of the model, if it is not a plain text.
     pub field: Option<fn() -> Field>,
     /// The maximum, if it is lower than that of the type.
@@ -83,7 +83,7 @@ pub(crate) struct Attribute {
 
 /// Whether an attribute or element is required.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Need {
+pub(crate) enum Occurrence {
     Optional,
     /// Required by the standard, optional for readers.
     Required,
@@ -96,13 +96,13 @@ pub(crate) enum Need {
 
 /// An element, and where a part `P` of the model keeps what is in it.
 pub(crate) struct Shape<P: 'static> {
-    pub element: Element,
+    pub element: SchemaElement,
     /// An empty part.
     pub new: fn() -> P,
     /// Whether a part is this element and not another one of the same choice.
     pub is: fn(&P) -> bool,
     /// Where the part keeps each attribute, and behind them the text.
-    pub values: &'static [At<P>],
+    pub values: &'static [AttributePlace<P>],
     /// How the part keeps the children of each slot.
     pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
     /// Where the part keeps the marks of its children.
@@ -110,9 +110,9 @@ pub(crate) struct Shape<P: 'static> {
 }
 
 impl<P> Deref for Shape<P> {
-    type Target = Element;
+    type Target = SchemaElement;
 
-    fn deref(&self) -> &Element {
+    fn deref(&self) -> &SchemaElement {
         &self.element
     }
 }
@@ -127,7 +127,7 @@ pub(crate) struct Lens<P, T: ?Sized + 'static> {
 }
 
 /// Where a part keeps the value of an attribute.
-pub(crate) enum At<P> {
+pub(crate) enum AttributePlace<P> {
     /// Not stored, or stored by the code that reads the element.
     Nowhere,
     /// In a field for texts; a text it does not accept becomes a leftover.
@@ -151,18 +151,18 @@ pub(crate) enum Slots {
 }
 
 /// The alternatives of a choice that a part of one type is.
-pub(crate) struct Choice<C: 'static> {
-    pub elements: &'static [&'static Element],
+pub(crate) struct ElementChoice<C: 'static> {
+    pub elements: &'static [&'static SchemaElement],
     pub shapes: &'static [&'static Shape<C>],
 }
 
 /// A place in the order of the children: one element, or a choice of several.
 #[derive(Debug)]
-pub(crate) struct Slot {
-    pub of: &'static [&'static Element],
+pub(crate) struct Child {
+    pub of: &'static [&'static SchemaElement],
     pub least: u32,
     pub most: u32,
-    pub need: Need,
+    pub need: Occurrence,
 }
 
 /// The maximum number of slots of an element.
@@ -171,20 +171,20 @@ pub(crate) const MAX_SLOTS: usize = 16;
 /// No maximum.
 const MANY: u32 = u32::MAX;
 
-impl Slot {
+impl Child {
     /// The element with this name, if it is allowed here.
-    pub(crate) fn element(&self, name: Name) -> Option<&'static Element> {
+    pub(crate) fn element(&self, name: Name) -> Option<&'static SchemaElement> {
         self.of.iter().copied().find(|element| element.name == name)
     }
 
     /// The maximum number of elements with the name of this one. Only `variableRef` may occur more often
     /// than its alternatives.
-    pub(crate) fn most_of(&self, element: &Element) -> u32 {
+    pub(crate) fn most_of(&self, element: &SchemaElement) -> u32 {
         if element.name == n::variableRef { MANY } else { self.most }
     }
 }
 
-impl Element {
+impl SchemaElement {
     /// Whether the standard leaves the content open, as for the simple types.
     pub(crate) fn is_opaque(&self) -> bool {
         self.attributes.is_empty() && self.content.is_empty() && self.text.is_none()
@@ -192,23 +192,23 @@ impl Element {
 
     /// Whether the element can contain names and descriptions.
     pub(crate) fn has_labels(&self) -> bool {
-        self.content.iter().any(|slot| slot.need != Need::Stray && slot.element(n::label).is_some())
+        self.content.iter().any(|slot| slot.need != Occurrence::Stray && slot.element(n::label).is_some())
     }
 
     /// The attribute with this name.
-    pub(crate) fn attribute(&self, name: Name) -> Option<(usize, &'static Attribute)> {
+    pub(crate) fn attribute(&self, name: Name) -> Option<(usize, &'static SchemaAttribute)> {
         self.attributes.iter().enumerate().find(|(_, attribute)| attribute.name == name)
     }
 
     /// The attribute of a field that an EDS has too.
-    pub(crate) fn attribute_of(&self, field: &Field) -> Option<&'static Attribute> {
+    pub(crate) fn attribute_of(&self, field: &Field) -> Option<&'static SchemaAttribute> {
         self.attributes.iter().find(|attribute| attribute.field().as_ref() == Some(field))
     }
 
     /// The slot of a child. The search begins at `from`, because children are usually in order.
-    pub(crate) fn slot(&self, name: Name, from: usize) -> Option<(usize, &'static Element)> {
+    pub(crate) fn slot(&self, name: Name, from: usize) -> Option<(usize, &'static SchemaElement)> {
         let slots = || self.content.iter().enumerate();
-        let find = |(number, slot): (usize, &Slot)| Some((number, slot.element(name)?));
+        let find = |(number, slot): (usize, &Child)| Some((number, slot.element(name)?));
         slots().skip(from).find_map(find).or_else(|| slots().take(from).find_map(find))
     }
 
@@ -218,7 +218,7 @@ impl Element {
     }
 }
 
-impl Attribute {
+impl SchemaAttribute {
     /// The field of the model, if it is not a plain text.
     pub(crate) fn field(&self) -> Option<Field> {
         self.field.map(|field| field())
@@ -227,8 +227,8 @@ impl Attribute {
     /// The text for a required attribute without a value; `None` if the element has no meaning without it.
     pub(crate) fn placeholder(&self) -> Option<&'static str> {
         self.unstated.or(match self.kind {
-            Kind::Language => Some(super::defaults::LANGUAGE),
-            Kind::Text if self.need == Need::Required => Some(""),
+            TextKind::Language => Some(super::defaults::LANGUAGE),
+            TextKind::Text if self.need == Occurrence::Required => Some(""),
             _ => None,
         })
     }
@@ -240,22 +240,22 @@ impl Attribute {
             None => text.parse().ok(),
         };
         Some(match (self.kind, text) {
-            (Kind::Number(..), _) => number()?.to_string(),
-            (Kind::Hex(..), _) => match number()? {
+            (TextKind::Number(..), _) => number()?.to_string(),
+            (TextKind::Hex(..), _) => match number()? {
                 number @ 0..=0xFFFF => format!("{number:04X}"),
                 number => format!("{number:08X}"),
             },
-            (Kind::Boolean, "0") => "false".to_owned(),
-            (Kind::Boolean, "1") => "true".to_owned(),
-            (Kind::Word(_), _) if self.name == n::PDOmapping => match text {
+            (TextKind::Boolean, "0") => "false".to_owned(),
+            (TextKind::Boolean, "1") => "true".to_owned(),
+            (TextKind::Word(_), _) if self.name == n::PDOmapping => match text {
                 "0" => "no".to_owned(),
                 "1" => "optional".to_owned(),
                 _ => return None,
             },
-            (Kind::Date, _) => literal::date(text)?.0.to_iso(),
-            (Kind::Time, _) => literal::clock_time(text)?.to_iso(true),
+            (TextKind::Date, _) => literal::date(text)?.0.to_iso(),
+            (TextKind::Time, _) => literal::clock_time(text)?.to_iso(true),
             // the parameter specifies inputs and outputs
-            (Kind::Word(_), "rwr" | "rww") | (Kind::Boolean, _) => return None,
+            (TextKind::Word(_), "rwr" | "rww") | (TextKind::Boolean, _) => return None,
             _ => text.to_owned(),
         })
     }
@@ -291,7 +291,7 @@ impl Slots {
 }
 
 /// The element of the identity whose text is a field of an EDS.
-pub(crate) fn identity_element(field: &Field) -> Option<&'static Element> {
+pub(crate) fn identity_element(field: &Field) -> Option<&'static SchemaElement> {
     Some(match field {
         Field::VendorName => &device::VENDOR_NAME,
         Field::VendorNumber => &device::VENDOR_ID,
@@ -329,12 +329,12 @@ use lens;
 /// Where the value of an attribute is kept: `[field]` takes texts, `{Field field}` has that name in an EDS (`Named`: that of the
 /// attribute), `(value Which)` is a value of an entry, `mark` is kept by the element around it, and `(field Field)` is kept by the code that reads the element.
 macro_rules! at {
-    () => { At::Nowhere };
-    (mark) => { At::Mark };
-    ((value $value:ident)) => { At::Value(Slots::$value) };
-    ((field $field:ident)) => { At::Nowhere };
-    ([$($path:tt)+]) => { At::Text(lens!($($path)+)) };
-    ({$field:ident $path:ident $($rest:tt)*}) => { At::Fact(lens!($path)) };
+    () => { AttributePlace::Nowhere };
+    (mark) => { AttributePlace::Mark };
+    ((value $value:ident)) => { AttributePlace::Value(Slots::$value) };
+    ((field $field:ident)) => { AttributePlace::Nowhere };
+    ([$($path:tt)+]) => { AttributePlace::Text(lens!($($path)+)) };
+    ({$field:ident $path:ident $($rest:tt)*}) => { AttributePlace::Fact(lens!($path)) };
 }
 use at;
 
@@ -356,7 +356,7 @@ macro_rules! attribute {
         attribute!(@ $name $kind, $need, Some(|| Field::$field), $($most)?, $($text)?)
     };
     (@ $name:ident $kind:expr, $need:expr, $field:expr, $($most:literal)?, $($text:expr)?) => {
-        Attribute {
+        SchemaAttribute {
             name: n::$name,
             kind: $kind,
             need: $need,
@@ -370,7 +370,7 @@ macro_rules! attribute {
 }
 use attribute;
 
-/// The elements of a [`Slot`]: `A`, `[A | B]`, `(CHOICE)`, or `(ELEMENTS: CHOICE CHOICE)` for parts of several types.
+/// The elements of a [`Child`]: `A`, `[A | B]`, `(CHOICE)`, or `(ELEMENTS: CHOICE CHOICE)` for parts of several types.
 macro_rules! of {
     ([$($of:ident)|+]) => { &[$(&$of.element),+] };
     (($elements:ident: $($choice:ident)+)) => { $elements };
@@ -384,7 +384,7 @@ macro_rules! kept {
     ($Part:ident $of:tt) => { &[] };
     ($Part:ident $of:ident same) => { &[&Same(&$of)] };
     ($Part:ident [$same:ident | $of:ident] (same $other:tt)) => { &[&Same(&$same), &kept!(@ $Part &[&$of], $other)] };
-    ($Part:ident $of:ident $text:literal) => { &[&Fixed(&$of.element, $text)] };
+    ($Part:ident $of:ident $text:literal) => { &[&FixedContent(&$of.element, $text)] };
     ($Part:ident $of:ident {$($path:tt)+}) => {
         &[&ValuesIn::<$Part> { element: &$of.element, field: lens!($($path)+) }]
     };
@@ -396,7 +396,7 @@ macro_rules! kept {
 }
 use kept;
 
-/// The minimum and maximum of a [`Slot`].
+/// The minimum and maximum of a [`Child`].
 macro_rules! slot {
     (one $of:tt) => { slot!(@ $of, 1, 1, Required) };
     (key $of:tt) => { slot!(@ $of, 1, 1, Key) };
@@ -406,14 +406,14 @@ macro_rules! slot {
     (any $of:tt) => { slot!(@ $of, 0, super::MANY, Optional) };
     (stray $of:tt) => { slot!(@ $of, 0, super::MANY, Stray) };
     (@ $of:tt, $least:expr, $most:expr, $need:ident) => {
-        Slot { of: of!($of), least: $least, most: $most, need: Need::$need }
+        Child { of: of!($of), least: $least, most: $most, need: Occurrence::$need }
     };
 }
 use slot;
 
 /// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names], marks [field];`
 ///
-/// The part of an element of a [`Choice`] is `Part as (new part, pattern of the part)`, and that of an element that is not kept, or
+/// The part of an element of a [`ElementChoice`] is `Part as (new part, pattern of the part)`, and that of an element that is not kept, or
 /// by the code that reads it, is `Nothing`. The mark after the name of an attribute is `?` (optional), `!` (required), `*` (without it
 /// the element has no meaning) or `+` (stray).
 ///
@@ -428,7 +428,7 @@ macro_rules! elements {
         $(, marks [$($marks:tt)+])?
     ;)+) => {
         $(pub(crate) static $NAME: Shape<$Part> = Shape {
-            element: Element {
+            element: SchemaElement {
                 name: n::$name,
                 is_global: elements!(@ $form),
                 attributes: &[$($(attribute!($attribute $kind, elements!(@ $need) $(, $at)?)),+)?],
@@ -445,13 +445,13 @@ macro_rules! elements {
     };
     (@ global) => { true };
     (@ local) => { false };
-    (@ ?) => { Need::Optional };
-    (@ !) => { Need::Required };
-    (@ *) => { Need::Key };
-    (@ +) => { Need::Stray };
+    (@ ?) => { Occurrence::Optional };
+    (@ !) => { Occurrence::Required };
+    (@ *) => { Occurrence::Key };
+    (@ +) => { Occurrence::Stray };
     (@text) => { None };
-    (@text $text:expr) => { Some(attribute!(text $text, Need::Optional)) };
-    (@at $text:expr) => { At::Nowhere };
+    (@text $text:expr) => { Some(attribute!(text $text, Occurrence::Optional)) };
+    (@at $text:expr) => { AttributePlace::Nowhere };
     (@at $text:expr => $at:tt) => { at!($at) };
     (@new $Part:ident) => { <$Part>::default };
     (@new $Part:ident $new:expr) => { || $new };
@@ -460,11 +460,11 @@ macro_rules! elements {
 }
 use elements;
 
-/// Declares a [`Choice`].
+/// Declares a [`ElementChoice`].
 macro_rules! choice {
     ($NAME:ident of $Part:ident: $($of:ident)+) => {
-        pub(crate) static $NAME: Choice<$Part> =
-            Choice { elements: &[$(&$of.element),+], shapes: &[$(&$of),+] };
+        pub(crate) static $NAME: ElementChoice<$Part> =
+            ElementChoice { elements: &[$(&$of.element),+], shapes: &[$(&$of),+] };
     };
 }
 use choice;
@@ -476,9 +476,9 @@ mod tests {
     use super::*;
 
     /// Every element below `root`, each once.
-    pub(in crate::xdd) fn all(root: &'static Element) -> Vec<&'static Element> {
+    pub(in crate::xdd) fn all(root: &'static SchemaElement) -> Vec<&'static SchemaElement> {
         let mut all = vec![root];
-        let mut seen: HashSet<*const Element> = HashSet::new();
+        let mut seen: HashSet<*const SchemaElement> = HashSet::new();
         let mut next = 0;
         while let Some(element) = all.get(next) {
             let children = element.content.iter().flat_map(|slot| slot.of).copied();
@@ -498,7 +498,7 @@ mod tests {
             let children: Vec<Name> = element
                 .content
                 .iter()
-                .filter(|slot| slot.need != Need::Stray)
+                .filter(|slot| slot.need != Occurrence::Stray)
                 .flat_map(|slot| slot.of.iter().map(|child| child.name))
                 .collect();
             assert!(element.attributes.len() <= 32 && element.content.len() <= MAX_SLOTS, "{name}");

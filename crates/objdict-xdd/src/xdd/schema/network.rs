@@ -6,34 +6,35 @@ use super::device::{
     SPECIFICATION_REVISION, VENDOR_ID, VENDOR_TEXT, VERSION,
 };
 use super::{
-    At, Attribute, Element, Kind, Need, Shape, Slot, Slots, Target, at, attribute, elements, kept, lens, of,
-    slot,
+    AttributePlace, Child, Occurrence, ReferenceTarget, SchemaAttribute, SchemaElement, Shape, Slots,
+    TextKind, at, attribute, elements, kept, lens, of, slot,
 };
 use crate::model::{
     Commissioning, DeviceInfo, Entry, Field, ModuleObjects, ModuleRange, ModuleRanges, OwnAddressing,
 };
 use crate::xdd::defaults;
-use crate::xdd::shape::{Identity, Nothing, PartsIn, Same, ValuesIn};
+use crate::xdd::shape::{IdentityContent, Nothing, PartsIn, Same, ValuesIn};
 use crate::xml::n;
 
-const ENTITIES: Kind = Kind::Words(&["slave", "master", "server", "client", "interconnection", "peer"]);
-const ACCESS: Kind = Kind::Word(&["ro", "wo", "rw", "const"]);
-const PDO_MAPPING: Kind = Kind::Word(&["no", "default", "optional", "TPDO", "RPDO"]);
-const INDEX: Kind = Kind::Hex(4, 4);
+const ENTITIES: TextKind =
+    TextKind::Words(&["slave", "master", "server", "client", "interconnection", "peer"]);
+const ACCESS: TextKind = TextKind::Word(&["ro", "wo", "rw", "const"]);
+const PDO_MAPPING: TextKind = TextKind::Word(&["no", "default", "optional", "TPDO", "RPDO"]);
+const INDEX: TextKind = TextKind::Hex(4, 4);
 /// The standard specifies two digits, and most tools write four.
-const DATA_TYPE: Kind = Kind::Hex(2, 4);
+const DATA_TYPE: TextKind = TextKind::Hex(2, 4);
 /// The standard specifies four digits, and defines 32 bits.
-const FLAGS: Kind = Kind::Hex(2, 8);
-const FLAG: Kind = Kind::Boolean;
+const FLAGS: TextKind = TextKind::Hex(2, 8);
+const FLAG: TextKind = TextKind::Boolean;
 
 elements! {
     APPLICATION_LAYERS local ApplicationLayers of DeviceInfo (
-        conformanceClass?: Kind::Text => {Named conformance_class},
+        conformanceClass?: TextKind::Text => {Named conformance_class},
         communicationEntityType?: ENTITIES => {Named communication_entities},
     ), [
         maybe IDENTITY, key OBJECT_LIST, maybe DUMMY_USAGE, maybe DYNAMIC_CHANNELS, maybe MODULE_MANAGEMENT,
     ], newer [moduleManagement];
-    IDENTITY local identity of Identity, [
+    IDENTITY local identity of IdentityContent, [
         maybe VENDOR_ID => [vendor_id],
         stray VENDOR_TEXT => [rest.vendor_text],
         maybe DEVICE_FAMILY => [rest.device_family],
@@ -47,14 +48,14 @@ elements! {
     ], marks [rest.read_only];
 
     OBJECT_LIST global CANopenObjectList of Nothing (
-        mandatoryObjects?: Kind::INT, optionalObjects?: Kind::INT, manufacturerObjects?: Kind::INT,
+        mandatoryObjects?: TextKind::INT, optionalObjects?: TextKind::INT, manufacturerObjects?: TextKind::INT,
     ), [some OBJECT];
     DUMMY_USAGE local dummyUsage of Nothing, [some DUMMY];
-    DUMMY local dummy of Nothing (entry*: Kind::Dummy);
+    DUMMY local dummy of Nothing (entry*: TextKind::Dummy);
     DYNAMIC_CHANNELS local dynamicChannels of Nothing, [some DYNAMIC_CHANNEL];
     DYNAMIC_CHANNEL local dynamicChannel of Nothing (
-        dataType*: DATA_TYPE, accessType!: Kind::Word(&["readOnly", "writeOnly", "readWriteOutput"]),
-        startIndex*: INDEX, endIndex*: INDEX, maxNumber!: Kind::INT, addressOffset!: Kind::Hex(2, 8), bitAlignment?: Kind::BYTE,
+        dataType*: DATA_TYPE, accessType!: TextKind::Word(&["readOnly", "writeOnly", "readWriteOutput"]),
+        startIndex*: INDEX, endIndex*: INDEX, maxNumber!: TextKind::INT, addressOffset!: TextKind::Hex(2, 8), bitAlignment?: TextKind::BYTE,
     );
 
     MODULE_MANAGEMENT local moduleManagement of ModuleObjects, [
@@ -62,33 +63,33 @@ elements! {
     ];
     INTERFACE_LIST local interfaceList of ModuleObjects, [some INTERFACE => [interfaces]];
     INTERFACE local interface of ModuleRanges (
-        uniqueIDRef*: Kind::Reference(Target::ModuleInterface) => [interface],
-        addressing!: Kind::Word(&["auto", "manual"]) => [addressing],
+        uniqueIDRef*: TextKind::Reference(ReferenceTarget::ModuleInterface) => [interface],
+        addressing!: TextKind::Word(&["auto", "manual"]) => [addressing],
     ), [one RANGE_LIST => same];
     RANGE_LIST local rangeList of ModuleRanges, [some RANGE => [ranges]];
     RANGE local range of ModuleRange (
-        name!: Kind::Text => [name],
-        moduleType*: Kind::Name => [module_type],
+        name!: TextKind::Text => [name],
+        moduleType*: TextKind::Name => [module_type],
         baseIndex*: INDEX => [base_index],
         maxIndex*: INDEX => [max_index],
-        maxSubIndex?: Kind::Hex(2, 2) => [max_sub_index],
-        sortMode!: Kind::Word(&["index", "subIndex"]) => [sort_mode],
-        sortNumber!: Kind::Word(&["continuous", "address"]) => [sort_number],
+        maxSubIndex?: TextKind::Hex(2, 2) => [max_sub_index],
+        sortMode!: TextKind::Word(&["index", "subIndex"]) => [sort_mode],
+        sortNumber!: TextKind::Word(&["continuous", "address"]) => [sort_number],
         // the standard misprints its default as `1`
-        sortStep?: Kind::Hex(1, 4) => [sort_step],
+        sortStep?: TextKind::Hex(1, 4) => [sort_step],
     );
     MODULE_INTERFACE local moduleInterface of OwnAddressing (
-        childIDRef*: Kind::Name => [child],
-        addressMin!: Kind::POSITIVE => [address_min],
-        addressMax?: Kind::POSITIVE => [address_max],
-        addressing?: Kind::Word(&["inherit", "auto", "manual"]) => [addressing],
+        childIDRef*: TextKind::Name => [child],
+        addressMin!: TextKind::POSITIVE => [address_min],
+        addressMax?: TextKind::POSITIVE => [address_max],
+        addressing?: TextKind::Word(&["inherit", "auto", "manual"]) => [addressing],
     );
 
     TRANSPORT_LAYERS local TransportLayers of Nothing, [one PHYSICAL_LAYER];
     PHYSICAL_LAYER local PhysicalLayer of Nothing, [one BAUD_RATE];
     // a missing bit rate is reported by cia306/no-baud-rate
-    BAUD_RATE local baudRate of Nothing (defaultValue?: Kind::BaudRate), [any SUPPORTED_BAUD_RATE];
-    SUPPORTED_BAUD_RATE local supportedBaudRate of Nothing (value*: Kind::BaudRate);
+    BAUD_RATE local baudRate of Nothing (defaultValue?: TextKind::BaudRate), [any SUPPORTED_BAUD_RATE];
+    SUPPORTED_BAUD_RATE local supportedBaudRate of Nothing (value*: TextKind::BaudRate);
 
     NETWORK_MANAGEMENT local NetworkManagement of Nothing, [
         one GENERAL_FEATURES, maybe MASTER_FEATURES, maybe DEVICE_COMMISSIONING,
@@ -96,12 +97,12 @@ elements! {
     // ranges: CiA 306-1 §4.5
     GENERAL_FEATURES local CANopenGeneralFeatures of DeviceInfo (
         groupMessaging?: FLAG => {GroupMessaging group_messaging},
-        dynamicChannels?: Kind::BYTE => {DynamicChannelsSupported dynamic_channels_supported},
+        dynamicChannels?: TextKind::BYTE => {DynamicChannelsSupported dynamic_channels_supported},
         selfStartingDevice?: FLAG => {Named self_starting},
         SDORequestingDevice?: FLAG => {Named sdo_requesting},
-        granularity!: Kind::BYTE => {Granularity granularity most 64 unstated defaults::NUMBER},
-        nrOfRxPDO?: Kind::SHORT => {NrOfRxPdo rpdo_count most 512},
-        nrOfTxPDO?: Kind::SHORT => {NrOfTxPdo tpdo_count most 512},
+        granularity!: TextKind::BYTE => {Granularity granularity most 64 unstated defaults::NUMBER},
+        nrOfRxPDO?: TextKind::SHORT => {NrOfRxPdo rpdo_count most 512},
+        nrOfTxPDO?: TextKind::SHORT => {NrOfTxPdo tpdo_count most 512},
         bootUpSlave?: FLAG => {SimpleBootUpSlave simple_boot_up_slave},
         layerSettingServiceSlave?: FLAG => {LssSupported lss_supported},
     );
@@ -113,11 +114,11 @@ elements! {
         bootUpMaster?: FLAG => {SimpleBootUpMaster simple_boot_up_master},
     );
     DEVICE_COMMISSIONING local deviceCommissioning of Commissioning (
-        nodeID*: Kind::BYTE => {NodeId node_id unstated defaults::NUMBER},
-        nodeName!: Kind::Text => {NodeName node_name unstated defaults::NAME},
-        actualBaudRate!: Kind::Rate => {Baudrate baud_rate unstated ""},
-        networkNumber!: Kind::UNSIGNED_LONG => {NetNumber net_number unstated defaults::NUMBER},
-        networkName!: Kind::Text => {NetworkName network_name unstated defaults::NAME},
+        nodeID*: TextKind::BYTE => {NodeId node_id unstated defaults::NUMBER},
+        nodeName!: TextKind::Text => {NodeName node_name unstated defaults::NAME},
+        actualBaudRate!: TextKind::Rate => {Baudrate baud_rate unstated ""},
+        networkNumber!: TextKind::UNSIGNED_LONG => {NetNumber net_number unstated defaults::NUMBER},
+        networkName!: TextKind::Text => {NetworkName network_name unstated defaults::NAME},
         CANopenManager!: FLAG => {CanOpenManager manager unstated defaults::FLAG},
     );
 }
@@ -127,25 +128,25 @@ macro_rules! entries {
     ($($NAME:ident $name:ident ($address:ident $kind:expr) ($($own:tt)*) [$($content:tt)*])+) => {elements! {
         $($NAME local $name of Entry (
             $address*: $kind,
-            name?: Kind::Text => (field ParameterName),
-            objectType!: Kind::BYTE => {ObjectType object_type unstated defaults::OBJECT_TYPE},
+            name?: TextKind::Text => (field ParameterName),
+            objectType!: TextKind::BYTE => {ObjectType object_type unstated defaults::OBJECT_TYPE},
             dataType?: DATA_TYPE => {DataType data_type},
-            lowLimit?: Kind::Text => (value Low),
-            highLimit?: Kind::Text => (value High),
+            lowLimit?: TextKind::Text => (value Low),
+            highLimit?: TextKind::Text => (value High),
             accessType?: ACCESS => {AccessType access},
-            defaultValue?: Kind::Text => (value Default),
-            actualValue?: Kind::Text => (value Actual),
-            denotation?: Kind::Text => (field Denotation),
+            defaultValue?: TextKind::Text => (value Default),
+            actualValue?: TextKind::Text => (value Actual),
+            denotation?: TextKind::Text => (field Denotation),
             PDOmapping?: PDO_MAPPING => {PdoMapping pdo_mapping},
             objFlags?: FLAGS => {ObjFlags flags},
-            uniqueIDRef?: Kind::Reference(Target::Application),
-            rangeSelector?: Kind::Text,
+            uniqueIDRef?: TextKind::Reference(ReferenceTarget::Application),
+            rangeSelector?: TextKind::Text,
             $($own)*
         ) $($content)*, newer [rangeSelector];)+
     }};
 }
 
 entries! {
-    OBJECT CANopenObject (index INDEX) (subNumber?: Kind::BYTE => (field SubNumber)) [, [any SUB_OBJECT]]
-    SUB_OBJECT CANopenSubObject (subIndex Kind::Hex(2, 2)) () []
+    OBJECT CANopenObject (index INDEX) (subNumber?: TextKind::BYTE => (field SubNumber)) [, [any SUB_OBJECT]]
+    SUB_OBJECT CANopenSubObject (subIndex TextKind::Hex(2, 2)) () []
 }

@@ -2,7 +2,7 @@
 
 /// The kind of a text.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Kind {
+pub(crate) enum TextKind {
     /// Any text.
     Text,
     /// `true`, `false`, `1` or `0`.
@@ -30,7 +30,7 @@ pub(crate) enum Kind {
     /// An id that is unique in the file.
     Id,
     /// The id of another element.
-    Reference(Target),
+    Reference(ReferenceTarget),
     /// An XML name.
     Name,
     /// A language such as `en` or `de-at`.
@@ -43,7 +43,7 @@ pub(crate) enum Kind {
 
 /// The possible target of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Target {
+pub(crate) enum ReferenceTarget {
     /// The counterpart of an object of the dictionary in the application.
     Application,
     Parameter,
@@ -57,7 +57,7 @@ pub(crate) enum Target {
     ModuleInterface,
 }
 
-impl Kind {
+impl TextKind {
     pub(super) const BYTE: Self = Self::Number(0, 0xFF);
     pub(super) const SHORT: Self = Self::Number(0, 0xFFFF);
     pub(super) const INT: Self = Self::Number(0, 0xFFFF_FFFF);

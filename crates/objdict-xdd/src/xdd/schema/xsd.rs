@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use super::{Attribute, CONTAINER, EXTERNAL_NETWORK_BODY, Element, Kind, Need, Slot};
+use super::{CONTAINER, Child, EXTERNAL_NETWORK_BODY, Occurrence, SchemaAttribute, SchemaElement, TextKind};
 use crate::xdd::layout::ProfileClass;
 use crate::xdd::schema::{BAUD_RATES, MANY};
 use crate::xdd::version::XddVersion;
@@ -53,7 +53,7 @@ struct Xsd {
     version: XddVersion,
     text: String,
     /// The elements with a type, in the order of their numbers.
-    elements: Vec<&'static Element>,
+    elements: Vec<&'static SchemaElement>,
 }
 
 impl Xsd {
@@ -63,7 +63,7 @@ impl Xsd {
     }
 
     /// The name of the type of an element.
-    fn type_of(&mut self, element: &'static Element) -> String {
+    fn type_of(&mut self, element: &'static SchemaElement) -> String {
         let known = self.elements.iter().position(|known| std::ptr::eq(*known, element));
         let number = known.unwrap_or_else(|| {
             self.elements.push(element);
@@ -88,7 +88,7 @@ impl Xsd {
         self.line(1, "</xs:complexType>");
     }
 
-    fn content(&mut self, element: &'static Element) {
+    fn content(&mut self, element: &'static SchemaElement) {
         match element.text {
             Some(text) => {
                 let Simple::Named(base) = simple(text.kind) else { return };
@@ -105,13 +105,13 @@ impl Xsd {
         }
     }
 
-    fn is_newer(&self, element: &Element, name: Name) -> bool {
+    fn is_newer(&self, element: &SchemaElement, name: Name) -> bool {
         self.version == XddVersion::V1_0 && element.newer.contains(&name)
     }
 
-    fn sequence(&mut self, element: &'static Element) {
+    fn sequence(&mut self, element: &'static SchemaElement) {
         self.line(2, "<xs:sequence>");
-        for slot in element.content.iter().filter(|slot| slot.need != Need::Stray) {
+        for slot in element.content.iter().filter(|slot| slot.need != Occurrence::Stray) {
             let of: Vec<_> =
                 slot.of.iter().copied().filter(|child| !self.is_newer(element, child.name)).collect();
             match of[..] {
@@ -128,12 +128,12 @@ impl Xsd {
     }
 
     /// An element of a choice.
-    fn alternative(&mut self, slot: &Slot, child: &'static Element) {
+    fn alternative(&mut self, slot: &Child, child: &'static SchemaElement) {
         let most = if slot.most == MANY { 1 } else { slot.most_of(child) };
         self.child(child, 1, most, 4);
     }
 
-    fn child(&mut self, child: &'static Element, least: u32, most: u32, depth: usize) {
+    fn child(&mut self, child: &'static SchemaElement, least: u32, most: u32, depth: usize) {
         let name = child.name.text();
         let kind = if child.name == n::ProfileBody { "ProfileBody".to_owned() } else { self.type_of(child) };
         let is_qualified = child.is_global || self.version == XddVersion::V1_0;
@@ -142,14 +142,14 @@ impl Xsd {
         self.line(depth, &format!("<xs:element name=\"{name}\" type=\"t:{kind}\" form=\"{form}\"{occurs}/>"));
     }
 
-    fn attributes(&mut self, element: &'static Element) {
-        let defined = |attribute: &&Attribute| attribute.need != Need::Stray;
+    fn attributes(&mut self, element: &'static SchemaElement) {
+        let defined = |attribute: &&SchemaAttribute| attribute.need != Occurrence::Stray;
         for attribute in element.attributes.iter().filter(defined) {
             if self.is_newer(element, attribute.name) {
                 continue;
             }
             let name = attribute.name.text();
-            let is_required = matches!(attribute.need, Need::Required | Need::Key);
+            let is_required = matches!(attribute.need, Occurrence::Required | Occurrence::Key);
             let need = if is_required { " use=\"required\"" } else { "" };
             match simple(attribute.kind) {
                 Simple::Named(kind) => {
@@ -181,7 +181,7 @@ enum Simple {
     Own(String),
 }
 
-fn simple(kind: Kind) -> Simple {
+fn simple(kind: TextKind) -> Simple {
     let own = |base: &str, facets: String| {
         Simple::Own(format!("<xs:restriction base=\"xs:{base}\">{facets}</xs:restriction>"))
     };
@@ -191,9 +191,9 @@ fn simple(kind: Kind) -> Simple {
         |item: String| Simple::Own(format!("<xs:list><xs:simpleType>{item}</xs:simpleType></xs:list>"));
     let restriction = |facets: String| format!("<xs:restriction base=\"xs:token\">{facets}</xs:restriction>");
     match kind {
-        Kind::Text | Kind::Rate | Kind::Decimal => Simple::Named("xs:string"),
-        Kind::Boolean => Simple::Named("xs:boolean"),
-        Kind::Number(low, high) => {
+        TextKind::Text | TextKind::Rate | TextKind::Decimal => Simple::Named("xs:string"),
+        TextKind::Boolean => Simple::Named("xs:boolean"),
+        TextKind::Number(low, high) => {
             let high = if high == i128::MAX {
                 String::new()
             } else {
@@ -201,22 +201,22 @@ fn simple(kind: Kind) -> Simple {
             };
             own("integer", format!("<xs:minInclusive value=\"{low}\"/>{high}"))
         }
-        Kind::Hex(1, most) => own("token", format!("<xs:pattern value=\"[0-9a-fA-F]{{1,{most}}}\"/>")),
-        Kind::Hex(least, most) => {
+        TextKind::Hex(1, most) => own("token", format!("<xs:pattern value=\"[0-9a-fA-F]{{1,{most}}}\"/>")),
+        TextKind::Hex(least, most) => {
             let pairs = format!("([0-9a-fA-F]{{2}}){{{},{}}}", least / 2, most / 2);
             own("token", format!("<xs:pattern value=\"{pairs}\"/>"))
         }
-        Kind::Date => Simple::Named("xs:date"),
-        Kind::Time => Simple::Named("xs:time"),
-        Kind::Word(known) => own("token", words(known)),
-        Kind::Words(known) => list(restriction(words(known))),
-        Kind::BaudRate => own("string", words(&BAUD_RATES)),
-        Kind::Dummy => own("token", "<xs:pattern value=\"Dummy000[1-7]=[01]\"/>".to_owned()),
-        Kind::Id => Simple::Named("xs:ID"),
-        Kind::Reference(_) => Simple::Named("xs:IDREF"),
-        Kind::Name => Simple::Named("xs:NCName"),
-        Kind::Names => list("<xs:restriction base=\"xs:NMTOKEN\"/>".to_owned()),
-        Kind::Language => Simple::Named("xs:language"),
-        Kind::Languages => list("<xs:restriction base=\"xs:language\"/>".to_owned()),
+        TextKind::Date => Simple::Named("xs:date"),
+        TextKind::Time => Simple::Named("xs:time"),
+        TextKind::Word(known) => own("token", words(known)),
+        TextKind::Words(known) => list(restriction(words(known))),
+        TextKind::BaudRate => own("string", words(&BAUD_RATES)),
+        TextKind::Dummy => own("token", "<xs:pattern value=\"Dummy000[1-7]=[01]\"/>".to_owned()),
+        TextKind::Id => Simple::Named("xs:ID"),
+        TextKind::Reference(_) => Simple::Named("xs:IDREF"),
+        TextKind::Name => Simple::Named("xs:NCName"),
+        TextKind::Names => list("<xs:restriction base=\"xs:NMTOKEN\"/>".to_owned()),
+        TextKind::Language => Simple::Named("xs:language"),
+        TextKind::Languages => list("<xs:restriction base=\"xs:language\"/>".to_owned()),
     }
 }

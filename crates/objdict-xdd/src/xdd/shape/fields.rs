@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::Text;
+use super::TextForm;
 use crate::model::{DataTypeRef, SimpleType, VariableRef};
 
 /// A field for an attribute or the text of an element.
@@ -18,7 +18,7 @@ pub(crate) trait TextField {
 }
 
 /// A field for elements with one value each.
-pub(crate) trait Values {
+pub(crate) trait ValueFields {
     /// Adds a value; `None` if the field is full.
     fn add(&mut self) -> Option<&mut dyn TextField>;
 
@@ -45,7 +45,7 @@ impl TextField for Box<str> {
     }
 }
 
-impl<T: Text> TextField for Option<T> {
+impl<T: TextForm> TextField for Option<T> {
     fn accept(&mut self, text: &str) -> bool {
         if self.is_some() {
             return false;
@@ -63,7 +63,7 @@ impl<T: Text> TextField for Option<T> {
     }
 }
 
-impl<F: TextField> Values for F {
+impl<F: TextField> ValueFields for F {
     fn add(&mut self) -> Option<&mut dyn TextField> {
         if self.is_set() { None } else { Some(self) }
     }
@@ -75,7 +75,7 @@ impl<F: TextField> Values for F {
     }
 }
 
-impl Values for Vec<Box<str>> {
+impl ValueFields for Vec<Box<str>> {
     fn add(&mut self) -> Option<&mut dyn TextField> {
         self.push(Box::default());
         self.last_mut().map(|last| last as &mut dyn TextField)

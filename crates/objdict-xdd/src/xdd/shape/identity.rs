@@ -5,7 +5,7 @@ use crate::model::DeviceIdentity;
 
 /// The complete content of the element.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Identity {
+pub(crate) struct IdentityContent {
     pub(crate) vendor_name: Option<Box<str>>,
     /// As written.
     pub(crate) vendor_id: Option<Box<str>>,

@@ -1,7 +1,7 @@
 //! The ways in which a part keeps the children of its element: how each is read, written and visited.
 
-use super::{Holds, Reader, Values, text, visit, write_content};
-use crate::xdd::schema::{Attribute, Element, Lens, Need, Shape, Slot};
+use super::{Holds, Reader, ValueFields, text, visit, write_content};
+use crate::xdd::schema::{Child, Lens, Occurrence, SchemaAttribute, SchemaElement, Shape};
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
@@ -11,17 +11,17 @@ pub(crate) trait Keep<P> {
     fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool;
 
     /// Writes the children that are kept so. `first` is that of [`write_with`](super::write_with).
-    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
 
     /// Visits the texts of nested parts.
-    fn visit(&self, _part: &P, _see: &mut dyn FnMut(&Attribute, &str)) {}
+    fn visit(&self, _part: &P, _see: &mut dyn FnMut(&SchemaAttribute, &str)) {}
 }
 
 /// The element groups others of the same part.
 pub(crate) struct Same<P: 'static>(pub &'static Shape<P>);
 
 /// The element has this constant content.
-pub(crate) struct Fixed(pub &'static Element, pub &'static str);
+pub(crate) struct FixedContent(pub &'static SchemaElement, pub &'static str);
 
 /// As parts `C`.
 pub(crate) struct PartsIn<P, C: 'static> {
@@ -31,8 +31,8 @@ pub(crate) struct PartsIn<P, C: 'static> {
 
 /// As values: the first attribute of the element, or its text.
 pub(crate) struct ValuesIn<P> {
-    pub element: &'static Element,
-    pub field: Lens<P, dyn Values>,
+    pub element: &'static SchemaElement,
+    pub field: Lens<P, dyn ValueFields>,
 }
 
 impl<P> Keep<P> for Same<P> {
@@ -44,7 +44,13 @@ impl<P> Keep<P> for Same<P> {
         is_it
     }
 
-    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter)) {
+    fn write(
+        &self,
+        part: &P,
+        slot: &Child,
+        out: &mut XddWriter,
+        first: &mut dyn FnMut(Name, &mut XddWriter),
+    ) {
         // a required element is written even if it is empty
         match slot.least > 0 && slot.of.len() == 1 {
             true => out.open(self.0),
@@ -54,12 +60,12 @@ impl<P> Keep<P> for Same<P> {
         out.close();
     }
 
-    fn visit(&self, part: &P, see: &mut dyn FnMut(&Attribute, &str)) {
+    fn visit(&self, part: &P, see: &mut dyn FnMut(&SchemaAttribute, &str)) {
         visit(part, self.0, see);
     }
 }
 
-impl<P> Keep<P> for Fixed {
+impl<P> Keep<P> for FixedContent {
     fn read<'a>(&self, child: xml::Element<'a>, _: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
         let is_it = reader.number == 1 && text::collapsed(&child.text()) == self.1;
         if is_it {
@@ -68,7 +74,7 @@ impl<P> Keep<P> for Fixed {
         is_it
     }
 
-    fn write(&self, _: &P, _: &Slot, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
+    fn write(&self, _: &P, _: &Child, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
         out.open(self.0);
         out.text(self.1);
         out.close();
@@ -96,7 +102,13 @@ impl<P, C> Keep<P> for PartsIn<P, C> {
         true
     }
 
-    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter)) {
+    fn write(
+        &self,
+        part: &P,
+        slot: &Child,
+        out: &mut XddWriter,
+        first: &mut dyn FnMut(Name, &mut XddWriter),
+    ) {
         first(self.shapes[0].name, out);
         let mut number = 0;
         self.each(part, |shape, part| {
@@ -108,7 +120,7 @@ impl<P, C> Keep<P> for PartsIn<P, C> {
         });
     }
 
-    fn visit(&self, part: &P, see: &mut dyn FnMut(&Attribute, &str)) {
+    fn visit(&self, part: &P, see: &mut dyn FnMut(&SchemaAttribute, &str)) {
         self.each(part, |shape, part| visit(part, shape, see));
     }
 }
@@ -120,7 +132,7 @@ impl<P> Keep<P> for ValuesIn<P> {
         true
     }
 
-    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
         let Some(values) = (self.field.get)(part) else { return };
         values.each(&mut |text| {
             open(out, slot, self.element);
@@ -133,9 +145,9 @@ impl<P> Keep<P> for ValuesIn<P> {
     }
 }
 
-fn open(out: &mut XddWriter, slot: &Slot, element: &'static Element) {
+fn open(out: &mut XddWriter, slot: &Child, element: &'static SchemaElement) {
     match slot.need {
-        Need::Stray => out.open_stray(element),
+        Occurrence::Stray => out.open_stray(element),
         _ => out.open(element),
     }
 }

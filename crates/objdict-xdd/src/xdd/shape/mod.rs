@@ -17,13 +17,13 @@ mod tests;
 
 use std::borrow::Cow;
 
-pub(crate) use self::fields::{Holds, TextField, Values};
-pub(crate) use self::identity::Identity;
-pub(crate) use self::kept::{Fixed, Keep, PartsIn, Same, ValuesIn};
+pub(crate) use self::fields::{Holds, TextField, ValueFields};
+pub(crate) use self::identity::IdentityContent;
+pub(crate) use self::kept::{FixedContent, Keep, PartsIn, Same, ValuesIn};
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
-pub(crate) use self::text::Text;
+pub(crate) use self::text::TextForm;
 use super::leftovers::Leftovers;
-use super::schema::{At, Attribute, Element, MAX_SLOTS, Marks, Shape};
+use super::schema::{AttributePlace, MAX_SLOTS, Marks, SchemaAttribute, SchemaElement, Shape};
 use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
@@ -73,8 +73,8 @@ impl<'r, 'a> Reader<'r, 'a> {
         self.attributes(element, |name, text| {
             let number = if name == n::text { shape.attributes.len() } else { shape.attribute(name)?.0 };
             match shape.values.get(number)? {
-                At::Text(field) => Some((field.get_mut)(part)?.accept(text)),
-                At::Mark => Some(mark.accept(text)),
+                AttributePlace::Text(field) => Some((field.get_mut)(part)?.accept(text)),
+                AttributePlace::Mark => Some(mark.accept(text)),
                 _ => None,
             }
         });
@@ -168,7 +168,7 @@ fn write_content<P>(
             name => out.attribute(name, &text),
         }
     }
-    if shape.values.iter().any(|at| matches!(at, At::Mark)) {
+    if shape.values.iter().any(|at| matches!(at, AttributePlace::Mark)) {
         out.mark(&mark_name(shape, out.number));
     }
     for (slot, kept) in shape.content.iter().zip(shape.children) {
@@ -177,7 +177,7 @@ fn write_content<P>(
 }
 
 /// Visits each text of a part and of its nested parts, with the attribute that holds it.
-pub(crate) fn visit<P>(part: &P, shape: &'static Shape<P>, see: &mut dyn FnMut(&Attribute, &str)) {
+pub(crate) fn visit<P>(part: &P, shape: &'static Shape<P>, see: &mut dyn FnMut(&SchemaAttribute, &str)) {
     texts(part, shape).for_each(|(attribute, text)| see(attribute, &text));
     shape.children.iter().copied().flatten().for_each(|kept| kept.visit(part, see));
 }
@@ -186,16 +186,16 @@ pub(crate) fn visit<P>(part: &P, shape: &'static Shape<P>, see: &mut dyn FnMut(&
 fn texts<'p, P>(
     part: &'p P,
     shape: &'static Shape<P>,
-) -> impl Iterator<Item = (&'static Attribute, Cow<'p, str>)> {
+) -> impl Iterator<Item = (&'static SchemaAttribute, Cow<'p, str>)> {
     let attributes = shape.attributes.iter().chain(&shape.text).zip(shape.values);
     attributes.filter_map(move |(attribute, at)| match at {
-        At::Text(field) => Some((attribute, (field.get)(part)?.text()?)),
+        AttributePlace::Text(field) => Some((attribute, (field.get)(part)?.text()?)),
         _ => None,
     })
 }
 
 /// The name of an element in the list of marks.
-fn mark_name(element: &Element, number: u32) -> Box<str> {
+fn mark_name(element: &SchemaElement, number: u32) -> Box<str> {
     match number {
         1 => element.name.text().into(),
         _ => format!("{}[{number}]", element.name.text()).into(),

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::model::{Date, LedColor, LedColors, LedOn, LedType, ParameterAccess, Support};
 
 /// A value with a text.
-pub(crate) trait Text: Sized {
+pub(crate) trait TextForm: Sized {
     /// The value of a text; `None` if it is not valid.
     fn parse(text: &str) -> Option<Self>;
 
@@ -13,7 +13,7 @@ pub(crate) trait Text: Sized {
     fn print(&self) -> Cow<'_, str>;
 }
 
-impl Text for Box<str> {
+impl TextForm for Box<str> {
     fn parse(text: &str) -> Option<Self> {
         Some(text.into())
     }
@@ -24,7 +24,7 @@ impl Text for Box<str> {
 }
 
 /// `xsd:boolean`.
-impl Text for bool {
+impl TextForm for bool {
     fn parse(text: &str) -> Option<Self> {
         match collapsed(text) {
             "true" | "1" => Some(true),
@@ -39,7 +39,7 @@ impl Text for bool {
 }
 
 /// `xsd:date` without a time zone.
-impl Text for Date {
+impl TextForm for Date {
     fn parse(text: &str) -> Option<Self> {
         Self::from_iso(collapsed(text))
     }
@@ -52,7 +52,7 @@ impl Text for Date {
 /// Numbers such as `xsd:unsignedByte`.
 macro_rules! numbers {
     ($($Number:ty)+) => {$(
-        impl Text for $Number {
+        impl TextForm for $Number {
             fn parse(text: &str) -> Option<Self> {
                 collapsed(text).parse().ok()
             }
@@ -69,7 +69,7 @@ numbers! { u8 u32 }
 /// The words of an enumeration of the schema.
 macro_rules! words {
     ($($Words:ty)+) => {$(
-        impl Text for $Words {
+        impl TextForm for $Words {
             fn parse(text: &str) -> Option<Self> {
                 Self::from_name(collapsed(text))
             }

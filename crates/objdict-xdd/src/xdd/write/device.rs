@@ -4,7 +4,7 @@ use super::Writer;
 use crate::model::{ApplicationProcess, DeviceFunction, DeviceInfo, Field, Label, Labels};
 use crate::xdd::defaults;
 use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER, PARAMETER};
-use crate::xdd::shape::{self, Identity};
+use crate::xdd::shape::{self, IdentityContent};
 use crate::xdd::types::with_type;
 use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
@@ -29,7 +29,7 @@ impl Writer<'_> {
     }
 
     /// `DeviceIdentity`; `None` if nothing is known.
-    fn identity(&self, version: XddVersion) -> Option<Identity> {
+    fn identity(&self, version: XddVersion) -> Option<IdentityContent> {
         let unknown = DeviceInfo::default();
         let info = self.device.device_info.as_ref().unwrap_or(&unknown);
         let mut rest = self.device.identity.as_deref().cloned().unwrap_or_default();
@@ -50,7 +50,7 @@ impl Writer<'_> {
         // the first one is the order code
         let is_missing = order_code.is_none() && !further.is_empty();
         let first = is_missing.then(Box::default).or(order_code);
-        let mut identity = Identity {
+        let mut identity = IdentityContent {
             vendor_name: text(&info.vendor_name),
             vendor_id: hex(info.vendor_number, Field::VendorNumber),
             product_name: text(&info.product_name),
@@ -67,7 +67,7 @@ impl Writer<'_> {
                 identity.rest.product_text = defaults::product_text();
             }
         }
-        if identity == Identity::default() {
+        if identity == IdentityContent::default() {
             return None;
         }
         for name in [&mut identity.vendor_name, &mut identity.product_name] {

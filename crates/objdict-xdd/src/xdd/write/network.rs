@@ -7,13 +7,13 @@ use crate::xdd::counterparts::{
 };
 use crate::xdd::defaults;
 use crate::xdd::fact::{self, hex as hex_number};
-use crate::xdd::schema::Element;
+use crate::xdd::schema::SchemaElement;
 use crate::xdd::schema::network::{
     APPLICATION_LAYERS, BAUD_RATE, DEVICE_COMMISSIONING, DUMMY, DUMMY_USAGE, DYNAMIC_CHANNEL,
     DYNAMIC_CHANNELS, GENERAL_FEATURES, IDENTITY, MASTER_FEATURES, MODULE_MANAGEMENT, NETWORK_MANAGEMENT,
     PHYSICAL_LAYER, SUPPORTED_BAUD_RATE, TRANSPORT_LAYERS,
 };
-use crate::xdd::shape::{self, Identity};
+use crate::xdd::shape::{self, IdentityContent};
 use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{Name, n};
@@ -34,11 +34,11 @@ impl Writer<'_> {
         out.open(&APPLICATION_LAYERS);
         put(&fact::texts(info, &APPLICATION_LAYERS, false), out);
         if let Some(identity) = &self.device.network_identity {
-            let identity = Identity {
+            let identity = IdentityContent {
                 vendor_id: identity.vendor_id.clone(),
                 product_id: identity.product_id.clone(),
                 rest: identity.identity.clone(),
-                ..Identity::default()
+                ..IdentityContent::default()
             };
             shape::write(&identity, &IDENTITY, out);
         }
@@ -72,7 +72,7 @@ impl Writer<'_> {
             node.iter_mut().flatten().for_each(without_unit);
         }
         out.open(&NETWORK_MANAGEMENT);
-        let elements: [(&'static Element, _); 3] = [
+        let elements: [(&'static SchemaElement, _); 3] = [
             (&GENERAL_FEATURES, general),
             (&MASTER_FEATURES, master),
             (&DEVICE_COMMISSIONING, node.unwrap_or_default()),

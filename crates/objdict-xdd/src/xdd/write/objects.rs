@@ -5,7 +5,7 @@ use super::values::{REFERENCE, value_text};
 use crate::model::{Access, Entry, Field, Object, ObjectList, ObjectType};
 use crate::xdd::counterparts::{count, count_attribute};
 use crate::xdd::schema::network::{OBJECT, OBJECT_LIST, SUB_OBJECT};
-use crate::xdd::schema::{At, Attribute, Shape};
+use crate::xdd::schema::{AttributePlace, SchemaAttribute, Shape};
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xdd::{defaults, fact};
 use crate::xml::n;
@@ -45,7 +45,7 @@ impl Writer<'_> {
         out: &mut XddWriter,
     ) {
         let invalid = |field: &Field| entry.invalid_values.get(field).map(|invalid| invalid.text.to_string());
-        let text = |attribute: &Attribute, at: &At<Entry>| match attribute.name {
+        let text = |attribute: &SchemaAttribute, at: &AttributePlace<Entry>| match attribute.name {
             n::index => Some(format!("{index:04X}")),
             n::subIndex => Some(format!("{:02X}", sub.unwrap_or_default())),
             n::name => Some(entry.name.to_string()),
@@ -67,7 +67,7 @@ impl Writer<'_> {
                 stated.or_else(|| unstated(entry, Access::Rw.name()))
             }
             _ => match at {
-                At::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
+                AttributePlace::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
                 _ => fact::text(entry, attribute, at),
             },
         };

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-use super::types::Ids;
+use super::types::UsedIds;
 use super::values::{REFERENCE, value_text};
 use crate::model::{
     Access, AllowedValues, DataTypeRef, Device, Entry, Field, Labels, Object, Parameter, ScaledValue,
@@ -32,10 +32,10 @@ impl EntryParameters {
     /// Creates the parameters of a device.
     pub(super) fn of(device: &Device) -> Self {
         let mut made = Self::default();
-        let mut ids = Ids::of(device);
+        let mut ids = UsedIds::of(device);
         for (&index, object) in &device.objects {
             let object = &*object.expanded();
-            let main = Maker { index, sub: None, entry: &object.main };
+            let main = ParameterMaker { index, sub: None, entry: &object.main };
             if object.object_type().has_subs()
                 && main.start().is_some_and(|parameter| parameter.data_type.is_none())
                 && let Some(definition) = ids.definition_of(index, object)
@@ -80,7 +80,7 @@ impl EntryParameters {
         self.ids.get(&(index, sub)).map(|id| &**id)
     }
 
-    fn parameter(&self, maker: &Maker<'_>, object: &Object) -> Option<Parameter> {
+    fn parameter(&self, maker: &ParameterMaker<'_>, object: &Object) -> Option<Parameter> {
         if maker.sub.is_some() || !object.object_type().has_subs() {
             return maker.parameter();
         }
@@ -96,19 +96,19 @@ impl EntryParameters {
 }
 
 /// The object, then its sub-indexes.
-fn makers(index: u16, object: &Object) -> impl Iterator<Item = Maker<'_>> {
-    let subs = object.subs.iter().map(move |(sub, entry)| Maker { index, sub: Some(sub), entry });
-    std::iter::once(Maker { index, sub: None, entry: &object.main }).chain(subs)
+fn makers(index: u16, object: &Object) -> impl Iterator<Item = ParameterMaker<'_>> {
+    let subs = object.subs.iter().map(move |(sub, entry)| ParameterMaker { index, sub: Some(sub), entry });
+    std::iter::once(ParameterMaker { index, sub: None, entry: &object.main }).chain(subs)
 }
 
 /// An entry whose parameter is created.
-struct Maker<'a> {
+struct ParameterMaker<'a> {
     index: u16,
     sub: Option<u8>,
     entry: &'a Entry,
 }
 
-impl Maker<'_> {
+impl ParameterMaker<'_> {
     /// The parameter of an entry with a value. An entry without data type or access type gets a parameter
     /// only if needed, because a parameter always implies both.
     fn parameter(&self) -> Option<Parameter> {

@@ -4,15 +4,15 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use crate::model::{ApplicationProcess, Device, Object, TypeDefinition};
-use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, Kind, PARAMETER, Shape};
+use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, PARAMETER, Shape, TextKind};
 use crate::xdd::shape;
 use crate::xdd::types::definition_of;
 
 /// Used ids with the prefix of the writer, because ids must be unique.
 #[derive(Debug, Default)]
-pub(super) struct Ids(HashSet<Rc<str>>);
+pub(super) struct UsedIds(HashSet<Rc<str>>);
 
-impl Ids {
+impl UsedIds {
     /// The ids of everything in a device.
     pub(super) fn of(device: &Device) -> Self {
         let mut ids = Self::default();
@@ -48,7 +48,7 @@ impl Ids {
     /// Records the ids of a part and of its nested parts.
     fn note<P>(&mut self, part: &P, shape: &'static Shape<P>) {
         shape::visit(part, shape, &mut |attribute, text| {
-            if matches!(attribute.kind, Kind::Id) && text.starts_with("UID_") {
+            if matches!(attribute.kind, TextKind::Id) && text.starts_with("UID_") {
                 self.0.insert(text.into());
             }
         });
@@ -57,7 +57,7 @@ impl Ids {
     /// The type of an ARRAY or RECORD, if all its ids are unused; reserves them.
     pub(super) fn definition_of(&mut self, index: u16, object: &Object) -> Option<TypeDefinition> {
         let definition = definition_of(index, object)?;
-        let mut ids = Ids::default();
+        let mut ids = UsedIds::default();
         let process = ApplicationProcess { data_types: vec![definition], ..ApplicationProcess::default() };
         ids.note(&process, &APPLICATION_PROCESS);
         if !ids.0.iter().all(|id| self.is_free(id)) {

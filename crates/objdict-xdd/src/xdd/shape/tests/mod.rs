@@ -9,8 +9,8 @@ use crate::model::{
 use crate::source::SourceFile;
 use crate::xdd::layout::ProfileClass::{self, Device, Network};
 use crate::xdd::schema::{
-    APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_HEADER, DEVICE_IDENTITY, DEVICE_MANAGER, Element, Kind,
-    MODULE_MANAGEMENT, NETWORK_HEADER, Need, PARAMETER, application, device, network,
+    APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_HEADER, DEVICE_IDENTITY, DEVICE_MANAGER, MODULE_MANAGEMENT,
+    NETWORK_HEADER, Occurrence, PARAMETER, SchemaElement, TextKind, application, device, network,
 };
 use crate::xdd::version::XddVersion;
 use crate::xml::Tree;
@@ -105,7 +105,7 @@ fn objects_of_modules() {
 
 #[test]
 fn identity() {
-    let identity: Identity = stays_as_it_is(include_str!("identity.xml"), &DEVICE_IDENTITY, Device);
+    let identity: IdentityContent = stays_as_it_is(include_str!("identity.xml"), &DEVICE_IDENTITY, Device);
     let marks = identity.rest.read_only;
     assert!(marks.iter().any(|(name, _)| &**name == "orderNumber[2]"), "{marks:?}");
 }
@@ -139,7 +139,7 @@ fn version_1_0_has_less() {
     insta::assert_snapshot!("manager_1_0", missing);
     let missing = missing_in_1_0::<DeviceManager>(include_str!("module.xml"), &DEVICE_MANAGER, Device);
     assert_eq!(missing.lines().count(), 6, "{missing}");
-    let missing = missing_in_1_0::<Identity>(include_str!("identity.xml"), &DEVICE_IDENTITY, Device);
+    let missing = missing_in_1_0::<IdentityContent>(include_str!("identity.xml"), &DEVICE_IDENTITY, Device);
     assert_eq!(missing, "");
 
     let process: ApplicationProcess = read_whole(include_str!("application.xml"), &APPLICATION_PROCESS);
@@ -157,22 +157,22 @@ impl Dice {
         (self.0 >> 33) % sides
     }
 
-    fn value(&mut self, kind: Kind) -> String {
+    fn value(&mut self, kind: TextKind) -> String {
         // texts that are hard to preserve
         const TEXTS: [&str; 6] = ["a", "<b> & \"c\" ", " '\t", "&#10;]]>", "\r\nд", "<!--😀\u{FEFF}"];
         match kind {
-            Kind::Boolean => ["true", "false"][self.roll(2) as usize].to_owned(),
-            Kind::Number(low, _) => (low.max(0) + i128::from(self.roll(99))).to_string(),
-            Kind::Word(words) => words[self.roll(words.len() as u64) as usize].to_owned(),
-            Kind::Date => "2024-02-29".to_owned(),
+            TextKind::Boolean => ["true", "false"][self.roll(2) as usize].to_owned(),
+            TextKind::Number(low, _) => (low.max(0) + i128::from(self.roll(99))).to_string(),
+            TextKind::Word(words) => words[self.roll(words.len() as u64) as usize].to_owned(),
+            TextKind::Date => "2024-02-29".to_owned(),
             _ => TEXTS[self.roll(6) as usize].to_owned(),
         }
     }
 
-    fn element(&mut self, element: &'static Element, depth: u32, out: &mut XddWriter) {
+    fn element(&mut self, element: &'static SchemaElement, depth: u32, out: &mut XddWriter) {
         out.open(element);
         for attribute in element.attributes {
-            if attribute.need == Need::Key || self.roll(2) == 0 {
+            if attribute.need == Occurrence::Key || self.roll(2) == 0 {
                 out.attribute(attribute.name, &self.value(attribute.kind));
             }
         }
@@ -184,9 +184,9 @@ impl Dice {
             (_, None) => {}
         }
         for slot in element.content {
-            let many = if slot.need == Need::Stray { 2 } else { u64::from(slot.most.min(3)) + 1 };
+            let many = if slot.need == Occurrence::Stray { 2 } else { u64::from(slot.most.min(3)) + 1 };
             // stray elements replace others
-            let is_other = depth > 9 || slot.of[0].name == n::variableRef && slot.need == Need::Stray;
+            let is_other = depth > 9 || slot.of[0].name == n::variableRef && slot.need == Occurrence::Stray;
             // a text without labels has no mark
             let least = u64::from(slot.least > 0 && element.attribute(n::readOnly).is_some());
             for _ in 0..if is_other { 0 } else { self.roll(many).max(least) } {
