@@ -6,6 +6,7 @@
 mod agree;
 mod boot;
 mod changes;
+mod circles;
 mod compat;
 mod concise;
 mod config;

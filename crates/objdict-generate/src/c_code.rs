@@ -1,13 +1,9 @@
 //! Numbers, bytes and texts in C syntax, shared by all C targets.
 
 use super::Options;
-use super::escape::c_string;
 use super::names::words;
 use super::resolve::{Encoded, EntryPlan, ValueShape, digits};
 use crate::model::{DataType, TypeKind};
-
-/// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
-const LONGEST_LITERAL: usize = 500;
 
 /// The stem of file names: the prefix, else the file name of the description as a C identifier.
 pub(crate) fn file_stem(options: &Options) -> String {
@@ -133,14 +129,6 @@ pub(crate) fn listed(elements: impl Iterator<Item = String>, indent: &str) -> St
     text + "}"
 }
 
-/// A string literal; `None` for texts that are too long or contain bytes unsuitable for a literal.
-pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
-    if bytes.len() > LONGEST_LITERAL {
-        return None;
-    }
-    Some(format!("\"{}\"", c_string(bytes)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -164,9 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn texts_and_bytes() {
-        assert_eq!(literal(b"a\"\\?\n7").as_deref(), Some("\"a\\\"\\\\\\?\\0127\""));
-        assert_eq!(literal(&[b'x'; 501]), None);
+    fn bytes_end_with_their_last_value() {
         assert_eq!(bytes(&[1, 0, 2, 0, 0]), "{0x01, 0x00, 0x02}");
         assert_eq!(bytes(&[0, 0]), "{0}");
     }

@@ -10,6 +10,9 @@ use std::fmt::{self, Write};
 /// Maximum length of a shown text; longer ones end in `...`.
 const SHOWN: usize = 100;
 
+/// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
+const LONGEST_LITERAL: usize = 500;
+
 /// For a line of a Rust comment (`//` or `///`): in backticks, so that rustdoc does not interpret markup.
 pub(super) fn code_span(text: &str) -> String {
     let plain = printable(text).replace('`', "'");
@@ -55,7 +58,7 @@ pub(super) fn doxygen(text: &str) -> String {
 
 /// A string literal of C in UTF-8.
 pub(super) fn c_text(text: &str) -> String {
-    super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never that long
+    literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never that long
 }
 
 /// The content of a [`c_text`].
@@ -136,6 +139,14 @@ pub(super) fn c_string(bytes: &[u8]) -> String {
     })
 }
 
+/// A string literal; `None` for texts that are too long or contain bytes unsuitable for a literal.
+pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
+    if bytes.len() > LONGEST_LITERAL {
+        return None;
+    }
+    Some(format!("\"{}\"", c_string(bytes)))
+}
+
 /// A number with this many hexadecimal digits.
 pub(super) struct HexNumber<const DIGITS: usize>(u16);
 
@@ -171,6 +182,12 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    #[test]
+    fn long_texts_are_no_literals() {
+        assert_eq!(literal(b"a\"\\?\n7").as_deref(), Some("\"a\\\"\\\\\\?\\0127\""));
+        assert_eq!(literal(&[b'x'; 501]), None);
+    }
 
     #[test]
     fn hostile_texts_stay_in_their_line() {

@@ -1,6 +1,7 @@
 //! SRDOs: the communication parameter and the mapping of each (EN 50325-5, formerly CiA 304).
 
-use crate::Facts;
+use std::ops::RangeInclusive;
+
 use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{CobId, Device, MappedObject, MappingSlot, Object};
 
@@ -62,9 +63,8 @@ impl<'a> Srdo<'a> {
     }
 
     /// A COB-ID, sub-index 5 or 6, for the node of a DCF; `None` for a formula without a node-ID.
-    pub(crate) fn cob_id(&self, facts: &Facts<'_>, sub: u8) -> Option<i128> {
+    pub(crate) fn cob_id(&self, node_ids: &RangeInclusive<u8>, sub: u8) -> Option<i128> {
         let cob_id = CobId::from_value(self.communication?.value(sub)?.as_ref())?;
-        let node_ids = facts.node_ids();
         let is_known = !cob_id.depends_on_node_id() || node_ids.start() == node_ids.end();
         is_known.then(|| i128::from(cob_id.on_node(*node_ids.start())))
     }

@@ -1,7 +1,8 @@
 //! What can be written at the cursor.
 
+use super::completion_item::{item, mappable};
 use super::file::CheckedFile;
-use super::protocol::{CompletionItem, CompletionItemKind, TextEdit};
+use super::protocol::{CompletionItem, CompletionItemKind};
 use super::sections::MissingSections;
 use super::{keyed, markup, words};
 use objdict_eds::eds::is_key_of;
@@ -70,17 +71,6 @@ fn rules(file: &CheckedFile, offset: u32) -> Option<Vec<CompletionItem>> {
         CompletionItem { detail: Some(summary.to_owned()), ..item }
     };
     Some(groups.chain(of_rules).map(item).collect())
-}
-
-pub(super) fn item(
-    file: &CheckedFile,
-    span: Span,
-    label: &str,
-    new_text: String,
-    kind: CompletionItemKind,
-) -> CompletionItem {
-    let edit = TextEdit { range: file.positions().range(span), new_text };
-    CompletionItem { label: label.to_owned(), kind, text_edit: Some(edit), ..CompletionItem::default() }
 }
 
 struct Completer<'a> {
@@ -229,17 +219,6 @@ impl Completer<'_> {
         };
         mappable(self.device(), kind).map(item).collect()
     }
-}
-
-/// The entries that a PDO of a direction can carry.
-pub(super) fn mappable(device: &Device, kind: PdoKind) -> impl Iterator<Item = MappedObject> {
-    device.objects.iter().flat_map(move |(&index, object)| {
-        let fitting = object.entries().filter(move |(_, entry)| entry.is_mappable() && entry.fits_pdo(kind));
-        fitting.filter_map(move |(sub, entry)| {
-            let bits = entry.implied_type().and_then(DataType::bit_length)?;
-            Some(MappedObject { index, sub, bits })
-        })
-    })
 }
 
 fn is_flag(field: &Field) -> bool {

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use serde_json::{Value, json};
 
-use super::completion::item;
+use super::completion_item::item;
 use super::cursor::{Cursor, CursorSpot};
 use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};

@@ -13,6 +13,7 @@ mod beside;
 mod call;
 mod capabilities;
 mod completion;
+mod completion_item;
 mod cursor;
 mod diagnostics;
 mod documentation;

@@ -1,6 +1,6 @@
 //! What can be written in XDD and XDC: the words that CiA 311 has for an attribute.
 
-use super::completion::item;
+use super::completion_item::item;
 use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};
 use objdict_model::model::DataType;

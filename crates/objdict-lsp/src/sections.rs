@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::completion::{item, mappable};
+use super::completion_item::{item, mappable};
 use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind, Markdown, SNIPPET, TextEdit};
 use super::words;

@@ -2,37 +2,9 @@
 
 use crate::compiled::DcfgenMode;
 use crate::download::Order;
+use crate::identity_level::IdentityLevel;
 use crate::model::{Device, Field, Part, Place};
 use crate::network::{Network, Node};
-
-/// Which numbers of 1000h and 1018h the manager checks before it boots a node; each level has those before it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum IdentityLevel {
-    /// No number.
-    None,
-    /// Device type and vendor-ID (1F84h, 1F85h).
-    Vendor,
-    /// The product code (1F86h).
-    Product,
-    /// The revision number (1F87h).
-    Revision,
-    /// The serial number (1F88h), where a configured node states it.
-    #[default]
-    Serial,
-}
-
-impl IdentityLevel {
-    /// All levels.
-    pub const ALL: [Self; 5] = [Self::None, Self::Vendor, Self::Product, Self::Revision, Self::Serial];
-
-    /// The word in `network.toml`.
-    pub const fn word(self) -> &'static str {
-        ["none", "vendor", "product", "revision", "serial"][self as usize]
-    }
-
-    /// The level of each number of an identity.
-    const OF_NUMBERS: [Self; 5] = [Self::Vendor, Self::Vendor, Self::Product, Self::Revision, Self::Serial];
-}
 
 /// What vendors write for a number that they do not know.
 pub(crate) const PLACEHOLDER: u32 = u32::MAX;

@@ -1,13 +1,11 @@
 //! Descriptions that were read, and their objects.
 
-use std::collections::HashMap;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 use objdict::config::Project;
-use objdict::format::Description;
-use objdict::format::input::{FileKind, Input, Reading};
+use objdict::format::input::{Input, Reading};
 use objdict::format::json;
 use objdict::format::patch::Patch;
 use objdict::model::{Device, Pdo, PdoKind};
@@ -16,56 +14,10 @@ use objdict::workspace::{Workspace, with_origin_beside};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::entry::{PythonEntry, ValueMeaning, meanings};
-use super::findings::project_of;
+use super::entry::PythonEntry;
 use super::raised;
+use super::shared::{Described, SharedDescription};
 use super::value::name_of;
-
-/// A device with its text.
-pub(crate) enum Described {
-    Text(Box<Description>),
-    /// From the JSON of a device, which has no lines that findings could point to.
-    Model(Box<Device>, SourceFile),
-}
-
-/// What a description says, shared by all that Python has of it.
-pub(crate) struct SharedDescription {
-    pub(crate) described: Described,
-    /// The file; `None` of bytes.
-    pub(crate) path: Option<PathBuf>,
-    pub(crate) node_id: Option<u8>,
-    /// The nearest configuration of the file.
-    pub(crate) project: Option<Arc<Project>>,
-    meanings: OnceLock<HashMap<(u16, u8), ValueMeaning>>,
-}
-
-impl SharedDescription {
-    pub(crate) fn device(&self) -> &Device {
-        match &self.described {
-            Described::Text(description) => description.device(),
-            Described::Model(device, _) => device,
-        }
-    }
-
-    pub(crate) fn source(&self) -> &SourceFile {
-        match &self.described {
-            Described::Text(description) => description.source(),
-            Described::Model(_, source) => source,
-        }
-    }
-
-    pub(crate) fn kind(&self) -> FileKind {
-        match &self.described {
-            Described::Text(description) => description.format().into(),
-            Described::Model(..) => FileKind::Json,
-        }
-    }
-
-    /// Units and names of values, which are looked for in the whole description at once.
-    pub(crate) fn meaning(&self, index: u16, sub: u8) -> Option<&ValueMeaning> {
-        self.meanings.get_or_init(|| meanings(self.device())).get(&(index, sub))
-    }
-}
 
 /// A description.
 #[pyclass(frozen, name = "Dictionary", module = "canopen_objdict._native")]
@@ -78,6 +30,15 @@ pub(crate) struct NativeObject {
     /// The index.
     #[pyo3(get)]
     index: u16,
+}
+
+/// The configuration that holds for a file, with the profiles and patches that it names.
+pub(crate) fn project_of(workspace: &mut Workspace, path: &Path) -> PyResult<Option<Arc<Project>>> {
+    let project = workspace.project_of(path).map_err(raised)?;
+    match project.as_ref().and_then(|project| project.failures.first()) {
+        Some(failure) => Err(raised(failure)),
+        None => Ok(project),
+    }
 }
 
 /// Reads a file, with patches and with those of the nearest configuration.

@@ -1,49 +1,17 @@
 //! Entries: their facts, and what their values mean.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use objdict::describe::Decoder;
-use objdict::model::{self, DataType, Device, Meaning as Meant, PdoMapping, Scaling, Value};
-use objdict::profile;
+use objdict::model::{self, DataType, PdoMapping, Value};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::dictionary::SharedDescription;
-use super::value::{from_python, name_of, to_python};
-
-/// A value that is the node-ID plus a number, as long as the node-ID is unknown.
-#[pyclass(frozen, eq, hash, module = "canopen_objdict")]
-#[derive(Clone, PartialEq, Eq, Hash)]
-pub(crate) struct Formula {
-    /// The number.
-    #[pyo3(get)]
-    pub(crate) offset: u64,
-}
-
-#[pymethods]
-impl Formula {
-    /// The value on a node.
-    fn on_node(&self, node_id: u8) -> u64 {
-        self.offset.wrapping_add(node_id.into())
-    }
-
-    fn __repr__(&self) -> String {
-        Value::NodeId(self.offset).to_string()
-    }
-}
-
-/// What a description or a CiA document says of the values of an entry.
-#[derive(Default)]
-pub(crate) struct ValueMeaning {
-    unit: Option<String>,
-    factor: Option<f64>,
-    offset: Option<f64>,
-    values: BTreeMap<i128, String>,
-    /// Not bytes, which Python would have for `u8`.
-    bits: BTreeMap<String, Vec<u16>>,
-}
+use super::meaning::ValueMeaning;
+use super::shared::SharedDescription;
+use super::value::{Formula, from_python, name_of, to_python};
 
 /// An entry of an object.
 #[pyclass(name = "Entry", frozen, module = "canopen_objdict")]
@@ -250,78 +218,4 @@ pub(crate) fn description_of(entry: &model::Entry) -> Option<String> {
     let parameter = entry.parameter.as_ref().and_then(|parameter| parameter.labels.description_in("en"));
     let text = parameter.or_else(|| entry.extra.get("Description"))?.trim();
     (!text.is_empty()).then(|| text.to_owned())
-}
-
-/// The meanings of all entries of a device that have one.
-pub(crate) fn meanings(device: &Device) -> HashMap<(u16, u8), ValueMeaning> {
-    let described = device.meanings();
-    let mut found = HashMap::new();
-    for (&index, object) in device.objects.iter() {
-        let documents: Vec<_> = profile::of_object(device, index).map(|(_, facts)| facts).collect();
-        for (sub, _) in object.entries() {
-            let mut meaning = ValueMeaning::default();
-            for facts in documents.iter().filter_map(|facts| facts.entry(sub)) {
-                if meaning.unit.is_none() {
-                    meaning.set_unit_of_document(facts.unit.unwrap_or_default());
-                }
-            }
-            for field in profile::bits(documents.iter().copied(), sub) {
-                meaning
-                    .bits
-                    .insert(field.name.to_owned(), (field.first.into()..=field.last.into()).collect());
-            }
-            let stated = object.subs.get(sub).or((sub == 0).then_some(&object.main));
-            if let Some(entry) = stated {
-                meaning.set_scaling(described.scaling_of(entry));
-            }
-            meaning.set_names(described.of(index, sub));
-            if !meaning.is_empty() {
-                found.insert((index, sub), meaning);
-            }
-        }
-    }
-    found
-}
-
-impl ValueMeaning {
-    fn is_empty(&self) -> bool {
-        let is_scaled = self.unit.is_some() || self.factor.is_some() || self.offset.is_some();
-        !is_scaled && self.values.is_empty() && self.bits.is_empty()
-    }
-
-    /// The unit of a document, such as `0.1 % of the rated torque`.
-    fn set_unit_of_document(&mut self, unit: &str) {
-        let scaled = unit.split_once(' ').and_then(|(number, unit)| Some((number.parse().ok()?, unit)));
-        let (factor, unit) = scaled.map_or((None, unit), |(factor, unit)| (Some(factor), unit));
-        if !unit.is_empty() {
-            (self.factor, self.unit) = (factor, Some(unit.to_owned()));
-        }
-    }
-
-    /// What the description states replaces what the document says.
-    fn set_scaling(&mut self, scaling: Scaling<'_>) {
-        if scaling.is_empty() {
-            return;
-        }
-        let number = |text: Option<&str>| text.and_then(|text| text.parse().ok());
-        let unit = scaling.unit.and_then(|unit| unit.labels.name_in("en")).map(str::trim);
-        (self.factor, self.offset) = (number(scaling.multiplier), number(scaling.offset));
-        self.unit = unit.filter(|unit| !unit.is_empty()).map(ToOwned::to_owned);
-    }
-
-    fn set_names(&mut self, meaning: Option<Meant<'_>>) {
-        match meaning {
-            Some(Meant::Enumeration(names)) => {
-                let named = names.values.into_iter().filter(|value| !value.name.is_empty());
-                self.values = named.map(|value| (value.number, value.name.to_owned())).collect();
-            }
-            Some(Meant::BitStruct(word)) => {
-                let bits = |first: u8, bits: u8| (first.into()..u16::from(first) + u16::from(bits)).collect();
-                let fields = word.fields.into_iter();
-                self.bits =
-                    fields.map(|field| (field.name.to_owned(), bits(field.first, field.bits))).collect();
-            }
-            None => {}
-        }
-    }
 }

@@ -2,18 +2,17 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use objdict::check_with;
-use objdict::config::Project;
 use objdict::diagnostic::{Findings, Severity};
 use objdict::lint;
 use objdict::report::{Concise, Json, Report, Subject, grouped};
 use objdict::workspace::{self, Overrides, Workspace};
 use pyo3::prelude::*;
 
-use super::dictionary::{Described, NativeDictionary, SharedDescription, described, reading};
+use super::dictionary::{NativeDictionary, described, project_of, reading};
 use super::raised;
+use super::shared::{Described, SharedDescription};
 
 /// The findings of a device.
 #[pyfunction]
@@ -86,15 +85,6 @@ pub(crate) fn findings_of(shared: &SharedDescription) -> PyResult<(Subject<'_>, 
             (Subject::Text(source), options.severities.apply(lint::check(device, &options)))
         }
     })
-}
-
-/// The configuration that holds for a file, with the profiles and patches that it names.
-pub(crate) fn project_of(workspace: &mut Workspace, path: &Path) -> PyResult<Option<Arc<Project>>> {
-    let project = workspace.project_of(path).map_err(raised)?;
-    match project.as_ref().and_then(|project| project.failures.first()) {
-        Some(failure) => Err(raised(failure)),
-        None => Ok(project),
-    }
 }
 
 /// What the configuration says of a file; bytes have none.

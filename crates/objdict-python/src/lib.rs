@@ -9,8 +9,10 @@
 mod dictionary;
 mod entry;
 mod findings;
+mod meaning;
 mod network;
 mod output;
+mod shared;
 mod streams;
 mod traffic;
 mod value;
@@ -35,12 +37,13 @@ mod _native {
     use super::{
         ObjdictError,
         dictionary::{NativeDictionary, NativeObject, open, read},
-        entry::{Formula, PythonEntry},
+        entry::PythonEntry,
         findings::{check, errors, findings},
         network::{build_network, check_network},
         output::{card, changes, convert, docs, generate},
         streams::{pack, unpack},
         traffic::{Frames, decode, is_network},
+        value::Formula,
     };
 
     /// The version of objdict.

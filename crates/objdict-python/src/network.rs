@@ -10,7 +10,8 @@ use objdict::workspace::Workspace;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::findings::{document, errors_among, project_of};
+use super::dictionary::project_of;
+use super::findings::{document, errors_among};
 use super::raised;
 
 /// The name of a node and its node-ID.

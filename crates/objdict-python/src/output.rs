@@ -15,9 +15,10 @@ use objdict::source::Folder;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::dictionary::{Described, NativeDictionary, SharedDescription};
+use super::dictionary::NativeDictionary;
 use super::findings::findings_of;
 use super::raised;
+use super::shared::{Described, SharedDescription};
 
 /// A file of another format, and what it does not have of the device.
 type Converted = (Vec<u8>, Vec<String>);

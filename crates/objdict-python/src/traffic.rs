@@ -15,9 +15,10 @@ use objdict::format::network::NetworkFile;
 use objdict::traffic::{Buses, Descriptions, MergedLogs, NamedLog};
 use pyo3::prelude::*;
 
-use super::dictionary::{NativeDictionary, SharedDescription};
+use super::dictionary::NativeDictionary;
 use super::network::opened;
 use super::raised;
+use super::shared::SharedDescription;
 
 /// So many frames pass to Python at once, and so many batches wait for it.
 const BATCH: usize = 256;

@@ -8,9 +8,28 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::entry::Formula;
-
 const MILLISECONDS_OF_DAY: u64 = 24 * 60 * 60 * 1000;
+
+/// A value that is the node-ID plus a number, as long as the node-ID is unknown.
+#[pyclass(frozen, eq, hash, module = "canopen_objdict")]
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub(crate) struct Formula {
+    /// The number.
+    #[pyo3(get)]
+    pub(crate) offset: u64,
+}
+
+#[pymethods]
+impl Formula {
+    /// The value on a node.
+    fn on_node(&self, node_id: u8) -> u64 {
+        self.offset.wrapping_add(node_id.into())
+    }
+
+    fn __repr__(&self) -> String {
+        Value::NodeId(self.offset).to_string()
+    }
+}
 
 /// A value on a node; without the node-ID, `$NODEID+n` stays a formula.
 pub(crate) fn to_python<'py>(

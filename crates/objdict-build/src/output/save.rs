@@ -77,12 +77,18 @@ fn can_be_renamed(new: &File, _: &Path, found: &Metadata) -> bool {
 
 #[cfg(all(windows, feature = "command"))]
 fn can_be_renamed(_: &File, path: &Path, _: &Metadata) -> bool {
-    super::used::information(path).is_some_and(|found| found.number_of_links() == 1)
+    information(path).is_some_and(|found| found.number_of_links() == 1)
 }
 
 #[cfg(not(any(unix, all(windows, feature = "command"))))]
 fn can_be_renamed(_: &File, _: &Path, _: &Metadata) -> bool {
     true
+}
+
+/// What Windows knows of a file, and `std` keeps for itself.
+#[cfg(all(windows, feature = "command"))]
+pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information> {
+    winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
 }
 
 /// Writes into a file, which has its former contents again if that fails.

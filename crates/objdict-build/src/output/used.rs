@@ -24,19 +24,13 @@ fn identity(path: &Path) -> Option<FileIdentity> {
 
 #[cfg(all(windows, feature = "command"))]
 fn identity(path: &Path) -> Option<FileIdentity> {
-    let file = path.is_file().then(|| information(path)).flatten()?;
+    let file = path.is_file().then(|| super::save::information(path)).flatten()?;
     Some((file.volume_serial_number(), file.file_index()))
 }
 
 #[cfg(not(any(unix, all(windows, feature = "command"))))]
 fn identity(path: &Path) -> Option<FileIdentity> {
     path.canonicalize().ok().filter(|path| path.is_file())
-}
-
-/// What Windows knows of a file, and `std` keeps for itself.
-#[cfg(all(windows, feature = "command"))]
-pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information> {
-    winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
 }
 
 /// The files that a run reads or has written.

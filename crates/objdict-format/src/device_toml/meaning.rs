@@ -1,6 +1,5 @@
 //! What values mean: description, unit, names of values and bits, as parts of the application process (CiA 311).
 
-use super::reader::ObjectReader;
 use super::words::{key, quoted};
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::section::KeyedTable;
@@ -18,9 +17,9 @@ pub(super) fn read(
     section: &KeyedTable<'_>,
     address: &str,
     entry: &mut Entry,
-    reader: &mut ObjectReader<'_>,
+    application: &mut ApplicationProcess,
+    findings: &mut Findings,
 ) {
-    let findings = &mut *reader.findings;
     if let Some(text) = section.text("description", findings) {
         entry.parameter_mut().labels = described(&text.value);
     }
@@ -43,7 +42,7 @@ pub(super) fn read(
         let members: Vec<VarDeclaration> = members(section, address, findings);
         let id = bits_id(address);
         entry.parameter_mut().data_type = Some(DataTypeRef::Defined(id.as_str().into()));
-        reader.application.data_types.push(struct_of(&entry.name, &id, members));
+        application.data_types.push(struct_of(&entry.name, &id, members));
     }
 }
 

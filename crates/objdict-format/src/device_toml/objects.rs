@@ -4,8 +4,7 @@ use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
 use super::facts;
 use super::meaning;
 use super::reader::{numbered, sub_number, without};
-use super::words::{TypeSaid, index_list, quoted, spelled, type_word};
-use super::writer::{push, words};
+use super::words::{TypeSaid, index_list, push, quoted, spelled, type_word, words};
 use objdict_model::model::{
     Compact, DataType, Device, Entry, Object, ObjectType, PdoMapping, TypeKind, Value,
 };

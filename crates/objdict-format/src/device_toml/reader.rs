@@ -334,7 +334,7 @@ impl ObjectReader<'_> {
         }
         self.values(section, &mut entry);
         self.stack(section, &mut entry);
-        meaning::read(section, address, &mut entry, self);
+        meaning::read(section, address, &mut entry, &mut self.application, self.findings);
         if let Some(tree) = section.get("extra") {
             let json = pairs(tree);
             entry.extra = serde_json::from_str(&json.to_string()).unwrap_or_default();

@@ -3,8 +3,8 @@
 use super::facts;
 use super::keys::{DEVICE, FILE, FORMAT};
 use super::profile::{ProfileSaid, implied_device};
-use super::words::quoted;
-use super::writer::{push, section, write_features};
+use super::words::{push, quoted};
+use super::writer::{section, write_features};
 use crate::scaffold::{self, BaseError, Wanted};
 use objdict_model::model::{Device, FileInfo, PdoKind};
 

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use super::defaults::{Defaults, Omissions, OmittedFact};
 use super::objects::{TomlPair, common, inline, map_word};
-use super::words::{quoted, type_word};
-use super::writer::{push, words};
+use super::words::{push, quoted, type_word, words};
 use objdict_model::model::{Device, Entry, Object};
 
 /// The most frequent of these.

@@ -204,3 +204,14 @@ pub(super) fn subs(text: &str) -> Option<(u8, u8)> {
     let (first, last) = (sub(first)?, sub(last)?);
     (first <= last).then_some((first, last))
 }
+
+/// Adds a line.
+pub(super) fn push(text: &mut String, line: &str) {
+    text.push_str(line);
+    text.push('\n');
+}
+
+/// Words in quotes.
+pub(super) fn words(words: &[&str]) -> String {
+    words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ")
+}

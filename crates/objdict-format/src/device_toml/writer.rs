@@ -7,7 +7,7 @@ use super::objects::ObjectWriter;
 use super::pdos::{PdoSaid, Standard};
 use super::profile::{ProfileSaid, implied_device, take_absent};
 use super::usual::{usual, write_defaults};
-use super::words::{key, quoted};
+use super::words::{key, push, quoted, words};
 use crate::scaffold;
 use objdict_model::model::{Device, DeviceKind, ExtraSection, PdoKind};
 
@@ -104,12 +104,6 @@ fn write_pdos(device: &Device, base: &mut Device, text: &mut String) {
     }
 }
 
-/// Adds a line.
-pub(super) fn push(text: &mut String, line: &str) {
-    text.push_str(line);
-    text.push('\n');
-}
-
 fn head(device: &Device, base: Option<&Device>, text: &mut String) {
     if (device.kind == DeviceKind::Node) != device.commissioning.is_some() {
         let kind = if device.kind == DeviceKind::Node { "node" } else { "type" };
@@ -142,11 +136,6 @@ fn head(device: &Device, base: Option<&Device>, text: &mut String) {
         Some([line]) => push(text, &format!("comments = {}", quoted(line))),
         Some(lines) => push(text, &format!("comments = {}", lists::several_lines(lines))),
     }
-}
-
-/// Words in quotes.
-pub(super) fn words(words: &[&str]) -> String {
-    words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ")
 }
 
 pub(super) fn section(

@@ -3,8 +3,9 @@
 use super::names::ReservedNames;
 use super::ranges::{NUMBERS, TypeRanges};
 use super::special::{Family, LISTS, VALUES, misfit};
-use crate::c_code::{assignment, bytes, literal, number_type, typed};
+use crate::c_code::{assignment, bytes, number_type, typed};
 use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
+use crate::escape::literal;
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Encoded, ValueShape};
 use crate::stored;

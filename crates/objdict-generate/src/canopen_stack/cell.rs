@@ -14,6 +14,11 @@ const LONGEST_DIRECT: u64 = 0xFFFF;
 /// Values up to this size need one SDO frame; for these the stack's own block types do not restart.
 const ONE_FRAME: usize = 4;
 
+/// The end of the name of the type for an object.
+pub(super) fn hook_name(index: u16) -> String {
+    format!("hook{index:04X}")
+}
+
 /// Storage of a row's value.
 #[derive(Clone)]
 pub(super) enum Cell {

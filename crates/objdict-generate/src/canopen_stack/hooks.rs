@@ -1,6 +1,6 @@
 //! Rows with a type of the application (`--hook`).
 
-use super::cell::RowType;
+use super::cell::{RowType, hook_name};
 use super::rows::StackRow;
 use crate::model::Place;
 use crate::notes::place_of;
@@ -27,13 +27,8 @@ pub(super) struct TypeHook {
 
 impl TypeHook {
     pub(super) fn name(&self) -> String {
-        name(self.index)
+        hook_name(self.index)
     }
-}
-
-/// The end of the name of the type for an object.
-pub(super) fn name(index: u16) -> String {
-    format!("hook{index:04X}")
 }
 
 /// Marks the rows that the options name. Notes report entries that are missing or that the stack serves.

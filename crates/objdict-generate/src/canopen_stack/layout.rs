@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeSet, HashSet};
 
-use super::cell::{Cell, PlannedRow};
-use super::hooks;
+use super::cell::{Cell, PlannedRow, hook_name};
 use super::special::STORE;
-use crate::c_code::{bytes, literal};
+use crate::c_code::bytes;
 use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
+use crate::escape::literal;
 use crate::memory::TypeExtent;
 use crate::model::Place;
 use crate::names::{NameScope, words};
@@ -77,7 +77,7 @@ impl RowLayout {
         prefix: &str,
         notes: &mut Vec<Note>,
     ) -> Self {
-        let hooks: Vec<String> = options.hooks.iter().map(|at| hooks::name(at.index)).collect();
+        let hooks: Vec<String> = options.hooks.iter().map(|at| hook_name(at.index)).collect();
         let mut scope = NameScope::of_lower_case(&format!(
             "objects store restore nothing rest block block_size block_read block_write block_reset
              bytes bytes_size bytes_read bytes_write bytes_reset {}",

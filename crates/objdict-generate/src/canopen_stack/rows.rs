@@ -1,7 +1,6 @@
 //! The rows of the table.
 
-use super::cell::{Cell, PlannedRow, RowType};
-use super::hooks;
+use super::cell::{Cell, PlannedRow, RowType, hook_name};
 use super::layout::RowLayout;
 use crate::dictionary::TableDictionary;
 
@@ -20,7 +19,7 @@ pub(super) struct StackRow {
 impl StackRow {
     pub(super) fn type_name(&self, prefix: &str) -> String {
         match self.type_ {
-            _ if self.hooked => format!("&{prefix}_{}", hooks::name(self.index)),
+            _ if self.hooked => format!("&{prefix}_{}", hook_name(self.index)),
             RowType::Stack(name) => name.to_owned(),
             RowType::Block => format!("&{prefix}_block"),
             RowType::Bytes => format!("&{prefix}_bytes"),

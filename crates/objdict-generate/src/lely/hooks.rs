@@ -1,10 +1,12 @@
 //! Entries for which the library calls the application (`--hook`).
 
-use super::view::MOST_ENTRIES;
 use crate::dictionary::TableDictionary;
 use crate::model::Place;
 use crate::notes::place_of;
 use crate::{Note, Options};
+
+/// Maximum number of entries of an object: `nsub` is a byte.
+pub(super) const MOST_ENTRIES: usize = 255;
 
 /// An object for which the library calls functions of the application.
 pub(super) struct Hook {

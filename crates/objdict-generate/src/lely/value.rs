@@ -1,6 +1,7 @@
 //! Values as initializers of `union co_val`.
 
-use crate::c_code::{listed, literal, number};
+use crate::c_code::{listed, number};
+use crate::escape::literal;
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Encoded, EntryPlan, ValueShape, is_time};
 

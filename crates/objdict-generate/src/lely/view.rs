@@ -1,17 +1,13 @@
 //! Views of the Lely core templates.
 
-use super::hooks::{Hook, hooked};
+use super::hooks::{Hook, MOST_ENTRIES, hooked};
 use super::value::{UNCONFIGURED, data_type, has_limits, initial, limit, type_name};
-use crate::c_code::literal;
 use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
-use crate::escape::{c_text, shown};
+use crate::escape::{c_text, literal, shown};
 use crate::head::Head;
 use crate::model::{Access, DataType, Entry, Place, TypeKind};
 use crate::resolve::{Encoded, ValueShape};
 use crate::{Note, Options};
-
-/// Maximum number of entries of an object: `nsub` is a byte.
-pub(super) const MOST_ENTRIES: usize = 255;
 
 /// What the files have.
 pub(super) struct LelyView<'a> {

@@ -2,6 +2,7 @@
 //! SDO servers it lacks. One table for each stack (`stacks`), applied to the resolved entries of a table, with one warning for each
 //! cause.
 
+mod cause;
 mod consumers;
 mod pdos;
 mod sdo;

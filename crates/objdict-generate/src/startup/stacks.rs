@@ -1,8 +1,9 @@
 //! One table for each stack, read from its sources: CANopenNode 4 of July 2026 and 1.3, canopen-stack 4.4, Lely core 2.4, CanFestival 3.
 
 use super::Stack;
+use super::cause::PdoCause;
 use super::consumers::Consumers;
-use super::pdos::{CauseRow, PdoCause, StackMapping};
+use super::pdos::{CauseRow, StackMapping};
 use super::sdo;
 use crate::model::{DataType, Device, MappedObject, PdoKind};
 

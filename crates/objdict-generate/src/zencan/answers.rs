@@ -7,6 +7,11 @@ use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::{Access, Place};
 use crate::resolve::Encoded;
 
+/// Whether zencan reserves the index: for the setting `autostart`, or the boot loader.
+pub(super) fn is_reserved(index: u16) -> bool {
+    matches!(index, 0x5000 | 0x5500 | 0x5510..=0x551F)
+}
+
 /// All entries of the node.
 #[derive(Default)]
 pub(super) struct Answers(BTreeMap<(u16, u8), EntryAnswer>);
@@ -57,7 +62,7 @@ impl Answers {
             let place = Place::entry(object.index, entry.sub);
             match self.0.get(&(object.index, entry.sub)) {
                 Some(answer) => difference(&place, answer, entry, &mut notes),
-                None if super::fixed::is_reserved(object.index) => {}
+                None if is_reserved(object.index) => {}
                 None => notes.push(Note::new(place, "zencan has no such entry")),
             }
         }

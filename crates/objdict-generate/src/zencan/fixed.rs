@@ -24,11 +24,6 @@ pub(super) fn is_made_by_zencan(index: u16) -> bool {
     matches!(index, 0x1000 | 0x1001 | 0x1008..=0x100A | STORE | 0x1017 | 0x1018 | 0x1400..=0x1BFF)
 }
 
-/// Whether zencan reserves the index: for the setting `autostart`, or the boot loader.
-pub(super) fn is_reserved(index: u16) -> bool {
-    matches!(index, 0x5000 | 0x5500 | 0x5510..=0x551F)
-}
-
 impl ConfigMaker<'_> {
     /// The settings of the device; records the objects that zencan creates from them.
     pub(super) fn settings(&mut self) -> DeviceSettings {

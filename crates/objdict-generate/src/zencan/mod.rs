@@ -69,7 +69,7 @@ impl<'a> ConfigMaker<'a> {
             if fixed::is_made_by_zencan(object.index) {
                 continue;
             }
-            if fixed::is_reserved(object.index) {
+            if answers::is_reserved(object.index) {
                 self.note(Place::object(object.index), "zencan reserves the index; the object is omitted");
                 continue;
             }

@@ -1,6 +1,6 @@
 //! ASC of Vector: `0.015991 1  18B  Rx  d 5 01 02 04 08 11`.
 
-use super::text::{BAD_ID, TOO_LONG, Words, decimal, fits, hex};
+use super::words::{BAD_ID, TOO_LONG, Words, decimal, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// First words of lines that are not frames.

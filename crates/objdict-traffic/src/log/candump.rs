@@ -1,6 +1,6 @@
 //! Logs of candump: `(1436509052.249713) can0 18B#0102040811`, and `  can0  18B   [5]  01 02 04 08 11` as it prints them.
 
-use super::text::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
+use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// The flag of error frames in a CAN-ID of SocketCAN.

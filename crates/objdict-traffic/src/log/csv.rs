@@ -1,6 +1,6 @@
 //! CSV of python-can: `1436509052.249713,0x18b,0,0,0,5,AQIECBE=`.
 
-use super::text::{BAD_ID, TOO_LONG, fits, hex};
+use super::words::{BAD_ID, TOO_LONG, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 const HEADING: &[u8] = b"timestamp,arbitration_id,extended,remote,error,dlc,data";

@@ -10,6 +10,7 @@ mod pcap;
 mod text;
 mod time;
 mod trc;
+mod words;
 
 use std::io::{self, BufRead};
 

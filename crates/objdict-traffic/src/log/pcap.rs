@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, ErrorKind, Read};
 
-use super::text::fits;
+use super::words::fits;
 use super::{LogForm, LogState, LogTime, LoggedFrame};
 
 /// The link type of SocketCAN.
@@ -263,7 +263,7 @@ fn frame(interface: &Interface, units: u64, packet: &[u8], state: &mut LogState)
         _ => return bad(TOO_SHORT),
     };
     if !is_error && !fits(can_id, is_extended) {
-        return bad(super::text::BAD_ID);
+        return bad(super::words::BAD_ID);
     }
     let frame = LoggedFrame::new(time, interface.channel, can_id, is_extended && !is_error).with_data(data);
     Some(LoggedFrame { is_remote, is_error, is_fd: data.len() > 8 || flags & 4 != 0, ..frame })

@@ -1,6 +1,6 @@
 //! TRC of PEAK: `1)  1059.9  Rx  0300  7  00 00 00 00 04 00 00`, in the versions 1.0 to 1.3, 2.0 and 2.1.
 
-use super::text::{BAD_ID, Words, bytes, decimal, fits, hex};
+use super::words::{BAD_ID, Words, bytes, decimal, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// The lengths of data by DLC of CAN FD from 9 on.

@@ -115,7 +115,7 @@ fn checksum(facts: &Facts<'_>, srdo: &Srdo<'_>) -> Option<u16> {
     bytes.push(u8::try_from(srdo.number(3)?).ok()?);
     for sub in [5, 6] {
         // the device adds its node-ID to default values below 101h
-        let cob_id = srdo.cob_id(facts, sub).filter(|&cob_id| cob_id > 0x100)?;
+        let cob_id = srdo.cob_id(&facts.node_ids(), sub).filter(|&cob_id| cob_id > 0x100)?;
         bytes.extend(u32::try_from(cob_id).ok()?.to_le_bytes());
     }
     bytes.push(count);

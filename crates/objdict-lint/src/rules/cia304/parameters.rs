@@ -68,7 +68,7 @@ fn cob_id_collision(facts: &Facts<'_>, findings: &mut Findings) {
     let mut seen: Vec<(i128, usize)> = Vec::new();
     for (at, srdo) in facts.srdos.iter().enumerate().filter(|(_, srdo)| srdo.is_on()) {
         // `invalid-cob-id-pair` checks that the second COB-ID follows the first
-        let Some(cob_id) = srdo.cob_id(facts, 5) else { continue };
+        let Some(cob_id) = srdo.cob_id(&facts.node_ids(), 5) else { continue };
         let place = |at: usize| {
             let index = facts.srdos.get(at).map_or(0x1301, Srdo::communication_index);
             facts.device.value_place(index, 5)
@@ -116,7 +116,11 @@ fn incomplete_srdo_parameter(facts: &Facts<'_>, findings: &mut Findings) {
 fn invalid_cob_id_pair(facts: &Facts<'_>, findings: &mut Findings) {
     let is_type = facts.device.kind == DeviceKind::Type;
     for srdo in facts.srdos.iter().filter(|srdo| srdo.is_on()) {
-        let (Some(plain), Some(inverted)) = (srdo.cob_id(facts, 5), srdo.cob_id(facts, 6)) else { continue };
+        let (Some(plain), Some(inverted)) =
+            (srdo.cob_id(&facts.node_ids(), 5), srdo.cob_id(&facts.node_ids(), 6))
+        else {
+            continue;
+        };
         if is_type && (plain, inverted) == (0xFF, 0x100) {
             continue;
         }
