@@ -15,9 +15,9 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "schema")]
 pub(super) use self::boot::BootJson as BootDocument;
 #[cfg(feature = "schema")]
-pub(super) use self::show::BootJson as ShowDocument;
+pub(super) use self::show::NetworkJson as ShowDocument;
 #[cfg(feature = "schema")]
-pub(super) use self::timing::BootJson as TimingDocument;
+pub(super) use self::timing::TimingJson as TimingDocument;
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
 use super::input::{name_of, source_name};
 use super::outcome::{Failure, Outcome, tell};
