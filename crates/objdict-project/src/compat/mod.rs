@@ -4,6 +4,8 @@
 //! ([`Options::tools`](objdict_lint::Options::tools)), each finding that affects one of them names it, and has at least the
 //! severity of the effect. Findings of the group `portability` are reported for affected tools only.
 
+#[cfg(feature = "lint")]
+mod adapted;
 mod canchkeds;
 mod fixes;
 mod reactions;
@@ -15,7 +17,7 @@ use objdict_lint::PORTABILITY;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
 use objdict_model::model::DeviceKind;
 #[cfg(feature = "lint")]
-pub use spellings::{adapt, with_refused_spellings};
+pub use {adapted::adapt, spellings::with_refused_spellings};
 
 pub use canchkeds::MESSAGES;
 pub use reactions::REACTIONS;

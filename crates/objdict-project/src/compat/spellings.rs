@@ -17,17 +17,6 @@ const REFUSED_SPELLINGS: [&str; 7] = [
     "portability/key-case",
 ];
 
-/// A description with the safe fixes of what a tool refuses, misreads or drops.
-pub fn adapt(description: Description, tool: Tool) -> Description {
-    let options = Options { tools: vec![tool], ..Options::default() };
-    let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
-    let check = |description: &Description| {
-        let findings = crate::check_with(description, &options);
-        findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
-    };
-    crate::fix(description, Applicability::Safe, check).description
-}
-
 /// The findings of a check without tools, as fixes need them: with the spellings that a reader refuses.
 pub fn with_refused_spellings(
     description: &Description,

@@ -1,0 +1,17 @@
+//! Descriptions as a tool reads them.
+
+use super::REACTIONS;
+use objdict_format::Description;
+use objdict_lint::Options;
+use objdict_model::diagnostic::{Applicability, Tool};
+
+/// A description with the safe fixes of what a tool refuses, misreads or drops.
+pub fn adapt(description: Description, tool: Tool) -> Description {
+    let options = Options { tools: vec![tool], ..Options::default() };
+    let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
+    let check = |description: &Description| {
+        let findings = crate::check_with(description, &options);
+        findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
+    };
+    crate::fix(description, Applicability::Safe, check).description
+}
