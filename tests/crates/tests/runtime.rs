@@ -20,7 +20,7 @@ fn enable<V: Dictionary, const R: usize, const T: usize>(pdos: &mut Pdos<R, T>, 
 }
 
 /// Whether the TPDO was sent. It has the values of its struct.
-fn transmits<D: Table, P: Pdo<PdoData = Data<D, RAM>>, const RAM: usize>(mut data: Data<D, RAM>) -> bool {
+fn transmits<D: Table, P: Pdo<Data = Data<D, RAM>>, const RAM: usize>(mut data: Data<D, RAM>) -> bool {
     P::from_bytes(BYTES).store(&mut data);
     let mut pdos = Pdos::new([], [P::INDEX]);
     enable(&mut pdos, &mut data, P::INDEX);
@@ -30,7 +30,7 @@ fn transmits<D: Table, P: Pdo<PdoData = Data<D, RAM>>, const RAM: usize>(mut dat
 }
 
 /// Whether the RPDO was written. Its values are those that its struct writes.
-fn receives<D: Table, P: Pdo<PdoData = Data<D, RAM>>, const RAM: usize>(mut data: Data<D, RAM>) -> bool {
+fn receives<D: Table, P: Pdo<Data = Data<D, RAM>>, const RAM: usize>(mut data: Data<D, RAM>) -> bool {
     let mut pdos = Pdos::new([P::INDEX], []);
     enable(&mut pdos, &mut data, P::INDEX);
     let mut expected = data.clone();

@@ -114,7 +114,7 @@ impl HttpRequest {
         let is_number = !length.is_empty() && length.bytes().all(|byte| byte.is_ascii_digit());
         let length: u64 = length.parse().ok().filter(|_| is_number).ok_or_else(malformed)?;
         if length > max {
-            let message = format_args!("the file has {length} bytes, more than the limit of {max}");
+            let message = format!("the file has {length} bytes, more than the limit of {max}");
             return Err(HttpRefusal::new(413, message).help("raise the limit with `--max-size`"));
         }
         if self.header("expect")?.is_some() {

@@ -40,17 +40,17 @@ pub struct Pdos<const R: usize, const T: usize> {
 /// A PDO with the mapping of the description, as a struct of its values. The generated file implements it.
 pub trait Pdo: Sized {
     /// The values of the device.
-    type PdoData;
+    type Data;
     /// The index of its communication parameters, such as 1800h.
     const INDEX: u16;
     /// Length of a frame in bytes.
     const LENGTH: usize;
 
     /// Reads the present values.
-    fn load(data: &Self::PdoData) -> Self;
+    fn load(data: &Self::Data) -> Self;
 
     /// Writes the values without checking limits; constants are unchanged.
-    fn store(&self, data: &mut Self::PdoData);
+    fn store(&self, data: &mut Self::Data);
 
     /// The values as in a frame, with zeros beyond its length.
     fn to_bytes(&self) -> [u8; 8];
