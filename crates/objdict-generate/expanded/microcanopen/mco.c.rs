@@ -7,7 +7,7 @@ impl MicroCanOpenView<'_> {
         put!(out, "/*
  * {}; do not edit.
  *
- * MicroCanOpenView of {} by {}, for MicroCANopen.
+ * Tables of {} by {}, for MicroCANopen.
  */
 #include \"{}_pimg.h\"
 
