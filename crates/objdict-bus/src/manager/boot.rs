@@ -28,7 +28,7 @@ impl RunningManager {
     pub(super) fn take_boot_up(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
         match self.slaves[at].step {
             SlaveStep::Idle | SlaveStep::BootUp(_) | SlaveStep::Retry(_) | SlaveStep::Finished => {
-                self.begin(at, own, now)
+                self.begin(at, own, now);
             }
             SlaveStep::State(_) => self.reset(at, own, now),
             SlaveStep::Reset(_) => self.check_software(at, own, now),
