@@ -24,7 +24,7 @@ pub(super) struct RulesJson {
 
 /// A rule.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Rule"))]
 struct RuleJson {
     /// The id, such as `cia306/duplicate-key`.
     id: &'static str,

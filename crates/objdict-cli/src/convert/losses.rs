@@ -43,7 +43,7 @@ pub(crate) struct LossesJson<'a> {
 
 /// The losses of all files, by what became of the data.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Summary"))]
 struct LossCounts {
     /// The number of data that are lost.
     lost: usize,

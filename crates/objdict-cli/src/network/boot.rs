@@ -117,7 +117,7 @@ struct BootReport<'r> {
 
 /// A line of the trace.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Line"))]
 struct TraceLine {
     /// When it happened, in microseconds.
     time: u64,

@@ -60,7 +60,7 @@ struct DemandingDocument<'a> {
 
 /// An object, or a range of equal objects.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Object"))]
 struct ObjectJson<'a> {
     /// The first of these objects that the device has determines the number of elements.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -90,7 +90,7 @@ struct ObjectJson<'a> {
 
 /// An entry, or a range of equal entries.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Entry"))]
 struct EntryJson<'a> {
     /// The access types that are accepted.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
@@ -124,7 +124,7 @@ struct EntryJson<'a> {
 
 /// A bit or bit field of a value.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Bits"))]
 struct BitJson<'a> {
     /// The first bit.
     first: u8,

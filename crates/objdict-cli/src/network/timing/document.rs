@@ -77,7 +77,7 @@ struct LoadRow {
 
 /// The load of a part of the messages.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Share"))]
 struct MessageLoad<T> {
     /// The name of the node, or the kind of the messages.
     of: T,
@@ -88,7 +88,7 @@ struct MessageLoad<T> {
 
 /// A bit rate.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Rate"))]
 struct BitRateTimes {
     /// In kbit/s.
     bit_rate: u16,
