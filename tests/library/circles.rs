@@ -12,15 +12,15 @@ use crate::namesakes::{declaration, sources, without_tests};
 const CIRCLES: [(&str, &str); 16] = [
     (
         "objdict-bus conformance/emergency",
-        "checks of SYNC send an emergency's request and checks of emergencies a SYNC: to be moved to the bench",
+        "SYNC checks send emergency requests, and emergency checks send a SYNC: move both to the bench",
     ),
     (
         "objdict-device errors",
-        "`NOT_VALID` and the services that a write may reach are beside their users: to be moved below",
+        "their users define `NOT_VALID` and the services that a write may reach: move these below",
     ),
     (
         "objdict-document escape",
-        "the filters of templates are beside the functions that they call: to be moved to a file of their own",
+        "template filters share files with the functions that they call: move them to a file of their own",
     ),
     (
         "objdict-format description",
@@ -28,39 +28,30 @@ const CIRCLES: [(&str, &str); 16] = [
     ),
     (
         "objdict-format scaffold/base",
-        "what a new device needs is beside the functions that make it: to be moved to a file of its own",
+        "the functions that create a device also define its requirements: move these to a file of their own",
     ),
     (
         "objdict-lint changes/audience",
-        "the macro for titles is beside the rules that use it: to be moved to the audiences",
+        "the rules that use the title macro also define it: move it to the audiences",
     ),
     (
         "objdict-lsp baseline",
-        "the workspace answers for its baseline and navigation, which read its files: to be handed the files",
+        "the workspace calls baseline and navigation, which read its files: pass the files to them",
     ),
     ("objdict-model diagnostic/fix", "a finding is one value of rule, text, selection and fix"),
     (
         "objdict-model model/application_process",
-        "parameters have types, and types are those of parameters (CiA 311)",
+        "parameters have types, and types contain parameters (CiA 311)",
     ),
     ("objdict-model model/device", "a device is one value of objects, entries, modules and places"),
     (
         "objdict-model model/device_profile",
-        "the date of a file is also that of an identity: to be moved to a file of its own",
+        "files and identities share a date type: move it to a file of its own",
     ),
-    ("objdict-model source/buffers", "paths are made absolute beside the folders: to be moved below"),
-    (
-        "objdict-network overview",
-        "the load of a message is beside its timing: to be moved to a file of its own",
-    ),
-    (
-        "objdict-node download/order",
-        "a plan is sorted, and the order sorts the steps of a plan: the steps are to be moved below",
-    ),
-    (
-        "objdict-xdd xdd/fact",
-        "the table of CiA 311 names its types and functions: the types are to be moved below",
-    ),
+    ("objdict-model source/buffers", "the folder module defines `absolute`: move it below"),
+    ("objdict-network overview", "the timing module defines a message's load: move it to a file of its own"),
+    ("objdict-node download/order", "a plan calls the order, which sorts its steps: move the steps below"),
+    ("objdict-xdd xdd/fact", "the CiA 311 table names its types and functions: move the types below"),
     ("objdict-xdd xdd/findings/ids", "one walk calls the checks of elements, which continue the walk"),
 ];
 

@@ -28,10 +28,7 @@ const TWO_MEANINGS: [(&str, &str); 23] = [
     ("Run", "the word of SARIF"),
     ("Scope", "firmware calls the entries that 1011h restores so, which never meets the scope of a download"),
     ("Services", "the word of CiA 301, in a description and in firmware"),
-    (
-        "Shape",
-        "of a value in a table of keys, and of an element in that of CiA 311: both are written there many times",
-    ),
+    ("Shape", "two tables, of keys and of CiA 311 elements, name a shape in every row"),
     ("Stored", "firmware calls a device with storage so, which never meets the file of a manager"),
     ("Subject", "code names it with its module: `document::Subject`, `report::Subject`"),
     ("Time", "the word of CiA 301, in a description and in firmware"),

@@ -137,8 +137,10 @@ impl Request {
         files: &mut Vec<PathBuf>,
     ) -> Result<CheckedDescription, Error> {
         let reading = self.reading.clone();
+        #[cfg(feature = "lint")]
+        let project = self.project(files)?;
         #[cfg(feature = "full")]
-        let reading = self.with_patches(reading, files)?;
+        let reading = self.with_patches(reading, project.as_ref(), files)?;
         let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => {
                 let options = SourceOptions { encoding: None, max_size: reading.max_size };
@@ -155,7 +157,7 @@ impl Request {
         };
         let node_id = self.options.node_id.filter(|id| (1..=127).contains(id));
         #[cfg(feature = "lint")]
-        let (options, of_config) = self.configured(node_id, files)?;
+        let (options, of_config) = self.configured(project.as_ref(), node_id, files)?;
         #[cfg(feature = "full")]
         let of_config = described.with_lines_of_patches(of_config);
         #[cfg(not(feature = "lint"))]

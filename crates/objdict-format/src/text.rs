@@ -50,7 +50,7 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         None
     }
 
-    /// The file that it extends, and where it says so.
+    /// The file that it extends, with the span of the name.
     fn extended(&self) -> Option<(&str, Span)> {
         None
     }

@@ -59,6 +59,19 @@ fn a_reset_gives_back_the_values_from_before() {
 }
 
 #[test]
+fn a_late_response_does_not_answer_the_next_request() {
+    let device = device("eds/drive-402.eds");
+    let aborted = "605#4003200100000000 605#8003200100000405";
+    let found = |late: &str| {
+        let written = format!("605#2B032001FA000000 {late} 585#6003200100000000");
+        found_in(&device, &format!("{aborted} {written} {KEPT}"))
+    };
+    let punctual = found("");
+    assert_eq!(found("585#4B03200120030000"), punctual, "a value");
+    assert_eq!(found("585#4103200110000000 585#0000000000000000"), punctual, "a value in segments");
+}
+
+#[test]
 fn a_reset_of_the_communication_gives_back_its_values() {
     let device = device("eds/drive-402.eds");
     let written = "605#2B171000FA000000 585#6017100000000000";

@@ -281,7 +281,7 @@ impl Builder {
     }
 }
 
-/// Other files beside the description.
+/// Patches, variants and conversions of the description.
 #[cfg(feature = "full")]
 impl Builder {
     /// Also writes the description to the file at `path`, in the format of its ending and with the bytes of `objdict convert`,

@@ -1,4 +1,4 @@
-//! What the configuration says of a check, and the files of names and profiles.
+//! Settings of the check from the configuration, and the files of names and profiles.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,10 +18,10 @@ impl Request {
     /// The options of the check, and the problems of the configuration that they come from.
     pub(super) fn configured(
         &self,
+        project: Option<&Project>,
         node_id: Option<u8>,
         files: &mut Vec<PathBuf>,
     ) -> Result<(Options, Vec<String>), Error> {
-        let project = self.project(files)?;
         let profiles = self.check.profiles.iter().map(|name| self.profile(name, files));
         let overrides = Overrides {
             severities: self.check.severities.clone(),
@@ -29,11 +29,12 @@ impl Request {
             node_id,
             ..Overrides::default()
         };
-        let options = overrides.options(&self.file, project.as_ref());
-        let findings = project.map(|project| config_findings(&project, &options)).transpose()?;
+        let options = overrides.options(&self.file, project);
+        let findings = project.map(|project| config_findings(project, &options)).transpose()?;
         Ok((options, findings.unwrap_or_default()))
     }
 
+    /// The configuration of the description; its files go to `files`.
     pub(super) fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
         let mut workspace = Workspace::new(self.check.config.clone(), Overrides::default())?;
         let project = workspace.project_of(&self.file)?;

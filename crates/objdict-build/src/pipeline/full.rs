@@ -1,4 +1,4 @@
-//! What needs every format: patches, baselines, and descriptions that are written beside what is generated.
+//! Steps that need every format: patches, baselines, and conversions of the description.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,12 +11,14 @@ use objdict_model::diagnostic::Findings;
 use objdict_model::model::{Device, DeviceKind};
 use objdict_model::source::read_text;
 use objdict_project::baseline::{self, Baseline};
+use objdict_project::config::Project;
 
 impl Request {
     /// How the description is read, with the patches of arguments and configuration.
     pub(super) fn with_patches(
         &self,
         mut reading: Reading,
+        project: Option<&Project>,
         files: &mut Vec<PathBuf>,
     ) -> Result<Reading, Error> {
         for path in &self.patches {
@@ -24,7 +26,7 @@ impl Request {
             let patch = Patch::open(path).map_err(ReadError::from)?;
             reading.patches.push(Arc::new(patch));
         }
-        if let Some(project) = self.project(&mut Vec::new())? {
+        if let Some(project) = project {
             reading.patches.extend(project.patches.iter().cloned());
         }
         Ok(reading)
@@ -68,7 +70,7 @@ impl DescribedDevice {
     }
 }
 
-/// What `objdict convert` makes of the device for a file.
+/// The device converted as `objdict convert` does.
 fn conversion(device: &Device, path: &Path) -> Result<Conversion, Error> {
     let format = format_of(device, path).ok_or_else(|| Error::NoFormat { path: path.to_owned() })?;
     let options = WriteOptions { embed: true, ..WriteOptions::default() };
@@ -78,7 +80,7 @@ fn conversion(device: &Device, path: &Path) -> Result<Conversion, Error> {
     Ok(Conversion { path: path.to_owned(), lost: lost.collect(), bytes: written.bytes })
 }
 
-/// The format that the name of a file says, where a description of the device can have it.
+/// The format for the extension of a file; `None` if it cannot hold a description of the device.
 fn format_of(device: &Device, path: &Path) -> Option<Format> {
     let kind = FileKind::of(path)?;
     let format = kind.format().filter(|format| FileKind::from(*format) == kind)?;

@@ -1,4 +1,4 @@
-//! Descriptions whose text is written: with patches, in order, or anew.
+//! Descriptions that are rewritten: with patches, in canonical order, or from scratch.
 //!
 //! `arranged` compares the devices before and after, because it moves text that the model does not contain.
 
@@ -13,7 +13,7 @@ use objdict_model::model::{Commissioning, Device, DeviceKind};
 use objdict_model::source::{EditError, SourceFile};
 
 impl Description {
-    /// The description with this device in place of that of its text, made by patches.
+    /// The description with a patched device instead of the one in its text.
     pub(crate) fn with_patched(self, device: Device, patched: Patched) -> Self {
         Self { device, patched: Some(Box::new(patched)), ..self }
     }
@@ -26,12 +26,12 @@ impl Description {
         }
     }
 
-    /// The patches that were made in it; `None` where none was for it.
+    /// The applied patches; `None` if none matched.
     pub fn patched(&self) -> Option<&Patched> {
         self.patched.as_deref()
     }
 
-    /// The description with a text that says what its patches make of it; `None` where none was for it.
+    /// The description with its patches written into its text; `None` if none matched.
     ///
     /// # Errors
     /// When that text cannot be written in the encoding of the file.
@@ -44,9 +44,9 @@ impl Description {
         patch::edited(&original, &self.device).map(Some)
     }
 
-    /// Whether the text says the same as this device.
-    pub(crate) fn says(&self, device: &Device) -> bool {
-        says_the_same(&self.device, device)
+    /// Whether the text describes this device.
+    pub(crate) fn describes(&self, device: &Device) -> bool {
+        are_equal(&self.device, device)
     }
 
     /// Where a `device.toml` names its objects; `None` for another format.
@@ -54,9 +54,13 @@ impl Description {
         self.text.mentions()
     }
 
-    /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
-    /// without communication network profile.
-    pub(super) fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Result<Vec<u8>, EditError> {
+    /// A new text in the same syntax, for a file that cannot be edited: one with several devices, or without a communication
+    /// network profile.
+    pub(super) fn from_scratch(
+        &self,
+        file_name: &str,
+        node: Option<&Commissioning>,
+    ) -> Result<Vec<u8>, EditError> {
         let mut device = self.device.clone();
         if let Some(info) = &mut device.file_info {
             info.file_name = Some(file_name.to_owned());
@@ -99,7 +103,7 @@ impl Description {
             let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format);
             // a network has several devices
             (0..self.device_count())
-                .all(|number| says_the_same(&self.device_at(number), &again.device_at(number)))
+                .all(|number| are_equal(&self.device_at(number), &again.device_at(number)))
         };
         let found = self.text.arranged(&self.device).find(is_same);
         let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
@@ -108,7 +112,7 @@ impl Description {
 }
 
 /// Whether two devices are the same, but for the order of the sections that the model does not know.
-fn says_the_same(one: &Device, other: &Device) -> bool {
+fn are_equal(one: &Device, other: &Device) -> bool {
     let sorted = |device: &Device| {
         let mut device = device.clone();
         device.extra.sort_by_key(|section| section.name().to_ascii_lowercase());

@@ -19,8 +19,8 @@ pub(super) struct TomlEditor<'a> {
 }
 
 impl TomlEditor<'_> {
-    /// The edits that make changes of a device; `None` where the text has no place for one of them. Whether the text is still
-    /// TOML then, [`is_toml`](Self::is_toml) says.
+    /// The edits that make changes of a device; `None` where the text has no place for one of them. The edited text may not be
+    /// TOML; [`is_toml`](Self::is_toml) tests it.
     pub(super) fn edits(&self, device: &Device, changes: &[Change]) -> Option<TextEdits> {
         let mut edits = TextEdits::new();
         let each: Option<Vec<TextEdits>> = changes.iter().map(|change| self.change(device, change)).collect();

@@ -94,7 +94,7 @@ fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
 
 /// The description with what edits could not say embedded; `None` where its format has no place for that.
 fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<Description> {
-    if edited.says(wanted) {
+    if edited.describes(wanted) {
         return Some(edited);
     }
     if edited.format().syntax() != Syntax::Ini {
@@ -111,5 +111,5 @@ fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<D
     each_difference(bare.device(), wanted, limit, &mut found).ok()?;
     let mut edits = Edits::new(bare.source());
     embedded::add_lines(&mut edits, &changes);
-    bare.with_bytes(edits.to_bytes().ok()?).filter(|edited| edited.says(wanted))
+    bare.with_bytes(edits.to_bytes().ok()?).filter(|edited| edited.describes(wanted))
 }

@@ -26,7 +26,7 @@ struct Channel {
     asked: Option<Asked>,
 }
 
-/// A request without an answer so far.
+/// A request that awaits its response.
 #[derive(Clone, Copy, Debug)]
 struct Asked {
     index: u16,
@@ -126,15 +126,15 @@ impl Channel {
         Self { request, response, transfer: SdoTransfer::default(), asked: None }
     }
 
-    /// Takes a request; the exchange that ends with it, or is given up for it.
+    /// Processes a request, and returns the exchange that it ends.
     fn request(&mut self, data: &[u8]) -> Option<Exchange> {
-        // what was sent of the present value is gone with the new one
+        // a new transfer clears the data of the previous one
         let before = if self.transfer.is_begun_by(data) { self.give_up() } else { None };
         let step = self.transfer.frame(data, true);
         let size = match step {
             TransferStep::WriteStart(size) => size,
             TransferStep::Read | TransferStep::BlockRead | TransferStep::Write => None,
-            // of a client that wants no more than the beginning, or that waited in vain
+            // the client needs only the beginning, or timed out
             TransferStep::Abort(_) => return self.give_up(),
             _ => return before,
         };
@@ -144,10 +144,10 @@ impl Channel {
         before
     }
 
-    /// Takes a response; the exchange that ends with it.
+    /// Processes a response, and returns the exchange that it ends.
     fn response(&mut self, data: &[u8]) -> Option<Exchange> {
         let asked = self.asked.as_mut()?;
-        // the late answer to an upload that the client gave up is none to its download
+        // a late response to an aborted upload does not answer the download
         if asked.is_download && matches!(data.first()? >> 5, 0 | 2) {
             return None;
         }
@@ -156,7 +156,7 @@ impl Channel {
         let is_of_entry = self.transfer.entry() == Some((asked.index, asked.sub));
         let answer = match step {
             TransferStep::Abort(code) => SdoAnswer::Abort(Abort::from(code)),
-            TransferStep::Value if !is_of_entry => return None,
+            TransferStep::Value | TransferStep::ValueStart(_) if !is_of_entry => return None,
             TransferStep::Value | TransferStep::LastSegment | TransferStep::BlockEnd => self.value(),
             TransferStep::Written if self.transfer.is_complete() => SdoAnswer::Done,
             TransferStep::ValueStart(size) => {

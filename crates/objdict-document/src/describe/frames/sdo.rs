@@ -75,7 +75,7 @@ fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
 }
 
 impl SdoTransfer {
-    /// Takes a frame of the client (a request) or of the server, and says what happens with it.
+    /// Processes a frame from the client (a request) or the server, and returns the step that it makes.
     pub fn frame(&mut self, data: &[u8], is_request: bool) -> TransferStep {
         match whole(data, is_request) {
             Some(bytes) if self.has_segment(is_request, bytes[0]) => self.block_segment(bytes),
