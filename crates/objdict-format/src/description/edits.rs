@@ -37,7 +37,7 @@ impl Description {
         let last_eds = last_eds.as_deref().filter(|_| self.device.kind == DeviceKind::Type);
         let edited = self.text.of_node(file_name, node, last_eds);
         #[cfg(feature = "full")]
-        let edited = edited.or_else(|| Some(self.from_scratch(file_name, node)));
+        let edited = edited.or_else(|| Some(self.rewritten(file_name, node)));
         edited.unwrap_or_else(|| Err(EditError::ReadOnly(self.source().name().to_owned())))
     }
 

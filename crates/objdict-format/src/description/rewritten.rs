@@ -56,7 +56,7 @@ impl Description {
 
     /// A new text in the same syntax, for a file that cannot be edited: one with several devices, or without a communication
     /// network profile.
-    pub(super) fn from_scratch(
+    pub(super) fn rewritten(
         &self,
         file_name: &str,
         node: Option<&Commissioning>,
