@@ -119,6 +119,10 @@ export function formView(store: Store): HTMLElement {
     view.hidden = store.view !== "form";
     if (view.hidden || !current || index === undefined) return;
     const number = ++asked;
+    const wanted = `${current.id}-${index}`;
+    const same = view.dataset.shown === wanted;
+    // while the engine is busy, the fields are those of another object: nothing that is typed may go there
+    if (!same) for (const field of view.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
     const form = await ask<ObjectForm>({ do: "form", document: current.id, index }).catch(() => undefined);
     if (number !== asked) return;
     if (!form) {
@@ -126,8 +130,7 @@ export function formView(store: Store): HTMLElement {
       return;
     }
     const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
-    const same = view.dataset.shown === `${current.id}-${index}`;
-    view.dataset.shown = `${current.id}-${index}`;
+    view.dataset.shown = wanted;
     view.replaceChildren(h("h2", {}, h("span", { class: "address" }, indexText(form.index)), ` ${form.name} `, h("span", { class: "type" }, form.kind)), ...form.parts.map((part) => partSection(store, form, part)), ...choices);
     if (!same && top > 0) view.scrollTop = 0;
     if (key) view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });

@@ -170,8 +170,9 @@ export function networkView(store: Store): HTMLElement {
       store.draw();
     });
   store.onDraw(() => {
-    view.hidden = store.view !== "network";
     const network = store.current?.network;
+    // until the engine has read this network, the links would be those of another one
+    view.hidden = store.view !== "network" || !network;
     if (view.hidden || !network || network === shown) return;
     shown = network;
     const { overview, timing } = network;

@@ -131,10 +131,13 @@ test("what is typed in the text keeps line ends and encoding", { skip }, () =>
     await page.locator(".cm-content").click();
     await page.keyboard.press("Control+Home");
     await page.keyboard.type("; by hand\n");
-    await page.waitForSelector(".document.current:has-text('•')");
-    await page.waitForTimeout(600);
-    const saved = await saveAs(page);
-    assert.equal(saved.bytes.toString("latin1"), `; by hand\r\n${original.toString("latin1")}`);
+    const expected = `; by hand\r\n${original.toString("latin1")}`;
+    // the engine gets what was typed after a pause, and may not have all of it yet
+    for (let turn = 0, now = ""; now !== expected; turn++) {
+      assert.ok(turn < 20, now.slice(0, 40));
+      await page.waitForTimeout(300);
+      now = (await saveAs(page)).bytes.toString("latin1");
+    }
   }));
 
 /** A device of so many bytes. */
@@ -146,28 +149,60 @@ function large(size) {
   return text;
 }
 
-test("a file of 500 KB is open in no time", { skip }, async () => {
-  const times = [];
+/** How long a file of so many bytes takes from the drop to its objects and findings, in milliseconds. */
+async function timeToOpen(size) {
+  let time;
+  await withPage(async (page) => {
+    // a user needs a second to choose a file
+    await page.waitForTimeout(1500);
+    time = await page.evaluate(async (text) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], "large.eds"));
+      const start = performance.now();
+      dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+      while (!(document.querySelector(".row") && document.querySelector(".finding"))) await new Promise((resolve) => requestAnimationFrame(resolve));
+      return performance.now() - start;
+    }, large(size));
+  });
+  return time;
+}
+
+test("opening takes time by the size of the file", { skip }, async () => {
+  const [small, tenfold] = [[], []];
   for (let turn = 0; turn < 3; turn++) {
-    await withPage(async (page) => {
-      // a user needs a second to choose a file
-      await page.waitForTimeout(1500);
-      times.push(
-        await page.evaluate(async (text) => {
-          const transfer = new DataTransfer();
-          transfer.items.add(new File([text], "large.eds"));
-          const start = performance.now();
-          dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
-          while (!(document.querySelector(".row") && document.querySelector(".finding")) && performance.now() - start < 30_000) await new Promise((resolve) => requestAnimationFrame(resolve));
-          return Math.round(performance.now() - start);
-        }, large(500_000)),
-      );
-    });
+    small.push(await timeToOpen(50_000));
+    tenfold.push(await timeToOpen(500_000));
   }
-  console.log(`500 KB dropped, checked and drawn in ${times.join(", ")} ms`);
-  // a machine that does much else takes longer
-  assert.ok(Math.min(...times) < 1000, times.join());
+  console.log(`dropped, checked and drawn: 50 KB in ${small.map(Math.round).join(", ")} ms, 500 KB in ${tenfold.map(Math.round).join(", ")} ms`);
+  // what is quadratic takes a hundred times as long
+  assert.ok(Math.min(...tenfold) < 25 * Math.min(...small));
 });
+
+test("nothing is typed into an object that was left", { skip }, () =>
+  withPage(async (page) => {
+    const original = fixture(`eds/${DRIVE}`);
+    await open(page, [DRIVE, original]);
+    await page.waitForSelector(".form h2:has-text('1000h')");
+    // an engine that takes its time for the next form
+    await page.evaluate(() => {
+      const send = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (message, ...more) {
+        if (message.request?.do === "form") setTimeout(() => send.call(this, message, ...more), 1500);
+        else send.call(this, message, ...more);
+      };
+    });
+    await page.getByLabel("Search objects", { exact: true }).fill("1017");
+    await page.getByRole("option", { name: /1017h/ }).click();
+    await page.waitForFunction(() => document.querySelector("[role=option][aria-selected=true] .address")?.textContent === "1017h");
+    assert.equal(await page.locator(".form h2 .address").textContent(), "1000h");
+    assert.equal(await page.locator(".form :is(input, button):enabled").count(), 0);
+    await page.getByLabel("Default value").first().fill("1234");
+    await page.keyboard.press("Enter");
+    await page.waitForSelector(".document.current:has-text('•')");
+    const changed = changedLines(original, (await saveAs(page)).bytes);
+    const section = original.toString("latin1").split("\n").slice(0, changed[0]).findLast((line) => line.startsWith("["));
+    assert.deepEqual([changed.length, section.trim()], [1, "[1017]"]);
+  }));
 
 test("a check that fails is said to have failed", { skip }, () =>
   withPage(async (page) => {
