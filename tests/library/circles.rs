@@ -9,51 +9,8 @@ use std::path::Path;
 use crate::namesakes::{declaration, sources, without_tests};
 
 /// Circles by the crate and the first of their files, and why they stay.
-const CIRCLES: [(&str, &str); 16] = [
-    (
-        "objdict-bus conformance/emergency",
-        "SYNC checks send emergency requests, and emergency checks send a SYNC: move both to the bench",
-    ),
-    (
-        "objdict-device errors",
-        "their users define `NOT_VALID` and the services that a write may reach: move these below",
-    ),
-    (
-        "objdict-document escape",
-        "template filters share files with the functions that they call: move them to a file of their own",
-    ),
-    (
-        "objdict-format description",
-        "a patch is applied to a description, and a description is read with its patches",
-    ),
-    (
-        "objdict-format scaffold/base",
-        "the functions that create a device also define its requirements: move these to a file of their own",
-    ),
-    (
-        "objdict-lint changes/audience",
-        "the rules that use the title macro also define it: move it to the audiences",
-    ),
-    (
-        "objdict-lsp baseline",
-        "the workspace calls baseline and navigation, which read its files: pass the files to them",
-    ),
-    ("objdict-model diagnostic/fix", "a finding is one value of rule, text, selection and fix"),
-    (
-        "objdict-model model/application_process",
-        "parameters have types, and types contain parameters (CiA 311)",
-    ),
-    ("objdict-model model/device", "a device is one value of objects, entries, modules and places"),
-    (
-        "objdict-model model/device_profile",
-        "files and identities share a date type: move it to a file of its own",
-    ),
-    ("objdict-model source/buffers", "the folder module defines `absolute`: move it below"),
-    ("objdict-network overview", "the timing module defines a message's load: move it to a file of its own"),
-    ("objdict-node download/order", "a plan calls the order, which sorts its steps: move the steps below"),
-    ("objdict-xdd xdd/fact", "the CiA 311 table names its types and functions: move the types below"),
-    ("objdict-xdd xdd/findings/ids", "one walk calls the checks of elements, which continue the walk"),
-];
+const CIRCLES: [(&str, &str); 1] =
+    [("objdict-xdd xdd/findings/ids", "one walk calls the checks of elements, which continue the walk")];
 
 /// The names of a module and of those around it.
 type ModulePath = Vec<String>;

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::ending::{Failure, note};
 use super::input::name_of;
-use super::outcome::{Failure, note};
-use super::save::{keep, save};
+use super::written_files::{keep, save};
 use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{Findings, counted};
 use objdict_model::source::read_text;

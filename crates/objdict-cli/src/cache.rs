@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use super::args::CheckArgs;
-use super::outcome::Failure;
-use super::save::save;
+use super::ending::Failure;
 use super::settings::CommandSettings;
+use super::written_files::save;
 use objdict_model::source::{Fnv, SourceError, read_text, shown};
 
 /// The first line of a cache.

@@ -8,12 +8,12 @@ use std::sync::Arc;
 use objdict_node::ObjectName;
 
 use super::args::ConfigureArgs;
+use super::ending::{Failure, Outcome, note, tell};
 use super::input::{FileKind, Input, name_of, source_name};
 use super::node::{commissioning, former_node_id};
-use super::outcome::{Failure, Outcome, note, tell};
-use super::output::Output;
-use super::save::{keep, save, save_in_place};
 use super::settings::{CommandSettings, SettingsArgs};
+use super::stdout::Output;
+use super::written_files::{keep, save, save_in_place};
 use objdict_format as format;
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format, NodeSettings, Syntax, WriteOptions, stated_name};

@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::args::{ConformanceArgs, ShowFormat};
+use super::ending::{Failure, Outcome};
 use super::input::{Input, name_of, source_name};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_bus::{Conformance, ConformanceCheck, Verdict, conformance};
 use objdict_model::json::Version;

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
+use super::ending::{Failure, note};
 use super::input::detail;
 use super::input::name_of;
-use super::outcome::{Failure, note};
 use super::settings::{CommandSettings, Project};
 
 /// The endings of the descriptions that are looked for in folders.

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::canonical::DialectArgs;
 use super::diff;
-use super::outcome::{Failure, note};
-use super::output::Output;
-use super::save::save_in_place;
+use super::ending::{Failure, note};
+use super::stdout::Output;
+use super::written_files::save_in_place;
 use objdict_format as format;
 use objdict_format::{Description, Format};
 use objdict_model::diagnostic::Applicability;

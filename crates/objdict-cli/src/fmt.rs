@@ -5,14 +5,14 @@ use std::path::Path;
 
 use super::args::FmtArgs;
 use super::diff;
+use super::ending::{Failure, Outcome, note};
 use super::files::{InputFile, gather, note_outside};
 use super::input::{CheckedInput, name_of};
-use super::outcome::{Failure, Outcome, note};
-use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
-use super::save::{Saved, save_in_place};
 use super::settings::{CommandSettings, SettingsArgs};
+use super::stdout::Output;
+use super::written_files::{Saved, save_in_place};
 use objdict_model::diagnostic::plural;
 use objdict_model::source::SourceFile;
 use objdict_project::compat;

@@ -6,8 +6,8 @@ use clap::{Command, CommandFactory};
 
 use super::Texts;
 use super::args::{Args, HelpArgs};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::ending::{Failure, Outcome};
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_generate::Target;
 use objdict_model::diagnostic::{listing, nearest};

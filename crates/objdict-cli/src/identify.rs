@@ -6,9 +6,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::args::{AnswerFormat, IdentifyArgs};
+use super::ending::{Failure, Outcome};
 use super::input::{name_of, source_name};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::stdout::Output;
 use objdict_format::identify::{Identification, identify};
 use objdict_model::diagnostic::one_line;
 use objdict_model::json;

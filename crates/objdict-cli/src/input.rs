@@ -8,11 +8,11 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use super::outcome::Failure;
-use super::outcome::tell;
-use super::patches::PatchArgs;
-use super::save::keep;
+use super::ending::Failure;
+use super::ending::tell;
+use super::patch_option::PatchArgs;
 use super::terminal::is_verbose;
+use super::written_files::keep;
 use objdict_format::identify::ContentKind;
 use objdict_format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use objdict_format::input::{FileKind, Input};

@@ -18,6 +18,7 @@ mod dcf;
 mod decode;
 mod diff;
 mod docs;
+mod ending;
 mod files;
 mod fix;
 mod fmt;
@@ -31,37 +32,36 @@ mod network;
 mod new;
 mod node;
 mod open;
-mod outcome;
-mod output;
 mod packaging;
 mod parallel;
 mod patch;
-mod patches;
+mod patch_option;
 mod probe;
 mod profile;
-mod profiles;
+mod profile_option;
 mod progress;
 mod report;
 mod rules;
-mod save;
 mod schema;
 mod settings;
 mod show;
 mod sizes;
+mod stdout;
 mod table;
 mod terminal;
 mod values;
 mod variants;
 mod vendor;
+mod written_files;
 
 use std::io::Write;
 use std::process::ExitCode;
 
 use self::args::{Args, Command, OnlyCheck};
-use self::outcome::Outcome;
-use self::output::Output;
+use self::ending::Outcome;
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
+use self::stdout::Output;
 use objdict_model::diagnostic::printable_lines;
 
 /// What the command prints of the repository. A published crate has only its own folder, so the program brings these.
@@ -123,11 +123,11 @@ pub fn run(texts: &Texts) -> ExitCode {
         Command::Man(command) => packaging::man(command),
     };
     if outcome.is_ok() && !matches!(args.command, Command::Patch(_)) {
-        patches::warn_of_unused();
+        patch_option::warn_of_unused();
     }
     // these report them with their other findings
     if !matches!(args.command, Command::Patch(_) | Command::Check(_) | Command::Generate(_)) {
-        patches::warn_of_effects();
+        patch_option::warn_of_effects();
     }
     outcome
         .and_then(|outcome| out.finish().map(|()| outcome))

@@ -2,7 +2,7 @@
 
 use lsp_server::Connection;
 
-use super::outcome::{Failure, Outcome};
+use super::ending::{Failure, Outcome};
 
 /// Serves the editor at the other end of standard input and output.
 pub(super) fn run() -> Result<Outcome, Failure> {

@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::args::{ModulesArgs, PlainFormat};
+use super::ending::{Failure, Outcome};
 use super::input::{Input, name_of, source_name};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_model::json::Version;
 use objdict_model::model::{Device, ExtensionCount, HexText, Module};

@@ -3,10 +3,10 @@
 use std::io::Write;
 
 use super::args::NewArgs;
+use super::ending::{Failure, Outcome, note};
 use super::input::{FileKind, name_of};
-use super::outcome::{Failure, Outcome, note};
-use super::output::Output;
-use super::save::{is_stdout, save};
+use super::stdout::Output;
+use super::written_files::{is_stdout, save};
 use objdict_format as format;
 use objdict_format::scaffold::{BaseError, FEATURES, Feature, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold};
 use objdict_format::{WriteOptions, json};

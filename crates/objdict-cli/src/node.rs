@@ -1,6 +1,6 @@
 //! The node that a DCF or XDC is for.
 
-use super::outcome::{Failure, note};
+use super::ending::{Failure, note};
 use objdict_model::model::{Commissioning, Device};
 
 /// The node of the output, a `kind` of file: that of the device, with what the arguments change.

@@ -4,9 +4,9 @@ use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 
 use super::args::{Args, CompletionsArgs, ManArgs};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
-use super::save::SaveFolder;
+use super::ending::{Failure, Outcome};
+use super::stdout::Output;
+use super::written_files::SaveFolder;
 
 /// The completions of a shell.
 pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Outcome, Failure> {

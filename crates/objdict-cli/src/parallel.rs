@@ -10,8 +10,8 @@ use std::thread;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 
+use super::ending::Failure;
 use super::files::InputFile;
-use super::outcome::Failure;
 use super::progress::Progress;
 
 /// So many files are in memory at once, and as many are waiting to be reported.

@@ -5,13 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::args::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchMakeArgs};
+use super::ending::{Failure, Outcome, note, tell};
 use super::files::gather;
 use super::input::{CheckedInput, Input, InputArgs, name_of};
-use super::outcome::{Failure, Outcome, note, tell};
-use super::output::Output;
-use super::save::{is_stdout, save};
 use super::settings::CommandSettings;
+use super::stdout::Output;
 use super::table::TextTable;
+use super::written_files::{is_stdout, save};
 use objdict_format::Description;
 use objdict_format::patch;
 use objdict_format::patch::{Patch, Patched};

@@ -5,12 +5,12 @@ use std::path::Path;
 
 use super::args::ProbeArgs;
 use super::check::Reporter;
+use super::ending::{Failure, Outcome, note};
 use super::input::{Input, name_of};
 use super::new::date_and_time;
-use super::outcome::{Failure, Outcome, note};
-use super::output::Output;
-use super::save::{SaveFolder, keep, save};
 use super::settings::CommandSettings;
+use super::stdout::Output;
+use super::written_files::{SaveFolder, keep, save};
 use objdict_document::ProbePage;
 use objdict_format as format;
 use objdict_format::{Description, Format, WriteOptions};

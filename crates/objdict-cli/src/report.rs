@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::args::{Counting, ReportArgs, ReportFormat};
-use super::outcome::Failure;
-use super::output::Output;
+use super::ending::Failure;
+use super::stdout::Output;
 use objdict_project::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, TextReport};
 
 /// The report that was asked for. Services get paths as they are seen from the current folder.

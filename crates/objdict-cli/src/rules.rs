@@ -5,8 +5,8 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::args::{ExplainArgs, RulesArgs, RulesFormat};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::ending::{Failure, Outcome};
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_model::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
 use objdict_model::json::Version;

@@ -9,8 +9,8 @@ use std::io::Write;
 
 use super::Texts;
 use super::args::SchemaArgs;
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::ending::{Failure, Outcome};
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_model::diagnostic::{listing, nearest};
 

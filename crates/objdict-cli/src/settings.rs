@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 use clap::Args;
 
+use super::ending::Failure;
 use super::input::detail;
-use super::outcome::Failure;
-use super::patches::remember;
-use super::profiles::ProfileArgs;
-use super::save::keep;
+use super::patch_option::remember;
+use super::profile_option::ProfileArgs;
 use super::values::{node_id, one_of};
+use super::written_files::keep;
 pub(crate) use objdict_build::pipeline::CheckSettings;
 use objdict_format::patch::Patch;
 use objdict_lint::{Level, Options, Severities};

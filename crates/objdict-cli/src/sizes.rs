@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::output::Output;
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_generate::{Size, SizeReport, Sizes, Target};
 use objdict_model::json::Version;

@@ -6,9 +6,9 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::args::{VariantsArgs, VariantsFormat};
+use super::ending::{Failure, Outcome};
 use super::input::{Input, name_of, source_name};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::stdout::Output;
 use super::table::TextTable;
 use objdict_document::VariantsPage;
 use objdict_format::Description;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::outcome::Failure;
-use super::save::save;
+use super::ending::Failure;
+use super::written_files::save;
 use objdict_format::Description;
 use objdict_format::patch::make;
 use objdict_lint::{Options, PORTABILITY};

@@ -1,7 +1,6 @@
 //! Errors of the node: error register, history and emergency messages (CiA 301 §7.2.7).
 
-use crate::frame::EXTENDED;
-use crate::pdo::NOT_VALID;
+use crate::frame::{EXTENDED, NOT_VALID};
 use crate::{Abort, Dictionary, Frame};
 
 /// The error register.

@@ -52,6 +52,9 @@ impl Frame {
     }
 }
 
+/// The bit of a COB-ID that says that the communication object is not valid.
+pub(crate) const NOT_VALID: u32 = 1 << 31;
+
 /// The bit of a COB-ID that says that the CAN-ID has 29 bits.
 pub(crate) const EXTENDED: u32 = 1 << 29;
 

@@ -4,20 +4,8 @@
 //! to the services.
 
 use crate::dictionary::{Dictionary, Scope};
+use crate::services::{RESTORE, STORE, Services};
 use crate::{Abort, Attributes, errors, rules};
-
-/// The services that follow what is written to the dictionary, and what they can do.
-pub trait Services {
-    /// Whether they can send SYNC.
-    const PRODUCES_SYNC: bool = false;
-    /// As many heartbeats can be monitored; `None` if the application does that.
-    const CONSUMERS: Option<usize> = None;
-    /// As many SDO channels are served; `None` if the application does that.
-    const CHANNELS: Option<usize> = None;
-
-    /// Follows a write.
-    fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16, sub: u8);
-}
 
 /// A dictionary that refuses what communication objects cannot be, and whose services follow what is written to it; see
 /// [`Pdos::guard`](crate::Pdos::guard) and [`Node::guard`](crate::Node::guard).
@@ -29,10 +17,6 @@ pub struct Guarded<'a, D: ?Sized, S> {
 
 /// Date and time of the configuration in sub-indexes 1 and 2, by which a manager knows it again.
 const CONFIGURATION: u16 = 0x1020;
-
-/// 1010h and 1011h, whose sub-indexes from 1 on take a signature.
-pub(crate) const STORE: u16 = 0x1010;
-pub(crate) const RESTORE: u16 = 0x1011;
 
 impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
     /// Whether an entry of 1010h or 1011h does what a signature says; if so, it is not a value.

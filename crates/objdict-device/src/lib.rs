@@ -18,6 +18,7 @@ mod pdo;
 mod program;
 mod rules;
 mod sdo;
+mod services;
 #[cfg(feature = "critical-section")]
 mod shared;
 #[cfg(feature = "source")]

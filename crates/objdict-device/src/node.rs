@@ -2,8 +2,9 @@
 
 use crate::clock::earlier;
 use crate::errors::{self, error_code};
-use crate::guard::{Guarded, Services};
+use crate::guard::Guarded;
 use crate::heartbeat::CONSUMER_TIME;
+use crate::services::Services;
 use crate::{
     Dictionary, Errors, Frame, Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState, Pdos, Reception,
     Scope, SdoServer, SyncProducer, sync,

@@ -2,11 +2,11 @@
 //! so a configuration that a tool accepts is one that a node accepts.
 
 use crate::errors;
-use crate::frame::{EXTENDED, can_id};
-use crate::guard::{RESTORE, STORE, Services};
+use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::heartbeat::{CONSUMER_TIME, monitored};
 use crate::pdo::mapping::Mapped;
-use crate::pdo::{NOT_VALID, is_event_driven};
+use crate::pdo::transmission_type::is_event_driven;
+use crate::services::{RESTORE, STORE, Services};
 use crate::sync;
 use crate::{Abort, Dictionary};
 

@@ -1,7 +1,7 @@
 //! Values with the hooks of the application.
 
 use crate::dictionary::{Place, Scope, entry_at};
-use crate::guard::{RESTORE, STORE};
+use crate::services::{RESTORE, STORE};
 use crate::table::{Data, Entry, Handle, Hooked, Hooks, Typed, Variable};
 use crate::{Abort, Attributes, Dictionary};
 

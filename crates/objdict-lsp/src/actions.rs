@@ -10,7 +10,7 @@ use super::diagnostics::DiagnosticMaker;
 use super::file::CheckedFile;
 use super::protocol::{CodeAction, FIX_ALL, QUICKFIX, REFACTOR, WorkspaceEdit};
 use super::workspace::EditorWorkspace;
-use super::{baseline, documentation, edits};
+use super::{baseline_addition, documentation, edits};
 use objdict_format as format;
 use objdict_format::Description;
 use objdict_model::diagnostic;
@@ -181,7 +181,11 @@ fn of_finding(
             ..quick(format!("replace it by `{meant}`"), vec![(at, meant)])
         });
     }
-    let Subject::Description(description) = maker.subject else { return };
+    let Subject::Description(description) = maker.subject else {
+        let edits = finding.fix.as_ref().and_then(|fix| Some((fix, fix.replacements()?)));
+        actions.extend(edits.map(|(fix, edits)| quick(fix.title.shown().into_owned(), edits)));
+        return;
+    };
     actions.extend(fix(file, description, findings, finding).map(|(fix, edits)| {
         let is_safe = fix.safety == Applicability::Safe;
         let title = format!("{}{}", fix.title.shown(), note(fix.safety));
@@ -276,7 +280,7 @@ pub(super) fn resolve(
         Work::Store(index) => edits::restored(file, *index).map(|edits| file.workspace_edit(edits)),
         Work::Convert(target) => workspace.reading(|| target.edit(file)),
         Work::AddNode => beside::add_node(file, workspace),
-        Work::AddToBaseline(rule) => baseline::addition(file, workspace, rule),
+        Work::AddToBaseline(rule) => baseline_addition::addition(file, workspace, rule),
     }
 }
 

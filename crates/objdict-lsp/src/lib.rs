@@ -9,6 +9,7 @@ mod actions;
 mod analysis;
 mod answers;
 mod baseline;
+mod baseline_addition;
 mod beside;
 mod call;
 mod capabilities;

@@ -1,11 +1,15 @@
-//! Where a description mentions its objects: sections, lists, links and mappings.
+//! Where a file mentions objects: sections, lists, links and mappings of a description, and nodes of a network.
 
+use std::path::PathBuf;
+
+use super::file::CheckedFile;
+use super::network::path_of_node;
 use objdict_eds::eds::SectionName;
 use objdict_eds::ini::Section;
 use objdict_format::Description;
 use objdict_format::mention::{Digits, Mention, MentionKind};
 use objdict_model::model::{Part, PdoKind};
-use objdict_model::source::Span;
+use objdict_model::source::{Span, absolute};
 use objdict_xdd::xml::{Attribute, Element, Tree};
 
 /// All mentions, in the order of the text.
@@ -25,6 +29,18 @@ pub(super) fn mentions(description: &Description) -> Vec<Mention> {
 /// The mention that an offset is in.
 pub(super) fn mention_at(description: &Description, offset: u32) -> Option<Mention> {
     mentions(description).into_iter().find(|mention| mention.has(offset))
+}
+
+/// What a file mentions of the objects that one of these files describes.
+pub(super) fn mentions_of(file: &CheckedFile, described: &[PathBuf]) -> Vec<Mention> {
+    if let Some(description) = file.description() {
+        let is_it = described.contains(&absolute(file.source().name().as_ref()));
+        return if is_it { mentions(description) } else { Vec::new() };
+    }
+    let Some(network) = file.analysis.network() else { return Vec::new() };
+    let is_it = |node: usize| path_of_node(file, node).is_some_and(|path| described.contains(&path));
+    let found = network.mentions().into_iter().filter(|found| is_it(found.node));
+    found.map(|found| found.mention).collect()
 }
 
 fn of_section(text: &str, section: &Section, found: &mut Vec<Mention>) {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::file::CheckedFile;
-use super::mentions::{mention_at, mentions};
+use super::mentions::mention_at;
 use super::network::{named_files, node_mention_at, path_of_node};
 use super::position::Positions;
 use super::protocol::{DocumentLink, Location, Range};
@@ -88,18 +88,6 @@ fn subject_at(file: &CheckedFile, offset: u32) -> Option<(PathBuf, u16, Option<u
     let part = file.place(offset)?.part;
     let sub = if let Part::Entry(_, sub) = part { Some(sub) } else { None };
     Some((path, part.object()?, sub))
-}
-
-/// What a file mentions of the objects that one of these files describes.
-pub(super) fn mentions_of(file: &CheckedFile, described: &[PathBuf]) -> Vec<Mention> {
-    if let Some(description) = file.description() {
-        let is_it = described.contains(&absolute(file.source().name().as_ref()));
-        return if is_it { mentions(description) } else { Vec::new() };
-    }
-    let Some(network) = file.analysis.network() else { return Vec::new() };
-    let is_it = |node: usize| path_of_node(file, node).is_some_and(|path| described.contains(&path));
-    let found = network.mentions().into_iter().filter(|found| is_it(found.node));
-    found.map(|found| found.mention).collect()
 }
 
 /// The files that a text names.

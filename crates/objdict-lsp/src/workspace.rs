@@ -11,7 +11,7 @@ use lsp_server::Request;
 use super::analysis::{Analysis, analyse};
 use super::baseline;
 use super::file::CheckedFile;
-use super::navigation::mentions_of;
+use super::mentions::mentions_of;
 use super::position::{ColumnUnit, apply};
 use super::protocol::{ContentChange, Uri};
 use super::uri::{of_path, path_of};

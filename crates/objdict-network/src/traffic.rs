@@ -5,7 +5,6 @@ use crate::compiled::{Compiled, PdoState, Slave};
 use crate::messages::{MessageId, Messages, Service};
 use crate::network::{Network, Said};
 use crate::source::Span;
-use crate::timing::Load;
 
 /// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
 pub(crate) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
@@ -123,15 +122,5 @@ impl<'n> Traffic<'n> {
         ];
         let services = services.into_iter().filter(|(_, is_sent)| *is_sent).map(|(name, _)| name).collect();
         Uncounted { pdos, services }
-    }
-
-    /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
-    pub(crate) fn load(self) -> Option<u64> {
-        Some(self.load_at(self.network.bit_rate?.value))
-    }
-
-    /// The same at a bit rate in kbit/s.
-    pub(crate) fn load_at(self, bit_rate: u16) -> u64 {
-        Load::of(&self.frames()).worst / (u64::from(bit_rate) * 1000).max(1)
     }
 }

@@ -5,7 +5,7 @@ use objdict_device::{Abort, Frame};
 
 use super::bench::{Bench, MS, RESET_COMMUNICATION, STOP, SentFrame};
 use super::described::{DescribedEntry, hex};
-use super::sync::{send_sync, send_wrong_sync};
+use super::sync_frame::{send_sync, send_wrong_sync, sync_id};
 use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "emergency":
@@ -81,7 +81,7 @@ fn messages(bench: &mut Bench<'_>, frames: Vec<Frame>, id: u16) -> Vec<SentFrame
 
 /// Causes an error; the messages that follow at once.
 fn cause(bench: &mut Bench<'_>, id: u16) -> CheckStep<Vec<SentFrame>> {
-    if super::sync::sync_id(bench)? == id {
+    if sync_id(bench)? == id {
         return impossible("emergency messages have the CAN-ID of SYNC");
     }
     bench.start();

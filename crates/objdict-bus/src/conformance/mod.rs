@@ -16,6 +16,7 @@ mod rpdo;
 mod sdo;
 mod storage;
 mod sync;
+mod sync_frame;
 mod time;
 mod transfers;
 mod unserved;

@@ -4,7 +4,7 @@ use objdict_device::{Abort, Frame};
 
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::described::{DescribedEntry, hex, place};
-use super::sync::{send_sync, sync_id};
+use super::sync_frame::{send_sync, sync_id};
 use super::{CheckStep, absent, checks, ensure, impossible};
 
 checks! { "TPDO":

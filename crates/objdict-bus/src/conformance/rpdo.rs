@@ -4,7 +4,7 @@ use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::described::DescribedEntry;
 use super::emergency::{can_id, expect_history, expect_message};
 use super::pdo::{CheckedPdo, RPDO, is_observable, reserved_types, set_up};
-use super::sync::{send_sync, sync_id};
+use super::sync_frame::{send_sync, sync_id};
 use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "RPDO":

@@ -1,10 +1,11 @@
 //! SYNC, of the node and of others (CiA 301 §7.2.5, §7.5.2.5 to §7.5.2.7, §7.5.2.22).
 
-use objdict_device::{Abort, Frame};
+use objdict_device::Abort;
 
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::emergency::{can_id, expect_history, expect_message};
 use super::pdo::tpdo;
+use super::sync_frame::{counts, send_wrong_sync, sync_id};
 use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "SYNC":
@@ -25,26 +26,6 @@ checks! { "SYNC":
 }
 
 const PERIOD: u64 = 10_000;
-
-/// The CAN-ID of SYNC.
-pub(super) fn sync_id(bench: &Bench<'_>) -> CheckStep<u16> {
-    let id = match bench.described.find(0x1005, 0) {
-        Some(_) => (bench.described.number(0x1005, 0) & 0x7FF) as u16,
-        None => 0x80,
-    };
-    if id < 0x80 { impossible(format!("1005h has the CAN-ID {id:03X}h, that of NMT or LSS")) } else { Ok(id) }
-}
-
-/// Whether SYNC has a counter by default.
-pub(super) fn counts(bench: &Bench<'_>) -> bool {
-    bench.described.number(0x1019, 0) != 0
-}
-
-/// Sends SYNC with the length that the node expects.
-pub(super) fn send_sync(bench: &mut Bench<'_>, counter: u8) -> CheckStep<Vec<Frame>> {
-    let id = sync_id(bench)?;
-    Ok(if counts(bench) { bench.send(id, &[counter]) } else { bench.send(id, &[]) })
-}
 
 /// Sets the period to 0, so that others may change.
 fn idle(bench: &mut Bench<'_>) -> CheckStep {
@@ -119,12 +100,6 @@ fn restart(bench: &mut Bench<'_>) -> CheckStep {
         .collect();
     data.extend(lengths(bench, 1)?);
     ensure(data[0] == [1] && is_counted(&data), || format!("the counters are {data:?}"))
-}
-
-/// A SYNC with a byte more or less than it must have, to an operational node.
-pub(super) fn send_wrong_sync(bench: &mut Bench<'_>) -> CheckStep<Vec<Frame>> {
-    let id = sync_id(bench)?;
-    Ok(if counts(bench) { bench.send(id, &[]) } else { bench.send(id, &[1]) })
 }
 
 fn wrong_length(bench: &mut Bench<'_>) -> CheckStep {

@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use super::output::PlainFormat;
+use super::report::PlainFormat;
 use crate::canonical::DialectArgs;
 use crate::input::{EntriesArgs, InputArgs, SizeArgs};
-use crate::patches::PatchArgs;
-use crate::save::is_stdout;
+use crate::patch_option::PatchArgs;
 use crate::settings::ConfigFileArgs;
 use crate::values::{node_id, node_name, serial_number};
+use crate::written_files::is_stdout;
 use objdict_format::input::{FileKind, Reading};
 use objdict_model::model::Moment;
 use objdict_model::source::Encoding;

@@ -7,9 +7,9 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use super::network::NetworkPathArgs;
 use crate::canonical::CanonicalArgs;
 use crate::input::{ExpandArgs, FileKind, InputArgs};
-use crate::save::OverwriteArgs;
 use crate::settings::ConfigFileArgs;
 use crate::values::{node_id, node_name, one_of};
+use crate::written_files::OverwriteArgs;
 use objdict_format::XddVersion;
 
 #[derive(Debug, clap::Args)]

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Subcommand, ValueEnum};
 
 use super::network::AllowedPathArgs;
-use super::output::PlainFormat;
+use super::report::PlainFormat;
 use crate::input::{ExpandArgs, InputArgs};
 use crate::values::{node_id, one_of};
 use objdict_node::concise::BlobSpelling;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use super::super::patches::PatchArgs;
+use super::super::patch_option::PatchArgs;
 use super::super::values::node_id;
 use super::network::{NetworkInputArgs, NetworkPathArgs};
 use super::{ReportArgs, ReportDetailArgs, ReportFormat, SettingsArgs};

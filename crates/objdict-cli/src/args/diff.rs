@@ -6,7 +6,7 @@ use clap::ValueEnum;
 
 use super::network::AllowedPathArgs;
 use super::new::{date, number};
-use super::output::ReportArgs;
+use super::report::ReportArgs;
 use crate::changes::ChangeChoice;
 use crate::input::InputArgs;
 use crate::settings::ConfigFileArgs;

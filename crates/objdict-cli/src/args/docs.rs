@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use super::network::NetworkPathArgs;
 use crate::input::{ExpandArgs, InputArgs};
-use crate::save::OverwriteArgs;
 use crate::settings::SettingsArgs;
 use crate::values::one_of;
+use crate::written_files::OverwriteArgs;
 use objdict_document::Form;
 
 #[derive(Debug, clap::Args)]

@@ -6,10 +6,10 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use crate::input::{ExpandArgs, InputArgs};
-use crate::profiles::ProfileArgs;
-use crate::save::OverwriteArgs;
+use crate::profile_option::ProfileArgs;
 use crate::settings::{ConfigArgs, SEVERITIES};
 use crate::values::{self, node_id};
+use crate::written_files::OverwriteArgs;
 use objdict_generate::{
     CTable, Derive, Names, OptionField, OptionValue, Options, PdoMappings, SharedCell, StackLayout,
     StorageGroup, Target,

@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use clap::{Subcommand, ValueEnum};
 
-use super::output::{ReportArgs, ShowFormat};
+use super::report::{ReportArgs, ShowFormat};
 use crate::baseline::BaselineArgs;
-use crate::outcome::Failure;
-use crate::patches::PatchArgs;
-use crate::save::OverwriteArgs;
+use crate::ending::Failure;
+use crate::patch_option::PatchArgs;
 use crate::settings::{CommandSettings, ConfigFileArgs, SettingsArgs};
 use crate::values::one_of;
+use crate::written_files::OverwriteArgs;
 use objdict_model::model::Date;
 use objdict_model::source::Folder;
 use objdict_network_file::{BootFiles, ConfigurationTime, PathOptions};

@@ -5,8 +5,8 @@ use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use crate::ending::Failure;
 use crate::input::name_of;
-use crate::outcome::Failure;
 use objdict_format::ReadError;
 use objdict_model::source;
 

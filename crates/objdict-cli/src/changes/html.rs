@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::{ComparedDescriptions, ComparedSide, address};
-use crate::output::Output;
+use crate::stdout::Output;
 use objdict_document::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
 use objdict_lint::changes::{Audience, ChangeImpact, ChangeVerdict, DeviceChange};
 use objdict_model::model::{Device, PdoKind, Place};

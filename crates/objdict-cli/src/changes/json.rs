@@ -6,7 +6,7 @@ use std::io;
 use serde::Serialize;
 
 use super::{ComparedDescriptions, ComparedSide};
-use crate::output::Output;
+use crate::stdout::Output;
 use objdict_lint::changes::{ChangeImpact, ChangeVerdict, DeviceChange};
 use objdict_model::json::Version;
 use objdict_model::model::{Device, HexText, Place};

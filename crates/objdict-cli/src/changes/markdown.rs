@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::{ComparedDescriptions, address};
-use crate::output::Output;
+use crate::stdout::Output;
 use objdict_lint::changes::{Audience, ChangeVerdict};
 use objdict_model::diagnostic::one_line;
 

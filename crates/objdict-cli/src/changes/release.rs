@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::side::{ComparedSide, sides};
 use crate::args::ReleaseArgs;
+use crate::ending::{Failure, Outcome};
 use crate::fix::{Fixing, amend};
 use crate::input::Input;
 use crate::new::date_and_time;
-use crate::outcome::{Failure, Outcome};
-use crate::output::Output;
 use crate::report;
+use crate::stdout::Output;
 use objdict_format::Description;
 use objdict_lint::changes::{ReleaseFacts, release};
 use objdict_model::diagnostic::{Applicability, Findings, Severity};

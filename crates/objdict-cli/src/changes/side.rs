@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::git;
 use crate::args::SidesArgs;
+use crate::ending::Failure;
 use crate::input::{FileKind, Input, InputArgs, name_of, source_name};
-use crate::outcome::Failure;
 use objdict_format::Description;
 use objdict_model::model::{Device, Place};
 use objdict_model::source::LineColumn;

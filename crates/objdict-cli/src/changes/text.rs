@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::side::ComparedSide;
 use super::{ComparedDescriptions, address};
-use crate::output::Output;
+use crate::stdout::Output;
 use objdict_lint::changes::{Audience, ChangeVerdict, DeviceChange};
 use objdict_model::model::Place;
 

@@ -5,11 +5,11 @@ use std::path::Path;
 use std::slice;
 
 use super::super::args::ConvertArgs;
+use super::super::ending::{Failure, note};
 use super::super::input::{FileKind, Input, name_of, source_name};
 use super::super::network;
-use super::super::outcome::{Failure, note};
-use super::super::output::Output;
-use super::super::save::{Saved, is_stdout, keep, save};
+use super::super::stdout::Output;
+use super::super::written_files::{Saved, is_stdout, keep, save};
 use super::Job;
 use super::losses::{self, LossReport};
 use objdict_document::dbc;

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use super::super::annotation::DescribedStream;
 use super::super::args::ConvertArgs;
+use super::super::ending::{Failure, note, tell};
 use super::super::input::{FileKind, name_of};
 use super::super::node::{commissioning, former_node_id, restated, valid_node_id};
-use super::super::outcome::{Failure, note, tell};
 use super::Job;
 use objdict_format as format;
 use objdict_format::{Description, Format, Loss, Syntax, WriteOptions, json, stated_name};

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::super::args::ConvertArgs;
+use super::super::ending::Failure;
 use super::super::input::{FileKind, name_of};
-use super::super::outcome::Failure;
-use super::super::save::{is_folder, is_stdout};
+use super::super::written_files::{is_folder, is_stdout};
 use objdict_format::patch::Patch;
 
 /// A file to convert.

@@ -4,8 +4,8 @@ use std::io::Write;
 
 use super::super::annotation::DescribedStream;
 use super::super::args::DcfDiffArgs;
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::ending::{Failure, Outcome};
+use super::super::stdout::Output;
 use super::stream;
 use objdict_node::concise;
 use objdict_node::download::{ConciseDcf, Difference, Differences, Download};

@@ -1,8 +1,8 @@
 //! `objdict dcf unpack`.
 
 use super::super::args::UnpackArgs;
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::ending::{Failure, Outcome};
+use super::super::stdout::Output;
 use super::{count, deliver, stream};
 use objdict_node::concise;
 

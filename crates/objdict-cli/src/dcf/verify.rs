@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use super::super::annotation::DescribedStream;
 use super::super::args::{PlainFormat, VerifyArgs};
+use super::super::ending::{Failure, Outcome};
 use super::super::input::{name_of, source_name};
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::stdout::Output;
 use super::{count, device, stream};
 use objdict_model::json::Version;
 use objdict_model::model::HexText;

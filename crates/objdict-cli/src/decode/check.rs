@@ -3,10 +3,10 @@
 use super::super::args::DecodeArgs;
 use super::super::baseline::BaselineArgs;
 use super::super::check::Reporter;
+use super::super::ending::{Failure, Outcome};
 use super::super::input::source_name;
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
 use super::super::settings::CommandSettings;
+use super::super::stdout::Output;
 use objdict_traffic as traffic;
 use objdict_traffic::BusReport;
 

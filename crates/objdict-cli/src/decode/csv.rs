@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::io;
 
-use super::super::output::Output;
+use super::super::stdout::Output;
 use super::{FramePrinter, ShownFrame, digits, id_of, write_raw};
 use objdict_document::csv_field;
 use objdict_document::describe::frames::{FrameKind, PdoSignal};

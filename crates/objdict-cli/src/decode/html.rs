@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::super::outcome::{Failure, note};
-use super::super::save::save;
+use super::super::ending::{Failure, note};
+use super::super::written_files::save;
 use super::summary::{self, MESSAGES, NODES, TrafficSummaryJson};
 use objdict_document::TrafficTable;
 use objdict_model::diagnostic::plural;

@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::super::args::{DecodeArgs, DecodeFormat};
+use super::super::ending::Failure;
 use super::super::input::source_name;
-use super::super::outcome::Failure;
-use super::super::output::Output;
+use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
 use super::{Logs, each_frame};
 use objdict_model::diagnostic::plural;

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::super::output::Output;
+use super::super::stdout::Output;
 use super::{FramePrinter, ShownFrame, digits, id_of, write_raw};
 
 /// A line for each frame: time, channel, CAN-ID, data, words.

@@ -3,8 +3,8 @@
 use std::io::Write;
 use std::ops::Range;
 
-use super::outcome::Failure;
-use super::output::Output;
+use super::ending::Failure;
+use super::stdout::Output;
 use objdict_model::diagnostic::{one_line, printable};
 use objdict_model::source::SourceFile;
 use objdict_project::line_diff::{LineChange, changes};

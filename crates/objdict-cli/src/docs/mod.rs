@@ -10,13 +10,13 @@ use serde_json::Value;
 
 use self::network::DocumentedNetwork;
 use super::args::DocsArgs;
+use super::ending::{Failure, Outcome};
 use super::files::{self, InputFile};
 use super::input::{FileKind, Input, name_of, source_name};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
 use super::progress::Progress;
-use super::save::{SaveFolder, Saved, is_folder, is_stdout, save};
 use super::settings::CommandSettings;
+use super::stdout::Output;
+use super::written_files::{SaveFolder, Saved, is_folder, is_stdout, save};
 use objdict_document as document;
 use objdict_document::{CodeName, Finding, Form, Identifiers, Options, Site, SiteFile, Subject};
 use objdict_format::Description;

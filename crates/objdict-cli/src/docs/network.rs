@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use super::super::args::DocsArgs;
+use super::super::ending::{Failure, Outcome};
 use super::super::files::InputFile;
 use super::super::input::{Input, name_of};
 use super::super::network;
-use super::super::outcome::{Failure, Outcome};
 use super::super::settings::CommandSettings;
 use super::{Documented, described, file_name, reported};
 use objdict_document::{Finding, SiteNetwork};

@@ -6,9 +6,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::super::args::{GenerateArgs, SizeFormat};
+use super::super::ending::{Failure, Outcome};
 use super::super::input::name_of;
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::stdout::Output;
 use objdict_build::pipeline::Generation;
 use objdict_generate::{TableAspect, TableDifference, Target, compare_tables};
 use objdict_model::diagnostic::plural;

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::super::args::{NetworkBootArgs, ShowFormat};
+use super::super::ending::{Failure, Outcome, note};
 use super::super::input::name_of;
-use super::super::outcome::{Failure, Outcome, note};
-use super::super::output::Output;
-use super::super::save::keep;
+use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
+use super::super::written_files::keep;
 use super::{open_despite_errors, source_names_of};
 use objdict_bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use objdict_document::describe::frames::{FrameReader, Talker, nmt_state};

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
+use super::super::ending::{Failure, Outcome, note, tell};
 use super::super::input::name_of;
-use super::super::outcome::{Failure, Outcome, note, tell};
-use super::super::output::Output;
-use super::super::save::SaveFolder;
 use super::super::settings::{CommandSettings, SettingsArgs};
+use super::super::stdout::Output;
+use super::super::written_files::SaveFolder;
 use super::{findings, names_of, open_one};
 use objdict_build::pipeline::report_lines;
 use objdict_generate::{Options, Target, generate};

@@ -2,9 +2,9 @@
 
 use super::super::args::NetworkCheckArgs;
 use super::super::check::Reporter;
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::ending::{Failure, Outcome};
 use super::super::settings::CommandSettings;
+use super::super::stdout::Output;
 use super::{findings, of_descriptions, open, parted};
 use objdict_project::report::Subject;
 

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use super::super::args::{GraphFormat, NetworkGraphArgs};
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::ending::{Failure, Outcome};
+use super::super::stdout::Output;
 use super::overview;
 use objdict_network::graph;
 

@@ -19,11 +19,11 @@ pub(super) use self::show::NetworkJson as ShowDocument;
 #[cfg(feature = "schema")]
 pub(super) use self::timing::TimingJson as TimingDocument;
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
+use super::ending::{Failure, Outcome, tell};
 use super::input::{name_of, source_name};
-use super::outcome::{Failure, Outcome, tell};
-use super::output::Output;
-use super::save::keep;
 use super::settings::CommandSettings;
+use super::stdout::Output;
+use super::written_files::keep;
 use objdict_format::ReadError;
 use objdict_format::identify::ContentKind;
 use objdict_model::diagnostic::plural;

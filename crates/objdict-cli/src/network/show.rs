@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::super::args::{NetworkShowArgs, ShowFormat};
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
+use super::super::ending::{Failure, Outcome};
+use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
 use super::{overview, source_names_of};
 use objdict_model::diagnostic::plural;

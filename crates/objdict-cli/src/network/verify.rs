@@ -4,9 +4,9 @@ use std::fs;
 use std::io::Write;
 
 use super::super::args::NetworkVerifyArgs;
+use super::super::ending::{Failure, Outcome, note};
 use super::super::input::name_of;
-use super::super::outcome::{Failure, Outcome, note};
-use super::super::output::Output;
+use super::super::stdout::Output;
 pub(crate) use objdict_build::pipeline::{FileState, Manifest};
 use objdict_model::diagnostic::plural;
 

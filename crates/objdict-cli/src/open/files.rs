@@ -8,11 +8,11 @@ use serde::Serialize;
 
 use super::http::HttpRefusal;
 use crate::args::OpenArgs;
+use crate::ending::{Failure, note};
 use crate::files::{InputFile, gather_with};
 use crate::input::{SizeArgs, name_of, source_name};
-use crate::outcome::{Failure, note};
-use crate::save::save_in_place;
 use crate::settings::{CommandSettings, SettingsArgs};
+use crate::written_files::save_in_place;
 use objdict_build::pipeline::Hash;
 use objdict_format::identify::{ContentKind, identify};
 use objdict_network_file::{NetworkFile, PathOptions, may_be_network};

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::json;
 
-use crate::outcome::Failure;
+use crate::ending::Failure;
 
 /// The largest head of a request; browsers send the cookies of all ports of a host.
 const MAX_HEAD: u64 = 32 << 10;

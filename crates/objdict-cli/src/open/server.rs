@@ -18,8 +18,8 @@ use super::files::ServedFiles;
 use super::http::{HttpRefusal, HttpRequest, HttpResponse};
 use crate::Texts;
 use crate::args::OpenArgs;
-use crate::outcome::{Failure, Outcome, note};
-use crate::output::Output;
+use crate::ending::{Failure, Outcome, note};
+use crate::stdout::Output;
 use objdict_model::diagnostic::plural;
 
 /// So many connections are served at a time.

@@ -8,9 +8,9 @@ use std::io::Write;
 #[cfg(feature = "schema")]
 pub(super) use self::json::{ListDocument, ProfileDocument};
 use super::args::{ProfileCommand, ProfileFormat, ProfileListArgs, ProfileShowArgs};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
-use super::profiles;
+use super::ending::{Failure, Outcome};
+use super::profile_option;
+use super::stdout::Output;
 use objdict_profile::{ObjectFacts, Profile, standard};
 
 pub(super) fn run(command: &ProfileCommand, out: &mut Output) -> Result<Outcome, Failure> {
@@ -30,7 +30,7 @@ fn list(args: &ProfileListArgs, out: &mut Output) -> Result<(), Failure> {
 }
 
 fn show(args: &ProfileShowArgs, out: &mut Output) -> Result<(), Failure> {
-    let profile = profiles::load(&args.profile, std::path::Path::new(""))?;
+    let profile = profile_option::load(&args.profile, std::path::Path::new(""))?;
     let object = args.index.map(|address| find(&profile, address.index)).transpose()?;
     match (args.format, object) {
         (ProfileFormat::Text, None) => text::profile(&profile, out)?,

@@ -12,9 +12,9 @@ pub(super) use self::json::EntriesJson as EntriesDocument;
 #[cfg(feature = "schema")]
 pub(super) use self::nodes::NodesJson as NodeListDocument;
 use super::args::{ShowArgs, ShowFormat};
+use super::ending::{Failure, Outcome};
 use super::input::{Input, source_name};
-use super::outcome::{Failure, Outcome};
-use super::output::Output;
+use super::stdout::Output;
 use super::table::fit;
 use objdict_document::describe::ValueReader;
 use objdict_format::json as json_format;

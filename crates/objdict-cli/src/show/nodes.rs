@@ -6,9 +6,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::args::{ShowArgs, ShowFormat};
+use crate::ending::Failure;
 use crate::input::{name_of, source_name};
-use crate::outcome::Failure;
-use crate::output::Output;
+use crate::stdout::Output;
 use crate::table::{TextTable, fit};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;

@@ -2,26 +2,21 @@
 
 pub(crate) mod mapping;
 mod receive;
+pub(crate) mod transmission_type;
 mod transmit;
 
 use crate::clock::milliseconds;
-use crate::frame::{EXTENDED, can_id};
-use crate::guard::{Guarded, Services};
+use crate::frame::{EXTENDED, NOT_VALID, can_id};
+use crate::guard::Guarded;
+use crate::services::Services;
 use crate::{Abort, Dictionary, Frame, sync};
 
 use receive::Rpdo;
+use transmission_type::is_event_driven;
 use transmit::Tpdo;
-
-/// The bit of a COB-ID that says that the PDO is not valid.
-pub(crate) const NOT_VALID: u32 = 1 << 31;
 
 /// What the index of the communication parameters becomes in that of the mapping.
 const MAPPING: u16 = 0x200;
-
-/// Whether a transmission type is event-driven; 0 to 240 are synchronous, those in between reserved or for remote frames.
-pub(crate) const fn is_event_driven(transmission_type: u8) -> bool {
-    transmission_type >= 254
-}
 
 /// The PDOs of a device: `R` RPDOs and `T` TPDOs.
 ///

@@ -4,15 +4,12 @@ mod block;
 mod client;
 pub(crate) mod crc;
 
-use crate::frame::{EXTENDED, can_id};
+use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::{Abort, Dictionary, Frame};
 
 use block::Block;
 
 pub use client::{SdoClient, SdoData, SdoStep};
-
-/// The bit of a COB-ID that says that the channel is not valid.
-const NOT_VALID: u32 = 1 << 31;
 
 /// The server of one SDO channel (CiA 301 §7.2.4): expedited, segmented and block transfers of values of at most `BUFFER` bytes.
 ///

@@ -4,78 +4,17 @@ use std::sync::Arc;
 
 use hmac_sha256::Hash;
 
+use super::patched::lines;
 use super::rules::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
-use super::{ChangeWords, ChangedPart, Patch, Worded, selected};
+use super::{ChangeWords, ChangedPart, Patch, Patched, Worded, selected};
+use crate::Description;
 use crate::compare::{self, Datum, DatumChange};
 use crate::patch::fields::{entry, get, set};
 use crate::patch::words::CIA306;
-use crate::{Description, ReadError};
 use objdict_keyed::tree::{KeyedTree, Kind};
-use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, Text, say};
+use objdict_model::diagnostic::{Diagnostic, Text, say};
 use objdict_model::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place};
 use objdict_model::source::{Said, Span};
-
-/// The patches that were made in a description.
-#[derive(Clone, Debug, Default)]
-#[non_exhaustive]
-pub struct Patched {
-    /// The patches that are for it.
-    pub patches: Vec<Arc<Patch>>,
-    /// All that were given, for the other devices of the file.
-    pub given: Vec<Arc<Patch>>,
-    /// What was found when they were made, patch by patch; its places are spans of the patch.
-    pub findings: Vec<Findings>,
-    /// What was changed: the place in the model, the patch and the span in it.
-    pub causes: Vec<(Place, usize, Span)>,
-}
-
-impl Patched {
-    /// Whether a patch could not be made.
-    pub fn has_errors(&self) -> bool {
-        self.findings.iter().any(|findings| findings.worst() == Some(Severity::Error))
-    }
-
-    /// The patches, each with what was found when it was made.
-    pub fn by_patch(&self) -> impl Iterator<Item = (&Patch, &Findings)> {
-        self.patches.iter().map(|patch| &**patch).zip(&self.findings)
-    }
-
-    /// The problems, a line each: the patch with line and column, the severity, the rule and the message.
-    pub fn lines(&self) -> Vec<String> {
-        self.by_patch().flat_map(|(patch, findings)| lines(patch, findings)).collect()
-    }
-
-    /// The patch and the place in it that changed a place of the model.
-    pub fn cause_of(&self, place: &Place) -> Option<(usize, Span)> {
-        let is_it = |cause: &Place| {
-            let is_part = cause.part == place.part
-                || cause.field.is_none()
-                    && cause.part.object().is_some()
-                    && cause.part == object_of(&place.part);
-            is_part && (cause.field.is_none() || place.field.is_none() || cause.field == place.field)
-        };
-        self.causes.iter().rev().find(|(cause, ..)| is_it(cause)).map(|&(_, patch, span)| (patch, span))
-    }
-}
-
-fn lines(patch: &Patch, findings: &Findings) -> Vec<String> {
-    let line = |finding: &Diagnostic| {
-        let span = match finding.labels.first().map(|label| &label.at) {
-            Some(At::Span(span)) => *span,
-            _ => Span::default(),
-        };
-        let start = patch.source().line_column(span.start);
-        let name = patch.source().name();
-        let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
-        format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column)
-    };
-    findings.iter().map(line).collect()
-}
-
-/// The object that a part belongs to.
-fn object_of(part: &Part) -> Part {
-    part.object().map_or_else(|| part.clone(), Part::Object)
-}
 
 /// A description with those of some patches made that [select](Patch::selects) it, and what they were. Its text stays as
 /// it is until it is printed or edited.
@@ -148,17 +87,6 @@ fn refusal(device: &Device, refused: DatumChange) -> PatchProblem {
             "`{}` is not what the patch expects, or cannot become what it sets",
             path
         )),
-    }
-}
-
-/// Refuses a description that a patch is for and does not fit.
-pub(crate) fn refuse(description: &Description) -> Result<(), ReadError> {
-    match description.patched().filter(|patched| patched.has_errors()) {
-        None => Ok(()),
-        Some(patched) => Err(ReadError::NotPatched {
-            name: description.source().name().to_owned(),
-            problems: patched.lines().join("\n"),
-        }),
     }
 }
 

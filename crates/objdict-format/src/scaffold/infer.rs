@@ -1,6 +1,7 @@
 //! The profile and the features that come closest to an existing device.
 
-use super::base::{Demanded, OF_CLASS_2, base, channels, newest_version};
+use super::base::{base, newest_version};
+use super::demanded::{Demanded, OF_CLASS_2, channels};
 use super::features::{
     Describes, EncoderClass, FEATURES, Feature, FeatureKind, FeatureValue, Features, VALUE_TYPES,
 };

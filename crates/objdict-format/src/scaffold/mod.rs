@@ -5,6 +5,7 @@
 //! first one is taken.
 
 pub mod base;
+pub mod demanded;
 mod features;
 mod infer;
 pub mod objects;
@@ -16,7 +17,7 @@ pub use features::{EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, F
 pub use infer::infer;
 pub use usual::{MIDNIGHT, NO_VENDOR, now};
 
-use base::Demanded;
+use demanded::Demanded;
 use objdict_model::model::{
     BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, Entry, FileInfo, MappedObject, Object,
     ObjectList, PdoKind, Value,

@@ -1,6 +1,6 @@
 //! Objects as documents describe them.
 
-use super::base::Demanded;
+use super::demanded::Demanded;
 use super::number;
 use objdict_model::model::{
     Access, CobId, DataType, Device, Entry, ObjFlags, Object, ObjectType, PdoMapping, Value, predefined,

@@ -1,7 +1,7 @@
 //! The PDOs of a new device: those that its profile maps by default, further ones, switched off, for channels that these have
 //! no room for, and those without a mapping that are asked for.
 
-use super::base::Demanded;
+use super::demanded::Demanded;
 use super::features::Features;
 use super::number;
 use super::objects::ObjectMaker;

@@ -3,8 +3,27 @@
 use objdict_model::named;
 
 use super::Side;
-use super::rules::title;
 use crate::model::{Access, Entry, Object};
+
+/// The title of an audience, for a text that is put together when the program is compiled.
+macro_rules! title {
+    (Configurations) => {
+        "stored configurations"
+    };
+    (PdoConsumers) => {
+        "PDO consumers"
+    };
+    (SdoClients) => {
+        "SDO clients"
+    };
+    (Firmware) => {
+        "firmware source"
+    };
+    (StoredValues) => {
+        "values in non-volatile memory"
+    };
+}
+pub(super) use title;
 
 named! {
     /// What a change means, for an audience or as a whole.

@@ -1,6 +1,6 @@
 //! Fixes of findings: changes of the description, as data.
 
-use super::Text;
+use super::{Applicability, Text};
 use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::{Encoding, Span};
 
@@ -16,47 +16,6 @@ pub struct Fix {
     pub changes: Vec<Change>,
     /// Whether reports offer it; `objdict::with_sound_fixes` decides for a file.
     pub is_offered: bool,
-}
-
-named! {
-    /// Whether a fix may be applied without review.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-    pub enum Applicability {
-        /// The meaning is unchanged for every tool, or only content that no tool could understand is removed.
-        Safe = "safe",
-        /// The most likely intention; needs review.
-        Unsafe = "unsafe",
-    }
-}
-
-named! {
-    /// The safety of the fixes that the findings of a rule have.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-    pub enum FixSafety {
-        /// All of them are safe.
-        Safe = "safe",
-        /// All of them need review.
-        Unsafe = "unsafe",
-        /// Some are safe, some are not: each fix says what it is.
-        Mixed = "mixed",
-    }
-}
-
-impl FixSafety {
-    /// Whether a finding of the rule may have a fix of this safety.
-    pub fn has(self, safety: Applicability) -> bool {
-        match self {
-            Self::Safe => safety == Applicability::Safe,
-            Self::Unsafe => safety == Applicability::Unsafe,
-            Self::Mixed => true,
-        }
-    }
 }
 
 /// One change of a description. Values are texts in the spelling of CiA 306-1; other formats convert them.
@@ -113,6 +72,15 @@ impl Fix {
     /// A fix that needs review, without changes yet.
     pub fn risky(title: impl Into<Text>) -> Self {
         Self { safety: Applicability::Unsafe, ..Self::safe(title) }
+    }
+
+    /// The bytes that it replaces, if it does nothing else: then it needs no reader of the format.
+    pub fn replacements(&self) -> Option<Vec<(Span, String)>> {
+        let replacement = |change: &Change| match change {
+            Change::Replace(span, text) => Some((*span, text.clone())),
+            _ => None,
+        };
+        self.changes.iter().map(replacement).collect()
     }
 
     /// Also replaces `span` by `text`.

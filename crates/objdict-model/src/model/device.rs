@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::part::part;
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
-    DynamicChannels, ExplicitDownload, ExtraSection, FileInfo, InvalidValues, ModuleObjects, Modules,
-    NetworkIdentity, Object, ObjectList, Objects, ProfileHeaders, ToolCommand,
+    DynamicChannels, Entry, ExplicitDownload, ExtraSection, Field, FileInfo, InvalidValues, ModuleObjects,
+    Modules, NetworkIdentity, Object, ObjectList, Objects, Part, Place, ProfileHeaders, ToolCommand,
 };
 
 part! {
@@ -179,5 +179,36 @@ impl Device {
     /// Whether modules may add objects, so that a reference to a missing object may be valid.
     pub fn is_modular(&self) -> bool {
         self.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty())
+    }
+}
+
+impl Device {
+    /// The place that says what an entry is: that of the sub-index if it is described, else that of the object, which
+    /// describes a VAR and all sub-indexes of a compact object.
+    pub fn entry_place(&self, index: u16, sub: u8) -> Place {
+        match self.object(index).and_then(|object| object.subs.get(sub)) {
+            Some(_) => Place::entry(index, sub),
+            None => Place::object(index),
+        }
+    }
+
+    /// The place of the value of a sub-index: the configured value of a DCF, else the default
+    /// ([`Object::value`](super::Object::value)).
+    pub fn value_place(&self, index: u16, sub: u8) -> Place {
+        let Some(object) = self.object(index) else { return Place::object(index) };
+        let field = |entry: &Entry| match entry.configured_value() {
+            Some(_) => Field::ParameterValue,
+            None => Field::DefaultValue,
+        };
+        if let Some(entry) = object.subs.get(sub) {
+            return Place::entry(index, sub).field(field(entry));
+        }
+        match &object.compact {
+            Some(_) if sub == 0 => Place::object(index).field(Field::CompactSubObj),
+            Some(compact) if compact.values.iter().any(|(number, _)| *number == sub) => {
+                Place::of(Part::CompactValues(index)).field(Field::Item(sub.into()))
+            }
+            _ => Place::object(index).field(field(&object.main)),
+        }
     }
 }

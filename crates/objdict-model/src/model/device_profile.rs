@@ -321,16 +321,6 @@ words! {
         /// Red.
         Red = "red",
     }
-
-    /// The class of a device.
-    pub enum DeviceClass {
-        /// A fixed device.
-        Compact = "compact",
-        /// A device with modules.
-        Modular = "modular",
-        /// A configurable device.
-        Configurable = "configurable",
-    }
 }
 
 /// The default bit rate of a new device.

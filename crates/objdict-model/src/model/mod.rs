@@ -12,11 +12,14 @@ mod access;
 mod address;
 mod application_process;
 mod assignment;
+mod calendar;
 mod cob_id;
 mod commissioning;
 mod configuration;
 mod data_type;
+mod data_type_ref;
 mod device;
+mod device_class;
 mod device_info;
 mod device_profile;
 mod dynamic;
@@ -41,6 +44,7 @@ mod parameter;
 mod part;
 mod parts;
 mod pdo;
+mod pdo_kind;
 mod place;
 #[cfg(feature = "serde")]
 mod plain;
@@ -69,27 +73,29 @@ pub const EMBEDDED_COMMENT: &str = " objdict-embed: ";
 pub use access::{Access, PdoMapping};
 pub use address::{Address, NoAddress};
 pub use application_process::{
-    ApplicationProcess, Connection, Count, DataTypeRef, EnumValue, FunctionInstance, FunctionInstances,
-    FunctionType, MemberRef, SimpleType, Subrange, TypeDefinition, TypeShape, VarDeclaration, VariableRef,
-    VersionInfo,
+    ApplicationProcess, Connection, Count, EnumValue, FunctionInstance, FunctionInstances, FunctionType,
+    Subrange, TypeDefinition, TypeShape, VarDeclaration, VersionInfo,
 };
 pub use assignment::Assignment;
+pub use calendar::{ClockTime, Date};
 pub use cob_id::{CobId, predefined, restricted};
 pub use commissioning::Commissioning;
 pub use data_type::{DataType, TypeKind};
+pub use data_type_ref::{DataTypeRef, MemberRef, SimpleType, VariableRef};
 pub use device::{Device, DeviceKind, DummyUsage, ObjectLists};
+pub use device_class::DeviceClass;
 pub use device_info::{BaudRates, DeviceInfo};
 pub use device_profile::{
     Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DefaultBaudRate,
-    DeviceClass, DeviceFunction, DeviceIdentity, DeviceManager, DeviceVersion, Dictionary, Led, LedColor,
-    LedColors, LedOn, LedState, LedType, ModuleInterface, ModuleObjects, ModuleRange, ModuleRanges,
-    ModuleType, NetworkIdentity, OwnAddressing, OwnInterface, Picture, ProfileHeader, ProfileHeaders,
+    DeviceFunction, DeviceIdentity, DeviceManager, DeviceVersion, Dictionary, Led, LedColor, LedColors,
+    LedOn, LedState, LedType, ModuleInterface, ModuleObjects, ModuleRange, ModuleRanges, ModuleType,
+    NetworkIdentity, OwnAddressing, OwnInterface, Picture, ProfileHeader, ProfileHeaders,
 };
 pub use dynamic::{DynamicChannels, Segment, ToolCommand};
 pub use entry::{Configured, Entry, ObjFlags, SafetyMapping};
 pub use explicit::{ExplicitDownload, Moment};
 pub use field::Field;
-pub use file_info::{ClockTime, Date, FileInfo};
+pub use file_info::FileInfo;
 pub use identity::Identity;
 pub use label::{Label, Labels, TextRef};
 pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue, Scaling};
@@ -102,7 +108,8 @@ pub use parameter::{
     AllowedValues, AllowedValuesTemplate, Parameter, ParameterAccess, ParameterGroup, ParameterTemplate,
     Property, ScaledValue, Support, Unit, ValueRange,
 };
-pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
+pub use pdo::{MappedObject, MappingSlot, Pdo};
+pub use pdo_kind::PdoKind;
 pub use place::{ModulePart, ObjectList, Part, Place};
 #[cfg(feature = "serde")]
 pub use plain::{Plain, WithPlainValues};

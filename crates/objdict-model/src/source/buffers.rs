@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
 
-use super::absolute;
+use super::path::absolute;
 
 /// Texts that count more than the files of their paths.
 pub trait Buffers {

@@ -1,8 +1,9 @@
 //! Reads the files that another file names, only from its project.
 
-use std::path::{Component, MAIN_SEPARATOR_STR, Path, PathBuf};
+use std::path::{MAIN_SEPARATOR_STR, Path, PathBuf};
 use std::{fs, io};
 
+use super::path::{absolute, or_current};
 use super::{HARD_LIMIT, SourceError, is_file, read, shown};
 
 /// The name of configuration files.
@@ -123,26 +124,6 @@ impl Folder {
             |folder: &PathBuf| fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder));
         if self.allowed.iter().any(is_below) { Ok(path) } else { Err(outside()) }
     }
-}
-
-/// A path from the root without `.` and `..`. Links are not followed.
-pub fn absolute(path: &Path) -> PathBuf {
-    let path = std::path::absolute(or_current(path.to_owned())).unwrap_or_else(|_| path.to_owned());
-    let mut plain = PathBuf::new();
-    for component in path.components() {
-        match component {
-            Component::CurDir => {}
-            Component::ParentDir => {
-                plain.pop();
-            }
-            component => plain.push(component),
-        }
-    }
-    plain
-}
-
-fn or_current(folder: PathBuf) -> PathBuf {
-    if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder }
 }
 
 #[cfg(test)]

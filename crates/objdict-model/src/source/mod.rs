@@ -7,6 +7,7 @@ mod folder;
 mod hash;
 mod iso646;
 mod line_index;
+mod path;
 mod span;
 
 use std::fs::File;
@@ -17,11 +18,12 @@ use std::sync::OnceLock;
 pub use buffers::{Buffers, is_file, with_buffers};
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
-pub use folder::{CONFIG_FILE, Folder, FolderError, absolute};
+pub use folder::{CONFIG_FILE, Folder, FolderError};
 pub use hash::Fnv;
 pub use hash::hash;
 pub use iso646::transliterate;
 pub use line_index::{LineColumn, LineIndex};
+pub use path::absolute;
 pub use span::{Said, Span};
 
 /// The default size limit of files: 64 MiB.

@@ -1,12 +1,8 @@
 //! How much of the bus is used.
 
-use std::collections::BTreeMap;
-
+use super::TrafficKind;
 use super::frames::TimedFrame;
-use super::{Schedule, TrafficKind};
-use crate::messages::Party;
-use crate::network::Network;
-use crate::overview::End;
+use crate::traffic::Traffic;
 
 /// How many bits are sent, in thousandths of a bit each second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,15 +11,6 @@ pub struct Load {
     pub average: u64,
     /// With the most stuff bits, and PDOs as often as they may be sent.
     pub worst: u64,
-}
-
-/// What a part of the messages has of the load.
-#[derive(Clone, Debug)]
-pub struct LoadShare<T> {
-    /// The part.
-    pub of: T,
-    /// Its load.
-    pub load: Load,
 }
 
 impl Load {
@@ -68,25 +55,14 @@ impl TimedFrame {
     }
 }
 
-impl Schedule {
-    pub(super) fn by_node(&self, network: &Network) -> Vec<LoadShare<End>> {
-        let mut shares: BTreeMap<Option<usize>, (Party, Vec<&TimedFrame>)> = BTreeMap::new();
-        for frame in &self.frames {
-            shares.entry(frame.sender.node).or_insert((frame.sender, Vec::new())).1.push(frame);
-        }
-        let share = |(party, frames): (Party, Vec<&TimedFrame>)| LoadShare {
-            of: End::new(network, &party),
-            load: Load::of(frames),
-        };
-        shares.into_values().map(share).collect()
+impl Traffic<'_> {
+    /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
+    pub(crate) fn load(self) -> Option<u64> {
+        Some(self.load_at(self.network.bit_rate?.value))
     }
 
-    pub(super) fn by_kind(&self) -> Vec<LoadShare<TrafficKind>> {
-        let mut shares: BTreeMap<TrafficKind, Vec<&TimedFrame>> = BTreeMap::new();
-        for frame in &self.frames {
-            shares.entry(frame.kind).or_default().push(frame);
-        }
-        let shares = shares.into_iter().map(|(of, frames)| LoadShare { of, load: Load::of(frames) });
-        shares.filter(|share| share.load != Load::default()).collect()
+    /// The same at a bit rate in kbit/s.
+    pub(crate) fn load_at(self, bit_rate: u16) -> u64 {
+        Load::of(&self.frames()).worst / (u64::from(bit_rate) * 1000).max(1)
     }
 }

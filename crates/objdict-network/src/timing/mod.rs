@@ -5,6 +5,7 @@ mod analysis;
 mod boot;
 mod frames;
 mod load;
+mod shares;
 mod simulation;
 #[cfg(test)]
 mod tests;
@@ -12,7 +13,8 @@ pub mod timeline;
 
 pub use self::boot::{BootTimes, NodeBootTime};
 pub use self::frames::{DeadlineKind, TrafficKind};
-pub use self::load::{Load, LoadShare};
+pub use self::load::Load;
+pub use self::shares::LoadShare;
 
 use self::analysis::{Arrival, Background, ResponseTime, Stream, Streams, WaitCause};
 use self::frames::{Rhythm, TimedFrame};

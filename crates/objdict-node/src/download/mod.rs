@@ -9,6 +9,7 @@ mod difference;
 mod effective;
 mod order;
 mod plan;
+mod planning;
 mod problem;
 mod rebase;
 mod settings;

@@ -1,11 +1,8 @@
-//! The plan: the downloads and their order.
+//! A plan: downloads in their order, and what it is asked for.
 
 use std::collections::BTreeSet;
 
-use super::order::{arrange, dcfgen};
-use super::settings::WritableEntries;
-use super::{ConciseDcf, Download, PlanError, Skipped};
-use crate::model::{Device, Moment};
+use super::{ConciseDcf, Download, Skipped};
 
 /// Options of a plan.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -99,33 +96,5 @@ impl Plan {
             Step::File(file) => read(&file).map(|data| Download::new(file.index, file.sub, data)),
         };
         self.steps.into_iter().map(download).collect::<Result<_, E>>().map(ConciseDcf)
-    }
-}
-
-impl ConciseDcf {
-    /// Plans the downloads that configure a node as `device` describes.
-    ///
-    /// The node is assumed to have its default values. The target is the configured value, else the default.
-    /// Read-only entries, commands, and entries that refuse a download are left out; those with a configured
-    /// value are listed in the plan. [`Device::downloads`] are made as stated, before and after. Services are disabled using their present identifier, changed, and
-    /// enabled again (CiA 301 §7.5.2).
-    ///
-    /// # Errors
-    /// Lists every entry with an unknown value, a value outside its data type or limits, or a missing
-    /// node-ID.
-    pub fn plan(device: &Device, options: &PlanOptions) -> Result<Plan, PlanError> {
-        if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
-            return Err(PlanError::NodeId(node_id));
-        }
-        let compact = device.objects.iter().filter(|(_, object)| object.compact.is_some());
-        let expanded = compact.map(|(&index, object)| (index, object.expanded().into_owned())).collect();
-        let mut settings = WritableEntries::collect(device, &expanded, options);
-        let mut steps = settings.explicit(Moment::Before);
-        steps.extend(match options.order {
-            Order::Safe => arrange(&mut settings),
-            Order::Dcfgen => dcfgen::arrange(&mut settings),
-        });
-        steps.extend(settings.explicit(Moment::After));
-        settings.finish(steps)
     }
 }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::probe::{Exchange, SdoAnswer, SdoRequest};
 use objdict_bus::Abort;
-use objdict_format::scaffold::base::{Demanded, documents};
+use objdict_format::scaffold::base::documents;
+use objdict_format::scaffold::demanded::Demanded;
 use objdict_format::scaffold::objects::ObjectMaker;
 use objdict_format::scaffold::{Features, Wanted, device_info, file_info, newest_version};
 use objdict_model::model::{

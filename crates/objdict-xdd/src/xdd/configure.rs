@@ -1,9 +1,10 @@
 //! Conversion between XDD and XDC by edits of the text, so that comments, order, spelling, line ends and
 //! encoding are kept.
 
+use super::defaults;
 use super::layout::{Layout, with_subs};
 use super::schema::network::DEVICE_COMMISSIONING;
-use super::{defaults, fact};
+use super::shape::facts;
 use crate::model::Commissioning;
 use crate::source::EditError;
 use crate::xml::{Element, Name, Tree, XmlEditor, escaped_value, n};
@@ -19,7 +20,7 @@ pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Resu
     let management = body.child(n::NetworkManagement);
     match management.and_then(|management| management.child(n::deviceCommissioning)) {
         Some(element) => {
-            for (name, value) in fact::texts(node, &DEVICE_COMMISSIONING, true) {
+            for (name, value) in facts::texts(node, &DEVICE_COMMISSIONING, true) {
                 // CANopenEditor writes `NodeID`
                 let is_other = name == n::nodeID && element.attribute(n::NodeID).is_some();
                 let name = if is_other { n::NodeID } else { name };
@@ -78,7 +79,7 @@ fn insert<'a>(
     node: &Commissioning,
     editor: &mut XmlEditor<'a>,
 ) {
-    let settings = fact::texts(node, &DEVICE_COMMISSIONING, true).into_iter();
+    let settings = facts::texts(node, &DEVICE_COMMISSIONING, true).into_iter();
     let settings: String =
         settings.map(|(name, value)| format!(" {}=\"{}\"", name.text(), escaped_value(&value))).collect();
     let last = |element: Element<'a>, names: [Name; 2]| {

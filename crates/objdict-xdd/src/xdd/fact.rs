@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::defaults::{self, Placeholders};
-use super::schema::{AttributePlace, SchemaAttribute, Shape, TextKind};
+use super::defaults;
+use super::element::SchemaAttribute;
+use super::schema::TextKind;
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
@@ -11,7 +12,7 @@ use crate::model::{
     InvalidValues, ObjFlags, ObjectType, PdoMapping, Reason, Value,
 };
 use crate::source::Span;
-use crate::xml::{self, Element, Name, n};
+use crate::xml::{self, Element};
 
 /// A text with its position.
 #[derive(Clone, Debug)]
@@ -59,72 +60,6 @@ pub(crate) trait Fact {
 
     /// The text of the value; `None` without a value.
     fn text(&self, known: &SchemaAttribute) -> Option<String>;
-}
-
-/// Passes a text to the field of the attribute with a name; `false` if there is none.
-pub(crate) fn take<P: SharedFields>(
-    part: &mut P,
-    shape: &'static Shape<P>,
-    name: Name,
-    text: &PlacedText<'_>,
-    placeholders: Placeholders,
-    findings: &mut Findings,
-) -> bool {
-    let known = shape.attribute(name).map(|(number, known)| (known, &shape.values[number]));
-    known.is_some_and(|(known, at)| take_at(part, known, at, text, placeholders, findings))
-}
-
-/// Passes a text to the field of an attribute; `false` if it has none.
-pub(crate) fn take_at<P: SharedFields>(
-    part: &mut P,
-    known: &SchemaAttribute,
-    at: &AttributePlace<P>,
-    text: &PlacedText<'_>,
-    placeholders: Placeholders,
-    findings: &mut Findings,
-) -> bool {
-    let AttributePlace::Fact(field) = at else { return false };
-    let is_placeholder = |nothing| text.text == nothing || text.trimmed() == nothing;
-    let is_unstated = placeholders.are_dropped() && known.unstated.is_some_and(is_placeholder);
-    if !is_unstated
-        && let Some(fact) = (field.get_mut)(part)
-        && let Err(reason) = fact.take(text, known, findings)
-        && let Some(field) = known.field()
-    {
-        part.invalid_values_mut().push(field, &text.text, reason);
-    }
-    true
-}
-
-/// The text of an attribute with a field: its value, or else the invalid text.
-pub(crate) fn text<P: SharedFields>(
-    part: &P,
-    known: &SchemaAttribute,
-    at: &AttributePlace<P>,
-) -> Option<String> {
-    let AttributePlace::Fact(field) = at else { return None };
-    let value = || (field.get)(part).and_then(|fact| fact.text(known));
-    let invalid = || Some(part.invalid_values().get(&known.field()?)?.text.to_string());
-    match known.name {
-        // the revision of an EDS and the data type of the parameter can be set beside an invalid text
-        n::fileVersion | n::dataType => invalid().or_else(value),
-        _ => value().or_else(invalid),
-    }
-}
-
-/// The attributes of an element that have fields, in order; a required one without a value gets its
-/// placeholder.
-pub(crate) fn texts<P: SharedFields>(
-    part: &P,
-    shape: &'static Shape<P>,
-    is_demanded: bool,
-) -> Vec<(Name, String)> {
-    let attributes = shape.attributes.iter().zip(shape.values);
-    let text_of = |(known, at): (&SchemaAttribute, &AttributePlace<P>)| {
-        let unstated = || known.unstated.filter(|_| is_demanded).map(str::to_owned);
-        Some((known.name, text(part, known, at).or_else(unstated)?))
-    };
-    attributes.filter_map(text_of).collect()
 }
 
 impl<'a> PlacedText<'a> {
@@ -443,8 +378,6 @@ pub(crate) fn bit_rate(text: &str) -> Option<u16> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Field;
-    use crate::xdd::schema::container::DEVICE_BODY;
 
     #[test]
     fn bit_rates_in_the_spellings_of_real_files() {
@@ -465,15 +398,5 @@ mod tests {
         for text in ["", "0x", "1 8", "+18", "12345", "10G0"] {
             assert_eq!(hex(text, 4), None, "{text}");
         }
-    }
-
-    #[test]
-    fn a_version_that_is_none_is_written_as_it_is() {
-        let mut info = FileInfo { file_revision: Some(0), ..FileInfo::default() };
-        let version =
-            |info: &FileInfo| texts(info, &DEVICE_BODY, false).into_iter().next().map(|(_, text)| text);
-        assert_eq!(version(&info).as_deref(), Some(".0"));
-        info.invalid_values.push(Field::FileVersion, "3.0", Reason::NotANumber);
-        assert_eq!(version(&info).as_deref(), Some("3.0"));
     }
 }

@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 use std::rc::Rc;
 
-use super::layout::ProfileClass;
-use super::schema::{CONTAINER, MAX_SLOTS, Marks, Occurrence, SchemaElement, TextKind};
+use super::element::{MAX_SLOTS, Marks, Occurrence, SchemaElement};
+use super::profile_class::ProfileClass;
+use super::schema::TextKind;
 use super::version::XddVersion;
 use super::written_ids::WrittenIds;
 use crate::xml::{Name, WriterMark, XmlWriter, n};
@@ -95,15 +96,15 @@ impl XddWriter {
     }
 
     /// Opens the root, `ISO15745ProfileContainer`.
-    pub(crate) fn open_container(&mut self) {
-        self.open(&CONTAINER);
+    pub(crate) fn open_container(&mut self, container: &'static SchemaElement) {
+        self.open(container);
         self.declare("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance");
         self.declare("xmlns", self.version.namespace());
     }
 
     /// Opens a `ProfileBody`; its own attributes follow. [`close_body`](Self::close_body) closes it.
-    pub(crate) fn open_body(&mut self, body: ProfileClass) {
-        self.open(body.body());
+    pub(crate) fn open_body(&mut self, body: ProfileClass, element: &'static SchemaElement) {
+        self.open(element);
         match self.version {
             XddVersion::V1_0 => self.declare("xsi:type", body.type_name()),
             XddVersion::V1_1 => {

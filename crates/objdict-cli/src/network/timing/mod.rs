@@ -6,10 +6,10 @@ use std::io::{self, Write};
 
 pub(crate) use self::document::TimingJson;
 use super::super::args::{NetworkTimingArgs, ShowFormat};
-use super::super::outcome::{Failure, Outcome};
-use super::super::output::Output;
-use super::super::save::save;
+use super::super::ending::{Failure, Outcome};
+use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
+use super::super::written_files::save;
 use super::{resolved, source_names_of};
 use objdict_model::diagnostic::plural;
 use objdict_network::{

@@ -55,26 +55,6 @@ const fn severity(effects: &[ChangeImpact]) -> Severity {
     worst
 }
 
-/// The title of an audience, for a text that is put together when the program is compiled.
-macro_rules! title {
-    (Configurations) => {
-        "stored configurations"
-    };
-    (PdoConsumers) => {
-        "PDO consumers"
-    };
-    (SdoClients) => {
-        "SDO clients"
-    };
-    (Firmware) => {
-        "firmware source"
-    };
-    (StoredValues) => {
-        "values in non-volatile memory"
-    };
-}
-pub(super) use title;
-
 /// The name of a verdict, for such a text.
 macro_rules! word {
     (Breaking) => {
@@ -116,8 +96,8 @@ macro_rules! changes {
                         summary: $summary,
                         checks: $checks,
                         why: concat!(
-                            "For ", super::title!($First), " ", super::word!($FirstVerdict), ": ", $first,
-                            $("; for ", super::title!($Audience), " ", super::word!($Verdict), ": ", $reason,)*
+                            "For ", super::super::audience::title!($First), " ", super::word!($FirstVerdict), ": ", $first,
+                            $("; for ", super::super::audience::title!($Audience), " ", super::word!($Verdict), ": ", $reason,)*
                             ".",
                         ),
                         example: $example,

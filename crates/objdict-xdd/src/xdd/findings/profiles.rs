@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rules};
 use crate::source::Span;
-use crate::xdd::layout::ProfileClass;
+use crate::xdd::profile_class::ProfileClass;
 use crate::xdd::schema::{self, EXTERNAL_NETWORK_BODY};
 use crate::xml::{Element, Name, n};
 

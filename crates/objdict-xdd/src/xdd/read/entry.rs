@@ -3,9 +3,10 @@
 use crate::diagnostic::Findings;
 use crate::model::{Entry, StackOptions};
 use crate::xdd::defaults::{self, Placeholders};
-use crate::xdd::fact::{self, PlacedText, hex};
+use crate::xdd::fact::{PlacedText, hex};
 use crate::xdd::schema::network::OBJECT;
 use crate::xdd::schema::{AttributePlace, Slots};
+use crate::xdd::shape::facts;
 use crate::xdd::shape::stack_attribute;
 use crate::xml::{Attribute, Element, Name, n};
 
@@ -83,7 +84,7 @@ impl<'a> EntryAttributes<'a> {
         for ((known, at), attribute) in OBJECT.attributes.iter().zip(OBJECT.values).zip(self.known) {
             if let Some(attribute) = attribute {
                 let text = PlacedText::of(attribute);
-                fact::take_at(&mut entry, known, at, &text, Placeholders::Dropped, findings);
+                facts::take_at(&mut entry, known, at, &text, Placeholders::Dropped, findings);
             }
         }
         let denotation = self.get(n::denotation).map(PlacedText::of);

@@ -4,11 +4,13 @@ use super::{XddReader, drop_same};
 use crate::diagnostic::Findings;
 use crate::model::{FileInfo, ProfileHeader};
 use crate::xdd::defaults::Placeholders;
-use crate::xdd::fact::{self, PlacedText};
-use crate::xdd::layout::{DescriptionProfile, ProfileClass};
+use crate::xdd::fact::PlacedText;
+use crate::xdd::layout::DescriptionProfile;
 use crate::xdd::leftovers::Leftovers;
+use crate::xdd::profile_class::ProfileClass;
 use crate::xdd::schema::container::DEVICE_BODY;
 use crate::xdd::shape;
+use crate::xdd::shape::facts;
 use crate::xml::{Element, n};
 
 impl<'a> XddReader<'a> {
@@ -63,7 +65,7 @@ fn file_info<'a>(
             n::formatVersion => text.trimmed() == "1.0",
             // the type of the profile
             n::r#type => true,
-            name => fact::take(&mut info, &DEVICE_BODY, name, &text, placeholders, findings),
+            name => facts::take(&mut info, &DEVICE_BODY, name, &text, placeholders, findings),
         };
         if !is_taken {
             leftovers.attribute(body, attribute);

@@ -9,12 +9,13 @@ use crate::xdd::counterparts::{
     DIRECTIONS, channel_field, count, count_attribute, default_rate_field, range_length, supported_field,
 };
 use crate::xdd::defaults;
-use crate::xdd::fact::{self, PlacedText, bit_rate, hex, value_text};
+use crate::xdd::fact::{PlacedText, bit_rate, hex, value_text};
 use crate::xdd::layout::DescriptionProfile;
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::network::{DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
 use crate::xdd::schema::{APPLICATION_LAYERS, MODULE_MANAGEMENT, Shape};
 use crate::xdd::shape;
+use crate::xdd::shape::facts;
 use crate::xml::{Element, Name, n};
 
 impl<'a> XddReader<'a> {
@@ -50,7 +51,7 @@ impl<'a> XddReader<'a> {
         let info = self.device.device_info.get_or_insert_default();
         for attribute in element.attributes() {
             let (name, text) = (attribute.tag(), PlacedText::of(attribute));
-            if !fact::take(info, shape, name, &text, self.placeholders, &mut self.findings) {
+            if !facts::take(info, shape, name, &text, self.placeholders, &mut self.findings) {
                 self.leftovers.attribute(element, attribute);
             }
         }
@@ -238,7 +239,7 @@ impl<'a> XddReader<'a> {
                 name => name,
             };
             let (shape, text) = (&DEVICE_COMMISSIONING, PlacedText::of(attribute));
-            if !fact::take(&mut node, shape, name, &text, self.placeholders, &mut self.findings) {
+            if !facts::take(&mut node, shape, name, &text, self.placeholders, &mut self.findings) {
                 node.extra.push(attribute.name(), &attribute.value());
             }
         }

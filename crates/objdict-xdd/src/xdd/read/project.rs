@@ -6,9 +6,10 @@ use std::borrow::Cow;
 use super::XddReader;
 use crate::model::{Commissioning, DataType, DummyUsage, Field, Label, Labels};
 use crate::xdd::defaults::{self, Placeholders};
-use crate::xdd::fact::{self, PlacedText, boolean};
+use crate::xdd::fact::{PlacedText, boolean};
 use crate::xdd::layout::below;
 use crate::xdd::schema::container::DEVICE_BODY;
+use crate::xdd::shape::facts;
 use crate::xml::{Attribute, Element, n};
 
 impl<'a> XddReader<'a> {
@@ -65,7 +66,7 @@ impl<'a> XddReader<'a> {
             }
             _ => attribute.tag(),
         };
-        if !fact::take(info, &DEVICE_BODY, name, &text, Placeholders::Dropped, &mut self.findings) {
+        if !facts::take(info, &DEVICE_BODY, name, &text, Placeholders::Dropped, &mut self.findings) {
             self.leftovers.attribute(element, attribute);
         }
     }

@@ -3,8 +3,7 @@
 //! findings use this table.
 //!
 //! *Stray* elements and attributes are those that the model has and the standard does not allow in this place.
-//! The table spans several modules that import each other (`fact`, `shape`, this folder), one per body of CiA
-//! 311.
+//! The table is here, a module for each body of CiA 311; `element` has its types, and `shape` how parts of the model keep elements.
 
 pub(crate) mod application;
 pub(crate) mod container;
@@ -13,8 +12,6 @@ mod lexical;
 pub(crate) mod network;
 mod values;
 mod xsd;
-
-use std::ops::Deref;
 
 pub(crate) use self::application::{APPLICATION_PROCESS, PARAMETER};
 pub(crate) use self::container::{
@@ -25,6 +22,8 @@ pub(crate) use self::lexical::{decimal, is_language, is_name, is_name_character,
 pub(crate) use self::network::{APPLICATION_LAYERS, IDENTITY, MODULE_MANAGEMENT};
 pub(crate) use self::values::{BAUD_RATES, ReferenceTarget, TextKind};
 pub use self::xsd::xsd;
+pub(crate) use super::element::{Child, MANY, MAX_SLOTS, Occurrence, SchemaAttribute, SchemaElement};
+pub(crate) use super::shape::{AttributePlace, ElementChoice, Lens, Shape, Slots};
 
 /// The words that an attribute of an object or sub-object may be; none where it is no word.
 pub fn words_of(element: crate::xml::Element<'_>, name: &str) -> &'static [&'static str] {
@@ -39,11 +38,7 @@ pub fn words_of(element: crate::xml::Element<'_>, name: &str) -> &'static [&'sta
         _ => &[],
     }
 }
-use super::fact::Fact;
-use super::shape::{Keep, TextField};
-use crate::literal;
-use crate::model::{Entry, Field, Value};
-use crate::xml::{Name, n};
+use crate::model::Field;
 
 /// The structure of elements with fields of an EDS.
 pub(crate) static OBJECT: &SchemaElement = &network::OBJECT.element;
@@ -51,244 +46,6 @@ pub(crate) static DEVICE_BODY: &SchemaElement = &container::DEVICE_BODY.element;
 pub(crate) static GENERAL_FEATURES: &SchemaElement = &network::GENERAL_FEATURES.element;
 pub(crate) static MASTER_FEATURES: &SchemaElement = &network::MASTER_FEATURES.element;
 pub(crate) static DEVICE_COMMISSIONING: &SchemaElement = &network::DEVICE_COMMISSIONING.element;
-
-/// An element in a certain context: `range` of `allowedValues` differs from `range` of `rangeList`.
-#[derive(Debug)]
-pub(crate) struct SchemaElement {
-    pub name: Name,
-    /// Whether version 1.1 declares the element globally, so that it is in the namespace there.
-    pub is_global: bool,
-    pub attributes: &'static [SchemaAttribute],
-    /// The kind of the text; `None` if only elements are allowed.
-    pub text: Option<SchemaAttribute>,
-    /// The child elements, in order.
-    pub content: &'static [Child],
-    /// The attributes and children that version 1.0 does not define.
-    pub newer: &'static [Name],
-}
-
-/// An attribute, or the text of an element.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SchemaAttribute {
-    pub name: Name,
-    pub kind: TextKind,
-    pub need: Occurrence,
-    /// The field of the model, if it is not a plain text.
-    pub field: Option<fn() -> Field>,
-    /// The maximum, if it is lower than that of the type.
-    pub most: Option<u64>,
-    /// The placeholder for a missing value. The reader drops it.
-    pub unstated: Option<&'static str>,
-}
-
-/// Whether an attribute or element is required.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Occurrence {
-    Optional,
-    /// Required by the standard, optional for readers.
-    Required,
-    /// Without it the element has no meaning.
-    Key,
-    /// Not defined by the standard at this place but part of the model: reported, and still read and
-    /// written.
-    Stray,
-}
-
-/// An element, and where a part `P` of the model keeps what is in it.
-pub(crate) struct Shape<P: 'static> {
-    pub element: SchemaElement,
-    /// An empty part.
-    pub new: fn() -> P,
-    /// Whether a part is this element and not another one of the same choice.
-    pub is: fn(&P) -> bool,
-    /// Where the part keeps each attribute, and behind them the text.
-    pub values: &'static [AttributePlace<P>],
-    /// How the part keeps the children of each slot.
-    pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
-    /// Where the part keeps the marks of its children.
-    pub marks: Option<Lens<P, Marks>>,
-}
-
-impl<P> Deref for Shape<P> {
-    type Target = SchemaElement;
-
-    fn deref(&self) -> &SchemaElement {
-        &self.element
-    }
-}
-
-/// Names of elements with the values of their marks.
-pub(crate) type Marks = Vec<(Box<str>, bool)>;
-
-/// A field of a part: for writing, and for reading. `None` for a part without it.
-pub(crate) struct Lens<P, T: ?Sized + 'static> {
-    pub get: fn(&P) -> Option<&T>,
-    pub get_mut: fn(&mut P) -> Option<&mut T>,
-}
-
-/// Where a part keeps the value of an attribute.
-pub(crate) enum AttributePlace<P> {
-    /// Not stored, or stored by the code that reads the element.
-    Nowhere,
-    /// In a field for texts; a text it does not accept becomes a leftover.
-    Text(Lens<P, dyn TextField>),
-    /// In a field that an EDS has too; a text it does not accept becomes an invalid value.
-    Fact(Lens<P, dyn Fact>),
-    /// Among the values of an entry, which are read once the data type is known.
-    Value(Slots),
-    /// Among the marks that the part of the element around it keeps, under the name of the element; the second element of a
-    /// name is `orderNumber[2]`.
-    Mark,
-}
-
-/// One of the values of an entry.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Slots {
-    Default,
-    Actual,
-    Low,
-    High,
-}
-
-/// The alternatives of a choice that a part of one type is.
-pub(crate) struct ElementChoice<C: 'static> {
-    pub elements: &'static [&'static SchemaElement],
-    pub shapes: &'static [&'static Shape<C>],
-}
-
-/// A place in the order of the children: one element, or a choice of several.
-#[derive(Debug)]
-pub(crate) struct Child {
-    pub of: &'static [&'static SchemaElement],
-    pub least: u32,
-    pub most: u32,
-    pub need: Occurrence,
-}
-
-/// The maximum number of slots of an element.
-pub(crate) const MAX_SLOTS: usize = 16;
-
-/// No maximum.
-const MANY: u32 = u32::MAX;
-
-impl Child {
-    /// The element with this name, if it is allowed here.
-    pub(crate) fn element(&self, name: Name) -> Option<&'static SchemaElement> {
-        self.of.iter().copied().find(|element| element.name == name)
-    }
-
-    /// The maximum number of elements with the name of this one. Only `variableRef` may occur more often
-    /// than its alternatives.
-    pub(crate) fn most_of(&self, element: &SchemaElement) -> u32 {
-        if element.name == n::variableRef { MANY } else { self.most }
-    }
-}
-
-impl SchemaElement {
-    /// Whether the standard leaves the content open, as for the simple types.
-    pub(crate) fn is_opaque(&self) -> bool {
-        self.attributes.is_empty() && self.content.is_empty() && self.text.is_none()
-    }
-
-    /// Whether the element can contain names and descriptions.
-    pub(crate) fn has_labels(&self) -> bool {
-        self.content.iter().any(|slot| slot.need != Occurrence::Stray && slot.element(n::label).is_some())
-    }
-
-    /// The attribute with this name.
-    pub(crate) fn attribute(&self, name: Name) -> Option<(usize, &'static SchemaAttribute)> {
-        self.attributes.iter().enumerate().find(|(_, attribute)| attribute.name == name)
-    }
-
-    /// The attribute of a field that an EDS has too.
-    pub(crate) fn attribute_of(&self, field: &Field) -> Option<&'static SchemaAttribute> {
-        self.attributes.iter().find(|attribute| attribute.field().as_ref() == Some(field))
-    }
-
-    /// The slot of a child. The search begins at `from`, because children are usually in order.
-    pub(crate) fn slot(&self, name: Name, from: usize) -> Option<(usize, &'static SchemaElement)> {
-        let slots = || self.content.iter().enumerate();
-        let find = |(number, slot): (usize, &Child)| Some((number, slot.element(name)?));
-        slots().skip(from).find_map(find).or_else(|| slots().take(from).find_map(find))
-    }
-
-    /// What holds the value of an element with one value: its first attribute, else its text.
-    pub(crate) fn holder(&self) -> Name {
-        self.attributes.first().filter(|_| self.text.is_none()).map_or(n::text, |attribute| attribute.name)
-    }
-}
-
-impl SchemaAttribute {
-    /// The field of the model, if it is not a plain text.
-    pub(crate) fn field(&self) -> Option<Field> {
-        self.field.map(|field| field())
-    }
-
-    /// The text for a required attribute without a value; `None` if the element has no meaning without it.
-    pub(crate) fn placeholder(&self) -> Option<&'static str> {
-        self.unstated.or(match self.kind {
-            TextKind::Language => Some(super::defaults::LANGUAGE),
-            TextKind::Text if self.need == Occurrence::Required => Some(""),
-            _ => None,
-        })
-    }
-
-    /// An EDS value in the spelling of this attribute; `None` if the attribute cannot express it.
-    pub(crate) fn spelled(&self, text: &str) -> Option<String> {
-        let number = || match text.strip_prefix("0x") {
-            Some(digits) => u32::from_str_radix(digits, 16).ok(),
-            None => text.parse().ok(),
-        };
-        Some(match (self.kind, text) {
-            (TextKind::Number(..), _) => number()?.to_string(),
-            (TextKind::Hex(..), _) => match number()? {
-                number @ 0..=0xFFFF => format!("{number:04X}"),
-                number => format!("{number:08X}"),
-            },
-            (TextKind::Boolean, "0") => "false".to_owned(),
-            (TextKind::Boolean, "1") => "true".to_owned(),
-            (TextKind::Word(_), _) if self.name == n::PDOmapping => match text {
-                "0" => "no".to_owned(),
-                "1" => "optional".to_owned(),
-                _ => return None,
-            },
-            (TextKind::Date, _) => literal::date(text)?.0.to_iso(),
-            (TextKind::Time, _) => literal::clock_time(text)?.to_iso(true),
-            // the parameter specifies inputs and outputs
-            (TextKind::Word(_), "rwr" | "rww") | (TextKind::Boolean, _) => return None,
-            _ => text.to_owned(),
-        })
-    }
-}
-
-impl Slots {
-    pub(crate) const fn field(self) -> Field {
-        match self {
-            Self::Default => Field::DefaultValue,
-            Self::Actual => Field::ParameterValue,
-            Self::Low => Field::LowLimit,
-            Self::High => Field::HighLimit,
-        }
-    }
-
-    pub(crate) fn get(self, entry: &Entry) -> Option<&Value> {
-        match self {
-            Self::Default => entry.default.as_ref(),
-            Self::Actual => entry.configured_value(),
-            Self::Low => entry.low_limit.as_ref(),
-            Self::High => entry.high_limit.as_ref(),
-        }
-    }
-
-    pub(crate) fn set(self, entry: &mut Entry, value: Value) {
-        match self {
-            Self::Default => entry.default = Some(value),
-            Self::Actual => entry.configured_mut().value = Some(value),
-            Self::Low => entry.low_limit = Some(value),
-            Self::High => entry.high_limit = Some(value),
-        }
-    }
-}
 
 /// The element of the identity whose text is a field of an EDS.
 pub(crate) fn identity_element(field: &Field) -> Option<&'static SchemaElement> {
@@ -474,6 +231,7 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
+    use crate::xml::Name;
 
     /// Every element below `root`, each once.
     pub(in crate::xdd) fn all(root: &'static SchemaElement) -> Vec<&'static SchemaElement> {

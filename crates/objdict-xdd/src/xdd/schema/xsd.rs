@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use super::{CONTAINER, Child, EXTERNAL_NETWORK_BODY, Occurrence, SchemaAttribute, SchemaElement, TextKind};
-use crate::xdd::layout::ProfileClass;
+use crate::xdd::profile_class::ProfileClass;
 use crate::xdd::schema::{BAUD_RATES, MANY};
 use crate::xdd::version::XddVersion;
 use crate::xml::{Name, n};

@@ -1,21 +1,9 @@
 //! The ways in which a part keeps the children of its element: how each is read, written and visited.
 
-use super::{Holds, Reader, ValueFields, text, visit, write_content};
-use crate::xdd::schema::{Child, Lens, Occurrence, SchemaAttribute, SchemaElement, Shape};
+use super::{Holds, Keep, Lens, Reader, Shape, ValueFields, text, visit, write_content};
+use crate::xdd::element::{Child, Occurrence, SchemaAttribute, SchemaElement};
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
-
-/// How a part `P` keeps children.
-pub(crate) trait Keep<P> {
-    /// Reads a child; `false` if it is not kept so, or the part has no room for it.
-    fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool;
-
-    /// Writes the children that are kept so. `first` is that of [`write_with`](super::write_with).
-    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
-
-    /// Visits the texts of nested parts.
-    fn visit(&self, _part: &P, _see: &mut dyn FnMut(&SchemaAttribute, &str)) {}
-}
 
 /// The element groups others of the same part.
 pub(crate) struct Same<P: 'static>(pub &'static Shape<P>);

@@ -6,9 +6,11 @@
 //! Reading compares local names and never fails: of two values for one field the first counts, and
 //! everything without a place in the model goes to the [`Leftovers`].
 
+pub(crate) mod facts;
 mod fields;
 mod identity;
 mod kept;
+mod slots;
 mod stack;
 mod text;
 
@@ -16,16 +18,81 @@ mod text;
 mod tests;
 
 use std::borrow::Cow;
+use std::ops::Deref;
 
 pub(crate) use self::fields::{Holds, TextField, ValueFields};
 pub(crate) use self::identity::IdentityContent;
-pub(crate) use self::kept::{FixedContent, Keep, PartsIn, Same, ValuesIn};
+pub(crate) use self::kept::{FixedContent, PartsIn, Same, ValuesIn};
+pub(crate) use self::slots::Slots;
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
 pub(crate) use self::text::TextForm;
+use super::element::{Child, MAX_SLOTS, Marks, SchemaAttribute, SchemaElement};
+use super::fact::Fact;
 use super::leftovers::Leftovers;
-use super::schema::{AttributePlace, MAX_SLOTS, Marks, SchemaAttribute, SchemaElement, Shape};
 use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
+
+/// An element, and where a part `P` of the model keeps what is in it.
+pub(crate) struct Shape<P: 'static> {
+    pub element: SchemaElement,
+    /// An empty part.
+    pub new: fn() -> P,
+    /// Whether a part is this element and not another one of the same choice.
+    pub is: fn(&P) -> bool,
+    /// Where the part keeps each attribute, and behind them the text.
+    pub values: &'static [AttributePlace<P>],
+    /// How the part keeps the children of each slot.
+    pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
+    /// Where the part keeps the marks of its children.
+    pub marks: Option<Lens<P, Marks>>,
+}
+
+impl<P> Deref for Shape<P> {
+    type Target = SchemaElement;
+
+    fn deref(&self) -> &SchemaElement {
+        &self.element
+    }
+}
+
+/// A field of a part: for writing, and for reading. `None` for a part without it.
+pub(crate) struct Lens<P, T: ?Sized + 'static> {
+    pub get: fn(&P) -> Option<&T>,
+    pub get_mut: fn(&mut P) -> Option<&mut T>,
+}
+
+/// Where a part keeps the value of an attribute.
+pub(crate) enum AttributePlace<P> {
+    /// Not stored, or stored by the code that reads the element.
+    Nowhere,
+    /// In a field for texts; a text it does not accept becomes a leftover.
+    Text(Lens<P, dyn TextField>),
+    /// In a field that an EDS has too; a text it does not accept becomes an invalid value.
+    Fact(Lens<P, dyn Fact>),
+    /// Among the values of an entry, which are read once the data type is known.
+    Value(Slots),
+    /// Among the marks that the part of the element around it keeps, under the name of the element; the second element of a
+    /// name is `orderNumber[2]`.
+    Mark,
+}
+
+/// The alternatives of a choice that a part of one type is.
+pub(crate) struct ElementChoice<C: 'static> {
+    pub elements: &'static [&'static SchemaElement],
+    pub shapes: &'static [&'static Shape<C>],
+}
+
+/// How a part `P` keeps children.
+pub(crate) trait Keep<P> {
+    /// Reads a child; `false` if it is not kept so, or the part has no room for it.
+    fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool;
+
+    /// Writes the children that are kept so. `first` is that of [`write_with`].
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
+
+    /// Visits the texts of nested parts.
+    fn visit(&self, _part: &P, _see: &mut dyn FnMut(&SchemaAttribute, &str)) {}
+}
 
 /// The part of an element that is not kept, or by the code that reads it.
 #[derive(Debug, Default)]

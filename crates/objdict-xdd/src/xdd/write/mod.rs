@@ -9,12 +9,13 @@ mod types;
 mod values;
 
 use self::parameters::EntryParameters;
-use super::layout::ProfileClass;
-use super::schema::PROFILE;
+use super::profile_class::ProfileClass;
+use super::schema::{CONTAINER, PROFILE};
+use super::shape;
 use super::version::XddVersion;
 use super::xdd_writer::XddWriter;
-use super::{fact, shape};
 use crate::model::{Device, FileInfo, InvalidValue};
+use crate::xdd::shape::facts;
 use crate::xml::n;
 
 /// The canonical text of a device in a version of CiA 311, in UTF-8. A configuration for a node is included;
@@ -25,7 +26,7 @@ pub fn write(device: &Device, version: XddVersion) -> String {
     let mut known = None;
     loop {
         let mut out = XddWriter::new(version, known);
-        out.open_container();
+        out.open_container(&CONTAINER);
         writer.profile(ProfileClass::Device, &mut out);
         writer.profile(ProfileClass::Network, &mut out);
         out.close();
@@ -49,11 +50,11 @@ impl Writer<'_> {
         let header = class.pick(&headers.device, &headers.network);
         out.open(&PROFILE);
         shape::write(&header.clone().unwrap_or_else(|| class.unstated_header()), class.header(), out);
-        out.open_body(class);
+        out.open_body(class, class.body());
         out.attribute(n::formatName, "CANopen");
         out.attribute(n::formatVersion, "1.0");
         let file = self.file(class);
-        fact::texts(&file, class.body(), true).iter().for_each(|(name, text)| out.attribute(*name, text));
+        facts::texts(&file, class.body(), true).iter().for_each(|(name, text)| out.attribute(*name, text));
         match class {
             ProfileClass::Device => self.device_body(out),
             ProfileClass::Network => self.network_body(out),

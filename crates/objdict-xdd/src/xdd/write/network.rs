@@ -13,6 +13,7 @@ use crate::xdd::schema::network::{
     DYNAMIC_CHANNELS, GENERAL_FEATURES, IDENTITY, MASTER_FEATURES, MODULE_MANAGEMENT, NETWORK_MANAGEMENT,
     PHYSICAL_LAYER, SUPPORTED_BAUD_RATE, TRANSPORT_LAYERS,
 };
+use crate::xdd::shape::facts;
 use crate::xdd::shape::{self, IdentityContent};
 use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
@@ -32,7 +33,7 @@ impl Writer<'_> {
 
     fn application_layers(&self, info: &DeviceInfo, out: &mut XddWriter) {
         out.open(&APPLICATION_LAYERS);
-        put(&fact::texts(info, &APPLICATION_LAYERS, false), out);
+        put(&facts::texts(info, &APPLICATION_LAYERS, false), out);
         if let Some(identity) = &self.device.network_identity {
             let identity = IdentityContent {
                 vendor_id: identity.vendor_id.clone(),
@@ -58,8 +59,8 @@ impl Writer<'_> {
     }
 
     fn network_management(&self, info: &DeviceInfo, out: &mut XddWriter) {
-        let mut general = fact::texts(info, &GENERAL_FEATURES, false);
-        let master = fact::texts(info, &MASTER_FEATURES, false);
+        let mut general = facts::texts(info, &GENERAL_FEATURES, false);
+        let master = facts::texts(info, &MASTER_FEATURES, false);
         let node = self.device.commissioning.as_ref();
         if general.is_empty() && master.is_empty() && node.is_none() {
             return;
@@ -67,7 +68,7 @@ impl Writer<'_> {
         if !general.iter().any(|(name, _)| *name == n::granularity) {
             general.insert(0, (n::granularity, defaults::NUMBER.to_owned()));
         }
-        let mut node = node.map(|node| fact::texts(node, &DEVICE_COMMISSIONING, true));
+        let mut node = node.map(|node| facts::texts(node, &DEVICE_COMMISSIONING, true));
         if out.version() == XddVersion::V1_0 {
             node.iter_mut().flatten().for_each(without_unit);
         }

@@ -4,10 +4,11 @@ use super::Writer;
 use super::values::{REFERENCE, value_text};
 use crate::model::{Access, Entry, Field, Object, ObjectList, ObjectType};
 use crate::xdd::counterparts::{count, count_attribute};
+use crate::xdd::defaults;
 use crate::xdd::schema::network::{OBJECT, OBJECT_LIST, SUB_OBJECT};
 use crate::xdd::schema::{AttributePlace, SchemaAttribute, Shape};
+use crate::xdd::shape::facts;
 use crate::xdd::xdd_writer::XddWriter;
-use crate::xdd::{defaults, fact};
 use crate::xml::n;
 
 impl Writer<'_> {
@@ -49,7 +50,7 @@ impl Writer<'_> {
             n::index => Some(format!("{index:04X}")),
             n::subIndex => Some(format!("{:02X}", sub.unwrap_or_default())),
             n::name => Some(entry.name.to_string()),
-            n::objectType => fact::text(entry, attribute, at)
+            n::objectType => facts::text(entry, attribute, at)
                 .or_else(|| object?.orphan.then(|| defaults::ORPHAN.to_owned())),
             n::denotation => entry.configured.as_ref()?.denotation.as_deref().map(str::to_owned),
             n::uniqueIDRef => {
@@ -61,14 +62,14 @@ impl Writer<'_> {
                 let number = object?.sub_number.map(|number| number.to_string());
                 number.or_else(|| invalid(&Field::SubNumber))
             }
-            n::dataType => fact::text(entry, attribute, at).or_else(|| unstated(entry, DOMAIN_TYPE)),
+            n::dataType => facts::text(entry, attribute, at).or_else(|| unstated(entry, DOMAIN_TYPE)),
             n::accessType => {
-                let stated = fact::text(entry, attribute, at).filter(|text| attribute.kind.accepts(text));
+                let stated = facts::text(entry, attribute, at).filter(|text| attribute.kind.accepts(text));
                 stated.or_else(|| unstated(entry, Access::Rw.name()))
             }
             _ => match at {
                 AttributePlace::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
-                _ => fact::text(entry, attribute, at),
+                _ => facts::text(entry, attribute, at),
             },
         };
         for (attribute, at) in shape.attributes.iter().zip(shape.values) {

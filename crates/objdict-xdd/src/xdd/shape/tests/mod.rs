@@ -7,7 +7,7 @@ use crate::model::{
     ModuleObjects, Parameter, ProfileHeader, SimpleType,
 };
 use crate::source::SourceFile;
-use crate::xdd::layout::ProfileClass::{self, Device, Network};
+use crate::xdd::profile_class::ProfileClass::{self, Device, Network};
 use crate::xdd::schema::{
     APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_HEADER, DEVICE_IDENTITY, DEVICE_MANAGER, MODULE_MANAGEMENT,
     NETWORK_HEADER, Occurrence, PARAMETER, SchemaElement, TextKind, application, device, network,
@@ -37,7 +37,7 @@ fn unindented(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut Xdd
 /// What is written in a `ProfileBody`, without the elements around it.
 fn written(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
     let mut out = XddWriter::unchecked(version);
-    out.open_body(body);
+    out.open_body(body, body.body());
     put(&mut out);
     out.close_body();
     let (text, _) = out.finish();

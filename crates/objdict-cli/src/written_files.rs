@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
-use super::outcome::Failure;
+use super::ending::Failure;
 use objdict_build::pipeline;
 pub(crate) use objdict_build::pipeline::Saved;
 pub(crate) use objdict_build::pipeline::{OutputError, OutputFolder, Used};

@@ -4,8 +4,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::outcome::Failure;
-use super::save::keep;
+use super::ending::Failure;
+use super::written_files::keep;
 use objdict_profile as profile;
 use objdict_profile::{OpenError, Profile, ProfileError};
 use objdict_project::report::problem;

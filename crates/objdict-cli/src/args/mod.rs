@@ -11,9 +11,9 @@ mod generate;
 mod network;
 mod new;
 mod open;
-mod output;
 mod patch;
 mod probe;
+mod report;
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -39,19 +39,19 @@ pub(super) use self::network::{
 };
 pub(super) use self::new::NewArgs;
 pub(super) use self::open::OpenArgs;
-pub(super) use self::output::{
-    Counting, PlainFormat, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat,
-};
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 pub(super) use self::probe::ProbeArgs;
+pub(super) use self::report::{
+    Counting, PlainFormat, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat,
+};
 use super::baseline::BaselineArgs;
 use super::canonical::DialectArgs;
 use super::fix::FixArgs;
 use super::input::{ExpandArgs, InputArgs, SizeArgs};
-use super::save::OverwriteArgs;
 use super::settings::{ConfigFileArgs, SettingsArgs};
 use super::terminal::TerminalArgs;
 use super::values::node_id;
+use super::written_files::OverwriteArgs;
 use objdict_model::model::{Address, NoAddress};
 
 /// The CANopen object-dictionary toolchain

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::outcome::{Failure, note};
-use super::save::keep;
+use super::ending::{Failure, note};
+use super::written_files::keep;
 use objdict_format::patch::Patch;
 use objdict_model::diagnostic::one_line;
 

@@ -9,7 +9,7 @@ use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 
 use serde::Serialize;
 
-use super::outcome::Failure;
+use super::ending::Failure;
 use super::terminal::{Color, is_quiet};
 use objdict_model::diagnostic::printable;
 use objdict_model::json;

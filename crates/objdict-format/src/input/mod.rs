@@ -15,7 +15,7 @@ pub use self::error::ReadError;
 use self::tags::{containers, start_tags};
 use super::identify::{ContentKind, identify_source};
 #[cfg(feature = "full")]
-use super::patch::{Patch, refuse};
+use super::patch::Patch;
 use super::{Description, Format, Syntax};
 use objdict_model::model::Device;
 use objdict_model::source;
@@ -380,6 +380,17 @@ impl Reading {
             }
         }
         Ok((kind, source))
+    }
+}
+
+/// Refuses a description that a patch is for and does not fit.
+fn refuse(description: &Description) -> Result<(), ReadError> {
+    match description.patched().filter(|patched| patched.has_errors()) {
+        None => Ok(()),
+        Some(patched) => Err(ReadError::NotPatched {
+            name: description.source().name().to_owned(),
+            problems: patched.lines().join("\n"),
+        }),
     }
 }
 

@@ -9,14 +9,14 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "schema")]
 pub(super) use self::compare::TableDifferences;
 use super::args::{GenerateArgs, SizeFormat};
+use super::ending::{Failure, Outcome, note, tell};
 use super::input::{name_of, source_name};
-use super::outcome::{Failure, Outcome, note, tell};
-use super::output::Output;
 use super::progress::Progress;
-use super::save::{SaveFolder, Saved, keep, require_other, save, save_in_place};
 use super::sizes;
+use super::stdout::Output;
 use super::table::TextTable;
 use super::terminal::is_quiet;
+use super::written_files::{SaveFolder, Saved, keep, require_other, save, save_in_place};
 use objdict_build::pipeline::{
     CheckedDescription, Error, Generation, MemoryLimits, Request, depfile, report_lines,
 };

@@ -1,0 +1,71 @@
+//! The patches that were made in a description, and what came of them.
+
+use std::sync::Arc;
+
+use super::Patch;
+use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity};
+use objdict_model::model::{Part, Place};
+use objdict_model::source::Span;
+
+/// The patches that were made in a description.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct Patched {
+    /// The patches that are for it.
+    pub patches: Vec<Arc<Patch>>,
+    /// All that were given, for the other devices of the file.
+    pub given: Vec<Arc<Patch>>,
+    /// What was found when they were made, patch by patch; its places are spans of the patch.
+    pub findings: Vec<Findings>,
+    /// What was changed: the place in the model, the patch and the span in it.
+    pub causes: Vec<(Place, usize, Span)>,
+}
+
+impl Patched {
+    /// Whether a patch could not be made.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|findings| findings.worst() == Some(Severity::Error))
+    }
+
+    /// The patches, each with what was found when it was made.
+    pub fn by_patch(&self) -> impl Iterator<Item = (&Patch, &Findings)> {
+        self.patches.iter().map(|patch| &**patch).zip(&self.findings)
+    }
+
+    /// The problems, a line each: the patch with line and column, the severity, the rule and the message.
+    pub fn lines(&self) -> Vec<String> {
+        self.by_patch().flat_map(|(patch, findings)| lines(patch, findings)).collect()
+    }
+
+    /// The patch and the place in it that changed a place of the model.
+    pub fn cause_of(&self, place: &Place) -> Option<(usize, Span)> {
+        let is_it = |cause: &Place| {
+            let is_part = cause.part == place.part
+                || cause.field.is_none()
+                    && cause.part.object().is_some()
+                    && cause.part == object_of(&place.part);
+            is_part && (cause.field.is_none() || place.field.is_none() || cause.field == place.field)
+        };
+        self.causes.iter().rev().find(|(cause, ..)| is_it(cause)).map(|&(_, patch, span)| (patch, span))
+    }
+}
+
+/// What was found when a patch was made, a line each.
+pub(super) fn lines(patch: &Patch, findings: &Findings) -> Vec<String> {
+    let line = |finding: &Diagnostic| {
+        let span = match finding.labels.first().map(|label| &label.at) {
+            Some(At::Span(span)) => *span,
+            _ => Span::default(),
+        };
+        let start = patch.source().line_column(span.start);
+        let name = patch.source().name();
+        let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
+        format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column)
+    };
+    findings.iter().map(line).collect()
+}
+
+/// The object that a part belongs to.
+fn object_of(part: &Part) -> Part {
+    part.object().map_or_else(|| part.clone(), Part::Object)
+}
