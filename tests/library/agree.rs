@@ -83,7 +83,8 @@ fn the_boot_plan_has_the_numbers_that_the_manager_compares() {
 #[test]
 fn the_manager_receives_requested_pdos() {
     for (word, number) in [("rtr", 253), ("rtr-sync", 252)] {
-        let text = format!("{HEAD}[node.a]\nfile = \"a.eds\"\nid = 5\ntpdo.1 = {{ type = \"{word}\" }}\n");
+        let text =
+            format!("{HEAD}[node.a]\nfile = \"a.eds\"\nid = 5\ntpdo.1 = {{ transmission = \"{word}\" }}\n");
         let text = if number == 252 { text.replace("125\n", "125\nsync = \"10ms\"\n") } else { text };
         let file = network(word, &text, &[("a.eds", "middle.eds", &[])]);
         let build = file.build(DcfgenMode::Corrected).unwrap();
@@ -201,7 +202,7 @@ fn an_identifier_in_use_is_not_changed() {
 fn another_sync_counter_is_found_before_the_build() {
     let text = format!(
         "{HEAD}[node.a]\nfile = \"a.eds\"\nid = 5\nset = {{ \"1019\" = 16, \"1006\" = 10000, \"1005\" = 0x40000080 }}\n\
-         tpdo.1 = {{ type = \"sync/1\" }}\n"
+         tpdo.1 = {{ transmission = \"sync/1\" }}\n"
     );
     let file = network("counter", &text, &[("a.eds", "counter.eds", &[])]);
     let message = "`manager` expects SYNC with the counter overflow 0, but it is 16";

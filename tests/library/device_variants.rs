@@ -63,6 +63,22 @@ fn a_variant_is_the_device_with_what_it_says_otherwise() {
 }
 
 #[test]
+fn a_former_name_of_a_key_means_the_same_in_a_file_and_its_variant() {
+    for [of_file, of_variant] in [["event-timer", "event"], ["event", "event-timer"], ["event", "event"]] {
+        let text = FAMILY.replace("event-timer = \"1s\"", &format!("{of_file} = \"1s\""));
+        let text = text.replace("event-timer = \"100ms\"", &format!("{of_variant} = \"100ms\""));
+        let event =
+            |device: &Device| device.object(0x1802).and_then(|object| object.entry(5)?.default.clone());
+        assert_eq!(event(read(&text).device()), Some(Value::Unsigned(1000)), "{of_file}");
+        assert_eq!(
+            event(variant(&text, "io8-fast").unwrap().device()),
+            Some(Value::Unsigned(100)),
+            "{of_variant}"
+        );
+    }
+}
+
+#[test]
 fn what_a_variant_removes_may_be_of_the_profile_or_of_the_file() {
     let text = |variant: &str| {
         format!(

@@ -266,7 +266,7 @@ fn a_node_has_the_keys_of_its_type() {
         file = \"island.eds\"
         heartbeat = \"300ms\"
         set = { \"1800:5\" = \"20ms\", \"1801:5\" = \"40ms\" }
-        tpdo.1 = { type = \"event\", inhibit = \"5ms\", map = [\"6000:1-2\"] }
+        tpdo.1 = { transmission = \"event\", inhibit = \"5ms\", map = [\"6000:1-2\"] }
         [node.left]
         use = \"island\"
         id = 11
@@ -286,7 +286,7 @@ fn a_node_has_the_keys_of_its_type() {
         heartbeat = \"200ms\"
         watch = \"2x\"
         set = { \"1800:5\" = \"20ms\", \"1801:5\" = \"60ms\", \"1801:3\" = \"10ms\" }
-        tpdo.1 = { type = \"event\", inhibit = \"2ms\", map = [\"6000:3\"] }
+        tpdo.1 = { transmission = \"event\", inhibit = \"2ms\", map = [\"6000:3\"] }
         tpdo.2 = { enabled = false }
         sdo = [{ entry = \"1017\", value = 150 }]
         [node.right]
@@ -295,7 +295,7 @@ fn a_node_has_the_keys_of_its_type() {
         heartbeat = \"300ms\"
         watch = \"3x\"
         set = { \"1800:5\" = \"20ms\", \"1801:5\" = \"40ms\" }
-        tpdo.1 = { type = \"event\", inhibit = \"5ms\", map = [\"6000:1-2\"] }
+        tpdo.1 = { transmission = \"event\", inhibit = \"5ms\", map = [\"6000:1-2\"] }
         sdo = [{ entry = \"1017\", value = 100 }, { entry = \"1017\", value = 200 }]";
     let [one, other] = [of_type, plain].map(read);
     assert!(!one.check().has_errors(), "{:?}", one.check());
@@ -323,9 +323,11 @@ fn the_load_says_what_it_leaves_out() {
     };
     let all = "NMT, EMCY, SDO, 1 PDO without inhibit time and event timer (18Bh)";
     // one RPDO of 8 bytes each second
-    assert_eq!(uncounted("type = \"event\""), (all.to_owned(), Some(0)));
-    assert_eq!(uncounted("type = \"rtr\""), (all.to_owned(), Some(0)));
-    for keys in ["type = \"event\", inhibit = \"5ms\"", "type = \"event\", event-timer = \"5ms\""] {
+    assert_eq!(uncounted("transmission = \"event\""), (all.to_owned(), Some(0)));
+    assert_eq!(uncounted("transmission = \"rtr\""), (all.to_owned(), Some(0)));
+    for keys in
+        ["transmission = \"event\", inhibit = \"5ms\"", "transmission = \"event\", event-timer = \"5ms\""]
+    {
         assert_eq!(uncounted(keys), ("NMT, EMCY, SDO".to_owned(), Some(108)), "{keys}");
     }
 }

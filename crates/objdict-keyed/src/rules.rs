@@ -35,6 +35,14 @@ text_rules! {
     remedy: "Correct the name or remove the key.",
     source: "dcf-tools 2.4.2; objdict, docs/network.md",
 
+    FORMER_KEY = "keys/former-key", Warning, fix Safe;
+    summary: "a key that has another name now",
+    checks: "Whether a key has the name that it has in all files of objdict: `event-timer` for `event` in a `device.toml`, `transmission` for `type` in a `network.toml`.",
+    why: "The same parameter of a PDO would have several names, one in each file. The former name is still read.",
+    example: "`tpdo.1 = { type = \"sync/1\" }`",
+    remedy: "Rename the key. `objdict check --fix` does in a `device.toml`, and an editor does in both.",
+    source: "objdict, docs/device.md and docs/network.md",
+
     WRONG_TYPE = "keys/wrong-type", Error;
     summary: "a value of the wrong type",
     checks: "Whether each value is a number, a text, true or false, a list or a table as its key demands. A number with a fraction where a whole one belongs, and a decimal number in quotes, are warnings.",

@@ -9,8 +9,14 @@ pub const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 
 /// A map with these keys and no others.
 pub fn object(keys: &[Key]) -> Value {
-    let properties: Map<String, Value> =
+    let mut properties: Map<String, Value> =
         keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
+    for (key, former) in keys.iter().filter_map(|key| Some((key, key.former?))) {
+        let mut property = shape(&key.shape);
+        property["description"] = format!("A former name of `{}`.", key.name).into();
+        property["deprecated"] = true.into();
+        properties.insert(former.to_owned(), property);
+    }
     json!({ "type": "object", "properties": properties, "additionalProperties": false })
 }
 

@@ -1,8 +1,8 @@
 //! Reading maps by a table of their keys, which also makes their JSON Schema.
 
-use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
+use super::rules::{FORMER_KEY, MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{KeyedTree, Kind, Pair};
-use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
+use objdict_model::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, misspelled, nearest, say};
 use objdict_model::literal::nanoseconds;
 use objdict_model::source::{Said, Span};
 
@@ -15,6 +15,21 @@ pub struct Key {
     pub shape: Shape,
     /// What it means: a sentence for the JSON Schema and the documentation.
     pub meaning: &'static str,
+    /// A name that it had in this kind of file, which is still read.
+    pub former: Option<&'static str>,
+}
+
+/// A key without a former name.
+pub const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
+    Key { name, shape, meaning, former: None }
+}
+
+impl Key {
+    /// The key with a name that is still read, with a finding.
+    #[must_use]
+    pub const fn formerly(self, former: &'static str) -> Self {
+        Self { former: Some(former), ..self }
+    }
 }
 
 /// What a value is.
@@ -109,7 +124,16 @@ impl<'t> KeyedTable<'t> {
         let section = Self { span: tree.span, entries, keys };
         for entry in entries {
             let key = entry.key.spelled();
-            if !keys.iter().any(|known| known.name == key) {
+            if let Some(renamed) = keys.iter().find(|known| known.former == Some(&key)) {
+                let message = say!("`{}` of `{}` is called `{}`", key, name, renamed.name);
+                let fix =
+                    Fix::safe(say!("rename it `{}`", renamed.name)).replace(entry.key.span, renamed.name);
+                findings.push(
+                    Diagnostic::new(&FORMER_KEY, entry.key.span, message)
+                        .help(say!("rename it `{}`", renamed.name))
+                        .fix(fix),
+                );
+            } else if !keys.iter().any(|known| known.name == key) {
                 let finding =
                     Diagnostic::new(&UNKNOWN_KEY, entry.key.span, say!("`{}` has no key `{}`", name, key));
                 let finding = rated(finding, &key);
@@ -129,8 +153,12 @@ impl<'t> KeyedTable<'t> {
 
     /// The value of a key.
     pub fn get(&self, name: &str) -> Option<&'t KeyedTree> {
-        debug_assert!(self.keys.iter().any(|key| key.name == name), "{name} is not in the table");
-        self.entries.iter().find(|entry| entry.key.text() == Some(name)).map(|entry| &entry.value)
+        let key = self.keys.iter().find(|key| key.name == name);
+        debug_assert!(key.is_some(), "{name} is not in the table");
+        let position = |name: &str| self.entries.iter().position(|entry| entry.key.text() == Some(name));
+        // what extends another file comes behind it
+        let at = position(name).max(key.and_then(|key| key.former).and_then(position))?;
+        Some(&self.entries[at].value)
     }
 
     /// The value of a key that must be there.

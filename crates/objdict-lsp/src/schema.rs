@@ -60,12 +60,13 @@ impl<'a> Schema<'a> {
         })
     }
 
-    /// The keys of a table here, each with its meaning.
+    /// The keys of a table here, each with its meaning, without former names.
     pub(super) fn keys(self) -> Vec<(&'a str, &'a str)> {
         let mut keys = Vec::new();
         for table in self.tables() {
             for (name, value) in table.at["properties"].as_object().into_iter().flatten() {
-                if value.is_object() && keys.iter().all(|(known, _)| known != name) {
+                let is_former = value["deprecated"] == true;
+                if value.is_object() && !is_former && keys.iter().all(|(known, _)| known != name) {
                     keys.push((name.as_str(), value["description"].as_str().unwrap_or_default()));
                 }
             }

@@ -1,10 +1,6 @@
 //! The keys of `bus.yml`: those of dcfgen 2.4.2 and of ros2_canopen.
 
-use objdict_keyed::section::{Key, Shape, bits};
-
-const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
-    Key { name, shape, meaning }
-}
+use objdict_keyed::section::{Key, Shape, bits, key};
 
 /// A key that belongs to the drivers and launch files of ROS.
 const fn ros(name: &'static str) -> Key {

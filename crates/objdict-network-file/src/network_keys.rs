@@ -1,10 +1,6 @@
 //! The keys of `network.toml`.
 
-use objdict_keyed::section::{Key, Shape, bits};
-
-const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
-    Key { name, shape, meaning }
-}
+use objdict_keyed::section::{Key, Shape, bits, key};
 
 /// A time in an object of so many bits and nanoseconds a unit.
 const fn time(bits: u32, unit: u64) -> Shape {
@@ -18,7 +14,7 @@ const NUMBERS: Shape = Shape::Numbers((1, 254), (0, 255));
 
 const UNUSED_PDOS: Shape = Shape::Word(&["keep", "off"]);
 
-const TYPE: &str = "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number.";
+const TRANSMISSION: &str = "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number.";
 const INHIBIT: &str = "The inhibit time: a text with a unit, or a number of 100 µs.";
 const EVENT_TIMER: &str = "The event timer: a text with a unit, or a number of ms.";
 const DEADLINE: &str = "Consumer timeout of the PDO: a text with a unit, or a number of ms.";
@@ -150,7 +146,7 @@ pub(super) const PDO: &[Key] = &[
         Shape::IntegerOr(0, 0xFFFF_FFFF, "auto"),
         "COB-ID; `auto`: that of the predefined connection set.",
     ),
-    key("type", Shape::Text, TYPE),
+    key("transmission", Shape::Text, TRANSMISSION).formerly("type"),
     key("inhibit", TENTHS, INHIBIT),
     key("event-timer", MILLISECONDS, EVENT_TIMER),
     key("deadline", MILLISECONDS, DEADLINE),
@@ -174,7 +170,7 @@ pub(super) const LINK: &[Key] = &[
         "The entries of the producer: `left.6000:1-5`, `left.Statusword`; only the name of a manager without a description.",
     ),
     key("to", Shape::Texts, "As many entries of one consumer, or of each in a list; a manager as in `from`."),
-    key("type", Shape::Text, TYPE),
+    key("transmission", Shape::Text, TRANSMISSION).formerly("type"),
     key("inhibit", TENTHS, INHIBIT),
     key("event-timer", MILLISECONDS, EVENT_TIMER),
     key("deadline", MILLISECONDS, DEADLINE),

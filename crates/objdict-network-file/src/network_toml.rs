@@ -356,7 +356,7 @@ impl NetworkReader<'_, '_> {
     }
 
     fn transmission(&mut self, section: &KeyedTable<'_>) -> Option<Said<u8>> {
-        let text = section.text("type", self.findings)?;
+        let text = section.text("transmission", self.findings)?;
         let number = transmission_type(&text.value);
         if number.is_none() {
             self.ill_typed(

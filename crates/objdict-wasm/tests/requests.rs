@@ -227,7 +227,7 @@ fn links_are_edits_of_the_text() {
     let moved = link(&mut workbench, json!({ "change": "move", "link": 1, "end": 2, "to": "right.6200:3" }));
     assert_eq!(changed(&added, &moved), ["to = [\"left.6200:1-2\", \"right.6200:3\"]"]);
     let removed = link(&mut workbench, json!({ "change": "remove", "link": 0 }));
-    let table = "[[link]]\nfrom = \"left.6000:1-5\"\nto = \"plc\"\ntype = \"sync/1\"\n\n";
+    let table = "[[link]]\nfrom = \"left.6000:1-5\"\nto = \"plc\"\ntransmission = \"sync/1\"\n\n";
     assert_eq!(removed, moved.replace(table, ""));
     for _ in 0..3 {
         ok(&mut workbench, json!({ "do": "undo", "document": 0 }));

@@ -58,6 +58,29 @@ fn files_nodes_and_entries_of_a_network() {
 }
 
 #[test]
+fn a_former_key_is_read_and_renamed() {
+    let mut client = client();
+    let found = labels(&mut client, "network.toml", &format!("{NODE}tpdo.1.‸\n"));
+    assert!(found.contains(&"transmission".to_owned()) && !found.contains(&"type".to_owned()), "{found:?}");
+    let text = format!("{NODE}tpdo.1 = {{ type = \"event\" }}\n");
+    client.open("network.toml", &text);
+    let range = json!({ "start": { "line": 3, "character": 12 }, "end": { "line": 3, "character": 12 } });
+    let params = json!({ "textDocument": client.document("network.toml"), "range": range, "context": { "diagnostics": [] } });
+    let offered = client.ask("textDocument/codeAction", params);
+    let action = offered
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|action| action["title"] == "rename it `transmission`")
+        .unwrap();
+    let edit = &action["edit"]["changes"][client.uri("network.toml")][0];
+    assert_eq!(
+        (&edit["newText"], &edit["range"]["start"]["character"]),
+        (&json!("transmission"), &json!(11))
+    );
+}
+
+#[test]
 fn keys_of_bus_yml() {
     let mut client = client();
     let head = "master:\n  node_id: 1\nservo:\n  dcf: island.eds\n";

@@ -3,13 +3,9 @@
 use std::sync::LazyLock;
 
 use crate::scaffold::{FEATURES, FeatureKind};
-use objdict_keyed::section::{Key, Shape, bits};
+use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types;
 use objdict_keyed::types::OBJECT_TYPES;
-
-const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
-    Key { name, shape, meaning }
-}
 
 const UNSTATED: &str = "Which facts the description leaves out that would follow from missing keys.";
 
@@ -142,7 +138,12 @@ pub(super) const PDO: &[Key] = &[
         Shape::Time(0xFFFF, 100_000),
         "The inhibit time: a text with a unit, or a number of 100 µs.",
     ),
-    key("event", Shape::Time(0xFFFF, 1_000_000), "The event timer: a text with a unit, or a number of ms."),
+    key(
+        "event-timer",
+        Shape::Time(0xFFFF, 1_000_000),
+        "The event timer: a text with a unit, or a number of ms.",
+    )
+    .formerly("event"),
     key("sync-start", bits(8), "SYNC start value."),
 ];
 

@@ -15,7 +15,7 @@ use objdict_node::configure::transmission_type;
 /// Sub-indexes of a communication parameter that keys set.
 const TRANSMISSION: u8 = 2;
 const INHIBIT: u8 = 3;
-const EVENT: u8 = 5;
+const EVENT_TIMER: u8 = 5;
 const SYNC_START: u8 = 6;
 
 /// The key that sets a sub-index of a communication parameter.
@@ -24,7 +24,7 @@ pub(super) fn key_of(sub: u8) -> Option<&'static str> {
         1 => "cob-id",
         TRANSMISSION => "transmission",
         INHIBIT => "inhibit",
-        EVENT => "event",
+        EVENT_TIMER => "event-timer",
         SYNC_START => "sync-start",
         _ => return None,
     })
@@ -37,7 +37,7 @@ pub(super) struct PdoSaid {
     cob_id: Option<Value>,
     transmission: Option<u8>,
     inhibit: Option<u16>,
-    event: Option<u16>,
+    event_timer: Option<u16>,
     sync_start: Option<u8>,
 }
 
@@ -57,7 +57,7 @@ pub(super) fn read(root: &KeyedTable<'_>, kind: PdoKind, device: &mut Device, fi
             cob_id: section.get("cob-id").and_then(|tree| cob_id(tree, kind, number, findings)),
             transmission: transmission(&section, findings),
             inhibit: section.time("inhibit", findings).map(|time| time.value),
-            event: section.time("event", findings).map(|time| time.value),
+            event_timer: section.time("event-timer", findings).map(|time| time.value),
             sync_start: section.integer("sync-start", findings).map(|value| value.value),
         };
         said.apply(kind, u16::try_from(number).unwrap_or(1), &mut device.objects, &mut standard);
@@ -181,7 +181,7 @@ impl PdoSaid {
         let numbers = [
             (TRANSMISSION, self.transmission.map(u64::from)),
             (INHIBIT, self.inhibit.map(u64::from)),
-            (EVENT, self.event.map(u64::from)),
+            (EVENT_TIMER, self.event_timer.map(u64::from)),
             (SYNC_START, self.sync_start.map(u64::from)),
         ];
         if is_new {
@@ -226,7 +226,7 @@ impl PdoSaid {
             cob_id: communication.subs.get(1)?.default.clone(),
             transmission: value(TRANSMISSION).and_then(|number| u8::try_from(number).ok()),
             inhibit: value(INHIBIT).and_then(|number| u16::try_from(number).ok()),
-            event: value(EVENT).and_then(|number| u16::try_from(number).ok()),
+            event_timer: value(EVENT_TIMER).and_then(|number| u16::try_from(number).ok()),
             sync_start: value(SYNC_START).and_then(|number| u8::try_from(number).ok()),
         })
     }
@@ -254,7 +254,7 @@ impl PdoSaid {
             |said| said.cob_id = None,
             |said| said.transmission = None,
             |said| said.inhibit = None,
-            |said| said.event = None,
+            |said| said.event_timer = None,
             |said| said.sync_start = None,
             |said| said.map = None,
         ];
@@ -287,8 +287,8 @@ impl PdoSaid {
         if let Some(time) = self.inhibit {
             lines.push(format!("inhibit = {}", quoted(&milliseconds(u32::from(time)))));
         }
-        if let Some(time) = self.event {
-            lines.push(format!("event = {}", quoted(&format!("{time}ms"))));
+        if let Some(time) = self.event_timer {
+            lines.push(format!("event-timer = {}", quoted(&format!("{time}ms"))));
         }
         lines.extend(self.sync_start.map(|number| format!("sync-start = {number}")));
         lines

@@ -49,7 +49,7 @@ fn example(device: &Device) -> String {
     let is_free =
         |number: &u16| device.pdo(PdoKind::Tpdo, *number).is_none_or(|pdo| pdo.mapped().next().is_none());
     if let Some(number) = PREDEFINED.into_iter().find(is_free) {
-        text.push_str(&format!("[tpdo.{number}]\nmap = [\"2000\"]\nevent = \"100ms\"\n\n"));
+        text.push_str(&format!("[tpdo.{number}]\nmap = [\"2000\"]\nevent-timer = \"100ms\"\n\n"));
     }
     text.push_str("[object]\n");
     if device.object(0x1017).is_some() {

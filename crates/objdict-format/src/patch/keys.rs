@@ -1,11 +1,7 @@
 //! The keys of a patch.
 
 use crate::patch::words::FIELDS;
-use objdict_keyed::section::{Key, Shape, bits};
-
-const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
-    Key { name, shape, meaning }
-}
+use objdict_keyed::section::{Key, Shape, bits, key};
 
 /// The word that makes a file a patch.
 pub(super) const FORMAT: &str = "objdict-patch/1";

@@ -2,14 +2,10 @@
 //!
 //! A new word of a field also needs its arms in `fields` and a row in docs/patches.md.
 
-use objdict_keyed::section::{Key, Shape, bits};
+use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types;
 use objdict_keyed::types::{ACCESS, OBJECT_TYPES};
 use objdict_model::model::{DataType, ObjectType, Part};
-
-const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
-    Key { name, shape, meaning }
-}
 
 /// The fields of an object or entry.
 pub(crate) const ENTRY: &[Key] = &[
