@@ -384,6 +384,7 @@ impl Reading {
 }
 
 /// Refuses a description that a patch is for and does not fit.
+#[cfg(feature = "full")]
 fn refuse(description: &Description) -> Result<(), ReadError> {
     match description.patched().filter(|patched| patched.has_errors()) {
         None => Ok(()),
