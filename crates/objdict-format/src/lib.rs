@@ -17,6 +17,8 @@ pub mod device_toml;
 mod dialect;
 #[cfg(feature = "full")]
 pub mod embedded;
+#[cfg(feature = "full")]
+mod field_names;
 pub mod identify;
 pub mod input;
 #[cfg(feature = "full")]

@@ -1,5 +1,6 @@
 //! From paths in the JSON of the model to addresses in the device.
 
+use crate::field_names::at_json;
 use objdict_model::model::{Field, ModulePart, ObjectList, Part, Place};
 
 /// The address of a path.
@@ -7,16 +8,13 @@ pub(super) fn of(path: &str) -> Place {
     let mut steps = path.split('/').skip(1);
     let first = steps.next().unwrap_or_default();
     let rest: Vec<&str> = steps.collect();
-    let whole = |part: Part| with_field(part, &rest, field);
+    let whole = |part: Part| with_field(part, &rest);
     match first {
-        "file_info" => whole(Part::FileInfo),
-        "device_info" => match rest[..] {
-            ["baud_rates", rate] => with_field(Part::DeviceInfo, &[&format!("baud_rate_{rate}")], field),
-            _ => with_field(Part::DeviceInfo, &rest, device_field),
-        },
+        "file_info" => known(Part::FileInfo, &rest),
+        "device_info" => known(Part::DeviceInfo, &rest),
         "dummy_usage" => whole(Part::DummyUsage),
         "comments" => whole(Part::Comments),
-        "commissioning" => with_field(Part::Commissioning, &rest, node_field),
+        "commissioning" => known(Part::Commissioning, &rest),
         "downloads" => named(Part::Commissioning, &[&[first], rest.as_slice()].concat()),
         "lists" => list(&rest),
         "objects" => object(&rest, &Part::Object, &Part::Entry),
@@ -35,7 +33,7 @@ pub(super) fn of(path: &str) -> Place {
 }
 
 /// The place of the field that steps lead to.
-fn with_field(part: Part, steps: &[&str], field: fn(&str) -> Option<Field>) -> Place {
+fn with_field(part: Part, steps: &[&str]) -> Place {
     match steps {
         [] => Place::of(part),
         [name] => match field(name) {
@@ -83,31 +81,20 @@ fn compact(part: Part, steps: &[&str]) -> Place {
     }
 }
 
-/// A field of an entry. Of a value the path goes on to its kind, which says nothing more.
+/// A field that has a row in the table of names, else one of that name.
+fn known(part: Part, steps: &[&str]) -> Place {
+    match at_json(&part, &steps.join("/")) {
+        Some(field) => Place::of(part).field(field),
+        None => with_field(part, steps),
+    }
+}
+
+/// A field of an entry.
 fn entry_field(part: Part, steps: &[&str]) -> Place {
-    let field = match steps {
-        ["name"] => Field::ParameterName,
-        ["object_type"] => Field::ObjectType,
-        ["data_type"] => Field::DataType,
-        ["access"] => Field::AccessType,
-        ["pdo_mapping"] => Field::PdoMapping,
-        ["default", ..] => Field::DefaultValue,
-        ["low_limit", ..] => Field::LowLimit,
-        ["high_limit", ..] => Field::HighLimit,
-        ["flags"] => Field::ObjFlags,
-        ["sub_number"] => Field::SubNumber,
-        ["count", ..] => Field::Count,
-        ["obj_extend"] => Field::ObjExtend,
-        ["configured", "value", ..] => Field::ParameterValue,
-        ["configured", "denotation"] => Field::Denotation,
-        ["configured", "upload_file"] => Field::UploadFile,
-        ["configured", "download_file"] => Field::DownloadFile,
-        ["configured", "reference_designator"] => Field::ParamRefd,
-        ["safety", "srdo_mapping"] => Field::SrdoMapping,
-        ["safety", "inverted_srad"] => Field::InvertedSrad,
-        _ => return named(part, steps),
-    };
-    Place::of(part).field(field)
+    match at_json(&part, &steps.join("/")) {
+        Some(field) => Place::of(part).field(field),
+        None => named(part, steps),
+    }
 }
 
 fn list(steps: &[&str]) -> Place {
@@ -146,7 +133,7 @@ fn module(number: u16, steps: &[&str]) -> Place {
         ["extensions", rest @ ..] => object(rest, &|index| part(ModulePart::SubExt(index)), &|index, _| {
             part(ModulePart::SubExt(index))
         }),
-        rest => with_field(part(ModulePart::Info), rest, field),
+        rest => with_field(part(ModulePart::Info), rest),
     }
 }
 
@@ -155,24 +142,4 @@ fn field(name: &str) -> Option<Field> {
     let squeezed = name.replace('_', "");
     let same = |text: &str| text.replace('_', "").eq_ignore_ascii_case(&squeezed);
     Field::NAMED.iter().find(|(text, _)| same(text)).map(|(_, field)| field.clone())
-}
-
-/// A field of the device that JSON calls otherwise than CiA 306-1.
-fn device_field(name: &str) -> Option<Field> {
-    match name {
-        "rpdo_count" => Some(Field::NrOfRxPdo),
-        "tpdo_count" => Some(Field::NrOfTxPdo),
-        "safety_supported" => Some(Field::CanOpenSafetySupported),
-        name => field(name),
-    }
-}
-
-/// A field of the commissioning that JSON calls otherwise than CiA 306-1.
-fn node_field(name: &str) -> Option<Field> {
-    match name {
-        "node_reference_designator" => Some(Field::NodeRefd),
-        "net_reference_designator" => Some(Field::NetRefd),
-        "manager" => Some(Field::CanOpenManager),
-        name => field(name),
-    }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::words::{index, subs};
+use crate::field_names::{facts_of, key_of};
 use objdict_keyed::tree::KeyedTree;
 use objdict_model::model::{Field, Part, PdoKind, Place};
 use objdict_model::source::Span;
@@ -188,67 +189,14 @@ impl KeyPlaces {
 
 /// The keys that may state a field, the nearest first.
 pub(super) fn keys_of(part: &Part, field: &Field) -> Vec<String> {
-    let fixed: &[&str] = match (part, field) {
-        (Part::FileInfo | Part::DeviceInfo | Part::Commissioning, field) => {
-            return vec![key_of_fact(field)];
-        }
-        (_, Field::ParameterName) => &["name"],
-        (_, Field::ObjectType) => &["object-type", "type"],
-        (_, Field::DataType) => &["data-type", "type"],
-        (_, Field::CompactSubObj) => &["type"],
-        (_, Field::AccessType) => &["access"],
-        (_, Field::PdoMapping) => &["map"],
-        (_, Field::DefaultValue) => &["default"],
-        (_, Field::LowLimit) => &["min"],
-        (_, Field::HighLimit) => &["max"],
-        (_, Field::ParameterValue) => &["value"],
-        (_, Field::ObjFlags) => &["flags"],
-        (_, Field::SubNumber) => &["sub-number"],
-        (_, Field::Denotation) => &["denotation"],
-        (_, Field::UploadFile) => &["upload-file"],
-        (_, Field::DownloadFile) => &["download-file"],
-        (_, Field::Item(number)) => return vec![format!("{number:X}")],
-        _ => &[],
-    };
-    fixed.iter().map(|key| (*key).to_owned()).collect()
-}
-
-/// The key of a fact of file, device or node: the words of its name in small letters, with some exceptions.
-fn key_of_fact(field: &Field) -> String {
-    let fixed = match field {
-        Field::EdsVersion => "eds-version",
-        Field::LastEds => "last-eds",
-        Field::NrOfRxPdo => "rpdo-count",
-        Field::NrOfTxPdo => "tpdo-count",
-        Field::LssSupported => "lss-supported",
-        Field::CompactPdo => "compact-pdo",
-        Field::CanOpenSafetySupported => "safety-supported",
-        Field::NodeId => "node-id",
-        Field::NodeRefd => "node-reference-designator",
-        Field::NetRefd => "net-reference-designator",
-        Field::Baudrate => "baud-rate",
-        Field::CanOpenManager => "manager",
-        Field::LssSerialNumber => "lss-serial-number",
-        Field::BaudRate10
-        | Field::BaudRate20
-        | Field::BaudRate50
-        | Field::BaudRate125
-        | Field::BaudRate250
-        | Field::BaudRate500
-        | Field::BaudRate800
-        | Field::BaudRate1000
-        | Field::BaudRateAuto => "bit-rates",
-        _ => "",
-    };
-    if !fixed.is_empty() {
-        return fixed.to_owned();
+    match field {
+        Field::Item(number) => return vec![format!("{number:X}")],
+        // the type says what kind of object it is; `data-type` is that of a record or array as a whole
+        Field::ObjectType => return vec!["object-type".to_owned(), "type".to_owned()],
+        Field::DataType => return vec!["data-type".to_owned(), "type".to_owned()],
+        Field::CompactSubObj => return vec!["type".to_owned()],
+        _ => {}
     }
-    let mut key = String::new();
-    for c in field.name().chars() {
-        if c.is_ascii_uppercase() && !key.is_empty() {
-            key.push('-');
-        }
-        key.push(c.to_ascii_lowercase());
-    }
-    key
+    let named = || facts_of(part).map(|_| field.name().into_owned());
+    key_of(part, field).map(str::to_owned).or_else(named).into_iter().collect()
 }

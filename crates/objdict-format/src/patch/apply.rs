@@ -9,8 +9,8 @@ use super::rules::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
 use super::{ChangeWords, ChangedPart, Patch, Patched, Worded, selected};
 use crate::Description;
 use crate::compare::{self, Datum, DatumChange};
+use crate::field_names;
 use crate::patch::fields::{entry, get, set};
-use crate::patch::words::CIA306;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Text, say};
 use objdict_model::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place};
@@ -186,8 +186,8 @@ fn is_there(device: &Device, part: &Part) -> bool {
 
 /// The field that a word or key names.
 fn field_of(word: &str) -> Field {
-    let key = CIA306.iter().find(|(_, of)| *of == word).map_or(word, |(key, _)| key);
-    Field::from_name(key)
+    let row = field_names::ENTRY.iter().find(|row| row.key == word);
+    row.map_or_else(|| Field::from_name(word), field_names::FieldRow::field)
 }
 
 /// Holds what is said against what the patch expects.

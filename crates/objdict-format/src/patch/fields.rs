@@ -2,8 +2,9 @@
 
 use serde_json::Value as Json;
 
-use super::words::{data_type, data_type_word, facts_of, object_type};
+use super::words::{FACTS, data_type, data_type_word, object_type};
 use crate::compare::{Datum, DatumChange, apply};
+use crate::field_names::facts_of;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Text, say};
 use objdict_model::literal;
@@ -55,9 +56,8 @@ fn is_single(object: &Object, sub: u8) -> bool {
 
 /// What a field says; `None` for one that is not stated.
 pub(crate) fn get(device: &Device, part: &Part, word: &str) -> Option<Kind> {
-    if let Some(facts) = facts_of(part) {
-        let (_, path) = facts.iter().find(|(key, _)| key.eq_ignore_ascii_case(word))?;
-        return kind_of(fact(device, path)?);
+    if facts_of(part).is_some() {
+        return kind_of(fact(device, &path_of(part, word)?)?);
     }
     let of_compact = match *part {
         Part::Entry(index, sub) => device.object(index)?.entry(sub),
@@ -106,11 +106,9 @@ pub(crate) fn set(
     word: &str,
     value: Option<&KeyedTree>,
 ) -> Result<(), Text> {
-    if let Some(facts) = facts_of(part) {
-        let Some((_, path)) = facts.iter().find(|(key, _)| key.eq_ignore_ascii_case(word)) else {
-            return Err(say!("there is no fact `{}`", word));
-        };
-        return set_fact(device, path, value);
+    if facts_of(part).is_some() {
+        let path = path_of(part, word).ok_or_else(|| say!("there is no fact `{}`", word))?;
+        return set_fact(device, &path, value);
     }
     match word {
         "group" => return set_group(device, part, value),
@@ -515,6 +513,13 @@ fn set_group(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Res
     }
     without_empty_process(device);
     Ok(())
+}
+
+/// The place of a fact in the JSON of the model, by its name in CiA 306.
+fn path_of(part: &Part, name: &str) -> Option<String> {
+    let (.., root) = FACTS.iter().find(|(_, of, _)| of == part)?;
+    let row = facts_of(part)?.iter().find(|row| row.eds.eq_ignore_ascii_case(name))?;
+    Some(format!("{root}/{}", row.json))
 }
 
 /// A fact of a part, by its place in the JSON of the model.

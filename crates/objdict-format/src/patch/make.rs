@@ -9,8 +9,9 @@ use super::ChangeWords;
 use super::apply::make_words;
 use super::keys::FORMAT;
 use crate::compare::differences;
+use crate::field_names::facts_of;
 use crate::patch::fields::{get, set};
-use crate::patch::words::{ENTRY, FACTS, facts_of};
+use crate::patch::words::{ENTRY, FACTS};
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::printable;
 use objdict_model::json::quoted;
@@ -196,7 +197,7 @@ impl PatchMaker<'_> {
 /// The words that a part may have.
 fn words_of(part: &Part) -> Vec<&'static str> {
     match facts_of(part) {
-        Some(facts) => facts.iter().map(|(key, _)| *key).collect(),
+        Some(facts) => facts.iter().map(|row| row.eds).collect(),
         None => ENTRY.iter().map(|key| key.name).collect(),
     }
 }

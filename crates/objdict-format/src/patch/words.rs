@@ -1,7 +1,8 @@
 //! The words by which files that people write name the fields of a device, and the keys that they may have.
 //!
-//! A new word of a field also needs its arms in `fields` and a row in docs/patches.md.
+//! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/patches.md.
 
+use crate::field_names::{self, COMMISSIONING, DEVICE, FILE};
 use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types;
 use objdict_keyed::types::{ACCESS, OBJECT_TYPES};
@@ -41,121 +42,48 @@ pub(crate) const ENTRY: &[Key] = &[
     key("denotation", Shape::Text, "The name of the entry in the application of a node."),
 ];
 
-/// The keys of CiA 306 for these fields, as an EDS spells them.
-pub(crate) const CIA306: &[(&str, &str)] = &[
-    ("ParameterName", "name"),
-    ("ObjectType", "object-type"),
-    ("DataType", "type"),
-    ("AccessType", "access"),
-    ("DefaultValue", "default"),
-    ("ParameterValue", "value"),
-    ("LowLimit", "min"),
-    ("HighLimit", "max"),
-    ("PDOMapping", "map"),
-    ("ObjFlags", "flags"),
-    ("Denotation", "denotation"),
-];
-
-/// The facts about a description: the keys of CiA 306, each with its place in the JSON of the model.
-pub(crate) type PatchFacts = &'static [(&'static str, &'static str)];
-
-/// Those about the file.
-const FILE: PatchFacts = &[
-    ("FileName", "/file_info/file_name"),
-    ("FileVersion", "/file_info/file_version"),
-    ("FileRevision", "/file_info/file_revision"),
-    ("EDSVersion", "/file_info/eds_version"),
-    ("Description", "/file_info/description"),
-    ("CreationTime", "/file_info/creation_time"),
-    ("CreationDate", "/file_info/creation_date"),
-    ("CreatedBy", "/file_info/created_by"),
-    ("ModificationTime", "/file_info/modification_time"),
-    ("ModificationDate", "/file_info/modification_date"),
-    ("ModifiedBy", "/file_info/modified_by"),
-    ("LastEDS", "/file_info/last_eds"),
-];
-
-/// Those about the device.
-const DEVICE: PatchFacts = &[
-    ("VendorName", "/device_info/vendor_name"),
-    ("VendorNumber", "/device_info/vendor_number"),
-    ("ProductName", "/device_info/product_name"),
-    ("ProductNumber", "/device_info/product_number"),
-    ("RevisionNumber", "/device_info/revision_number"),
-    ("OrderCode", "/device_info/order_code"),
-    ("BaudRate_10", "/device_info/baud_rates/10"),
-    ("BaudRate_20", "/device_info/baud_rates/20"),
-    ("BaudRate_50", "/device_info/baud_rates/50"),
-    ("BaudRate_125", "/device_info/baud_rates/125"),
-    ("BaudRate_250", "/device_info/baud_rates/250"),
-    ("BaudRate_500", "/device_info/baud_rates/500"),
-    ("BaudRate_800", "/device_info/baud_rates/800"),
-    ("BaudRate_1000", "/device_info/baud_rates/1000"),
-    ("SimpleBootUpMaster", "/device_info/simple_boot_up_master"),
-    ("SimpleBootUpSlave", "/device_info/simple_boot_up_slave"),
-    ("Granularity", "/device_info/granularity"),
-    ("DynamicChannelsSupported", "/device_info/dynamic_channels_supported"),
-    ("GroupMessaging", "/device_info/group_messaging"),
-    ("NrOfRXPDO", "/device_info/rpdo_count"),
-    ("NrOfTXPDO", "/device_info/tpdo_count"),
-    ("LSS_Supported", "/device_info/lss_supported"),
-    ("CompactPDO", "/device_info/compact_pdo"),
-    ("CANopenSafetySupported", "/device_info/safety_supported"),
-];
-
-/// Those about the node of a DCF.
-const COMMISSIONING: PatchFacts = &[
-    ("NodeID", "/commissioning/node_id"),
-    ("NodeName", "/commissioning/node_name"),
-    ("NodeRefd", "/commissioning/node_reference_designator"),
-    ("Baudrate", "/commissioning/baud_rate"),
-    ("NetNumber", "/commissioning/net_number"),
-    ("NetworkName", "/commissioning/network_name"),
-    ("NetRefd", "/commissioning/net_reference_designator"),
-    ("CANopenManager", "/commissioning/manager"),
-    ("LSS_SerialNumber", "/commissioning/lss_serial_number"),
-];
-
-/// The parts with facts, by the words that name them.
-pub(crate) const FACTS: [(&str, Part, PatchFacts); 3] = [
-    ("file", Part::FileInfo, FILE),
-    ("device", Part::DeviceInfo, DEVICE),
-    ("commissioning", Part::Commissioning, COMMISSIONING),
+/// The parts with facts, by the words that name them, with their places in the JSON of the model.
+pub(crate) const FACTS: [(&str, Part, &str); 3] = [
+    ("file", Part::FileInfo, "/file_info"),
+    ("device", Part::DeviceInfo, "/device_info"),
+    ("commissioning", Part::Commissioning, "/commissioning"),
 ];
 
 /// All keys of fields: the words, the keys of CiA 306, and those of facts.
 pub(crate) const FIELDS: &[Key] = &{
-    const COUNT: usize = ENTRY.len() + CIA306.len() + FILE.len() + DEVICE.len() + COMMISSIONING.len();
+    const COUNT: usize =
+        ENTRY.len() + field_names::ENTRY.len() + FILE.len() + DEVICE.len() + COMMISSIONING.len();
     let mut keys = [ENTRY[0]; COUNT];
     let mut at = 0;
     while at < COUNT {
         let [cia306, file, device, commissioning] = [
             ENTRY.len(),
-            ENTRY.len() + CIA306.len(),
-            ENTRY.len() + CIA306.len() + FILE.len(),
-            ENTRY.len() + CIA306.len() + FILE.len() + DEVICE.len(),
+            ENTRY.len() + field_names::ENTRY.len(),
+            ENTRY.len() + field_names::ENTRY.len() + FILE.len(),
+            ENTRY.len() + field_names::ENTRY.len() + FILE.len() + DEVICE.len(),
         ];
         keys[at] = match at {
             at if at < cia306 => ENTRY[at],
-            at if at < file => key(CIA306[at - cia306].0, Shape::Value, "The key of CiA 306 for the word."),
-            at if at < device => key(FILE[at - file].0, Shape::Value, "A fact about the file."),
-            at if at < commissioning => key(DEVICE[at - device].0, Shape::Value, "A fact about the device."),
-            at => key(COMMISSIONING[at - commissioning].0, Shape::Value, "A fact about the node."),
+            at if at < file => {
+                key(field_names::ENTRY[at - cia306].eds, Shape::Value, "The key of CiA 306 for the word.")
+            }
+            at if at < device => key(FILE[at - file].eds, Shape::Value, "A fact about the file."),
+            at if at < commissioning => {
+                key(DEVICE[at - device].eds, Shape::Value, "A fact about the device.")
+            }
+            at => key(COMMISSIONING[at - commissioning].eds, Shape::Value, "A fact about the node."),
         };
         at += 1;
     }
     keys
 };
 
-/// The facts of a part.
-pub(crate) fn facts_of(part: &Part) -> Option<PatchFacts> {
-    FACTS.iter().find(|(_, of, _)| of == part).map(|(.., facts)| *facts)
-}
-
 /// The word of a key, which may be one of CiA 306.
 pub(crate) fn word_of(name: &str) -> Option<&'static str> {
     let known = ENTRY.iter().find(|key| key.name == name).map(|key| key.name);
-    known.or_else(|| CIA306.iter().find(|(key, _)| key.eq_ignore_ascii_case(name)).map(|(_, word)| *word))
+    known.or_else(|| {
+        field_names::ENTRY.iter().find(|row| row.eds.eq_ignore_ascii_case(name)).map(|row| row.key)
+    })
 }
 
 /// The data type that a text names: a short word, the name of CiA 301, or its index.
@@ -203,7 +131,7 @@ mod tests {
     fn keys_of_cia_306_have_words() {
         assert_eq!(word_of("datatype"), Some("type"));
         assert_eq!(word_of("unit"), Some("unit"));
-        assert!(CIA306.iter().all(|(_, word)| word_of(word) == Some(word)));
+        assert!(field_names::ENTRY.iter().all(|row| word_of(row.key) == Some(row.key)));
         assert!(OBJECT_TYPES.iter().all(|word| object_type(word).is_some()));
     }
 }
