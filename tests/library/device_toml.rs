@@ -111,6 +111,13 @@ fn mistakes_are_found_in_their_places() {
         ("[object.2000.sub]\n9 = {}\n10 = {}\n", "10", "out-of-range"),
         ("[object.2000.sub]\n1-2 = { type = 'u8', default = [1] }\n", "[1]", "wrong-type"),
         ("[object]\n1a00 = {}\n1A00 = {}\n", "1A00", "key-defined-twice"),
+        ("[object.2000]\nname = 'A'\ntype = 'u16'\ndefault = [1, 2]\n", "[1, 2]", "wrong-type"),
+        ("[object.2000]\nname = 'A'\ntype = '[u16; 4]'\ndefault = [1, 2]\n", "[1, 2]", "wrong-type"),
+        ("[object.2000]\nname = 'A'\ntype = '[u8; 2]'\nmax = [1, 300]\n", "300", "wrong-type"),
+        ("[object.2000]\nname = 'A'\ntype = '[u8; 3]'\nnames = { 9 = 'x' }\n", "9", "out-of-range"),
+        ("[object.2000]\nname = 'A'\ntype = '[u8; 3]'\nnames = ['x']\n", "['x']", "wrong-type"),
+        ("[object.2000]\nname = 'A'\ntype = 'u8'\nfactor = 'abc'\n", "'abc'", "wrong-type"),
+        ("[object.2000]\nname = 'A'\ntype = 'u8'\nenum = { 255 = 'a', 256 = 'b' }\n", "256", "out-of-range"),
         ("profile = '402'\n", "'402'", "wrong-type"),
         ("profile = '999@1'\n", "'999@1'", "wrong-type"),
         ("profile = '401@1'\nremove = ['2000']\n", "'2000'", "wrong-type"),
@@ -129,6 +136,44 @@ fn mistakes_are_found_in_their_places() {
             .collect();
         assert_eq!(found, [(marked, rule)], "{text}");
     }
+}
+
+#[test]
+fn an_array_takes_a_list_of_what_its_elements_have() {
+    let text = "format = 'objdict-device/1'\n[object]\n\
+                2001 = { name = 'Gains', type = '[u16; 3]', default = [1, 2, 3], min = [0, 1, 1], max = 9, names = ['P', 'I', 'D'] }\n\
+                2002 = { name = 'Offsets', type = '[i8; 2]', value = [-1, 2], names = ['X', 'Y'] }\n";
+    let description = read(text);
+    assert_eq!(description.findings().len(), 0, "{:?}", description.findings());
+    let device = description.device();
+    let gains = device.object(0x2001).unwrap();
+    let entries = gains
+        .subs
+        .iter()
+        .map(|(sub, entry)| (sub, &*entry.name, &entry.default, &entry.low_limit, &entry.high_limit));
+    let number = |number| Some(Value::Unsigned(number));
+    let rows: Vec<_> = entries
+        .skip(1)
+        .map(|(sub, name, default, low, high)| {
+            (sub, name.to_owned(), default.clone(), low.clone(), high.clone())
+        })
+        .collect();
+    assert_eq!(
+        rows,
+        [
+            (1, "P".to_owned(), number(1), number(0), number(9)),
+            (2, "I".to_owned(), number(2), number(1), number(9)),
+            (3, "D".to_owned(), number(3), number(1), number(9)),
+        ]
+    );
+    assert_eq!(
+        (gains.highest_sub(), &gains.compact, gains.subs.get(0).unwrap().default.clone()),
+        (Some(3), &None, number(3))
+    );
+    let offsets = device.object(0x2002).unwrap().compact.as_ref().unwrap();
+    assert_eq!(offsets.values, [(1, Value::Signed(-1)), (2, Value::Signed(2))]);
+    assert_eq!(offsets.names, [(1, "X".into()), (2, "Y".into())]);
+    assert!(read(&written(device)).device() == device);
 }
 
 #[test]

@@ -47,6 +47,10 @@ fn shape(shape: &Shape) -> Value {
         Shape::Values => {
             json!({ "type": "object", "additionalProperties": self::shape(&Shape::Value) })
         }
+        Shape::ValuesOrList => {
+            let value = self::shape(&Shape::Value);
+            json!({ "anyOf": [self::shape(&Shape::Values), { "type": "array", "items": value }] })
+        }
         Shape::Texts => {
             json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
         }

@@ -55,6 +55,8 @@ pub enum Shape {
     ValueOrList,
     /// A map of values by any names.
     Values,
+    /// A map of values by any names, or a list of values.
+    ValuesOrList,
     /// A text, or a list of texts.
     Texts,
     /// A list of whole numbers in a range.

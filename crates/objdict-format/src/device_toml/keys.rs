@@ -236,10 +236,10 @@ macro_rules! entry_keys {
             key("object-type", Shape::Word(OBJECT_TYPES), "The object type, where it does not follow from `type`."),
             key("access", ACCESS, "The access type."),
             key("map", MAP, "Whether PDOs carry the entry, and which."),
-            key("default", Shape::ValueOrList, "The default value; of a range of sub-indexes also a list of them."),
-            key("min", Shape::Value, "The low limit."),
-            key("max", Shape::Value, "The high limit."),
-            key("value", Shape::Value, "The configured value of a node."),
+            key("default", Shape::ValueOrList, "The default value; of a range of sub-indexes, or of the elements of `[u16; 8]`, also a list of them."),
+            key("min", Shape::ValueOrList, "The low limit; a list as in `default`."),
+            key("max", Shape::ValueOrList, "The high limit; a list as in `default`."),
+            key("value", Shape::ValueOrList, "The configured value of a node; a list as in `default`."),
             key("flags", bits(32), "`ObjFlags`."),
             key("unit", Shape::Text, "The unit of the engineering value."),
             key("factor", Shape::Value, "By what the value is multiplied to get the engineering value."),
@@ -273,8 +273,40 @@ pub(super) const OBJECT: &[Key] = entry_keys![
         "The entries by sub-index in hex digits, or by a range (`1-8`) with `{}` in the name for the number."
     ),
     key("sub-number", bits(8), "`SubNumber`, where it is not the number of entries."),
-    key("names", Shape::Values, "The names of single elements of `[u16; 8]`, by sub-index."),
-    key("values", Shape::Values, "The configured values of single elements, by sub-index."),
-    key("denotations", Shape::Values, "The denotations of single elements, by sub-index."),
+    key(
+        "names",
+        Shape::ValuesOrList,
+        "The names of single elements of `[u16; 8]` by sub-index, or of all in a list."
+    ),
+    key(
+        "values",
+        Shape::ValuesOrList,
+        "The configured values of single elements by sub-index, or of all in a list."
+    ),
+    key(
+        "denotations",
+        Shape::ValuesOrList,
+        "The denotations of single elements by sub-index, or of all in a list."
+    ),
     key("links", Shape::Text, "`ObjectLinks`: indexes as in a list."),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field_names;
+
+    #[test]
+    fn fields_have_the_keys_of_their_rows() {
+        for (rows, keys) in [
+            (field_names::FILE, FILE),
+            (field_names::DEVICE, DEVICE),
+            (field_names::COMMISSIONING, NODE),
+            (field_names::ENTRY, OBJECT),
+        ] {
+            for row in rows {
+                assert!(keys.iter().any(|key| key.name == row.key), "{row:?}");
+            }
+        }
+    }
+}

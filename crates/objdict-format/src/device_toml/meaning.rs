@@ -1,12 +1,12 @@
 //! What values mean: description, unit, names of values and bits, as parts of the application process (CiA 311).
 
-use super::words::{key, quoted};
-use objdict_keyed::rules::WRONG_TYPE;
+use super::words::{key, quoted, type_word};
+use objdict_keyed::rules::{OUT_OF_RANGE, WRONG_TYPE};
 use objdict_keyed::section::KeyedTable;
-use objdict_model::diagnostic::{Diagnostic, Findings, say};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, say};
 use objdict_model::model::{
     AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, Label, Labels, Parameter, ScaledValue,
-    SimpleType, TypeDefinition, TypeShape, Unit, VarDeclaration,
+    SimpleType, TypeDefinition, TypeShape, Unit, Value, VarDeclaration,
 };
 
 /// The language of the texts.
@@ -28,12 +28,31 @@ pub(super) fn read(
     }
     for name in ["factor", "offset"] {
         let Some(text) = section.text(name, findings) else { continue };
+        if !text.value.parse::<f64>().is_ok_and(f64::is_finite) {
+            let message = say!("`{}` is `{}`, which is not a number", name, text.value.as_str());
+            let finding = Diagnostic::new(&WRONG_TYPE, text.at, message).severity(Severity::Warning);
+            findings.push(finding.help("write a number, as in `0.1`"));
+        }
         let parameter = entry.parameter_mut();
         let field = if name == "factor" { &mut parameter.multiplier } else { &mut parameter.offset };
         *field = Some(text.value.into());
     }
     if section.get("enum").is_some() {
         let values = section.named("enum", findings).iter();
+        for value in values.clone() {
+            let number = value.key.spelled();
+            let Some((data_type, of_type)) = entry.implied_type().zip(number.parse().ok()) else { continue };
+            if data_type.is_integer() && Value::from_integer(of_type, data_type).is_none() {
+                let message = say!(
+                    "`enum` names {}, which is not a value of the type `{}`",
+                    number,
+                    type_word(data_type)
+                );
+                let finding =
+                    Diagnostic::new(&OUT_OF_RANGE, value.key.span, message).severity(Severity::Warning);
+                findings.push(finding.help("correct the number, or `type`"));
+            }
+        }
         let values = values.map(|value| named_value(&value.key.spelled(), &value.value.spelled()));
         entry.parameter_mut().allowed_values =
             Some(AllowedValues { values: values.collect(), ..AllowedValues::default() });

@@ -26,6 +26,9 @@ pub(super) struct ObjectReader<'f> {
     pub(super) ranged: usize,
 }
 
+/// The keys of values.
+const VALUES: [&str; 4] = ["default", "min", "max", "value"];
+
 /// So many entries may be in ranges: a few bytes of a text make an object of them. Real devices have a few thousand.
 const MAX_RANGED: usize = 15_000;
 
@@ -105,6 +108,7 @@ impl ObjectReader<'_> {
         self.override_types(&section, &mut object.main);
         if let Some(count) = said.and_then(|said| said.count) {
             object.compact = Some(Box::new(self.compact(&section, count, &object.main)));
+            self.elements(&section, count, &mut object);
         }
         self.subs(index, &section, &mut object, unstated);
         if let Some(links) = section.text("links", self.findings) {
@@ -129,8 +133,27 @@ impl ObjectReader<'_> {
     fn compact(&mut self, section: &KeyedTable<'_>, count: u8, main: &Entry) -> Compact {
         let mut compact = Compact { count, ..Compact::default() };
         let mut listed = |name: &str, keep: &mut dyn FnMut(u8, &KeyedTree) -> bool| {
-            for entry in section.named(name, self.findings) {
+            let items = items_of(section, name);
+            if let Some(items) = items {
+                self.count_items(name, items, count.into());
+            }
+            for (sub, item) in (1..=count).zip(items.into_iter().flat_map(|(_, items)| items)) {
+                if !keep(sub, item) {
+                    let message =
+                        say!("`{}` has `{}`, which is not a value of its type", name, item.spelled());
+                    self.findings
+                        .push(Diagnostic::new(&WRONG_TYPE, item.span, message).help("correct the value"));
+                }
+            }
+            for entry in if items.is_some() { &[] } else { section.named(name, self.findings) } {
                 let sub = subs(&entry.key.spelled()).filter(|(first, last)| first == last);
+                if sub.is_some_and(|(sub, _)| sub == 0 || sub > count) {
+                    let message =
+                        say!("`{}` has the element {}, but there are {}", name, entry.key.spelled(), count);
+                    let finding = Diagnostic::new(&OUT_OF_RANGE, entry.key.span, message);
+                    self.findings
+                        .push(finding.severity(Severity::Warning).help("elements are counted from 1"));
+                }
                 if !sub.is_some_and(|(sub, _)| keep(sub, &entry.value)) {
                     let message =
                         say!("`{}` has no `{}` for `{}`", name, entry.value.spelled(), entry.key.spelled());
@@ -154,6 +177,41 @@ impl ObjectReader<'_> {
             true
         });
         compact
+    }
+
+    /// The values that are listed one for each element of an array. Such elements have entries of their own.
+    fn elements(&mut self, section: &KeyedTable<'_>, count: u8, object: &mut Object) {
+        for (name, items) in self.listed(section, count.into()) {
+            let items = (1..=count).zip(items);
+            if let Some(compact) = object.compact.as_mut().filter(|_| name == "value") {
+                for (sub, item) in items {
+                    let value = self.value(name, item, &object.main);
+                    compact.values.extend(value.map(|value| (sub, value)));
+                }
+                continue;
+            }
+            *object = object.expanded().into_owned();
+            for (sub, item) in items {
+                if let Some(entry) = object.subs.get_mut(sub) {
+                    self.put(name, item, entry);
+                }
+            }
+        }
+    }
+
+    /// The lists of values among the keys of a section, which have one for each of so many entries.
+    fn listed<'t>(&mut self, section: &KeyedTable<'t>, count: usize) -> Vec<(&'static str, &'t [KeyedTree])> {
+        let listed = VALUES.into_iter().filter_map(|name| Some((name, items_of(section, name)?)));
+        let listed: Vec<_> = listed.collect();
+        listed.iter().for_each(|(name, items)| self.count_items(name, *items, count));
+        listed.into_iter().map(|(name, (_, items))| (name, items)).collect()
+    }
+
+    fn count_items(&mut self, name: &str, (tree, items): (&KeyedTree, &[KeyedTree]), count: usize) {
+        if items.len() != count {
+            let message = say!("`{}` has {} values for {} entries", name, items.len(), count);
+            self.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write one for each"));
+        }
     }
 
     /// The entries of an object, and what follows from them.
@@ -211,10 +269,6 @@ impl ObjectReader<'_> {
 
     /// Puts an entry into an object, once or for each sub-index of a range.
     fn range(&mut self, index: u16, section: &KeyedTable<'_>, (first, last): (u8, u8), object: &mut Object) {
-        let defaults = section.get("default").and_then(|tree| match &*tree.kind {
-            Kind::List(items) => Some((tree, items)),
-            _ => None,
-        });
         let count = usize::from(last - first) + 1;
         self.ranged += count - 1;
         if self.ranged > MAX_RANGED {
@@ -223,12 +277,7 @@ impl ObjectReader<'_> {
                 .push(Diagnostic::new(&OUT_OF_RANGE, section.span(), message).help("describe fewer entries"));
             return;
         }
-        if let Some((tree, items)) = defaults
-            && items.len() != count
-        {
-            let message = say!("`default` has {} values for {} sub-indexes", items.len(), count);
-            self.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write one for each"));
-        }
+        let listed = self.listed(section, count);
         let address = format!("{index:04X}{first:02X}");
         let mut template: Option<Entry> = None;
         for (at, sub) in (first..=last).enumerate() {
@@ -242,8 +291,8 @@ impl ObjectReader<'_> {
             if first != last && section.get("name").is_some() {
                 entry.name = numbered(&entry.name, sub).into();
             }
-            if let Some(item) = defaults.and_then(|(_, items)| items.get(at)) {
-                entry.default = self.value("default", item, &entry);
+            for (name, item) in listed.iter().filter_map(|(name, items)| Some((*name, items.get(at)?))) {
+                self.put(name, item, &mut entry);
             }
             object.subs.insert(sub, entry);
         }
@@ -278,7 +327,7 @@ impl ObjectReader<'_> {
         }
     }
 
-    fn said(&mut self, section: &KeyedTable<'_>) -> Option<TypeSaid> {
+    fn said(&self, section: &KeyedTable<'_>) -> Option<TypeSaid> {
         let word = section.get("type")?.text()?;
         TypeSaid::parse(word)
     }
@@ -332,7 +381,9 @@ impl ObjectReader<'_> {
         if let Some(map) = section.word("map", self.findings) {
             entry.pdo_mapping = mapping(&map.value);
         }
-        self.values(section, &mut entry);
+        let has_elements = || self.said(section).is_some_and(|said| said.count.is_some());
+        let takes_lists = matches!(role, EntryRole::First | EntryRole::Sub) || has_elements();
+        self.values(section, takes_lists, &mut entry);
         self.stack(section, &mut entry);
         meaning::read(section, address, &mut entry, &mut self.application, self.findings);
         if let Some(tree) = section.get("extra") {
@@ -342,20 +393,14 @@ impl ObjectReader<'_> {
         (entry, unstated)
     }
 
-    fn values(&mut self, section: &KeyedTable<'_>, entry: &mut Entry) {
-        let is_list = |tree: &KeyedTree| matches!(&*tree.kind, Kind::List(_));
-        if let Some(tree) = section.get("default").filter(|tree| !is_list(tree)) {
-            entry.default = self.value("default", tree, entry);
-        }
-        if let Some(tree) = section.get("min") {
-            entry.low_limit = self.value("min", tree, entry);
-        }
-        if let Some(tree) = section.get("max") {
-            entry.high_limit = self.value("max", tree, entry);
-        }
-        if let Some(tree) = section.get("value") {
-            let value = self.value("value", tree, entry);
-            entry.configured_mut().value = value;
+    /// The values of an entry. Lists of them may be read elsewhere, one for each of several entries.
+    fn values(&mut self, section: &KeyedTable<'_>, takes_lists: bool, entry: &mut Entry) {
+        for name in VALUES {
+            if let Some(tree) =
+                section.get(name).filter(|_| !takes_lists || items_of(section, name).is_none())
+            {
+                self.put(name, tree, entry);
+            }
         }
         if let Some(flags) = section.integer("flags", self.findings) {
             entry.flags = Some(ObjFlags(flags.value));
@@ -394,6 +439,17 @@ impl ObjectReader<'_> {
         }
     }
 
+    /// Sets one of the values of an entry.
+    fn put(&mut self, name: &str, tree: &KeyedTree, entry: &mut Entry) {
+        let value = self.value(name, tree, entry);
+        match name {
+            "default" => entry.default = value,
+            "min" => entry.low_limit = value,
+            "max" => entry.high_limit = value,
+            _ => entry.configured_mut().value = value,
+        }
+    }
+
     /// A value of an entry, whose type is known.
     fn value(&mut self, name: &str, tree: &KeyedTree, entry: &Entry) -> Option<Value> {
         let data_type = entry.implied_type();
@@ -414,6 +470,15 @@ impl ObjectReader<'_> {
             self.findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
             Vec::new()
         })
+    }
+}
+
+/// The list that a key has, and its items.
+fn items_of<'t>(section: &KeyedTable<'t>, name: &str) -> Option<(&'t KeyedTree, &'t [KeyedTree])> {
+    let tree = section.get(name)?;
+    match &*tree.kind {
+        Kind::List(items) => Some((tree, items)),
+        _ => None,
     }
 }
 
