@@ -16,13 +16,35 @@ const CELL: usize = 44;
 /// The most characters of a text on the page of one entry.
 const LINE: usize = 4000;
 
-const HEADINGS: [&str; 11] =
-    ["Index", "Sub", "Name", "Object", "Type", "Access", "PDO", "Default", "Value", "Low", "High"];
+/// The columns that say which entry a row is.
+const WHICH: [&str; 4] = ["Index", "Sub", "Name", "Object"];
+
+/// What a cell says about an entry.
+type CellOf = fn(ValueReader, &Entry) -> String;
+
+/// The columns about an entry: the heading, and its cells.
+const COLUMNS: [(&str, CellOf); 7] = [
+    ("Type", |_, entry| entry.implied_type().map(|data_type| data_type.to_string()).unwrap_or_default()),
+    ("Access", |_, entry| entry.implied_access().map(|access| access.to_string()).unwrap_or_default()),
+    ("PDO", |_, entry| if entry.is_mappable() { pdo_mapping(entry).to_owned() } else { String::new() }),
+    ("Default", |reader, entry| reader.field(entry, &Field::DefaultValue, entry.default.as_ref())),
+    ("Value", |reader, entry| reader.field(entry, &Field::ParameterValue, entry.configured_value())),
+    ("Low", |reader, entry| reader.field(entry, &Field::LowLimit, entry.low_limit.as_ref())),
+    ("High", |reader, entry| reader.field(entry, &Field::HighLimit, entry.high_limit.as_ref())),
+];
+
+/// The table of entries.
+type ShownTable = TextTable<{ WHICH.len() + COLUMNS.len() }>;
+
+fn shown_table() -> ShownTable {
+    let mut headings = WHICH.into_iter().chain(COLUMNS.map(|(heading, _)| heading));
+    TextTable::new(std::array::from_fn(|_| headings.next().unwrap_or_default()), CELL)
+}
 
 /// All objects.
 pub(super) fn device(view: &ShownDevice<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}\n", summary(view))?;
-    let mut table = TextTable::new(HEADINGS, CELL);
+    let mut table = shown_table();
     for (&index, object) in &view.device.objects {
         object_rows(view, index, object, &mut table);
     }
@@ -61,7 +83,7 @@ pub(super) fn object(
     object: &Object,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let mut table = TextTable::new(HEADINGS, CELL);
+    let mut table = shown_table();
     object_rows(view, index, object, &mut table);
     table.write(out)?;
     let mut meanings = TextTable::new(["Sub", "Meaning"], LINE);
@@ -171,7 +193,7 @@ fn remarks(entry: &Entry) -> Vec<(&'static str, String)> {
     remarks
 }
 
-fn object_rows(view: &ShownDevice<'_>, index: u16, object: &Object, table: &mut TextTable<11>) {
+fn object_rows(view: &ShownDevice<'_>, index: u16, object: &Object, table: &mut ShownTable) {
     let reader = view.reader(index);
     let shown_index = format!("0x{index:04X}");
     let object_type = object.object_type();
@@ -180,8 +202,8 @@ fn object_rows(view: &ShownDevice<'_>, index: u16, object: &Object, table: &mut 
         if !view.shows(&object.main) {
             return;
         }
-        let cells = entry_cells(reader, &object.main);
-        table.row(row(shown_index, String::new(), object.name(), object_type.to_string(), cells));
+        let which = [shown_index, String::new(), object.name().to_owned(), object_type.to_string()];
+        add_row(table, which, Some((reader, &object.main)));
         return;
     }
     if view.changed && !object.entries().any(|(_, entry)| view.shows(&entry)) {
@@ -191,32 +213,21 @@ fn object_rows(view: &ShownDevice<'_>, index: u16, object: &Object, table: &mut 
         true => ("(not described)", String::new()),
         false => (object.name(), object_type.to_string()),
     };
-    table.row(row(shown_index, String::new(), name, object_type, Default::default()));
+    add_row(table, [shown_index, String::new(), name.to_owned(), object_type], None);
     for (sub, entry) in object.entries().filter(|(_, entry)| view.shows(entry)) {
         let object_type = entry.object_type.filter(|&of| of != ObjectType::Var);
         let object_type = object_type.map(|of| of.to_string()).unwrap_or_default();
-        let cells = entry_cells(reader, &entry);
-        table.row(row(String::new(), format!("{sub:X}"), &entry.name, object_type, cells));
+        let which = [String::new(), format!("{sub:X}"), entry.name.to_string(), object_type];
+        add_row(table, which, Some((reader, &entry)));
     }
 }
 
-fn row(index: String, sub: String, name: &str, object_type: String, cells: [String; 7]) -> [String; 11] {
-    let [data_type, access, pdo, default, value, low, high] = cells;
-    [index, sub, name.to_owned(), object_type, data_type, access, pdo, default, value, low, high]
-}
-
-/// Type, access, PDO, default, value, low and high limit.
-fn entry_cells(reader: ValueReader, entry: &Entry) -> [String; 7] {
-    let value = |field: &Field, value| reader.field(entry, field, value);
-    [
-        entry.implied_type().map(|data_type| data_type.to_string()).unwrap_or_default(),
-        entry.implied_access().map(|access| access.to_string()).unwrap_or_default(),
-        if entry.is_mappable() { pdo_mapping(entry).to_owned() } else { String::new() },
-        value(&Field::DefaultValue, entry.default.as_ref()),
-        value(&Field::ParameterValue, entry.configured_value()),
-        value(&Field::LowLimit, entry.low_limit.as_ref()),
-        value(&Field::HighLimit, entry.high_limit.as_ref()),
-    ]
+/// Adds a row; that of an object which has entries says nothing else.
+fn add_row(table: &mut ShownTable, which: [String; 4], entry: Option<(ValueReader, &Entry)>) {
+    let about =
+        |(_, cell): (&str, CellOf)| entry.map(|(reader, entry)| cell(reader, entry)).unwrap_or_default();
+    let mut cells = which.into_iter().chain(COLUMNS.map(about));
+    table.row(std::array::from_fn(|_| cells.next().unwrap_or_default()));
 }
 
 fn pdo_mapping(entry: &Entry) -> &'static str {
