@@ -128,13 +128,17 @@ impl<'t> KeyedTable<'t> {
             let key = entry.key.spelled();
             if let Some(renamed) = keys.iter().find(|known| known.former == Some(&key)) {
                 let message = say!("`{}` of `{}` is called `{}`", key, name, renamed.name);
-                let fix =
-                    Fix::safe(say!("rename it `{}`", renamed.name)).replace(entry.key.span, renamed.name);
-                findings.push(
-                    Diagnostic::new(&FORMER_KEY, entry.key.span, message)
-                        .help(say!("rename it `{}`", renamed.name))
-                        .fix(fix),
-                );
+                let finding = Diagnostic::new(&FORMER_KEY, entry.key.span, message);
+                // renamed, a key that is there under both names would be there twice
+                let has_both = entries.iter().any(|other| other.key.text() == Some(renamed.name));
+                findings.push(match has_both {
+                    true => finding.help(say!("remove one of `{}` and `{}`", key, renamed.name)),
+                    false => {
+                        let title = say!("rename it `{}`", renamed.name);
+                        let fix = Fix::safe(title.clone()).replace(entry.key.span, renamed.name);
+                        finding.help(title).fix(fix)
+                    }
+                });
             } else if !keys.iter().any(|known| known.name == key) {
                 let finding =
                     Diagnostic::new(&UNKNOWN_KEY, entry.key.span, say!("`{}` has no key `{}`", name, key));

@@ -78,6 +78,13 @@ fn a_former_key_is_read_and_renamed() {
         (&edit["newText"], &edit["range"]["start"]["character"]),
         (&json!("transmission"), &json!(11))
     );
+    // renamed, the key would be there twice
+    client.change("network.toml", &text.replace("{ ", "{ transmission = \"event\", "));
+    let range = json!({ "start": { "line": 3, "character": 35 }, "end": { "line": 3, "character": 35 } });
+    let params = json!({ "textDocument": client.document("network.toml"), "range": range, "context": { "diagnostics": [] } });
+    let offered = client.ask("textDocument/codeAction", params);
+    let titles: Vec<&Value> = offered.as_array().unwrap().iter().map(|action| &action["title"]).collect();
+    assert!(titles.iter().all(|title| *title != "rename it `transmission`"), "{titles:?}");
 }
 
 #[test]
