@@ -24,6 +24,7 @@ mod page;
 mod patches;
 mod pictures;
 mod recipes;
+mod refused;
 mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]

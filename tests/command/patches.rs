@@ -82,6 +82,32 @@ fn commands_apply_the_patches_of_the_configuration() {
     }
 }
 
+/// What is shown and packed is what is checked and converted.
+#[test]
+fn commands_that_show_a_device_apply_them_too() {
+    let folder = project();
+    assert!(told(folder.path(), "show io-401.eds 6401:1").contains("4095"));
+    let patch = PATCH.replace("set = { type = \"u16\" }", "set = { default = 500 }");
+    fs::write(folder.path().join("fix.patch.toml"), patch).unwrap();
+    told(folder.path(), "dcf pack io-401.eds --node-id 5 --all --to text -o new.txt");
+    assert!(text(folder.path(), "new.txt").contains("1017:00  UNSIGNED16  500"));
+    fs::write(folder.path().join("objdict.toml"), "patches = [\"missing.patch.toml\"]\n").unwrap();
+    for command in [
+        "show io-401.eds",
+        "modules io-401.eds",
+        "conformance io-401.eds",
+        "dcf pack io-401.eds --node-id 5 -o new.cdcf",
+        "convert io-401.eds -o new.xdd",
+        "docs io-401.eds -o new.html",
+        "configure io-401.eds --node-id 5 -o new.dcf",
+        "generate io-401.eds --target c -o new",
+    ] {
+        let output = run(folder.path(), command);
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{command}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("objdict.toml"), "{command}");
+    }
+}
+
 #[test]
 fn check_reports_what_patches_of_the_configuration_do() {
     let folder = project();

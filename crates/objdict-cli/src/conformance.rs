@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::{ConformanceArgs, ShowFormat};
 use super::ending::{Failure, Outcome};
 use super::input::{Input, name_of, source_name};
+use super::settings::ConfigFileArgs;
 use super::stdout::Output;
 use super::table::TextTable;
 use objdict_bus::{Conformance, ConformanceCheck, Verdict, conformance};
@@ -20,7 +21,7 @@ const CELL: usize = 80;
 const NODE_ID: u8 = 1;
 
 pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (_, input) = args.input.read_one(&args.file)?;
+    let (_, input) = args.input.read_one(&args.file, &ConfigFileArgs::default())?;
     let device: &Device = match &input {
         Input::Description(description) => description.device(),
         Input::Device(device) => device,

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use super::progress;
-use super::terminal::is_quiet;
+use super::terminal::{is_quiet, is_verbose};
 use objdict_model::diagnostic::{one_line, printable_lines};
 
 /// How a command ended.
@@ -100,5 +100,12 @@ pub(super) fn tell(text: &str) {
 impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Self {
         Self::new(format_args!("cannot write the output: {error}"))
+    }
+}
+
+/// Names a file that is read, with `--verbose`.
+pub(super) fn detail(name: &str) {
+    if is_verbose() {
+        tell(&format!("reading {}\n", one_line(name)));
     }
 }

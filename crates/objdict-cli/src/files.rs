@@ -6,9 +6,8 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
-use super::ending::{Failure, note};
-use super::input::detail;
-use super::input::name_of;
+use super::ending::{Failure, detail, note};
+use super::input::{name_of, source_name};
 use super::settings::{CommandSettings, Project};
 
 /// The endings of the descriptions that are looked for in folders.
@@ -146,7 +145,7 @@ impl Gathered<'_> {
         let project = self.settings.project_of(&path)?;
         let is_excluded = project.as_ref().is_some_and(|project| project.config.excludes(&path));
         if is_named || !is_excluded {
-            detail(&path);
+            detail(&source_name(&path));
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
             self.files.push(InputFile { path, project, is_named, is_outside, size });

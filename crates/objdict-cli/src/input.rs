@@ -9,9 +9,9 @@ use std::sync::Arc;
 use clap::Args;
 
 use super::ending::Failure;
-use super::ending::tell;
+use super::ending::detail;
 use super::patch_option::PatchArgs;
-use super::terminal::is_verbose;
+use super::settings::ConfigFileArgs;
 use super::written_files::keep;
 use objdict_format::identify::ContentKind;
 use objdict_format::input::{DEFAULT_MAX_ENTRIES, Reading};
@@ -83,7 +83,17 @@ impl InputArgs {
         let (from, device, variant, encoding) = (self.from, self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading { from, device, variant, encoding, max_size, max_entries, node_id: None, patches }
+        Reading {
+            from,
+            device,
+            variant,
+            encoding,
+            max_size,
+            max_entries,
+            node_id: None,
+            patches,
+            ..Reading::default()
+        }
     }
 
     /// How a file is read that has further patches.
@@ -99,9 +109,14 @@ impl InputArgs {
     }
 
     /// What is in a file, and as what kind it was read; `-` is standard input. Of several devices it is the one that was asked for.
-    pub(super) fn read_one(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
+    /// It has the patches of its configuration, as for `objdict check`.
+    pub(super) fn read_one(
+        &self,
+        path: &Path,
+        config: &ConfigFileArgs,
+    ) -> Result<(FileKind, Input), Failure> {
         let bytes = self.size.read(path)?;
-        Ok(self.reading().read_one(&source_name(path), bytes)?)
+        Ok(self.reading_with(&config.patches_of(path)?).read_one(&source_name(path), bytes)?)
     }
 
     /// The device of a file that was asked for: the only one, or the one of a number.
@@ -145,7 +160,7 @@ impl InputArgs {
 impl SizeArgs {
     /// The same, with a line for `--verbose`; not for files that are read in parallel.
     pub(super) fn read(&self, path: &Path) -> Result<Vec<u8>, Failure> {
-        detail(path);
+        detail(&source_name(path));
         self.bytes(path)
     }
 
@@ -194,13 +209,6 @@ pub(super) fn name_of(path: &Path) -> String {
     one_line(&source_name(path))
 }
 
-/// Names a file that is read, with `--verbose`.
-pub(super) fn detail(path: &Path) {
-    if is_verbose() {
-        tell(&format!("reading {}\n", name_of(path)));
-    }
-}
-
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         let help = match &error {
@@ -218,7 +226,9 @@ impl From<ReadError> for Failure {
         };
         match &error {
             // there may be several mistakes in it
-            ReadError::NotPatched { .. } => Self::of_lines(error.to_string().lines()).maybe_help(help),
+            ReadError::NotPatched { .. } | ReadError::Faulty { .. } => {
+                Self::of_lines(error.to_string().lines()).maybe_help(help)
+            }
             ReadError::Content { name, error } => {
                 let text = format!("cannot read `{}`: {error}", one_line(name));
                 Self::of_lines(text.lines()).maybe_help(help)

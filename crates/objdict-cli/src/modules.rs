@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::{ModulesArgs, PlainFormat};
 use super::ending::{Failure, Outcome};
 use super::input::{Input, name_of, source_name};
+use super::settings::ConfigFileArgs;
 use super::stdout::Output;
 use super::table::TextTable;
 use objdict_model::json::Version;
@@ -16,7 +17,7 @@ use objdict_model::model::{Device, ExtensionCount, HexText, Module};
 const CELL: usize = 48;
 
 pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (_, input) = args.input.read_one(&args.file)?;
+    let (_, input) = args.input.read_one(&args.file, &ConfigFileArgs::default())?;
     let file = name_of(&args.file);
     let device: &Device = match &input {
         Input::Description(description) => description.device(),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::args::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchMakeArgs};
 use super::ending::{Failure, Outcome, note, tell};
 use super::files::gather;
-use super::input::{CheckedInput, Input, InputArgs, name_of};
+use super::input::{CheckedInput, Input, InputArgs, name_of, source_name};
 use super::settings::CommandSettings;
 use super::stdout::Output;
 use super::table::TextTable;
@@ -26,7 +26,8 @@ pub(super) fn run(command: &PatchCommand, out: &mut Output) -> Result<Outcome, F
 }
 
 fn description(input: &InputArgs, path: &Path) -> Result<Description, Failure> {
-    match input.read_one(path)? {
+    // a patch is made for the file as it is
+    match input.reading().read_one(&source_name(path), input.size.read(path)?)? {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
             let message =

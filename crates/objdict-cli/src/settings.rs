@@ -7,8 +7,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use super::ending::Failure;
-use super::input::detail;
+use super::ending::{Failure, detail};
 use super::patch_option::remember;
 use super::profile_option::ProfileArgs;
 use super::values::{node_id, one_of};
@@ -17,6 +16,7 @@ pub(crate) use objdict_build::pipeline::CheckSettings;
 use objdict_format::patch::Patch;
 use objdict_lint::{Level, Options, Severities};
 use objdict_model::diagnostic::{Selection, Severity, Tool, series};
+use objdict_model::source::shown;
 pub(super) use objdict_project::config::Project;
 use objdict_project::registry;
 pub(crate) use objdict_project::workspace::ConfigSource;
@@ -101,6 +101,14 @@ fn tool(name: &str) -> Result<Tool, String> {
 }
 
 impl ConfigFileArgs {
+    /// The patches that the configuration of a file names.
+    ///
+    /// # Errors
+    /// When it cannot be used.
+    pub(super) fn patches_of(&self, path: &Path) -> Result<Vec<Arc<Patch>>, Failure> {
+        CommandSettings::new(&SettingsArgs::from(self))?.patches_of(path)
+    }
+
     fn configuration(&self) -> ConfigSource {
         match &self.config {
             Some(path) => ConfigSource::At(path.clone()),
@@ -219,9 +227,10 @@ impl CommandSettings {
         contents
     }
 
-    /// The configurations that were met and cannot be used.
+    /// The configurations that were met and cannot be used, or have errors.
     pub(super) fn unusable(&self) -> impl Iterator<Item = Failure> {
-        self.projects().filter(|project| !project.is_usable()).map(|project| {
+        let is_unusable = |project: &&Project| !project.is_usable() || project.findings.has_errors();
+        self.projects().filter(is_unusable).map(|project| {
             let message = format!("`{}` cannot be used", project.config.source().name());
             Failure::new(message).help("run `objdict check` for the reasons")
         })
@@ -240,7 +249,7 @@ impl CommandSettings {
 
 /// A configuration that was opened: no output goes over its files, and patches that are for no file are named at the end.
 fn take(path: &Path, project: &Project) {
-    detail(path);
+    detail(&shown(path));
     keep(path);
     project.files().for_each(|file| keep(&file));
     remember(&project.patches);

@@ -43,7 +43,8 @@ text_rules! {
     remedy: "Rename the key. `objdict check --fix` does in a `device.toml`, and an editor does in both.",
     source: "objdict, docs/device.md and docs/network.md",
 
-    WRONG_TYPE = "keys/wrong-type", Error;
+    WRONG_TYPE = "keys/wrong-type", Error,
+        explains Around ["missing-key"];
     summary: "a value of the wrong type",
     checks: "Whether each value is a number, a text, true or false, a list or a table as its key demands. A number with a fraction where a whole one belongs, and a decimal number in quotes, are warnings.",
     why: "The value cannot be used. dcfgen stops with a traceback, or takes something else: a quoted `\"false\"` is true.",
@@ -66,6 +67,15 @@ text_rules! {
     example: "a node without `dcf`",
     remedy: "Add the key.",
     source: "dcf-tools 2.4.2; objdict, docs/network.md",
+
+    UNKNOWN_PROFILE = "keys/unknown-profile", Error,
+        explains File ["missing-mandatory-object", "missing-section", "missing-key"];
+    summary: "a device of a profile that objdict does not have",
+    checks: "Whether the `profile` of a `device.toml` is one of the profiles with which devices can be started, in a version of its data that objdict has.",
+    why: "All objects that the profile brings are missing, the mandatory ones of CiA 301 too.",
+    example: "`profile = \"401@2\"`",
+    remedy: "Write a profile that `objdict new --help` lists, with the version that the message names.",
+    source: "objdict, docs/device.md",
 
     SHARED_PRODUCT_CODE = "keys/shared-product-code", Warning;
     summary: "two variants with one product code",

@@ -37,7 +37,7 @@ use objdict_format::patch::Patch;
 use objdict_keyed as keyed;
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::tree::{KeyedTree, Kind};
-use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
+use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity, say};
 use objdict_model::model::Device;
 use objdict_model::source::{
     Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute, shown,
@@ -69,8 +69,10 @@ pub struct NetworkFile {
     pub descriptions: BTreeMap<String, Rc<Description>>,
     /// The files of the descriptions.
     pub files: Vec<PathBuf>,
-    /// The problems of the text.
+    /// The problems of the text and of what follows from it.
     findings: Findings,
+    /// How many of them, the first ones, are those of the text.
+    of_text: usize,
 }
 
 impl NetworkFile {
@@ -127,6 +129,7 @@ impl NetworkFile {
             }
             _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
         };
+        let of_text = findings.len();
         let resolved = network.map(|network| {
             let mut network = if is_made { network.as_described() } else { network };
             stored::read(&mut network, &mut findings);
@@ -141,7 +144,7 @@ impl NetworkFile {
                 ReadDescription::Device(_) => None,
             })
             .collect();
-        Self { source, is_made, resolved, descriptions, files, findings }
+        Self { source, is_made, resolved, descriptions, files, findings, of_text }
     }
 
     /// What the file says, with what follows from it; `None` if it cannot be read at all.
@@ -159,15 +162,24 @@ impl NetworkFile {
         self.resolved
     }
 
-    /// The problems of the text and of the network that it describes, in the order of the text.
+    /// The errors of the text, with which the network is not what its author wrote: keys and values that mean nothing, descriptions that
+    /// cannot be read.
+    pub fn text_errors(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.findings.iter().take(self.of_text).filter(|finding| finding.severity == Severity::Error)
+    }
+
+    /// The problems of the text and of the network that it describes, in the order of the text; errors in keys come first.
     pub fn check(&self) -> Findings {
         let mut findings = self.findings.clone();
         if let Some(resolved) = &self.resolved {
             network::check(resolved.network(), resolved.compiled(), &mut findings);
         }
-        findings.sort_by_key(|finding| match finding.labels.first().map(|label| &label.at) {
-            Some(At::Span(span)) => span.start,
-            _ => 0,
+        findings.sort_by_key(|finding| {
+            let start = match finding.labels.first().map(|label| &label.at) {
+                Some(At::Span(span)) => span.start,
+                _ => 0,
+            };
+            (!finding.is_key_error(), start)
         });
         self.with_places(findings)
     }
@@ -276,6 +288,9 @@ impl NodeDescriptions<'_> {
                     format!("{error}; {known}"),
                     "correct what follows `#`: the number of a device, or a variant",
                 )
+            }
+            ReadError::Faulty { name, .. } => {
+                (format!("`{name}` has errors"), "correct them: `objdict check` shows them in its text")
             }
             error => (error.to_string(), WRONG),
         };

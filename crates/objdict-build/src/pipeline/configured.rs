@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Error, Request, line, refusal, text_of};
+use super::{Error, Request, refusal, text_of};
 use objdict_generate as generate;
 use objdict_lint::Options;
 use objdict_model::diagnostic::{Diagnostic, Severity};
@@ -63,7 +63,7 @@ fn config_findings(project: &Project, options: &Options) -> Result<Vec<String>, 
     let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
     refusal(subject.source().name(), &findings, is_error, |errors| text_of(subject, errors))?;
     let warnings = findings.iter().filter(|finding| finding.severity >= Severity::Warning);
-    Ok(warnings.map(|finding| line(subject, finding)).collect())
+    Ok(warnings.map(|finding| finding.line(subject.source(), |at| subject.span_of(at))).collect())
 }
 
 /// Puts the names that a file gives to objects and entries into the options.

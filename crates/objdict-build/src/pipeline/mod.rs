@@ -26,7 +26,7 @@ use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, one_line};
 use objdict_model::model::{Device, Place};
 use objdict_model::source::{SourceOptions, hash};
 use objdict_project::check::{of_devices, with_origin_beside};
-use objdict_project::report::{Location, Subject, grouped, listed};
+use objdict_project::report::{Subject, grouped, listed};
 #[cfg(feature = "lint")]
 pub use objdict_project::workspace::ConfigSource;
 
@@ -141,6 +141,8 @@ impl Request {
         let project = self.project(files)?;
         #[cfg(feature = "full")]
         let reading = self.with_patches(reading, project.as_ref(), files)?;
+        // its errors are among the findings, and stop what is made
+        let reading = Reading { despite_errors: true, ..reading };
         let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => {
                 let options = SourceOptions { encoding: None, max_size: reading.max_size };
@@ -177,14 +179,17 @@ impl Request {
     /// Everything that is to be written, before anything is.
     ///
     /// # Errors
-    /// When errors in the description make a table wrong and `force` is not set, or a target cannot express the device.
+    /// When errors in the description make a table wrong, or a `device.toml` has any, and `force` is not set; when a target cannot express
+    /// the device.
     pub fn produce(
         &self,
         checked: &CheckedDescription,
         files: &mut Vec<PathBuf>,
     ) -> Result<Generation, Error> {
         if !self.force {
-            checked.refuse(|finding| self.is_stopped_by(finding))?;
+            let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+            checked
+                .refuse(|finding| self.is_stopped_by(finding) || checked.is_source() && is_error(finding))?;
         }
         let device = checked.device();
         let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
@@ -290,6 +295,11 @@ impl CheckedDescription {
         }
     }
 
+    /// Whether its author wrote it for objdict, and can correct every error.
+    fn is_source(&self) -> bool {
+        matches!(&self.described, DescribedDevice::Text(description) if description.format() == Format::Toml)
+    }
+
     /// The findings that stop as an error, if there are any.
     fn refuse(&self, stops: impl Fn(&Diagnostic) -> bool) -> Result<(), Error> {
         refusal(&self.name, &self.findings, stops, |errors| match &self.described {
@@ -303,7 +313,9 @@ impl CheckedDescription {
     /// A finding in a line: its place, the rule and the message.
     pub fn line(&self, finding: &Diagnostic) -> String {
         match &self.described {
-            DescribedDevice::Text(description) => line((&**description).into(), finding),
+            DescribedDevice::Text(description) => {
+                finding.line(description.source(), |at| description.span_of(at))
+            }
             DescribedDevice::Model(_) => without_text(&self.name, finding),
         }
     }
@@ -342,14 +354,6 @@ fn refusal(
 
 fn text_of(subject: Subject<'_>, findings: &Findings) -> String {
     listed(subject, findings).unwrap_or_else(|error| format!("the findings cannot be shown: {error}\n"))
-}
-
-/// A finding of a text in a line.
-fn line(subject: Subject<'_>, finding: &Diagnostic) -> String {
-    let start = Location::start_of(subject, finding);
-    let (name, rule, severity) = (subject.source().name(), finding.rule.id, finding.severity);
-    let message = &finding.message;
-    one_line(&format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column))
 }
 
 /// A finding of a device that has no text.

@@ -22,8 +22,13 @@ pub(super) struct ComparedSide {
 /// The old and the new description.
 pub(super) fn sides(args: &SidesArgs, input: &InputArgs) -> Result<[ComparedSide; 2], Failure> {
     let new = args.newer();
+    let read = |path: &Path| {
+        let name = source_name(path);
+        let read = input.reading().read_one(&name, input.size.read(path)?)?;
+        ComparedSide::new(name, read)
+    };
     let old = match &args.git {
-        None => ComparedSide::new(source_name(&args.old), input.read_one(&args.old)?)?,
+        None => read(&args.old)?,
         Some(revision) => {
             let file = format!("{revision}:{}", source_name(new));
             let bytes = git::read(revision, new, input.size.max_size)?;
@@ -31,7 +36,7 @@ pub(super) fn sides(args: &SidesArgs, input: &InputArgs) -> Result<[ComparedSide
             ComparedSide::new(file, read)?
         }
     };
-    Ok([old, ComparedSide::new(source_name(new), input.read_one(new)?)?])
+    Ok([old, read(new)?])
 }
 
 impl ComparedSide {

@@ -146,7 +146,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<DbcNode>, Failu
         return Err(failure.help("leave `--node-id` out"));
     }
     let input = args.network.with(&args.input.patch, &args.config);
-    let file = network::open_despite_errors(slice::from_ref(&job.input), &input)?;
+    let file = network::open_to_use(slice::from_ref(&job.input), &input)?;
     let nodes = file.build(DcfgenMode::Corrected).and_then(|build| build.configured_nodes());
     let nodes = nodes.map_err(|error| {
         let help = format!("`objdict network check {name}` says why");

@@ -21,9 +21,11 @@ use super::progress::{Progress, give_way};
 use super::settings::{CommandSettings, SettingsArgs};
 use super::stdout::Output;
 use super::written_files::{SaveFolder, Saved, is_stdout, keep, require_other, save};
-use objdict_format::{Description, LossKind, ReadError, json};
+use objdict_format::{Description, Format, LossKind, ReadError, json};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 use objdict_node::concise;
 use objdict_node::download::ConciseDcf;
+use objdict_project::workspace;
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut jobs = jobs::plan(args)?;
@@ -41,7 +43,9 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     let progress = Progress::new("converting", jobs.len());
     for jobs in jobs.chunk_by(|job, next| job.output == next.output) {
         let done = match jobs {
-            [job] if job.to != FileKind::Dbc => convert_one(args, job, &mut place, &mut report, out),
+            [job] if job.to != FileKind::Dbc => {
+                convert_one(args, job, &mut settings, &mut place, &mut report, out)
+            }
             jobs => dbc::convert(args, jobs, &mut report, out),
         };
         if let Err(failure) = done {
@@ -107,12 +111,16 @@ impl OutputPlace {
 fn convert_one(
     args: &ConvertArgs,
     job: &Job,
+    settings: &mut CommandSettings,
     place: &mut OutputPlace,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
     let reading = args.input.reading_with(&job.patches);
     let (from, input) = reading.read(&source_name(&job.input), args.input.size.read(&job.input)?)?;
+    if let Input::Description(description) = &input {
+        refuse_faulty(description, job, settings)?;
+    }
     match input {
         Input::Description(description) if description.device_count() == 0 => {
             let name = name_of(&job.input);
@@ -148,6 +156,32 @@ fn convert_one(
             let failure = Failure::new("a node list holds no device");
             let file = name_of(&job.input);
             Err(failure.help(format!("`objdict show {file}` names the files of its nodes")))
+        }
+    }
+}
+
+/// Refuses a source in which `objdict check` finds errors, those of rules too: its author can correct them before others get it as
+/// an EDS. A vendor's description is converted as it is.
+fn refuse_faulty(
+    description: &Description,
+    job: &Job,
+    settings: &mut CommandSettings,
+) -> Result<(), Failure> {
+    if description.format() != Format::Toml {
+        return Ok(());
+    }
+    let project = settings.project_of(&job.input)?;
+    let options = settings.options(&job.input, project.as_deref());
+    let mut errors = workspace::findings(description, &options);
+    errors.retain(Findings::has_errors);
+    let line = |error: &Diagnostic| error.line(description.source(), |at| description.span_of(at));
+    let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
+    let problems: Vec<String> =
+        errors.iter().flat_map(|found| found.iter().filter(is_error).map(line)).collect();
+    match problems.is_empty() {
+        true => Ok(()),
+        false => {
+            Err(ReadError::Faulty { name: source_name(&job.input), problems: problems.join("\n") }.into())
         }
     }
 }

@@ -16,6 +16,7 @@ use super::annotation::DescribedStream;
 use super::args::{DcfCommand, NamingArgs};
 use super::ending::{Failure, Outcome};
 use super::input::{ExpandArgs, Input, InputArgs, name_of, source_name};
+use super::settings::ConfigFileArgs;
 use super::stdout::Output;
 use super::written_files::{is_stdout, save};
 use objdict_format::ReadError;
@@ -101,7 +102,8 @@ fn resembles_stream(bytes: &[u8]) -> bool {
 /// The device of a description.
 fn device(path: &Path, input: &InputArgs, expand: &ExpandArgs) -> Result<Device, Failure> {
     // `--from` is about the stream
-    let reading = Reading { from: None, ..input.reading() };
+    let patches = ConfigFileArgs::default().patches_of(path)?;
+    let reading = Reading { from: None, ..input.reading_with(&patches) };
     let name = source_name(path);
     let device = match reading.read_one(&name, input.size.read(path)?)? {
         (_, Input::Description(description)) => description.device().clone(),

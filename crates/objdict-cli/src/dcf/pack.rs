@@ -7,6 +7,7 @@ use super::super::args::{BlobFormat, PackArgs};
 use super::super::convert::{read_data, refusal, tell_skipped};
 use super::super::ending::{Failure, Outcome, tell};
 use super::super::input::{ExpandArgs, Input, InputArgs, source_name};
+use super::super::settings::ConfigFileArgs;
 use super::super::stdout::Output;
 use super::{count, deliver, device, hex_of, stream_of, verify};
 use objdict_format::input::FileKind;
@@ -66,7 +67,7 @@ pub(crate) fn content(
 ) -> Result<PackedContent, Failure> {
     let name = source_name(path);
     let bytes = input.size.read(path)?; // once: it may be the standard input
-    let reading = input.reading();
+    let reading = input.reading_with(&ConfigFileArgs::default().patches_of(path)?);
     let is_stream = hex_of(&bytes, input).is_some()
         || matches!(reading.recognised(&name, bytes.clone())?.0, FileKind::Cdcf | FileKind::CdcfText);
     if is_stream {

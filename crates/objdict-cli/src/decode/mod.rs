@@ -219,10 +219,12 @@ fn descriptions<'a>(
         keep(path);
         let is_network = node_id.is_none() && NetworkFile::is_network(path).map_err(Failure::new)?;
         if is_network {
-            found.add_network(&network::open_despite_errors(std::slice::from_ref(path), &input)?);
+            found.add_network(&network::open_to_use(std::slice::from_ref(path), &input)?);
             continue;
         }
-        let reading = Reading { patches: args.patch.patches.clone(), ..Reading::default() };
+        let mut patches = args.patch.patches.clone();
+        patches.extend(args.settings.config_file().patches_of(path)?);
+        let reading = Reading { patches, ..Reading::default() };
         let device = match reading.open(path)? {
             (_, Input::Description(description)) => description.device().clone(),
             (_, Input::Device(device)) => *device,

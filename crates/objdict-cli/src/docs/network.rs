@@ -1,6 +1,7 @@
 //! Networks in `objdict docs`: their part of the index, and the DCFs of their nodes as `network build` writes them.
 
 use std::path::Path;
+use std::slice;
 
 use super::super::args::DocsArgs;
 use super::super::ending::{Failure, Outcome};
@@ -45,6 +46,7 @@ impl DocumentedNetwork {
         let options = settings.options(&file.path, file.project.as_deref());
         let input = args.network.with(&args.input.patch, args.settings.config_file());
         let opened = network::open(&file.path, &input)?;
+        network::refuse_misread(&opened, slice::from_ref(&file.path))?;
         let findings = grouped(&opened, options.severities.apply(opened.check()));
         let findings = reported(&findings, |finding| Location::line_of((&opened).into(), finding));
         let unreadable = |error| {

@@ -11,7 +11,7 @@ use super::super::input::name_of;
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
 use super::super::written_files::keep;
-use super::{open_despite_errors, source_names_of};
+use super::{open_to_use, source_names_of};
 use objdict_bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use objdict_document::describe::frames::{FrameReader, Talker, nmt_state};
 use objdict_model::diagnostic::plural;
@@ -68,7 +68,7 @@ fn installation(args: &NetworkBootArgs) -> Result<Installation, Failure> {
         args.files.iter().cloned().partition(|path| path.is_dir());
     let network = match (folders.is_empty(), files.is_empty()) {
         (false, true) => None,
-        _ => Some(open_despite_errors(&files, &args.input)?),
+        _ => Some(open_to_use(&files, &args.input)?),
     };
     let failed = |error: InstallError| match error.help() {
         Some(help) => Failure::new(&error).help(help),

@@ -30,6 +30,7 @@ use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{Findings, Severity};
 use objdict_network::{Overview, Resolved};
 use objdict_network_file::{NetworkFile, init, schema};
+use objdict_project::report::Subject;
 
 pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome, Failure> {
     match command {
@@ -97,27 +98,40 @@ fn source_names_of(paths: &[PathBuf]) -> String {
     paths.iter().map(|path| source_name(path)).collect::<Vec<_>>().join(" ")
 }
 
-/// Reads a network that is to be shown or booted. Its errors are left to `network check`.
-pub(super) fn open_despite_errors(
-    paths: &[PathBuf],
-    input: &NetworkInputArgs,
-) -> Result<NetworkFile, Failure> {
+/// Reads a network that something is made of. One whose text has errors is refused; the errors of the network itself are left to
+/// `network check`.
+pub(super) fn open_to_use(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     let file = open_one(paths, input)?;
+    refuse_misread(&file, paths)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
-    let help = format!("`objdict network check {}` says which", names_of(paths));
-    if file.network().is_none() {
-        return Err(Failure::new(format_args!("`{}` is not a network", file.source.name())).help(help));
-    }
     if errors > 0 {
         let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
-        tell(&format!("warning: {warning}\n  help: {help}\n"));
+        tell(&format!(
+            "warning: {warning}\n  help: `objdict network check {}` says which\n",
+            names_of(paths)
+        ));
     }
     Ok(file)
 }
 
+/// Refuses a network whose text has errors.
+pub(super) fn refuse_misread(file: &NetworkFile, paths: &[PathBuf]) -> Result<(), Failure> {
+    let name = file.source.name();
+    let subject = Subject::from(file);
+    let lines: Vec<String> =
+        file.text_errors().map(|error| error.line(&file.source, |at| subject.span_of(at))).collect();
+    let message = match (lines.is_empty(), file.network()) {
+        (true, Some(_)) => return Ok(()),
+        (true, None) => format!("`{name}` is not a network"),
+        _ => format!("`{name}` has errors, so nothing is made of it\n{}", lines.join("\n")),
+    };
+    let help = format!("`objdict network check {}` shows them in the text", names_of(paths));
+    Err(Failure::of_lines(message.lines()).help(help))
+}
+
 /// The same with the configuration of its nodes.
 fn resolved(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Resolved, Failure> {
-    Ok(open_despite_errors(paths, input)?.into_resolved().unwrap_or_default())
+    Ok(open_to_use(paths, input)?.into_resolved().unwrap_or_default())
 }
 
 fn overview(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Overview, Failure> {

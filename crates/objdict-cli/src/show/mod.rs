@@ -14,6 +14,7 @@ pub(super) use self::nodes::NodesJson as NodeListDocument;
 use super::args::{ShowArgs, ShowFormat};
 use super::ending::{Failure, Outcome};
 use super::input::{Input, source_name};
+use super::settings::ConfigFileArgs;
 use super::stdout::Output;
 use super::table::fit;
 use objdict_document::describe::ValueReader;
@@ -47,7 +48,7 @@ impl ShownDevice<'_> {
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (kind, input) = args.input.read_one(&args.file)?;
+    let (kind, input) = args.input.read_one(&args.file, &ConfigFileArgs::default())?;
     let (device, format) = match &input {
         Input::Description(description) if description.is_project() => (description.device(), kind.name()),
         Input::Description(description) => (description.device(), description.format().name()),

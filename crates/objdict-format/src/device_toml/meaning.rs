@@ -41,7 +41,14 @@ pub(super) fn read(
         let values = section.named("enum", findings).iter();
         for value in values.clone() {
             let number = value.key.spelled();
-            let Some((data_type, of_type)) = entry.implied_type().zip(number.parse().ok()) else { continue };
+            let Some(of_type) = number.parse().ok() else {
+                let message = say!("`{}` is not a number, and `enum` names values by number", number);
+                findings.push(
+                    Diagnostic::new(&WRONG_TYPE, value.key.span, message).help("write `number = \"name\"`"),
+                );
+                continue;
+            };
+            let Some(data_type) = entry.implied_type() else { continue };
             if data_type.is_integer() && Value::from_integer(of_type, data_type).is_none() {
                 let message = say!(
                     "`enum` names {}, which is not a value of the type `{}`",

@@ -8,7 +8,7 @@ use super::facts::{self, Implied};
 use super::keys::{DEVICE, features};
 use super::words::{index, quoted, sub};
 use crate::scaffold::{self, FEATURES, FeatureValue, Features};
-use objdict_keyed::rules::WRONG_TYPE;
+use objdict_keyed::rules::{UNKNOWN_PROFILE, WRONG_TYPE};
 use objdict_keyed::section::{KeyedTable, Shape};
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
@@ -70,7 +70,7 @@ pub(super) fn read(root: &KeyedTable<'_>, findings: &mut Findings) -> Option<Dev
         .and_then(|(profile, version)| Some((profile.parse().ok()?, version.parse().ok()?)));
     let Some((profile, version)) = numbers else {
         let finding =
-            Diagnostic::new(&WRONG_TYPE, said.at, say!("`{}` is no profile with a version", said.value));
+            Diagnostic::new(&UNKNOWN_PROFILE, said.at, say!("`{}` is no profile with a version", said.value));
         findings
             .push(finding.help("write the number of the profile and the version of its data, as in `402@1`"));
         return None;
@@ -79,7 +79,7 @@ pub(super) fn read(root: &KeyedTable<'_>, findings: &mut Findings) -> Option<Dev
     match scaffold::base(profile, version, &features) {
         Ok(device) => Some(device),
         Err(error) => {
-            let finding = Diagnostic::new(&WRONG_TYPE, said.at, say!("{}", error.to_string()));
+            let finding = Diagnostic::new(&UNKNOWN_PROFILE, said.at, say!("{}", error.to_string()));
             findings.push(finding.help(error.help()));
             None
         }

@@ -335,6 +335,9 @@ impl ObjectReader<'_> {
     fn no_type(&mut self, word: &str, span: objdict_model::source::Span) {
         let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not a data type", word));
         self.findings.push(match nearest(word, type_words()) {
+            _ if word.starts_with("[string(") => {
+                finding.help("elements have no length of their own: write `string`")
+            }
             Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
             None => finding.help("write a word such as `u16`, or the index of a definition as `0x0023`"),
         });
@@ -384,6 +387,7 @@ impl ObjectReader<'_> {
         let has_elements = || self.said(section).is_some_and(|said| said.count.is_some());
         let takes_lists = matches!(role, EntryRole::First | EntryRole::Sub) || has_elements();
         self.values(section, takes_lists, &mut entry);
+        self.check_length(section, &entry);
         self.stack(section, &mut entry);
         meaning::read(section, address, &mut entry, &mut self.application, self.findings);
         if let Some(tree) = section.get("extra") {
@@ -414,6 +418,18 @@ impl ObjectReader<'_> {
                 _ => &mut configured.download_file,
             };
             *field = Some(text.value.into());
+        }
+    }
+
+    /// A text has room for as many characters as its type says, at least.
+    fn check_length(&mut self, section: &KeyedTable<'_>, entry: &Entry) {
+        let length = self.said(section).and_then(|said| said.length);
+        let (Some(length), Some(Value::Text(text))) = (length, &entry.default) else { return };
+        let (Some(tree), count) = (section.get("default"), text.chars().count()) else { return };
+        if u32::try_from(count).is_ok_and(|count| count > length) {
+            let message = say!("`default` has {} characters, but its type has room for {}", count, length);
+            let finding = Diagnostic::new(&OUT_OF_RANGE, tree.span, message).severity(Severity::Warning);
+            self.findings.push(finding.help("write a longer type, or a shorter text"));
         }
     }
 

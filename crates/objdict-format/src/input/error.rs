@@ -96,6 +96,13 @@ pub enum ReadError {
         /// The problems: the patch with line and column, the rule and the message, a line each.
         problems: String,
     },
+    /// It is a source for objdict, and its text has errors.
+    Faulty {
+        /// The file.
+        name: String,
+        /// The errors: the file with line and column, the rule and the message, a line each.
+        problems: String,
+    },
     /// It is of a kind that this build of the library does not read.
     NotBuilt {
         /// The file.
@@ -125,6 +132,7 @@ objdict_model::error_messages! { ReadError:
     Self::NoSuchVariant { name, variant, .. } => "`{name}` has no variant `{variant}`";
     Self::NoDevice { name, kind } => "`{name}` is read as {} and describes no device", kind.name();
     Self::NotPatched { name, problems } => "cannot apply the patches to `{name}`\n{problems}";
+    Self::Faulty { name, problems } => "`{name}` has errors, so nothing is made of it\n{problems}";
     Self::NotBuilt { name, kind } =>
         "`{name}` is read as {}, for which this build of objdict has no reader", kind.name();
 } }
@@ -147,6 +155,7 @@ impl ReadError {
             }
             Self::NoDevice { .. } => Some("name an EDS or DCF".to_owned()),
             Self::NotPatched { .. } => Some("`objdict patch check` compares patches with files".to_owned()),
+            Self::Faulty { name, .. } => Some(format!("`objdict check {name}` shows them in the text")),
             Self::NotBuilt { kind, .. } => {
                 let feature = kind.feature()?;
                 Some(format!("enable the feature `{feature}` of the crate `objdict`"))

@@ -17,6 +17,8 @@ use super::identify::{ContentKind, identify_source};
 #[cfg(feature = "full")]
 use super::patch::Patch;
 use super::{Description, Format, Syntax};
+#[cfg(feature = "full")]
+use objdict_model::diagnostic::Severity;
 use objdict_model::model::Device;
 use objdict_model::source;
 use objdict_model::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
@@ -192,6 +194,8 @@ pub struct Reading {
     pub node_id: Option<u8>,
     /// Which variant of a `device.toml`; `None` is the device without its variants.
     pub variant: Option<String>,
+    /// Whether a `device.toml` is read although its text has errors, as where it is edited.
+    pub despite_errors: bool,
     /// Patches, which are made in the descriptions that they are for.
     #[cfg(feature = "full")]
     pub patches: Vec<std::sync::Arc<Patch>>,
@@ -208,6 +212,7 @@ impl Default for Reading {
             max_entries,
             node_id: None,
             variant: None,
+            despite_errors: false,
             #[cfg(feature = "full")]
             patches: Vec::new(),
         }
@@ -244,7 +249,7 @@ impl Reading {
         self.limited(name, &input)?;
         #[cfg(feature = "full")]
         if let Input::Description(description) = &input {
-            refuse(description)?;
+            self.refuse(description)?;
         }
         Ok((kind, input))
     }
@@ -320,7 +325,7 @@ impl Reading {
         let selected =
             selected.ok_or_else(|| ReadError::NoSuchDevice { name: name.to_owned(), number, count })?;
         #[cfg(feature = "full")]
-        refuse(&selected)?;
+        self.refuse(&selected)?;
         Ok(selected)
     }
 
@@ -381,17 +386,32 @@ impl Reading {
         }
         Ok((kind, source))
     }
-}
 
-/// Refuses a description that a patch is for and does not fit.
-#[cfg(feature = "full")]
-fn refuse(description: &Description) -> Result<(), ReadError> {
-    match description.patched().filter(|patched| patched.has_errors()) {
-        None => Ok(()),
-        Some(patched) => Err(ReadError::NotPatched {
-            name: description.source().name().to_owned(),
-            problems: patched.lines().join("\n"),
-        }),
+    /// Refuses a description that a patch is for and does not fit, and a source whose own text has errors: what is made of it
+    /// would not be what its author wrote. Descriptions of vendors are read as they are.
+    #[cfg(feature = "full")]
+    fn refuse(&self, description: &Description) -> Result<(), ReadError> {
+        let name = || description.source().name().to_owned();
+        if let Some(patched) = description.patched().filter(|patched| patched.has_errors()) {
+            return Err(ReadError::NotPatched { name: name(), problems: patched.lines().join("\n") });
+        }
+        if description.format() != Format::Toml || self.despite_errors {
+            return Ok(());
+        }
+        // those of its variants repeat those of the file
+        let mut problems: Vec<String> = Vec::new();
+        description.map_devices(|device| {
+            let errors = device.findings().iter().filter(|finding| finding.severity == Severity::Error);
+            for line in errors.map(|error| error.line(device.source(), |at| device.span_of(at))) {
+                if !problems.contains(&line) {
+                    problems.push(line);
+                }
+            }
+        });
+        match problems.is_empty() {
+            true => Ok(()),
+            false => Err(ReadError::Faulty { name: name(), problems: problems.join("\n") }),
+        }
     }
 }
 

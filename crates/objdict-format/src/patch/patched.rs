@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Patch;
-use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity};
+use objdict_model::diagnostic::{At, Findings, Severity};
 use objdict_model::model::{Part, Place};
 use objdict_model::source::Span;
 
@@ -52,17 +52,11 @@ impl Patched {
 
 /// What was found when a patch was made, a line each.
 pub(super) fn lines(patch: &Patch, findings: &Findings) -> Vec<String> {
-    let line = |finding: &Diagnostic| {
-        let span = match finding.labels.first().map(|label| &label.at) {
-            Some(At::Span(span)) => *span,
-            _ => Span::default(),
-        };
-        let start = patch.source().line_column(span.start);
-        let name = patch.source().name();
-        let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
-        format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column)
+    let span = |at: &At| match at {
+        At::Span(span) => *span,
+        _ => Span::default(),
     };
-    findings.iter().map(line).collect()
+    findings.iter().map(|finding| finding.line(patch.source(), span)).collect()
 }
 
 /// The object that a part belongs to.

@@ -14,6 +14,7 @@ mod tool;
 mod words;
 
 use crate::model::Place;
+use crate::source::SourceFile;
 pub use crate::source::Span;
 
 pub use crate::{fix_of, rule_info, say, text_rules};
@@ -132,6 +133,20 @@ impl Diagnostic {
         let is_error = self.severity == Severity::Error && !self.is_understood;
         is_error && self.rule.stops.iter().any(|stop| applies(stop) && is_about(stop))
             || self.also.iter().any(|other| other.stops(target))
+    }
+
+    /// Whether it is an error in a key that someone wrote for objdict. What the key does not say seems to be missing elsewhere, so it is
+    /// reported before all else.
+    pub fn is_key_error(&self) -> bool {
+        self.rule.group() == "keys" && self.severity == Severity::Error
+    }
+
+    /// The finding as a line: the file with line and column, the severity, the rule and the message.
+    pub fn line(&self, source: &SourceFile, span_of: impl FnOnce(&At) -> Span) -> String {
+        let start = self.labels.first().map_or(0, |label| span_of(&label.at).start);
+        let start = source.line_column(start);
+        let (name, severity, rule) = (source.name(), self.severity, self.rule.id);
+        one_line(&format!("{name}:{}:{}: {severity} {rule}: {}", start.line, start.column, self.message))
     }
 
     /// Overrides the severity of the rule.

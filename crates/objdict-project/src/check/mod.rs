@@ -22,7 +22,7 @@ pub use self::comments::insertion;
 pub use self::origin::{last_eds, with_origin_beside};
 pub use self::variants::of_devices;
 
-/// All findings of a description, in the order of its text.
+/// All findings of a description, in the order of its text; errors in the keys of a `device.toml` come first.
 pub fn check(description: &Description) -> Findings {
     check_with(description, &Options::default())
 }
@@ -72,7 +72,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     let mut findings = variants::named(description, findings);
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
-        (start, finding.rule.id)
+        (!finding.is_key_error(), start, finding.rule.id)
     });
     findings
 }

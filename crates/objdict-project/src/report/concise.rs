@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Detail, Location, Report, Statistics, Subject, Tally};
+use super::{Detail, Report, Statistics, Subject, Tally};
 use objdict_model::diagnostic::Findings;
 use objdict_model::diagnostic::one_line;
 
@@ -40,10 +40,7 @@ impl<W: Write> Report for Concise<W> {
         }
         let name = one_line(subject.source().name());
         for finding in findings {
-            let start = Location::start_of(subject, finding);
-            let (rule, severity) = (finding.rule.id, finding.severity);
-            let message = one_line(&finding.message.shown());
-            writeln!(self.out, "{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column)?;
+            writeln!(self.out, "{}", finding.line(subject.source(), |at| subject.span_of(at)))?;
         }
         for (rule, count) in findings.omitted() {
             writeln!(self.out, "{name}: {count} more findings of {rule} are not shown")?;

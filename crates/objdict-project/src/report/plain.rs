@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::{Location, Subject};
+use super::Subject;
 use objdict_model::diagnostic::Findings;
 use objdict_model::diagnostic::one_line;
 #[cfg(any(test, feature = "lint"))]
@@ -13,10 +13,8 @@ pub fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
     let mut text = String::new();
     let name = one_line(subject.source().name());
     for finding in findings {
-        let start = Location::start_of(subject, finding);
-        let (rule, severity, message) =
-            (finding.rule.id, finding.severity, one_line(&finding.message.shown()));
-        text.push_str(&format!("{name}:{}:{}: {severity} {rule}: {message}\n", start.line, start.column));
+        text.push_str(&finding.line(subject.source(), |at| subject.span_of(at)));
+        text.push('\n');
         if let Some(help) = &finding.help {
             text.push_str(&format!("  help: {}\n", one_line(&help.shown())));
         }

@@ -1,0 +1,140 @@
+//! A source that its author writes for objdict and that has an error is refused by every command that uses it, with the error that
+//! `check` reports first, and nothing is written.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+use crate::support;
+
+/// What uses a device; `SOURCE` is its file, `NETWORK` a network of it.
+const OF_DEVICE: [&str; 17] = [
+    "convert SOURCE -o out.eds",
+    "convert SOURCE -o out.xdd",
+    "convert SOURCE -o out.json",
+    "convert SOURCE -o out.dbc --node-id 5",
+    "generate SOURCE --target c -o out",
+    "generate SOURCE --target rust -o out",
+    "docs SOURCE -o out",
+    "show SOURCE",
+    "dcf pack SOURCE -o out.cdcf --node-id 5",
+    "configure SOURCE -o out.dcf --node-id 5",
+    "diff SOURCE good.toml",
+    "diff good.toml SOURCE",
+    "release good.toml SOURCE",
+    "conformance SOURCE",
+    "probe SOURCE --answers node.log",
+    "decode node.log --with 5=SOURCE",
+    "network show NETWORK",
+];
+
+/// What uses a network.
+const OF_NETWORK: [&str; 9] = [
+    "network show SOURCE",
+    "network graph SOURCE",
+    "network timing SOURCE",
+    "network boot SOURCE",
+    "network build SOURCE --target lely -o out",
+    "network diff SOURCE good.toml",
+    "network diff good.toml SOURCE",
+    "convert SOURCE -o out.dbc",
+    "docs SOURCE -o out",
+];
+
+fn run(folder: &Path, line: &str) -> Output {
+    Command::new(crate::program()).args(line.split_whitespace()).current_dir(folder).output().unwrap()
+}
+
+/// The rule of the first error of a check, in the order of the report.
+fn first_error(report: &Output) -> Option<String> {
+    let text = String::from_utf8_lossy(&report.stdout).into_owned();
+    let line = text.lines().find(|line| line.contains(": error "))?;
+    Some(line.split(": error ").nth(1)?.split(':').next()?.to_owned())
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+/// The commands that do something with a source in which `rule` finds an error, or do not say so.
+fn lenient(folder: &Path, commands: &[&str], rule: &str) -> Vec<String> {
+    let before = names(folder);
+    let mut lenient = Vec::new();
+    for command in commands {
+        let line = command.replace("SOURCE", "bad.toml").replace("NETWORK", "of-bad.toml");
+        let output = run(folder, &line);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        let is_refused = matches!(output.status.code(), Some(1 | 2));
+        let is_named = told.contains(rule) || command.contains("NETWORK") || command.contains("decode");
+        if !is_refused || !is_named || names(folder) != before {
+            lenient.push(format!("`{line}` exits with {:?}: {told}", output.status.code()));
+        }
+    }
+    lenient
+}
+
+/// A folder with a device, a network of it, and a log.
+fn folder(good: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("good.toml"), good).unwrap();
+    let network = "[bus]\nbit-rate = 250\nmanager = \"plc\"\n\n[manager]\nid = 1\n\n[node.a]\nfile = \"bad.toml\"\nid = 5\n";
+    fs::write(folder.path().join("of-bad.toml"), network).unwrap();
+    fs::write(
+        folder.path().join("node.log"),
+        "(1.0) can0 605#4000100000000000\n(1.1) can0 585#4300100092010200\n",
+    )
+    .unwrap();
+    folder
+}
+
+/// The text with each of its keys misspelled, and with each of its values as another kind of value.
+fn faults(text: &str) -> Vec<String> {
+    let mut faults = Vec::new();
+    for (at, _) in text.match_indices(" = ") {
+        faults.push(format!("{}xq{}", &text[..at], &text[at..]));
+        let rest = &text[at + 3..];
+        let end = rest.find(['\n', ',', '}']).unwrap_or(rest.len());
+        if !rest[..end].contains(['[', '{', '(']) {
+            faults.push(format!("{}{{ a = 1 }}{}", &text[..at + 3], &rest[end..]));
+        }
+    }
+    faults
+}
+
+/// Tries each fault of the text; those that `check` accepts are none.
+fn refuses(good: &str, check: &str, commands: &[&str]) {
+    let folder = folder(good);
+    for name in ["island.eds", "servo.eds"] {
+        fs::copy(Path::new("fixtures/network").join(name), folder.path().join(name)).unwrap();
+    }
+    let mut tried = 0;
+    for fault in support::skips::sample(faults(good)) {
+        fs::write(folder.path().join("bad.toml"), &fault).unwrap();
+        let report = run(folder.path(), check);
+        let Some(rule) = first_error(&report) else { continue };
+        assert_eq!(report.status.code(), Some(1), "{fault}");
+        let lenient = lenient(folder.path(), commands, &rule);
+        assert!(lenient.is_empty(), "{rule}: {lenient:#?}\n{fault}");
+        tried += 1;
+    }
+    assert!(tried > 8, "{tried} faults");
+}
+
+#[test]
+fn a_device_with_an_error_is_refused_by_every_command() {
+    let good = fs::read_to_string("fixtures/toml/io.toml").unwrap();
+    refuses(&good, "check bad.toml --format concise", &OF_DEVICE);
+}
+
+#[test]
+fn a_network_with_an_error_in_its_text_is_refused_by_every_command() {
+    let good = fs::read_to_string("fixtures/network/line.toml").unwrap();
+    refuses(&good, "network check bad.toml --format concise", &OF_NETWORK);
+}
