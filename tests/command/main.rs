@@ -29,6 +29,7 @@ mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]
 mod support;
+mod verdicts;
 mod windows;
 
 /// The command: the one that Cargo built, or the one that `OBJDICT_PROGRAM` names, as `.ci/run` does with that for Windows.

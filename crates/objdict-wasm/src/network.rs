@@ -143,7 +143,7 @@ fn timing_of(timing: &Timing) -> Value {
         "bit_rate": timing.bit_rate,
         "average": timing.load.average_percent(timing.bit_rate),
         "worst": timing.load.worst_percent(timing.bit_rate),
-        "is_met": timing.is_met(),
+        "is_met": timing.is_met(&TimingOptions::default()),
         "rates": rates.collect::<Vec<_>>(),
         "messages": messages.collect::<Vec<_>>(),
     })

@@ -287,6 +287,9 @@ pub(crate) struct NetworkTimingArgs {
     /// All nodes send emergencies, as often as their inhibit time (1015h) allows
     #[arg(long, help_heading = "Assumptions")]
     pub emergencies: bool,
+    /// Exit with 0 although messages have no bound, if those that have one meet their deadlines
+    #[arg(long)]
+    pub allow_unbounded: bool,
     #[command(flatten)]
     pub input: NetworkInputArgs,
 }

@@ -1,7 +1,8 @@
 //! What would help where messages come too late.
 
 use super::{AnyTime, BIT_RATES, Remedy, Schedule, TimedMessage};
-use crate::timing::frames::Rhythm;
+use crate::timing::analysis::ResponseTime;
+use crate::timing::frames::{Rhythm, TimedFrame};
 
 /// The most messages that a remedy is looked for.
 const MOST: usize = 3;
@@ -16,7 +17,12 @@ impl Schedule {
             let distance = u64::from(tenths) * 100_000;
             let streams = self.streams(bit_rate, AnyTime::Inhibited(distance));
             let responses = streams.responses();
-            self.missed(&responses, Some(distance)).is_empty() && !self.is_over_window(&streams, &responses)
+            let is_open = |(frame, response): (&TimedFrame, &ResponseTime)| {
+                frame.deadline.is_some() && matches!(response, ResponseTime::Unbounded(_))
+            };
+            !self.frames.iter().zip(&responses).any(is_open)
+                && self.missed(&responses, Some(distance)).is_empty()
+                && !self.is_over_window(&streams, &responses)
         };
         // a longer time never delays a message more
         let (mut least, mut most) = (1, u16::MAX);

@@ -43,6 +43,8 @@ pub struct TimingOptions {
     pub sdo: bool,
     /// Whether nodes send emergencies all the time.
     pub emergencies: bool,
+    /// Whether messages without a bound count as being in time.
+    pub allow_unbounded: bool,
 }
 
 impl Default for TimingOptions {
@@ -55,6 +57,7 @@ impl Default for TimingOptions {
             event_distance: None,
             sdo: true,
             emergencies: false,
+            allow_unbounded: false,
         }
     }
 }
@@ -231,10 +234,18 @@ impl Timing {
         self.messages.iter().filter(|message| message.is_unbounded)
     }
 
-    /// Whether all messages meet their deadlines, and the synchronous PDOs their window.
-    pub fn is_met(&self) -> bool {
+    /// Whether all messages are sure to meet their deadlines, and the synchronous PDOs their window. Without a bound nothing is sure, unless
+    /// the options allow it.
+    pub fn is_met(&self, options: &TimingOptions) -> bool {
         let is_late = self.sync.is_some_and(|sync| sync.needed.is_some_and(|needed| needed > sync.limit()));
-        !is_late && self.messages.iter().all(|message| !message.is_missed())
+        let is_open = |message: &TimedMessage| {
+            message.is_unbounded || message.deadline.is_some() && message.response.is_none()
+        };
+        !is_late
+            && self
+                .messages
+                .iter()
+                .all(|message| !message.is_missed() && (options.allow_unbounded || !is_open(message)))
     }
 }
 

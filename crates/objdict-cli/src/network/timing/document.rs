@@ -21,7 +21,7 @@ pub(crate) struct TimingJson<'a> {
     bit_rate: u16,
     /// What was assumed.
     assumptions: Assumptions,
-    /// Whether the exit code is 0: all messages meet their deadlines, as far as they have a response.
+    /// Whether the exit code is 0: all messages are sure to meet their deadlines; with `--allow-unbounded`, those that have a bound.
     is_met: bool,
     /// How much of the bus is used.
     load: LoadRow,
@@ -242,7 +242,7 @@ impl<'a> TimingJson<'a> {
                 sdo: options.sdo,
                 emergencies: options.emergencies,
             },
-            is_met: timing.is_met(),
+            is_met: timing.is_met(options),
             load: LoadRow::new(&timing.load, rate),
             nodes: nodes
                 .map(|share| MessageLoad {

@@ -28,6 +28,7 @@ pub(super) fn run(args: &NetworkTimingArgs, out: &mut Output) -> Result<Outcome,
         event_distance: args.inhibit_time,
         sdo: !args.no_sdo,
         emergencies: args.emergencies,
+        allow_unbounded: args.allow_unbounded,
     };
     let timing = Timing::new(resolved.network(), resolved.compiled(), &options);
     let none = || Failure::new("the network has no bit rate").help("name one: `--bit-rate 250`");
@@ -43,7 +44,7 @@ pub(super) fn run(args: &NetworkTimingArgs, out: &mut Output) -> Result<Outcome,
         }
         ShowFormat::Table => TimingReport { timing: &timing, options: &options }.write(out)?,
     }
-    Ok(if timing.is_met() { Outcome::Clean } else { Outcome::Findings })
+    Ok(if timing.is_met(&options) { Outcome::Clean } else { Outcome::Findings })
 }
 
 struct TimingReport<'t> {
