@@ -20,7 +20,7 @@ fn the_hooks_call_what_there_is() {
     assert_eq!(values(&hooks, "id"), ["objdict-check", "objdict-check-system"]);
     assert_eq!(values(&hooks, "language"), ["rust", "system"]);
     for files in values(&hooks, "files") {
-        assert_eq!(files, r"(?i)\.(eds|dcf|xdd|xdc|nxdd|nxdc)$");
+        assert_eq!(files, r"(?i)(\.(eds|dcf|xdd|xdc|nxdd|nxdc)|(^|[/._-])device\.toml)$");
     }
     for entry in values(&hooks, "entry") {
         let mut words = entry.split(' ');

@@ -37,7 +37,9 @@ fn run(program: &str, arguments: &[&str], folder: &Path) -> Option<String> {
     // a console of Windows has another encoding
     let output = command.env("PYTHONUTF8", "1").output().unwrap();
     let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && errors.is_empty(), "{arguments:?}: {errors}");
+    // the networks of the folder are left to another command
+    let has_failed = errors.lines().any(|line| !line.starts_with("note: ") && !line.starts_with("  help: "));
+    assert!(output.status.success() && !has_failed, "{arguments:?}: {errors}");
     Some(String::from_utf8(output.stdout).unwrap().replace("\r\n", "\n"))
 }
 

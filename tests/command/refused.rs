@@ -138,3 +138,27 @@ fn a_network_with_an_error_in_its_text_is_refused_by_every_command() {
     let good = fs::read_to_string("fixtures/network/line.toml").unwrap();
     refuses(&good, "network check bad.toml --format concise", &OF_NETWORK);
 }
+
+/// What `check` finds in a folder are the sources too; what another command checks is counted, and files of others are passed over.
+#[test]
+fn a_folder_is_checked_with_its_sources() {
+    let folder = folder(&fs::read_to_string("fixtures/toml/io.toml").unwrap());
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    fs::copy("fixtures/eds/minimal.eds", folder.path().join("minimal.eds")).unwrap();
+    fs::copy("fixtures/network/cell.yml", folder.path().join("bus.yml")).unwrap();
+    fs::copy("fixtures/patches/io-401.patch.toml", folder.path().join("io-401.patch.toml")).unwrap();
+    write("Cargo.toml", "[package]\nname = \"firmware\"\n");
+    write("compose.yml", "services:\n  web:\n    image: a\n");
+    let clean = run(folder.path(), "check");
+    let told = String::from_utf8_lossy(&clean.stdout).into_owned();
+    assert_eq!((clean.status.code(), told.trim()), (Some(0), "no findings in 2 files"));
+    let told = String::from_utf8_lossy(&clean.stderr).into_owned();
+    assert!(told.contains("note: 3 files describe no CANopen device and were not checked"), "{told}");
+    assert!(told.contains("`objdict network check`") && told.contains("`objdict patch check`"), "{told}");
+    write("bad.toml", "format = \"objdict-device/1\"\nprofil = \"301@1\"\n");
+    let report = run(folder.path(), "check --format concise");
+    assert_eq!((report.status.code(), first_error(&report).as_deref()), (Some(1), Some("keys/unknown-key")));
+    let network = run(folder.path(), "check of-bad.toml");
+    assert_eq!(network.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&network.stderr).contains("`objdict network check` checks it"));
+}

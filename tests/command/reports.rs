@@ -580,6 +580,7 @@ fn a_closed_pipe_is_no_failure() {
     for (arguments, code) in checks.into_iter().chain(others) {
         let mut child = command()
             .args(&arguments)
+            .arg("--quiet")
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()

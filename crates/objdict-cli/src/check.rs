@@ -1,13 +1,13 @@
 //! `objdict check`: the files are gathered, each is checked, and what was found is reported in their order.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::args::{CheckArgs, ReportArgs, ReportFormat};
 use super::baseline::{BaselineArgs, KnownFindings};
 use super::cache::Cache;
 use super::ending::{Failure, Outcome, note};
-use super::files::{InputFile, gather, note_outside};
+use super::files::{InputFile, gather_with, is_source, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
 use super::input::{CheckedInput, name_of, source_name};
 use super::parallel::in_order;
@@ -29,7 +29,7 @@ use objdict_project::workspace::with_origin_beside;
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = CommandSettings::new(&args.settings)?;
-    let (files, failures) = gather(&args.files, &mut settings)?;
+    let (files, failures) = gather_with(&args.files, &mut settings, is_source)?;
     let cache = args.cache.as_deref().map(|path| Cache::open(path, args, &settings)).transpose()?;
     let worker = Worker { args, settings: &settings, cache: cache.as_ref() };
     if args.fixing.safety().is_some() {
@@ -402,9 +402,16 @@ impl<'a> Reporter<'a> {
         let skipped: usize = self.skipped.values().sum();
         if skipped > 0 {
             let kinds = series(self.skipped.iter().map(|(kind, count)| format!("{count} {kind}")));
-            let are = if skipped == 1 { "is not a description" } else { "are not descriptions" };
+            let (describe, were) = if skipped == 1 { ("describes", "was") } else { ("describe", "were") };
+            let help = |(kind, _): (&String, &usize)| match kind.as_str() {
+                "patch" => "`objdict patch check` checks patches",
+                "network" | "bus configuration" | "node list" => "`objdict network check` checks networks",
+                _ => "`objdict identify` says what a file is",
+            };
+            let help: BTreeSet<&str> = self.skipped.iter().map(help).collect();
+            let help = help.into_iter().collect::<Vec<_>>().join(", ");
             note(&format!(
-                "note: {} {are} of CANopen devices: {kinds}\n  help: `objdict identify` says what a file is\n",
+                "note: {} {describe} no CANopen device and {were} not checked: {kinds}\n  help: {help}\n",
                 plural(skipped, "file"),
             ));
         }

@@ -9,6 +9,9 @@ use ignore::WalkBuilder;
 use super::ending::{Failure, detail, note};
 use super::input::{name_of, source_name};
 use super::settings::{CommandSettings, Project};
+use objdict_format::identify::{ContentKind, identify};
+use objdict_model::source::{self, MAX_TOML_SIZE};
+use objdict_network_file::may_be_network;
 
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];
@@ -180,6 +183,14 @@ fn is_pattern(path: &Path) -> bool {
     let path = path.to_string_lossy();
     // `\\?\C:\drive.eds` is a path of Windows
     path.strip_prefix(r"\\?\").unwrap_or(&path).contains(['*', '?', '['])
+}
+
+/// Whether a file is a `device.toml`, a network or a patch by what is in it; others may have these endings too.
+pub(super) fn is_source(path: &Path) -> bool {
+    may_be_network(path)
+        && path.metadata().is_ok_and(|metadata| metadata.len() <= MAX_TOML_SIZE)
+        && source::read(path, MAX_TOML_SIZE)
+            .is_ok_and(|bytes| identify(&source_name(path), &bytes).kind != ContentKind::Unknown)
 }
 
 fn is_description(path: &Path) -> bool {

@@ -137,7 +137,8 @@ impl InputArgs {
             Ok(recognised) => recognised,
             // what is called a description and shows nothing of one is no other file that happens to be there
             Err(ReadError::Foreign { name, found }) if found.kind != ContentKind::Unknown => {
-                let technology = found.technology.as_ref().map(|name| format!(" ({name})"));
+                let other = found.technology.as_ref().filter(|name| *name != "CANopen");
+                let technology = other.map(|name| format!(" ({name})"));
                 let called = format!("{}{}", found.kind.name(), technology.unwrap_or_default());
                 return Ok(CheckedInput::Foreign(called, ReadError::Foreign { name, found }.into()));
             }

@@ -70,7 +70,7 @@ content_kinds! {
     /// The short source of a device (docs/device.md).
     DeviceToml "device.toml" KindRole::Read(Format::Toml), None;
     /// Node list (CiA 306-3).
-    NodeList "node list" KindRole::Canopen, Some("its keys `Node…DCFName` name the descriptions");
+    NodeList "node list" KindRole::Canopen, Some("`objdict network check` checks it; its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).
     ConciseDcf "concise DCF" KindRole::Canopen, Some("name the DCF that it was made of");
     /// Concise DCF as a text of one download a line (docs/dcf.md).
@@ -80,9 +80,9 @@ content_kinds! {
     /// A concise DCF in the JSON of this crate.
     JsonConciseDcf "concise DCF as JSON" KindRole::Canopen, Some("name the DCF that it was made of");
     /// Bus configuration in YAML, from which Lely's dcfgen and `ros2_canopen` make DCF and concise DCF.
-    BusConfiguration "bus configuration" KindRole::Canopen, Some("its keys `dcf` name the descriptions");
+    BusConfiguration "bus configuration" KindRole::Canopen, Some("`objdict network check` checks it; its keys `dcf` name the descriptions");
     /// Network of this crate: its nodes and links in TOML (docs/network.md).
-    Network "network" KindRole::Canopen, Some("its keys `file` name the descriptions");
+    Network "network" KindRole::Canopen, Some("`objdict network check` checks it; its keys `file` name the descriptions");
     /// Patch of descriptions (docs/patches.md).
     Patch "patch" KindRole::Canopen, Some("`objdict patch check` compares it with descriptions, and `--patch` applies it to them");
     /// EDS of Ethernet POWERLINK, which has the layout of that of CANopen.
