@@ -12,7 +12,7 @@ use crate::support;
 /// A press with everything that the device profile can say.
 fn press() -> Device {
     let path = support::fixtures().join("xdd/press-402.xdd");
-    format::open(&path, &SourceOptions::default()).unwrap().into_device()
+    format::open(&path, &SourceOptions::default()).unwrap().into_described()
 }
 
 /// The fields of the model that only XDD fills, and the press says nothing in: they are of modules, of nodes, of the other
@@ -131,7 +131,7 @@ fn it_survives_every_format() {
             _ => assert!(places.len() > 40, "an EDS has not: {places:?}"),
         }
         let source = SourceFile::from_bytes("written", written.bytes, &SourceOptions::default()).unwrap();
-        let read = format::read(source, format).into_device();
+        let read = format::read(source, format).into_described();
         assert_eq!(differences(&device, &read), [], "{format:?} {version:?}");
     }
 }

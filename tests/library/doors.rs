@@ -168,6 +168,9 @@ fn every_door_leads_to_the_same_findings() {
         assert_eq!(of_build_script(&folder.join(file)), found, "{file} in a build script");
         // a page is about one device: the variant has one of its own
         let of_device: Found = found.iter().filter(|(rule, _)| !rule.starts_with("keys/")).cloned().collect();
+        if file.ends_with(".toml") {
+            continue; // its author corrects it before there is a page
+        }
         assert_eq!(of_page(&folder, file, &of_device), of_device, "{file} on a page");
     }
 }

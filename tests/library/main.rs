@@ -19,8 +19,9 @@ mod dbc;
 mod device_profile;
 mod device_toml;
 mod device_variants;
-mod document;
 #[cfg(feature = "cli")]
+mod disabled;
+mod document;
 mod doors;
 mod download_plan;
 mod errata;

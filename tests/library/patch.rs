@@ -28,7 +28,7 @@ fn patch(text: &str) -> Arc<Patch> {
 /// Asserts that the patch of two descriptions makes the second of the first; says whether the text was edited.
 fn assert_makes(one: &Path, other: &Path, in_text: bool) {
     let (original, edited) = (open(one), open(other));
-    let text = make(original.device(), edited.device());
+    let text = make(original.described(), edited.described());
     let patch = patch(&text);
     let name = format!("{} → {}", one.display(), other.display());
     assert!(patch.findings().is_empty(), "{name}: {:?}\n{text}", patch.findings());
@@ -46,7 +46,7 @@ fn assert_makes(one: &Path, other: &Path, in_text: bool) {
 }
 
 fn same(one: &Description, other: &Description) -> bool {
-    objdict::compare::differences(one.device(), other.device()).is_empty()
+    objdict::compare::differences(one.described(), other.described()).is_empty()
 }
 
 #[test]

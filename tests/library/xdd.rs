@@ -67,17 +67,17 @@ fn what_was_read_is_written_and_read_again() {
     for path in xml_files() {
         let first = open(&path);
         for version in XddVersion::ALL {
-            let text = write(first.device(), version);
+            let text = write(first.described(), version);
             let again = read(&text, first.format());
             assert!(again.tree().unwrap().is_complete(), "{}", path.display());
             // 1.0 has no place for what 1.1 added
             let added = ["/module_objects", "/manager/", "/application/"];
-            let lost = paths(&without_defaults_of_domains(first.device()), again.device());
+            let lost = paths(&without_defaults_of_domains(first.described()), again.described());
             let lost = lost.iter().filter(|path| {
                 version == XddVersion::V1_1 || !added.iter().any(|added| path.starts_with(added))
             });
             assert_eq!(lost.collect::<Vec<_>>(), Vec::<&String>::new(), "{} {version:?}", path.display());
-            assert_eq!(write(again.device(), version), text, "{}", path.display());
+            assert_eq!(write(again.described(), version), text, "{}", path.display());
         }
     }
 }

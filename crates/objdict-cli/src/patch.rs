@@ -55,7 +55,7 @@ fn apply(args: &PatchApplyArgs, out: &mut Output) -> Result<Outcome, Failure> {
 fn make(args: &PatchMakeArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let original = description(&args.input, &args.original)?;
     let edited = description(&args.input, &args.edited)?;
-    let text = patch::make(original.device(), edited.device());
+    let text = patch::make(original.described(), edited.described());
     if !text.contains("[[") {
         note("note: both descriptions say the same\n");
     }

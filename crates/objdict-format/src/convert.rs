@@ -3,8 +3,6 @@
 use std::mem;
 use std::path::Path;
 
-use objdict_model::canopennode::is_disabled;
-
 use super::description::stated_name;
 use super::{EditError, Format, Loss, LossKind, Syntax, WriteOptions, Written, write};
 use objdict_model::model::{Device, Objects, Place};
@@ -39,7 +37,7 @@ pub fn convert(
 /// objects of the device.
 fn remove_disabled(device: &mut Device) -> Vec<Loss> {
     let (disabled, objects): (Objects, Objects) =
-        mem::take(&mut device.objects).into_iter().partition(|(_, object)| is_disabled(object));
+        mem::take(&mut device.objects).into_iter().partition(|(_, object)| object.is_disabled());
     device.objects = objects;
     let loss = |(index, object)| Loss {
         place: Place::object(index),

@@ -76,7 +76,7 @@ impl<'a> TableDictionary<'a> {
     pub(crate) fn new(device: &'a Device, options: &'a Options) -> Result<Self, GenerateError> {
         let node_id = options.node_id_of(device)?;
         let mut resolver = Resolver::new(device, options);
-        let objects = device.objects.iter();
+        let objects = device.objects.iter().filter(|(_, object)| !object.is_disabled());
         let objects: Vec<_> =
             objects.filter_map(|(&index, object)| resolve(&mut resolver, options, index, object)).collect();
         let Resolver { mut notes, errors, .. } = resolver;
@@ -130,11 +130,6 @@ pub(crate) fn resolve<'a>(
     index: u16,
     object: &'a Object,
 ) -> Option<ResolvedObject<'a>> {
-    if object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true)) {
-        let note = Note::new(Place::object(index), "the description disables the object (`CO_disabled`)");
-        resolver.notes.push(note);
-        return None;
-    }
     compact_invalid_values(resolver, index, object);
     let mut described = 0;
     let mut entries = Vec::new();

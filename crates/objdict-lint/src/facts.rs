@@ -10,7 +10,7 @@ use crate::model::{
     CobId, DataType, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, TypeKind, Value,
     predefined, restricted,
 };
-use crate::{Options, canopennode, stated};
+use crate::{Options, stated};
 
 /// The communication of a device.
 pub(crate) struct Facts<'a> {
@@ -86,11 +86,7 @@ pub(crate) enum CobIdService {
 
 impl<'a> Facts<'a> {
     pub(crate) fn new(device: &'a Device, options: &'a Options) -> Self {
-        let pdos: Vec<PdoFacts<'a>> = device
-            .pdos()
-            .filter(|pdo| !device.object(pdo.communication_index()).is_some_and(canopennode::is_disabled))
-            .map(|pdo| PdoFacts::new(device, pdo))
-            .collect();
+        let pdos: Vec<PdoFacts<'a>> = device.pdos().map(|pdo| PdoFacts::new(device, pdo)).collect();
         let cob_ids = cob_ids(device, &pdos);
         Self {
             device,

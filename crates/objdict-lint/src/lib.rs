@@ -25,6 +25,8 @@ mod stack;
 mod stated;
 mod supply;
 
+use std::borrow::Cow;
+
 use objdict_model::{canopennode, diagnostic, literal, model};
 use objdict_profile as profile;
 
@@ -50,13 +52,16 @@ pub(crate) use supply::{ListFixes, sub_0, with_members};
 /// The group of the rules about other tools.
 pub const PORTABILITY: &str = "portability";
 
-/// Applies all rules to one device.
-pub fn check(device: &Device, options: &Options) -> Findings {
+/// Applies all rules to one device. Objects that are disabled are no part of it.
+pub fn check(described: &Device, options: &Options) -> Findings {
     let mut findings = Findings::new();
+    let enabled = described.without_disabled();
+    let device = &*enabled;
     let facts = Facts::new(device, options);
     for rule in asked_for(options) {
         match rule.check {
             Check::Device(check) => check(device, &mut findings),
+            Check::Described(check) => check(described, &mut findings),
             Check::Facts(check) => check(&facts, &mut findings),
             Check::Pdo(check) => facts.pdos.iter().for_each(|pdo| check(&facts, pdo, &mut findings)),
             _ => {}
@@ -64,7 +69,10 @@ pub fn check(device: &Device, options: &Options) -> Findings {
     }
     check_demands(&facts, &mut findings);
     check_objects(device, options, &mut findings);
-    findings
+    match enabled {
+        Cow::Owned(_) => rules::renumbered(described, findings),
+        Cow::Borrowed(_) => findings,
+    }
 }
 
 /// Applies the rules about a configuration to the device of a node and the description of its type, which the labels at

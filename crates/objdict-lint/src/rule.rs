@@ -46,6 +46,8 @@ pub(crate) type EntryCheck = fn(&EntryAt<'_>, &mut Findings);
 pub(crate) enum Check {
     /// The device as a whole.
     Device(fn(&Device, &mut Findings)),
+    /// The same with the objects that are disabled, which no other rule sees.
+    Described(fn(&Device, &mut Findings)),
     /// Each object with its index, including those without their own section ([`Object::orphan`]).
     Object(fn(&Device, u16, &Object, &mut Findings)),
     /// Each described entry, also of modules: the section of an object, or a sub-index.

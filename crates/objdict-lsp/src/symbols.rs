@@ -109,7 +109,7 @@ fn of_model(description: &Description) -> Vec<SectionSymbol> {
             blocks.push(SectionSymbol { name, span: name, part });
         }
     };
-    for (&index, object) in &description.device().objects {
+    for (&index, object) in &description.described().objects {
         take(Part::Object(index));
         object.subs.iter().for_each(|(sub, _)| take(Part::Entry(index, sub)));
     }
@@ -146,7 +146,7 @@ pub(super) fn found(file: &CheckedFile, query: &str) -> Vec<SymbolInformation> {
     let Some(description) = file.description() else { return Vec::new() };
     let wanted = query.trim().trim_start_matches("0x").to_lowercase();
     let mut found = Vec::new();
-    for (&index, object) in &description.device().objects {
+    for (&index, object) in &description.described().objects {
         let name = format!("{index:04X} {}", object.name());
         if !name.to_lowercase().contains(&wanted) {
             continue;

@@ -91,7 +91,8 @@ pub(crate) fn reading(
     variant: Option<String>,
     project: Option<&Project>,
 ) -> Reading {
-    let mut reading = Reading::default();
+    // its findings can be asked for; what would be made of it is refused
+    let mut reading = Reading { despite_errors: true, ..Reading::default() };
     (reading.node_id, reading.device, reading.variant) = (node_id, device, variant);
     reading.patches = project.map(|project| project.patches.clone()).unwrap_or_default();
     reading
@@ -216,7 +217,7 @@ impl NativeDictionary {
 
     /// The whole model as JSON.
     fn json(&self, py: Python<'_>) -> String {
-        py.detach(|| json::write_device(self.0.device()))
+        py.detach(|| json::write_device(self.0.whole()))
     }
 
     /// File, device and node of the model as JSON, without the objects.

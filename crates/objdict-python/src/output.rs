@@ -47,6 +47,7 @@ pub(crate) fn generate(
     of: &NativeDictionary,
     target: &str,
 ) -> PyResult<(BTreeMap<String, String>, Vec<String>)> {
+    of.0.refuse_errors()?;
     let target = Target::named(target).map_err(raised)?;
     let mut options = Options::default();
     options.node_id = of.0.node_id;
@@ -110,7 +111,8 @@ fn converted(
     node: &OutputNode,
     embed: bool,
 ) -> PyResult<Converted> {
-    let device = shared.device();
+    shared.refuse_errors()?;
+    let device = shared.whole();
     match to {
         "json" => return Ok((json::write_device(device).into_bytes(), Vec::new())),
         "cdcf" => return Ok((concise(shared, node)?, Vec::new())),

@@ -6,11 +6,14 @@ use std::sync::{Arc, OnceLock};
 
 use objdict::config::Project;
 use objdict::format::Description;
-use objdict::format::input::FileKind;
+use objdict::format::input::{FileKind, refuse_errors};
 use objdict::model::Device;
 use objdict::source::SourceFile;
 
+use pyo3::PyResult;
+
 use super::meaning::{ValueMeaning, meanings};
+use super::raised;
 
 /// A device with its text.
 pub(crate) enum Described {
@@ -35,6 +38,22 @@ impl SharedDescription {
         match &self.described {
             Described::Text(description) => description.device(),
             Described::Model(device, _) => device,
+        }
+    }
+
+    /// All that is described, disabled objects too, for what is written.
+    pub(crate) fn whole(&self) -> &Device {
+        match &self.described {
+            Described::Text(description) => description.described(),
+            Described::Model(device, _) => device,
+        }
+    }
+
+    /// Refuses a source with errors, of which nothing is made.
+    pub(crate) fn refuse_errors(&self) -> PyResult<()> {
+        match &self.described {
+            Described::Text(description) => refuse_errors(description).map_err(raised),
+            Described::Model(..) => Ok(()),
         }
     }
 

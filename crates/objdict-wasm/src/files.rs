@@ -5,6 +5,7 @@ use std::path::Path;
 use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, CodeName, Finding, Form, Identifiers, Options, Subject};
 use objdict::download::{ConciseDcf, PlanOptions, Scope};
+use objdict::format::input::refuse_errors;
 use objdict::format::{self, Description, Format, LossKind, WriteOptions};
 use objdict::generate::{self, Target};
 use objdict::model::{Commissioning, DeviceKind};
@@ -72,6 +73,9 @@ pub(crate) fn save(
     if is_node && !commissioning.node_id.is_some_and(|node_id| (1..=127).contains(&node_id)) {
         return Err(BadRequest::new("a DCF or XDC is for one node").help("state its node-ID, from 1 to 127"));
     }
+    if format != description.format() {
+        refuse_errors(description)?;
+    }
     let has_text = !description.is_project() && !description.is_network();
     let mut notes = Vec::new();
     let bytes = if storage.is_none() && has_text && format == description.format() && !is_node {
@@ -83,7 +87,7 @@ pub(crate) fn save(
         }
         .map_err(BadRequest::new)?
     } else {
-        let mut device = description.device().clone();
+        let mut device = description.described().clone();
         if is_node {
             (device.commissioning, device.kind) = (Some(commissioning), DeviceKind::Node);
         }
@@ -112,6 +116,7 @@ pub(crate) fn tables(description: &Description, target: &str) -> Files {
         source_hash: Some(hash(source.text().as_bytes())),
         ..generate::Options::default()
     };
+    refuse_errors(description)?;
     let made = generate::generate(description.device(), target, &options).map_err(BadRequest::new)?;
     let files = made.files.into_iter().map(|file| PageFile { name: file.path, bytes: file.contents });
     Ok((files.collect(), made.notes.iter().map(ToString::to_string).collect()))

@@ -62,7 +62,7 @@ const OF_ENTRY: [Field; 9] = [
 const OF_NODE: [Field; 1] = [Field::ParameterValue];
 
 pub(crate) fn form(description: &Description, index: u16) -> Option<ObjectForm> {
-    let device = description.device();
+    let device = description.described();
     let object = device.object(index)?;
     let decoder = Decoder::english(device, device.node_id());
     let is_node = device.kind == objdict::model::DeviceKind::Node;

@@ -93,7 +93,7 @@ pub(crate) struct Mappable {
 }
 
 pub(crate) fn outline(description: &Description) -> Outline<'_> {
-    let device = description.device();
+    let device = description.described();
     let decoder = Decoder::english(device, device.node_id());
     let info = device.device_info.as_ref();
     Outline {

@@ -227,7 +227,7 @@ impl Request {
         let conversions = Vec::new();
         let generation = Generation { objects: device.objects.len(), entries, outputs, conversions, sizes };
         #[cfg(feature = "full")]
-        let generation = self.with_conversions(generation, checked.device())?;
+        let generation = self.with_conversions(generation, checked.described())?;
         Ok(generation)
     }
 
@@ -291,6 +291,15 @@ impl CheckedDescription {
     fn device(&self) -> &Device {
         match &self.described {
             DescribedDevice::Text(description) => description.device(),
+            DescribedDevice::Model(device) => device,
+        }
+    }
+
+    /// All that is described, disabled objects too.
+    #[cfg(feature = "full")]
+    fn described(&self) -> &Device {
+        match &self.described {
+            DescribedDevice::Text(description) => description.described(),
             DescribedDevice::Model(device) => device,
         }
     }

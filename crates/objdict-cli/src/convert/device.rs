@@ -40,7 +40,7 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<ConvertedFile, Failure> {
     let max_losses = args.input.max_losses(description.source().text().len());
-    let device = description.device();
+    let device = description.described();
     if *device == (Device { kind: device.kind, ..Device::default() }) {
         let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
         return Err(failure.help("`objdict check` shows what it lacks"));
@@ -48,15 +48,15 @@ pub(super) fn of_description(
     let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
     refuse_unknown_text(job, &description, is_edited && !args.canonical.is_asked())?;
     if description.is_project() || description.is_network() || description.is_composed() {
-        return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
+        return of_device(args, job, description.into_described(), !args.no_embed, max_losses);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
-        return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
+        return of_device(args, job, description.into_described(), !args.no_embed, max_losses);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         // an EDS takes every text of another, an XDD only those that are valid, and other tools not all of them
         let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
-        return of_device(args, job, description.into_device(), !args.no_embed && is_narrower, max_losses);
+        return of_device(args, job, description.into_described(), !args.no_embed && is_narrower, max_losses);
     }
     warn_of_violations(job, &description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
@@ -76,7 +76,7 @@ pub(super) fn of_description(
         DeviceKind::Type => description.to_type(&file_name)?,
     };
     let encoding = description.source().encoding();
-    let mut expected = description.into_device();
+    let mut expected = description.into_described();
     if to.kind() == DeviceKind::Node {
         expected.kind = DeviceKind::Node;
         expected.commissioning = node;

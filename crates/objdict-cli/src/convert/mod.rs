@@ -21,6 +21,7 @@ use super::progress::{Progress, give_way};
 use super::settings::{CommandSettings, SettingsArgs};
 use super::stdout::Output;
 use super::written_files::{SaveFolder, Saved, is_stdout, keep, require_other, save};
+use objdict_format::input::Reading;
 use objdict_format::{Description, Format, LossKind, ReadError, json};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 use objdict_node::concise;
@@ -116,7 +117,7 @@ fn convert_one(
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let reading = args.input.reading_with(&job.patches);
+    let reading = Reading { keep_disabled: true, ..args.input.reading_with(&job.patches) };
     let (from, input) = reading.read(&source_name(&job.input), args.input.size.read(&job.input)?)?;
     if let Input::Description(description) = &input {
         refuse_faulty(description, job, settings)?;

@@ -85,9 +85,11 @@ fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<
     let (_, Input::Description(description)) = request.reading.read_one(&name, bytes.clone())? else {
         return Err(refuse("name an EDS, DCF, XDD or XDC"));
     };
-    let device = description.device();
-    let mut missing: Vec<u16> =
-        objdict_model::canopennode::unmet(device).into_iter().filter_map(|unmet| unmet.missing).collect();
+    let device = description.described();
+    let mut missing: Vec<u16> = objdict_model::canopennode::unmet(description.device())
+        .into_iter()
+        .filter_map(|unmet| unmet.missing)
+        .collect();
     missing.retain(|index| !device.objects.contains_key(index)); // it is disabled
     missing.sort_unstable();
     if missing.is_empty() {

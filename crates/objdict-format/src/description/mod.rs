@@ -11,6 +11,7 @@ mod xml;
 
 use std::borrow::Cow;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use super::Format;
 use crate::text::{self, DescriptionText};
@@ -30,6 +31,8 @@ pub struct Description {
     /// Which device of the file it is.
     number: usize,
     device: Device,
+    /// The same without the objects that are disabled, where there are any.
+    enabled: OnceLock<Option<Box<Device>>>,
     findings: Findings,
     /// The description of the type that this node was made from.
     origin: Option<Box<Self>>,
@@ -67,6 +70,7 @@ impl Description {
             text,
             number,
             device,
+            enabled: OnceLock::new(),
             findings,
             origin: None,
             #[cfg(feature = "full")]
@@ -185,8 +189,17 @@ impl Description {
         self.document().map_or_else(|| self.source().to_bytes(), Document::print)
     }
 
-    /// The device.
+    /// The device: without the objects that are [disabled](Device::without_disabled).
     pub fn device(&self) -> &Device {
+        let enabled = self.enabled.get_or_init(|| match self.device.without_disabled() {
+            Cow::Owned(enabled) => Some(Box::new(enabled)),
+            Cow::Borrowed(_) => None,
+        });
+        enabled.as_deref().unwrap_or(&self.device)
+    }
+
+    /// All that is described, disabled objects too, for what is written as a description again.
+    pub fn described(&self) -> &Device {
         &self.device
     }
 
@@ -204,6 +217,12 @@ impl Description {
 
     /// The device, without its text.
     pub fn into_device(self) -> Device {
+        self.device();
+        self.enabled.into_inner().flatten().map_or(self.device, |enabled| *enabled)
+    }
+
+    /// What is [described](Self::described), without its text.
+    pub fn into_described(self) -> Device {
         self.device
     }
 

@@ -3,6 +3,7 @@
 //! `arranged` compares the devices before and after, because it moves text that the model does not contain.
 
 use std::borrow::Cow;
+use std::sync::OnceLock;
 
 use super::Description;
 use crate::input::DEFAULT_MAX_ENTRIES;
@@ -15,7 +16,7 @@ use objdict_model::source::{EditError, SourceFile};
 impl Description {
     /// The description with a patched device instead of the one in its text.
     pub(crate) fn with_patched(self, device: Device, patched: Patched) -> Self {
-        Self { device, patched: Some(Box::new(patched)), ..self }
+        Self { device, enabled: OnceLock::new(), patched: Some(Box::new(patched)), ..self }
     }
 
     /// The description with the patches that were given for another device of the file.

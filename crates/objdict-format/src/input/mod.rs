@@ -8,6 +8,7 @@ mod content;
 mod error;
 mod tags;
 
+use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
@@ -190,6 +191,8 @@ pub struct Reading {
     /// A text may have a sixteenth as many sections or elements, and one more for each 64 bytes; JSON may have as many
     /// values, and one more for each 16 bytes.
     pub max_entries: usize,
+    /// Whether a device as JSON keeps the objects that are disabled, for what writes it again.
+    pub keep_disabled: bool,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
     /// Which variant of a `device.toml`; `None` is the device without its variants.
@@ -213,6 +216,7 @@ impl Default for Reading {
             node_id: None,
             variant: None,
             despite_errors: false,
+            keep_disabled: false,
             #[cfg(feature = "full")]
             patches: Vec::new(),
         }
@@ -247,6 +251,13 @@ impl Reading {
             None => return Err(ReadError::NotBuilt { name: name.to_owned(), kind }),
         };
         self.limited(name, &input)?;
+        let input = match input {
+            Input::Device(device) if !self.keep_disabled => match device.without_disabled() {
+                Cow::Owned(enabled) => Input::Device(Box::new(enabled)),
+                Cow::Borrowed(_) => Input::Device(device),
+            },
+            input => input,
+        };
         #[cfg(feature = "full")]
         if let Input::Description(description) = &input {
             self.refuse(description)?;
@@ -391,28 +402,37 @@ impl Reading {
     /// would not be what its author wrote. Descriptions of vendors are read as they are.
     #[cfg(feature = "full")]
     fn refuse(&self, description: &Description) -> Result<(), ReadError> {
-        let name = || description.source().name().to_owned();
         if let Some(patched) = description.patched().filter(|patched| patched.has_errors()) {
-            return Err(ReadError::NotPatched { name: name(), problems: patched.lines().join("\n") });
+            let name = description.source().name().to_owned();
+            return Err(ReadError::NotPatched { name, problems: patched.lines().join("\n") });
         }
-        if description.format() != Format::Toml || self.despite_errors {
-            return Ok(());
-        }
-        // those of its variants repeat those of the file
-        let mut problems: Vec<String> = Vec::new();
-        description.map_devices(|device| {
-            let errors = device.findings().iter().filter(|finding| finding.severity == Severity::Error);
-            for line in errors.map(|error| error.line(device.source(), |at| device.span_of(at))) {
-                if !problems.contains(&line) {
-                    problems.push(line);
-                }
-            }
-        });
-        match problems.is_empty() {
-            true => Ok(()),
-            false => Err(ReadError::Faulty { name: name(), problems: problems.join("\n") }),
-        }
+        if self.despite_errors { Ok(()) } else { refuse_errors(description) }
     }
+}
+
+/// Refuses a `device.toml` whose text has errors, or that of one of its variants.
+///
+/// # Errors
+/// [`ReadError::Faulty`] with the errors.
+#[cfg(feature = "full")]
+pub fn refuse_errors(description: &Description) -> Result<(), ReadError> {
+    if description.format() != Format::Toml {
+        return Ok(());
+    }
+    // those of its variants repeat those of the file
+    let mut problems: Vec<String> = Vec::new();
+    description.map_devices(|device| {
+        let errors = device.findings().iter().filter(|finding| finding.severity == Severity::Error);
+        for line in errors.map(|error| error.line(device.source(), |at| device.span_of(at))) {
+            if !problems.contains(&line) {
+                problems.push(line);
+            }
+        }
+    });
+    if problems.is_empty() {
+        return Ok(());
+    }
+    Err(ReadError::Faulty { name: description.source().name().to_owned(), problems: problems.join("\n") })
 }
 
 /// What kind of file a source is.

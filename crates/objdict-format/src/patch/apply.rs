@@ -24,7 +24,7 @@ pub fn apply(description: Description, patches: &[Arc<Patch>]) -> Description {
     if given.is_empty() || patches.is_empty() && description.device_count() == 1 {
         return description;
     }
-    let mut device = description.device().clone();
+    let mut device = description.described().clone();
     let mut patched = Patched { patches, given, ..Patched::default() };
     for (number, patch) in patched.patches.iter().enumerate() {
         let mut findings = patch.findings.clone();

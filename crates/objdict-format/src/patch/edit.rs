@@ -47,7 +47,7 @@ fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
     found.into_iter().flatten().for_each(|(span, text)| edits.replace(span, text));
     let edited = original.with_bytes(edits.to_bytes().ok()?)?;
     if let Some(tree) = edited.tree()
-        && wanted.objects.keys().any(|index| edited.device().object(*index).is_none())
+        && wanted.objects.keys().any(|index| edited.described().object(*index).is_none())
     {
         let bytes = objdict_xdd::xdd::with_objects(tree, wanted)?.ok()?;
         return original.with_bytes(bytes);
@@ -57,7 +57,7 @@ fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
 
 /// The differences of two devices as changes in the words of CiA 306: of the texts that an EDS would have of both.
 fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
-    let device = original.device();
+    let device = original.described();
     let [before, after] = [device, wanted].map(eds::stated);
     let mut before: BTreeMap<Part, Vec<(Field, String)>> = before.into_iter().collect();
     let mut changes = Vec::new();
@@ -108,7 +108,7 @@ fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<D
         let before = difference.left.map(|left| left.fingerprint());
         changes.push(DatumChange { path: difference.path, before, after: difference.right });
     };
-    each_difference(bare.device(), wanted, limit, &mut found).ok()?;
+    each_difference(bare.described(), wanted, limit, &mut found).ok()?;
     let mut edits = Edits::new(bare.source());
     embedded::add_lines(&mut edits, &changes);
     bare.with_bytes(edits.to_bytes().ok()?).filter(|edited| edited.describes(wanted))

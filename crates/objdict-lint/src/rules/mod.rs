@@ -22,6 +22,7 @@ macro_rules! groups {
     };
 }
 
+pub(crate) use self::cia306::lists::renumbered;
 pub use self::cia306::lists::without_disabled;
 pub(crate) use self::configuration::product::is_same as is_same_product;
 

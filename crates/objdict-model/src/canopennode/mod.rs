@@ -116,19 +116,13 @@ const ENTRIES: &[(u16, u16, u8, u8, bool)] = &[
     (0x1A00, 0x1BFF, 0, 1, false),
 ];
 
-/// Objects of a description that are compiled in.
-pub(crate) fn objects(device: &Device) -> impl Iterator<Item = (u16, &Object)> {
-    device.objects.iter().map(|(&index, object)| (index, object)).filter(|(_, object)| !is_disabled(object))
-}
-
-/// Whether an object is marked as described and not generated (`CO_disabled`).
-pub fn is_disabled(object: &Object) -> bool {
-    object.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true))
-}
-
 /// All unmet requirements of a device; none if the device has no objects at all.
 pub fn unmet(device: &Device) -> Vec<Unmet> {
-    let dictionary = WantedObject { device, counters: Counters::new(objects(device)), unmet: Vec::new() };
+    let dictionary = WantedObject {
+        device,
+        counters: Counters::new(device.objects.iter().map(|(&index, object)| (index, object))),
+        unmet: Vec::new(),
+    };
     if device.objects.is_empty() { Vec::new() } else { dictionary.all() }
 }
 
@@ -148,7 +142,7 @@ impl WantedObject<'_> {
     }
 
     fn object(&self, index: u16) -> Option<&Object> {
-        self.device.object(index).filter(|object| !is_disabled(object))
+        self.device.object(index)
     }
 
     fn push(&mut self, cause: Cause, place: Place, message: String, help: impl Into<String>) {
@@ -248,7 +242,7 @@ impl WantedObject<'_> {
 
     fn entries(&mut self) {
         let mut wrong = Vec::new();
-        for (index, object) in objects(self.device) {
+        for (&index, object) in &self.device.objects {
             for &(first, last, sub, bytes, optional) in ENTRIES {
                 if (first..=last).contains(&index) {
                     wrong.extend(entry(index, object, sub, bytes, optional));

@@ -1,5 +1,6 @@
 //! The device: the complete content of a description.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::part::part;
@@ -66,6 +67,25 @@ pub enum DeviceKind {
     Type,
     /// A configured node (DCF, XDC).
     Node,
+}
+
+impl Device {
+    /// The device without the objects that are [disabled](super::Object::is_disabled), as everything but the writer of a description
+    /// sees it.
+    pub fn without_disabled(&self) -> Cow<'_, Self> {
+        if !self.objects.values().any(super::Object::is_disabled) {
+            return Cow::Borrowed(self);
+        }
+        let mut device = self.clone();
+        device.objects.retain(|_, object| !object.is_disabled());
+        for list in ObjectList::ALL {
+            let members = device.lists.get_mut(list).iter_mut();
+            members.for_each(|members| {
+                members.retain(|index| !self.objects.get(index).is_some_and(super::Object::is_disabled));
+            });
+        }
+        Cow::Owned(device)
+    }
 }
 
 part! {

@@ -163,6 +163,11 @@ fn of_sub<T>(list: &[(u8, T)], sub: u8) -> Option<&T> {
 }
 
 impl Object {
+    /// Whether it is described and no part of the device: an editor for CANopenNode marks it so (`CO_disabled`).
+    pub fn is_disabled(&self) -> bool {
+        self.main.stack.as_ref().is_some_and(|stack| stack.disabled == Some(true))
+    }
+
     /// The object type; VAR if missing.
     pub fn object_type(&self) -> ObjectType {
         self.main.object_type.unwrap_or(ObjectType::Var)

@@ -32,13 +32,14 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     let is_xml = description.format().syntax() == Syntax::Xml;
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
+    let mut findings = lint::without_disabled(description.described(), findings);
     if options.tools.is_empty() || is_xml {
         // the rules about other tools cover only the text formats of CiA 306
         let options = Options { tools: Vec::new(), ..options.clone() };
-        findings.append(lint::check(description.device(), &options));
+        findings.append(lint::check(description.described(), &options));
     } else {
         let seen = description.seen_by_others();
-        let device = seen.as_ref().unwrap_or_else(|| description.device());
+        let device = seen.as_ref().unwrap_or_else(|| description.described());
         findings.append(lint::check(device, options));
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
@@ -63,7 +64,6 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings
     };
     let findings = if description.format() == Format::Toml { findings.filter_map(of_toml) } else { findings };
-    let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
     findings.append(options.severities.apply(about_comments));

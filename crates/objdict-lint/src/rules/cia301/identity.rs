@@ -7,7 +7,7 @@ use crate::diagnostic::{Argument, Findings, Severity, Text, say};
 use crate::model::{Device, DeviceKind, Identity, Object, ObjectList, Part, Place};
 use crate::profile::Need;
 use crate::rule::rules;
-use crate::{Facts, canopennode, is_unstated, profile, stated};
+use crate::{Facts, is_unstated, profile, stated};
 
 rules! {
     "cia301/device-type-without-value" = DEVICE_TYPE_WITHOUT_VALUE, Warning,
@@ -184,7 +184,7 @@ fn missing_vendor_id(device: &Device, findings: &mut Findings) {
 }
 
 fn module_list_without_modules(device: &Device, findings: &mut Findings) {
-    let is_there = |object: &Object| !object.orphan && !canopennode::is_disabled(object);
+    let is_there = |object: &Object| !object.orphan;
     let has_modules = device.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty());
     if device.kind == DeviceKind::Type && device.object(0x1027).is_some_and(is_there) && !has_modules {
         let message = say!("1027h is the module list, but no module is described");

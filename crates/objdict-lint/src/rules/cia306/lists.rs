@@ -3,12 +3,12 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, Severity, Text, counted, say};
-use crate::model::{Device, DeviceKind, Field, ObjectList, Part, Place};
+use crate::model::{Device, DeviceKind, Field, Object, ObjectList, Part, Place};
 use crate::rule::rules;
-use crate::{IndexSet, ListFixes, canopennode, with_members};
+use crate::{IndexSet, ListFixes, with_members};
 
 rules! {
-    "cia306/disabled-object" = DISABLED_OBJECT, Note, Device(disabled_object);
+    "cia306/disabled-object" = DISABLED_OBJECT, Note, Described(disabled_object);
     summary: "objects are marked as disabled, and are not checked",
     checks: "Whether objects are marked as disabled, by the property `CO_disabled` of an XDD or the comment `;CO_disabled=true` of an EDS, as CANopenEditor writes them.",
     why: "The generators of CANopenNode omit these objects, so the device does not have them. Other tools read them as objects of the device.",
@@ -67,8 +67,8 @@ rules! {
     source: "CiA 306-1 §4.6.3.1",
 }
 
-fn disabled_object(device: &Device, findings: &mut Findings) {
-    let mut disabled = device.objects.iter().filter(|(_, object)| canopennode::is_disabled(object));
+fn disabled_object(described: &Device, findings: &mut Findings) {
+    let mut disabled = described.objects.iter().filter(|(_, object)| object.is_disabled());
     let Some((&first, _)) = disabled.next() else { return };
     let number = 1 + disabled.count();
     let objects =
@@ -77,18 +77,38 @@ fn disabled_object(device: &Device, findings: &mut Findings) {
     findings.push(finding.help("remove the objects before you publish the description"));
 }
 
-/// Findings without those about disabled objects: what a device does not have is not judged.
-pub fn without_disabled(device: &Device, findings: Findings) -> Findings {
-    if !device.objects.values().any(canopennode::is_disabled) {
-        return findings;
-    }
+/// Findings of a reader without those about disabled objects: what a device does not have is not judged.
+pub fn without_disabled(described: &Device, findings: Findings) -> Findings {
     findings.filter_map(|finding| {
         let index = match finding.labels.first().map(|label| &label.at) {
             Some(At::Place(place)) => place.part.object(),
             _ => None,
         };
-        let is_disabled = index.and_then(|index| device.object(index)).is_some_and(canopennode::is_disabled);
-        (!is_disabled || finding.rule.id == DISABLED_OBJECT.info.id).then_some(finding)
+        let is_disabled = index.and_then(|index| described.object(index)).is_some_and(Object::is_disabled);
+        (!is_disabled).then_some(finding)
+    })
+}
+
+/// Findings about a device without its disabled objects, with the numbers that items of lists have in its description. A list
+/// that a fix would write has no item of a disabled object, so there is none.
+pub(crate) fn renumbered(described: &Device, findings: Findings) -> Findings {
+    let number_of = |list: ObjectList, number: u32| {
+        let enabled = (1..).zip(described.lists.get(list)).filter(|(_, index)| {
+            !described.object(**index).is_some_and(Object::is_disabled)
+        });
+        let item = usize::try_from(number).ok()?.checked_sub(1)?;
+        enabled.map(|(number, _)| number).nth(item)
+    };
+    findings.filter_map(|mut finding| {
+        for label in &mut finding.labels {
+            let At::Place(place) = &mut label.at else { continue };
+            let Part::List(list) = place.part else { continue };
+            finding.fix = None;
+            if let Some(Field::Item(number)) = &mut place.field {
+                *number = number_of(list, *number).unwrap_or(*number);
+            }
+        }
+        Some(finding)
     })
 }
 

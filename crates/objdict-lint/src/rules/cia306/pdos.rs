@@ -6,7 +6,7 @@ use crate::model::{
     Value,
 };
 use crate::rule::rules;
-use crate::{EntryAt, Facts, canopennode, stated};
+use crate::{EntryAt, Facts, stated};
 
 rules! {
     "cia306/access-without-mapping" = ACCESS_WITHOUT_MAPPING, Warning,
@@ -252,7 +252,7 @@ fn check_pdo_count(
     let PdoRange { name, field, low, high } = pdos;
     let described = device.objects.range(low..=high);
     let described =
-        described.filter(|(_, object)| !object.orphan && !canopennode::is_disabled(object)).count();
+        described.filter(|(_, object)| !object.orphan).count();
     let compact = info.compact_pdo.is_some_and(|mask| mask != 0)
         || info.invalid_values.get(&Field::CompactPdo).is_some();
     if stated == described || compact && stated > described {
