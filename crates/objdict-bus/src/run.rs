@@ -107,6 +107,8 @@ pub struct NodeRun {
     pub downloads: usize,
     /// The emergency messages that it sent.
     pub emergencies: usize,
+    /// Those of them that report an error while it was operational.
+    pub errors: usize,
 }
 
 impl NodeRun {
@@ -117,10 +119,12 @@ impl NodeRun {
 }
 
 impl Run {
-    /// Whether each node became operational that had to, or is ready to be started by the application, and no two nodes share a CAN-ID.
+    /// Whether each node became operational that had to, or is ready to be started by the application, no operational node
+    /// reports an error, and no two nodes share a CAN-ID.
     pub fn is_booted(&self) -> bool {
         let has_conflict = self.events.iter().any(|event| matches!(event.kind, EventKind::TwoSenders { .. }));
-        !has_conflict && self.nodes.iter().all(|node| node.has_arrived(self.waits_for_application))
+        let is_right = |node: &NodeRun| node.errors == 0 && node.has_arrived(self.waits_for_application);
+        !has_conflict && self.nodes.iter().all(is_right)
     }
 
     /// Whether frames of low priority do not get through: one waited longer than any heartbeat.

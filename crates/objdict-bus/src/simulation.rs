@@ -199,7 +199,10 @@ impl Simulation {
         self.record(EventKind::Frame { sender, frame });
         self.look_for_conflict(sender, &frame);
         if self.nodes[sender].as_ref().is_some_and(|node| node.emergency_id() == frame.id()) {
-            self.runs[sender].emergencies += 1;
+            let is_error = frame.data().get(..2).is_some_and(|code| code != [0; 2]);
+            let run = &mut self.runs[sender];
+            run.emergencies += 1;
+            run.errors += usize::from(is_error && run.state == Some(NmtState::Operational));
         }
         for (at, node) in self.nodes.iter_mut().enumerate() {
             let Some(node) = node else { continue };
@@ -263,7 +266,7 @@ impl Simulation {
         let has_arrived = self.runs.iter().all(|run| run.has_arrived(waits));
         // a manager without nodes to boot is not done before it knows those that are there
         self.arrived = if has_arrived { self.arrived.or(Some(self.now)) } else { None };
-        self.idle = if self.manager.is_idle() { self.idle.or(Some(self.now)) } else { None };
+        self.idle = if self.manager.is_idle(self.now) { self.idle.or(Some(self.now)) } else { None };
         let since = |time: Option<u64>, duration| time.is_some_and(|time| self.now - time >= duration);
         since(self.arrived, self.conditions.after) || since(self.idle, PATIENCE)
     }
@@ -345,5 +348,6 @@ fn node_run(node: &PlantNode, is_manager: bool, assignment: Option<u32>) -> Node
         operational: None,
         downloads: 0,
         emergencies: 0,
+        errors: 0,
     }
 }

@@ -196,9 +196,10 @@ impl RunningManager {
         self.slaves.iter().filter_map(of).min()
     }
 
-    /// Whether it waits for nothing but boot-up messages.
-    pub(crate) fn is_idle(&self) -> bool {
-        self.slaves.iter().all(|slave| matches!(slave.step, SlaveStep::Idle | SlaveStep::Finished))
+    /// Whether it waits for nothing but boot-up messages, and its inhibit time holds no command back.
+    pub(crate) fn is_idle(&self, now: u64) -> bool {
+        let is_idle = |slave: &ManagedSlave| matches!(slave.step, SlaveStep::Idle | SlaveStep::Finished);
+        self.next_command <= now.saturating_add(self.inhibit_time) && self.slaves.iter().all(is_idle)
     }
 
     /// Sends an NMT command, to all nodes if the node-ID is 0.

@@ -307,6 +307,9 @@ impl<'r> BootReport<'r> {
                 _ => format!("{name} is not operational"),
             }
         });
+        let errors = self.run.nodes.iter().filter(|node| node.errors != 0);
+        let errors = errors
+            .map(|node| format!("{} sends {} while it is operational", node.name, plural(node.errors, "EMCY")));
         let conflicts = self.run.events.iter().filter_map(|event| match event.kind {
             EventKind::TwoSenders { id, senders } => {
                 let [first, second] = senders.map(|at| self.run.nodes[at].name.as_str());
@@ -318,7 +321,7 @@ impl<'r> BootReport<'r> {
             .run
             .is_overloaded()
             .then(|| "the bus is overloaded: frames of low priority are not sent".to_owned());
-        of_node.chain(conflicts).chain(overload).collect()
+        of_node.chain(errors).chain(conflicts).chain(overload).collect()
     }
 
     fn verdict(&self) -> String {
