@@ -3,6 +3,7 @@
 //! The manager knows only the bytes of the built files, never the network in memory, so a simulated boot tests
 //! the files.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use objdict_bus::{Configurations, Plant, PlantNode, PowerOn};
@@ -10,8 +11,8 @@ use objdict_bus::{Configurations, Plant, PlantNode, PowerOn};
 use super::rules::UNREADABLE_NODE;
 use super::{Build, BuildError, BuiltFile, NetworkFile};
 use objdict_format::input::{FileKind, Input, ReadError, Reading};
-use objdict_model::model::{Assignment, Device, DeviceKind, Entry, Value};
-use objdict_network::{DcfgenMode, LelyOptions, Network, Node};
+use objdict_model::model::{Assignment, Device, Entry, Value};
+use objdict_network::{DcfgenMode, LelyOptions, Network, Node, answered};
 use objdict_node::download::{ConciseDcf, Order};
 
 /// The bit rate in kbit/s of a network that states none.
@@ -19,6 +20,7 @@ const BIT_RATE: u16 = 125;
 
 const CONCISE_DCF: u16 = 0x1F22;
 const NMT_STARTUP: u16 = 0x1F80;
+const SOFTWARE: u16 = 0x1F56;
 
 /// The files that boot a network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -232,17 +234,9 @@ fn nodes(
             device: described.device,
         }),
     };
-    let of_network = |node: &Node| {
-        let is_configured = network.is_some_and(|network| network.order == Order::Dcfgen)
-            && node.device.kind == DeviceKind::Node;
-        Some(PlantNode {
-            name: node.name.value.clone(),
-            node_id: node.node_id?.value,
-            device: node.device.clone(),
-            // dcfgen takes a DCF for what the node has
-            power_on: if is_configured { PowerOn::Configured } else { PowerOn::Defaults },
-            must_boot: Some(node.boot.boot),
-        })
+    let of_network = |network: &Network, node: &Node| {
+        let must_boot = Some(node.boot.boot);
+        Some(PlantNode { must_boot, ..switched_on(network, node, node.node_id?.value) })
     };
     let mut nodes: Vec<PlantNode> = Vec::new();
     for node in described.into_iter().map(of_file) {
@@ -252,8 +246,10 @@ fn nodes(
         }
     }
     if nodes.is_empty() {
-        nodes =
-            network.into_iter().flat_map(Network::slaves).filter_map(|(_, node)| of_network(node)).collect();
+        let described = network
+            .into_iter()
+            .flat_map(|network| network.slaves().filter_map(move |(_, node)| of_network(network, node)));
+        nodes = described.collect();
     }
     nodes.sort_by_key(|node| node.node_id);
     let own = manager.device.node_id();
@@ -267,28 +263,34 @@ fn nodes(
     }
 }
 
-/// A node with an identity: that of 1018h, where the description has no number there, that of `DeviceInfo`, else what the manager expects. The
-/// default of a serial number is none, because an EDS describes all devices of a type.
-fn with_identity(mut node: PlantNode, manager: &Device) -> PlantNode {
-    let device = &node.device;
-    let info = device.device_info.as_ref();
-    let serial = device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
-    let identity = device.identity();
-    let is_configured = device.entry(0x1018, 4).is_some_and(|entry| entry.configured_value().is_some());
-    let of_node = |(sub, own, stated): (u8, Option<u32>, Option<u32>)| {
-        let expected =
-            manager.value(0x1F84 + u16::from(sub), node.node_id).and_then(|value| value.as_integer());
-        let expected = expected.and_then(|number| u32::try_from(number).ok());
-        let number = [own, stated, expected].into_iter().flatten().find(|number| *number != 0)?;
-        Some(Assignment { index: 0x1018, sub, value: Value::Unsigned(number.into()) })
+/// A node of a network file, with the values that it has before the manager configures it.
+pub(super) fn switched_on(network: &Network, node: &Node, node_id: u8) -> PlantNode {
+    let (power_on, device) = match objdict_network::switched_on(network, node) {
+        Cow::Owned(configured) => (PowerOn::Configured, configured),
+        Cow::Borrowed(device) => (PowerOn::Defaults, device.clone()),
     };
-    let values = [
-        (1, identity.vendor_id, info.and_then(|info| info.vendor_number)),
-        (2, identity.product_code, info.and_then(|info| info.product_number)),
-        (3, identity.revision_number, info.and_then(|info| info.revision_number)),
-        (4, identity.serial_number.filter(|_| is_configured), serial),
-    ];
-    let values: Vec<Assignment> = values.into_iter().filter_map(of_node).collect();
+    PlantNode { name: node.name.value.clone(), node_id, device, power_on, must_boot: None }
+}
+
+/// A node with an identity and a software: those of its description, as [`answered`] says, else those that the manager expects.
+fn with_identity(mut node: PlantNode, manager: &Device) -> PlantNode {
+    let expected = |index: u16| {
+        let number = manager.value(index, node.node_id)?.as_integer()?;
+        u32::try_from(number).ok().filter(|number| *number != 0)
+    };
+    let device = &node.device;
+    let identity = (1..=4_u8).map(|sub| {
+        let number = answered(device, sub, node.node_id).or_else(|| expected(0x1F84 + u16::from(sub)));
+        (0x1018, sub, number)
+    });
+    let software = device.value(SOFTWARE, 1).and_then(|value| value.as_integer()).filter(|own| *own != 0);
+    let software = if software.is_none() { expected(0x1F55) } else { None };
+    let values: Vec<Assignment> = identity
+        .chain([(SOFTWARE, 1, software)])
+        .filter_map(|(index, sub, number)| {
+            Some(Assignment { index, sub, value: Value::Unsigned(number?.into()) })
+        })
+        .collect();
     node.device.assign(&values);
     node
 }

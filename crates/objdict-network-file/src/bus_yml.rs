@@ -272,8 +272,7 @@ impl BusReader<'_, '_> {
         boot.retry_factor = retry_factor.unwrap_or(boot.retry_factor);
         boot.software_file =
             section.text("software_file", findings).map(|file| file.value).filter(|file| !file.is_empty());
-        boot.software_version =
-            section.integer("software_version", findings).map_or(0, |version| version.value);
+        boot.software_version = section.integer("software_version", findings).unwrap_or_default();
         boot.restore_configuration = section.integer("restore_configuration", findings).unwrap_or_default();
         Some(node)
     }

@@ -295,9 +295,7 @@ impl NetworkReader<'_, '_> {
             reset_communication,
             retry_factor: section.integer("retry-factor", findings).unwrap_or(default.retry_factor),
             software_file: section.text("software-file", findings).map(|file| file.value),
-            software_version: section
-                .integer("software-version", findings)
-                .map_or(0, |version| version.value),
+            software_version: section.integer("software-version", findings).unwrap_or_default(),
             restore_configuration: section.integer("restore", findings).unwrap_or_default(),
         }
     }

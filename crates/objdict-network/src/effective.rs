@@ -17,14 +17,18 @@ pub(crate) fn before(node: &Node, node_id: u8) -> Device {
     device
 }
 
-/// The device when it is switched on, with what it has then as its defaults: dcfgen takes a DCF for what the node has.
+/// The device when it is switched on, with what it has then as its defaults: dcfgen takes configured values for what the node
+/// has, those of an EDS too.
 pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
-    if network.order != Order::Dcfgen || node.device.kind != DeviceKind::Node {
+    let is_configured =
+        |object: &Object| object.described().any(|(_, entry)| entry.configured_value().is_some());
+    let has_values =
+        |object: &Object| object.compact.as_ref().is_some_and(|compact| !compact.values.is_empty());
+    let mut objects = node.device.objects.values();
+    if network.order != Order::Dcfgen || !objects.any(|object| is_configured(object) || has_values(object)) {
         return Cow::Borrowed(&node.device);
     }
     let mut device = node.device.clone();
-    let is_configured =
-        |object: &Object| object.described().any(|(_, entry)| entry.configured_value().is_some());
     for object in device.objects.values_mut_of(is_configured) {
         for entry in object.subs.iter_mut().map(|(_, entry)| entry).chain([&mut object.main]) {
             if let Some(value) = entry.configured_value().cloned() {

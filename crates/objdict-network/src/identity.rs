@@ -38,6 +38,15 @@ pub(crate) fn present(device: &Device, sub: u8, node_id: u8) -> Option<Stated> {
     Some((number, device.value_place(0x1018, sub)))
 }
 
+/// What a node answers for a number of 1018h: the one there, else the one that its description states elsewhere. `None`: the
+/// description does not know the number, as the default of a serial number is that of no device.
+pub fn answered(device: &Device, sub: u8, node_id: u8) -> Option<u32> {
+    let is_configured = || device.entry(0x1018, sub).is_some_and(|entry| entry.configured_value().is_some());
+    let own = number(device, 0x1018, sub, node_id).filter(|_| sub != 4 || is_configured());
+    let stated = stated(device).into_iter().nth(usize::from(sub).checked_sub(1)?).flatten();
+    [own, stated.map(|(number, _)| number)].into_iter().flatten().find(|number| *number != 0)
+}
+
 /// Device type, vendor-ID, product code, revision number and serial number (0 where not stated), each with its place.
 /// 1018h is what the node answers, so it counts more than `DeviceInfo`; in dcfgen less. The default of a serial number is
 /// that of no device.

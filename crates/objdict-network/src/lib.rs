@@ -31,6 +31,7 @@ pub use check::check;
 pub use compile::compile;
 pub use compiled::{Compiled, DcfgenMode, PdoState, Slave};
 pub use effective::switched_on;
+pub use identity::answered;
 pub use identity_level::IdentityLevel;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};

@@ -94,7 +94,7 @@ impl<'a> Knowledge<'a> {
 
     /// 1F55h: the expected software.
     pub(crate) fn software(self) -> Vec<(u8, u32)> {
-        self.each(|slave| Some(self.boot(slave).software_version).filter(|version| *version != 0))
+        self.each(|slave| Some(self.boot(slave).software_version.value).filter(|version| *version != 0))
     }
 
     fn objects(self) -> Vec<NodeListObject> {
@@ -289,7 +289,7 @@ impl Network {
             boot.mandatory = number >> 3 & 1 != 0;
             boot.reset_communication = number >> 4 & 1 == 0;
             boot.retry_factor.value = (number >> 8) as u8;
-            boot.software_version = stated(0x1F55, node_id.value).unwrap_or(0);
+            boot.software_version.value = stated(0x1F55, node_id.value).unwrap_or(0);
             let restored = stated(0x1F8A, node_id.value).and_then(|sub| u8::try_from(sub).ok());
             boot.restore_configuration.value = restored.unwrap_or(0);
         }

@@ -243,7 +243,7 @@ pub struct Boot {
     /// The program for the node (1F58h), as a file of the manager.
     pub software_file: Option<String>,
     /// The expected software identification (1F55h); 0 is not checked.
-    pub software_version: u32,
+    pub software_version: Said<u32>,
     /// The sub-index of 1011h that restores the defaults before the configuration (1F8Ah); 0 restores nothing.
     pub restore_configuration: Said<u8>,
 }
@@ -256,7 +256,7 @@ impl Boot {
         1 | u32::from(self.boot) << 2
             | u32::from(self.mandatory) << 3
             | u32::from(!self.reset_communication) << 4
-            | u32::from(self.software_version != 0) << 5
+            | u32::from(self.software_version.value != 0) << 5
             | u32::from(self.software_file.is_some()) << 6
             | u32::from(self.restore_configuration.value != 0) << 7
             | u32::from(retry_factor) << 8
@@ -272,7 +272,7 @@ impl Default for Boot {
             reset_communication: true,
             retry_factor: Said::new(3, Span::empty(0)),
             software_file: None,
-            software_version: 0,
+            software_version: Said::default(),
             restore_configuration: Said::default(),
         }
     }

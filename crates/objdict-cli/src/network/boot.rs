@@ -308,8 +308,9 @@ impl<'r> BootReport<'r> {
             }
         });
         let errors = self.run.nodes.iter().filter(|node| node.errors != 0);
-        let errors = errors
-            .map(|node| format!("{} sends {} while it is operational", node.name, plural(node.errors, "EMCY")));
+        let errors = errors.map(|node| {
+            format!("{} sends {} while it is operational", node.name, plural(node.errors, "EMCY"))
+        });
         let conflicts = self.run.events.iter().filter_map(|event| match event.kind {
             EventKind::TwoSenders { id, senders } => {
                 let [first, second] = senders.map(|at| self.run.nodes[at].name.as_str());

@@ -133,7 +133,7 @@ fn written(node: &Node, text: &mut String) {
     flag(text, "mandatory", boot.mandatory, false);
     flag(text, "reset_communication", boot.reset_communication, true);
     number(text, "software_file", boot.software_file.as_ref().map(|file| quoted(file)));
-    number(text, "software_version", Some(boot.software_version).filter(|version| *version != 0));
+    number(text, "software_version", Some(boot.software_version.value).filter(|version| *version != 0));
     number(text, "restore_configuration", Some(boot.restore_configuration.value).filter(|sub| *sub != 0));
     for kind in PdoKind::ALL {
         let pdos: Vec<&PdoRequest> = node.pdos.iter().filter(|request| request.pdo.kind == kind).collect();

@@ -1,11 +1,10 @@
 //! Built files, replayed: each node takes what is built for it, and the network that comes of it is checked again.
 
-use std::borrow::Cow;
 use std::fmt;
 
-use objdict_bus::{Configurations, PlantNode, PowerOn};
+use objdict_bus::{Configurations, PlantNode};
 
-use super::super::boot::{DescribedFile, configurations, configured, described, manager_among};
+use super::super::boot::{DescribedFile, configurations, configured, described, manager_among, switched_on};
 use super::super::{InstallError, stored};
 use super::{Build, BuiltFile};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
@@ -124,12 +123,7 @@ impl Build<'_> {
     /// A node that was switched on and not configured yet.
     fn start(&self, slave: &Slave) -> Device {
         let node = &self.network.nodes[slave.node];
-        let (power_on, device) = match network::switched_on(self.network, node) {
-            Cow::Owned(configured) => (PowerOn::Configured, configured),
-            Cow::Borrowed(device) => (PowerOn::Defaults, device.clone()),
-        };
-        let (name, node_id) = (node.name.value.clone(), slave.node_id);
-        PlantNode { name, node_id, device, power_on, must_boot: None }.switched_on()
+        switched_on(self.network, node, slave.node_id).switched_on()
     }
 
     /// The network of nodes that are configured already. Its manager is the one of the files, else the one that belongs to them.

@@ -56,7 +56,7 @@ fn bin(network: &Network, manager: &Manager, slaves: &[Slave]) -> ConciseDcf {
         let node = &network.nodes[slave.node];
         let [_, _, _, revision, serial] = slave.identity;
         let stated = |sub, number| if node.device.entry(0x1018, sub).is_some() { number } else { 0 };
-        put(0x1F55, slave.node_id, node.boot.software_version);
+        put(0x1F55, slave.node_id, node.boot.software_version.value);
         put(0x1F87, slave.node_id, stated(3, revision));
         put(0x1F88, slave.node_id, stated(4, serial));
     }
