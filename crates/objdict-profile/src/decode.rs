@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::{BitFieldFacts, EntryFacts, ObjectFacts, Profile, for_all, of_number};
-use crate::model::{Device, Value};
+use super::standard::{OF_MANAGERS, below_profiles};
+use super::{BitFieldFacts, EntryFacts, ObjectFacts, Profile, of_number};
+use crate::model::{DataType, Device, Value};
 
 impl EntryFacts<'_> {
     /// The meaning of a number as defined by the document: bit fields with their meaning, and the names of
@@ -47,8 +48,18 @@ pub fn of_object(
         let profile = of_number(number).filter(|profile| block == 0 || profile.repeats)?;
         Some((profile, profile.object_in(block, index)?))
     });
-    let for_it = for_all(device).filter(move |_| !blocks.is_empty());
+    // an object of managers is one of CiA 302 in a device that has no other of them, too
+    let is_manager = OF_MANAGERS.contains(&index) || device.objects.range(OF_MANAGERS).next().is_some();
+    let for_it = below_profiles(is_manager).filter(move |_| !blocks.is_empty());
     own.chain(for_it.filter_map(move |profile| Some((profile, profile.object(index)?))))
+}
+
+/// The name and the data type that the first of the documents with this entry gives it.
+pub fn entry(device: &Device, index: u16, sub: u8) -> Option<(&'static str, Option<DataType>)> {
+    let (object, facts) =
+        of_object(device, index).find_map(|(_, object)| Some((object, object.entry(sub)?)))?;
+    let name = if facts.name.is_empty() { object.name } else { facts.name };
+    Some((name, facts.data_types.first().copied()))
 }
 
 /// The bit fields of an entry in several documents, the lowest first: all of the first document, and from the

@@ -27,7 +27,7 @@ pub mod tables;
 
 pub use block::{MAX_BLOCKS, device_type_index, index_in, number_of};
 pub use condition::{Condition, ConditionError};
-pub use decode::{bits, meaning, of_object};
+pub use decode::{bits, entry, meaning, of_object};
 pub use facts::{BitFieldFacts, EntryFacts, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;

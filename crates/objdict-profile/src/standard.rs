@@ -34,7 +34,11 @@ pub fn of_device(device: &Device) -> Option<&'static Profile> {
 /// The documents that apply to a device regardless of its profile. The document for network managers applies
 /// only to devices with at least one of its objects.
 pub fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {
-    let is_manager = device.objects.range(OF_MANAGERS).next().is_some();
+    below_profiles(device.objects.range(OF_MANAGERS).next().is_some())
+}
+
+/// The documents that apply regardless of a profile.
+pub(super) fn below_profiles(is_manager: bool) -> impl Iterator<Item = &'static Profile> {
     let for_all = DOCUMENTS.iter().filter(|(number, _)| *number < FIRST_DEVICE_PROFILE);
     let for_it = for_all.filter(move |(number, _)| is_manager || *number != 302);
     for_it.map(|&(_, profile)| profile)
@@ -74,7 +78,7 @@ fn common<T: PartialEq>(
 }
 
 /// The objects of CiA 302, which are only required if the device has at least one of them.
-const OF_MANAGERS: RangeInclusive<u16> = 0x1F00..=0x1FFF;
+pub(super) const OF_MANAGERS: RangeInclusive<u16> = 0x1F00..=0x1FFF;
 
 /// The former purpose of an object removed from CiA 301 in version 4.
 pub fn obsolete(index: u16) -> Option<&'static str> {

@@ -54,29 +54,29 @@ static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_type
     (7974, 7974, SubList(1377, 27), SubList(1, 2), When(4), None, SubList(0, 0), SubList(30, 2), SubList(11, 4), SubList(1404, 97), High) // 1F26h Expected configuration date
     (7975, 7975, SubList(1501, 27), SubList(1, 2), When(5), None, SubList(0, 0), SubList(32, 2), SubList(11, 4), SubList(1528, 97), High) // 1F27h Expected configuration time
     (8016, 8016, SubList(1625, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(34, 3), SubList(11, 4), SubList(1637, 47), High) // 1F50h Program data
-    (8017, 8017, SubList(1684, 15), SubList(1, 2), When(6), None, SubList(0, 1), SubList(37, 3), SubList(11, 4), SubList(1699, 54), High) // 1F51h Program control
-    (8018, 8018, SubList(1803, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(40, 3), SubList(11, 4), SubList(1830, 56), High) // 1F52h Verify application software
-    (8019, 8019, SubList(1886, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(43, 2), SubList(11, 4), SubList(1920, 84), High) // 1F53h Expected application software date
-    (8020, 8020, SubList(2004, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(45, 2), SubList(11, 4), SubList(2038, 84), High) // 1F54h Expected application software time
-    (8021, 8021, SubList(2122, 32), SubList(1, 2), Optional, None, SubList(0, 0), SubList(47, 2), SubList(2154, 7), SubList(2161, 94), Medium) // 1F55h Expected software identification
-    (8022, 8022, SubList(2255, 31), SubList(1, 2), Optional, None, SubList(0, 0), SubList(49, 3), SubList(2154, 7), SubList(2286, 58), Medium) // 1F56h Program software identification
-    (8023, 8023, SubList(2344, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(52, 3), SubList(2154, 7), SubList(2556, 68), Medium) // 1F57h Flash status identification
-    (8024, 8024, SubList(2624, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(55, 2), SubList(2154, 7), SubList(2645, 83), Medium) // 1F58h Program data of nodes
-    (8032, 8032, SubList(2728, 24), SubList(0, 0), Optional, None, SubList(0, 0), SubList(0, 0), SubList(2752, 9), SubList(2761, 42), Medium) // 1F60h Redundancy configuration
-    (8048, 8048, SubList(2859, 15), SubList(3, 1), Optional, None, SubList(0, 0), SubList(57, 3), SubList(11, 4), SubList(2874, 59), High) // 1F70h Process picture
-    (8064, 8064, SubList(3151, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(60, 1), SubList(11, 4), SubList(3162, 82), High) // 1F80h NMT startup
-    (8065, 8065, SubList(3244, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(61, 2), SubList(11, 4), SubList(3449, 115), High) // 1F81h NMT slave assignment
-    (8066, 8066, SubList(3564, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(63, 3), SubList(11, 4), SubList(3575, 97), High) // 1F82h Request NMT
-    (8067, 8067, SubList(3672, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(66, 3), SubList(11, 4), SubList(3693, 69), High) // 1F83h Request node guarding
-    (8068, 8068, SubList(3762, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(69, 2), SubList(11, 4), SubList(3788, 97), High) // 1F84h Device type identification
-    (8069, 8069, SubList(3885, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(71, 2), SubList(11, 4), SubList(3906, 87), High) // 1F85h Vendor identification
-    (8070, 8070, SubList(3993, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(73, 2), SubList(11, 4), SubList(4005, 90), High) // 1F86h Product code
-    (8071, 8071, SubList(4095, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(75, 2), SubList(11, 4), SubList(4110, 93), High) // 1F87h Revision number
-    (8072, 8072, SubList(4203, 13), SubList(1, 2), Optional, None, SubList(0, 0), SubList(77, 2), SubList(11, 4), SubList(4216, 91), High) // 1F88h Serial number
-    (8073, 8073, SubList(4309, 9), SubList(0, 1), Optional, None, SubList(0, 0), SubList(79, 1), SubList(11, 4), SubList(4318, 69), High) // 1F89h Boot time
-    (8074, 8074, SubList(4387, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(80, 2), SubList(2154, 7), SubList(4408, 84), Medium) // 1F8Ah Restore configuration
-    (8080, 8080, SubList(4671, 35), SubList(0, 0), When(7), None, SubList(0, 0), SubList(82, 7), SubList(4706, 15), SubList(4721, 72), High) // 1F90h NMT flying master timing parameters
-    (8081, 8081, SubList(4908, 37), SubList(1, 2), Optional, None, SubList(0, 0), SubList(89, 4), SubList(4706, 15), SubList(4945, 81), High) // 1F91h Self-starting nodes timing parameters
+    (8017, 8017, SubList(1684, 15), SubList(1, 2), When(6), None, SubList(0, 1), SubList(37, 3), SubList(11, 4), SubList(1757, 54), High) // 1F51h Program control
+    (8018, 8018, SubList(1861, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(40, 3), SubList(11, 4), SubList(1888, 56), High) // 1F52h Verify application software
+    (8019, 8019, SubList(1944, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(43, 2), SubList(11, 4), SubList(1978, 84), High) // 1F53h Expected application software date
+    (8020, 8020, SubList(2062, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(45, 2), SubList(11, 4), SubList(2096, 84), High) // 1F54h Expected application software time
+    (8021, 8021, SubList(2180, 32), SubList(1, 2), Optional, None, SubList(0, 0), SubList(47, 2), SubList(2212, 7), SubList(2219, 94), Medium) // 1F55h Expected software identification
+    (8022, 8022, SubList(2313, 31), SubList(1, 2), Optional, None, SubList(0, 0), SubList(49, 3), SubList(2212, 7), SubList(2344, 58), Medium) // 1F56h Program software identification
+    (8023, 8023, SubList(2402, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(52, 3), SubList(2212, 7), SubList(2614, 68), Medium) // 1F57h Flash status identification
+    (8024, 8024, SubList(2682, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(55, 2), SubList(2212, 7), SubList(2703, 83), Medium) // 1F58h Program data of nodes
+    (8032, 8032, SubList(2786, 24), SubList(0, 0), Optional, None, SubList(0, 0), SubList(0, 0), SubList(2810, 9), SubList(2819, 42), Medium) // 1F60h Redundancy configuration
+    (8048, 8048, SubList(2917, 15), SubList(3, 1), Optional, None, SubList(0, 0), SubList(57, 3), SubList(11, 4), SubList(2932, 59), High) // 1F70h Process picture
+    (8064, 8064, SubList(3209, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(60, 1), SubList(11, 4), SubList(3220, 82), High) // 1F80h NMT startup
+    (8065, 8065, SubList(3302, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(61, 2), SubList(11, 4), SubList(3507, 115), High) // 1F81h NMT slave assignment
+    (8066, 8066, SubList(3622, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(63, 3), SubList(11, 4), SubList(3633, 97), High) // 1F82h Request NMT
+    (8067, 8067, SubList(3730, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(66, 3), SubList(11, 4), SubList(3751, 69), High) // 1F83h Request node guarding
+    (8068, 8068, SubList(3820, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(69, 2), SubList(11, 4), SubList(3846, 97), High) // 1F84h Device type identification
+    (8069, 8069, SubList(3943, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(71, 2), SubList(11, 4), SubList(3964, 87), High) // 1F85h Vendor identification
+    (8070, 8070, SubList(4051, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(73, 2), SubList(11, 4), SubList(4063, 90), High) // 1F86h Product code
+    (8071, 8071, SubList(4153, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(75, 2), SubList(11, 4), SubList(4168, 93), High) // 1F87h Revision number
+    (8072, 8072, SubList(4261, 13), SubList(1, 2), Optional, None, SubList(0, 0), SubList(77, 2), SubList(11, 4), SubList(4274, 91), High) // 1F88h Serial number
+    (8073, 8073, SubList(4367, 9), SubList(0, 1), Optional, None, SubList(0, 0), SubList(79, 1), SubList(11, 4), SubList(4376, 69), High) // 1F89h Boot time
+    (8074, 8074, SubList(4445, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(80, 2), SubList(2212, 7), SubList(4466, 84), Medium) // 1F8Ah Restore configuration
+    (8080, 8080, SubList(4729, 35), SubList(0, 0), When(7), None, SubList(0, 0), SubList(82, 7), SubList(4764, 15), SubList(4779, 72), High) // 1F90h NMT flying master timing parameters
+    (8081, 8081, SubList(4966, 37), SubList(1, 2), Optional, None, SubList(0, 0), SubList(89, 4), SubList(4764, 15), SubList(5003, 81), High) // 1F91h Self-starting nodes timing parameters
 );
 
 static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
@@ -118,107 +118,112 @@ static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name
     (1, 1, Some(No), Mandatory, SubList(1625, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
     (2, 254, Some(No), Optional, SubList(1625, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program control
-    (2, 254, Some(No), Optional, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program control
+    (1, 1, Some(No), Mandatory, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 1)) // Program control
+    (2, 254, Some(No), Optional, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 1)) // Program control
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, SubList(1753, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software date
-    (2, 2, Some(No), Optional, SubList(1778, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software time
+    (1, 1, Some(No), Optional, SubList(1811, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software date
+    (2, 2, Some(No), Optional, SubList(1836, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software time
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1886, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software date
+    (1, 127, Some(No), Mandatory, SubList(1944, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software date
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(2004, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software time
+    (1, 127, Some(No), Mandatory, SubList(2062, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software time
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(2122, 32), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected software identification
+    (1, 127, Some(No), Mandatory, SubList(2180, 32), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected software identification
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2255, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
-    (2, 254, Some(No), Optional, SubList(2255, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
+    (1, 1, Some(No), Mandatory, SubList(2313, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
+    (2, 254, Some(No), Optional, SubList(2313, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2344, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 3)) // Flash status identification
-    (2, 254, Some(No), Optional, SubList(2344, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 3)) // Flash status identification
+    (1, 1, Some(No), Mandatory, SubList(2402, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(1, 3)) // Flash status identification
+    (2, 254, Some(No), Optional, SubList(2402, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(1, 3)) // Flash status identification
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(2624, 21), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data of nodes
+    (1, 127, Some(No), Mandatory, SubList(2682, 21), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data of nodes
     (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, SubList(2825, 14), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(3, 2)) // Selected range
-    (2, 2, Some(No), Mandatory, SubList(2839, 20), SubList(3, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Process image domain
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(5, 7))
+    (1, 1, Some(No), Mandatory, SubList(2883, 14), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(4, 2)) // Selected range
+    (2, 2, Some(No), Mandatory, SubList(2897, 20), SubList(3, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Process image domain
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(6, 7))
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3244, 20), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(12, 9)) // NMT slave assignment
+    (1, 127, Some(No), Mandatory, SubList(3302, 20), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(13, 9)) // NMT slave assignment
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3564, 11), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request NMT
+    (1, 127, Some(No), Mandatory, SubList(3622, 11), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request NMT
     (128, 128, Some(No), Optional, SubList(1286, 9), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3672, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request node guarding
+    (1, 127, Some(No), Mandatory, SubList(3730, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request node guarding
     (128, 128, Some(No), Optional, SubList(1286, 9), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3762, 26), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Device type identification
+    (1, 127, Some(No), Mandatory, SubList(3820, 26), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Device type identification
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3885, 21), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Vendor identification
+    (1, 127, Some(No), Mandatory, SubList(3943, 21), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Vendor identification
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3993, 12), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Product code
+    (1, 127, Some(No), Mandatory, SubList(4051, 12), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Product code
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4095, 15), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Revision number
+    (1, 127, Some(No), Mandatory, SubList(4153, 15), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Revision number
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4203, 13), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Serial number
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(4307, 2), SubList(0, 0))
+    (1, 127, Some(No), Mandatory, SubList(4261, 13), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Serial number
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(4365, 2), SubList(0, 0))
     (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4387, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Restore configuration
+    (1, 127, Some(No), Mandatory, SubList(4445, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Restore configuration
     (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, SubList(4492, 42), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4307, 2), SubList(0, 0)) // Timeout for detection of active NMT master
-    (2, 2, Some(No), Mandatory, SubList(4534, 33), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4307, 2), SubList(0, 0)) // NMT master negotiation time delay
-    (3, 3, Some(No), Mandatory, SubList(4567, 25), SubList(4, 2), SubList(9, 2), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // NMT master priority level
-    (4, 4, Some(No), Mandatory, SubList(4592, 18), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(4), SubList(4307, 2), SubList(0, 0)) // Priority time slot
-    (5, 5, Some(No), Mandatory, SubList(4610, 24), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(5), SubList(4307, 2), SubList(0, 0)) // CANopen device time slot
-    (6, 6, Some(No), Mandatory, SubList(4634, 37), SubList(2, 1), SubList(9, 2), SubList(0, 0), None, SubList(4307, 2), SubList(0, 0)) // Multiple NMT master detect cycle time
+    (1, 1, Some(No), Mandatory, SubList(4550, 42), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4365, 2), SubList(0, 0)) // Timeout for detection of active NMT master
+    (2, 2, Some(No), Mandatory, SubList(4592, 33), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4365, 2), SubList(0, 0)) // NMT master negotiation time delay
+    (3, 3, Some(No), Mandatory, SubList(4625, 25), SubList(4, 2), SubList(9, 2), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // NMT master priority level
+    (4, 4, Some(No), Mandatory, SubList(4650, 18), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(4), SubList(4365, 2), SubList(0, 0)) // Priority time slot
+    (5, 5, Some(No), Mandatory, SubList(4668, 24), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(5), SubList(4365, 2), SubList(0, 0)) // CANopen device time slot
+    (6, 6, Some(No), Mandatory, SubList(4692, 37), SubList(2, 1), SubList(9, 2), SubList(0, 0), None, SubList(4365, 2), SubList(0, 0)) // Multiple NMT master detect cycle time
     (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, SubList(4793, 53), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4307, 2), SubList(0, 0)) // Timeout for detection of an NMT master capable device
-    (2, 2, Some(No), Mandatory, SubList(4846, 48), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4307, 2), SubList(0, 0)) // Delay time for NMT master capable device request
-    (3, 3, Some(No), Mandatory, SubList(4894, 14), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(6), SubList(4307, 2), SubList(0, 0)) // Node time slot
+    (1, 1, Some(No), Mandatory, SubList(4851, 53), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4365, 2), SubList(0, 0)) // Timeout for detection of an NMT master capable device
+    (2, 2, Some(No), Mandatory, SubList(4904, 48), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4365, 2), SubList(0, 0)) // Delay time for NMT master capable device request
+    (3, 3, Some(No), Mandatory, SubList(4952, 14), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(6), SubList(4365, 2), SubList(0, 0)) // Node time slot
 );
 
 static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
-    (0, 0, SubList(2371, 28), SubList(0, 0)) // program download in progress
-    (1, 7, SubList(2399, 5), SubList(0, 9)) // error
-    (16, 31, SubList(2531, 25), SubList(0, 0)) // error of the manufacturer
-    (0, 15, SubList(2803, 7), SubList(0, 0)) // segment
-    (16, 31, SubList(2810, 15), SubList(0, 0)) // length in bytes
-    (0, 0, SubList(2933, 10), SubList(9, 2)) // NMT master
-    (1, 1, SubList(2948, 12), SubList(11, 2)) // start slaves
-    (2, 2, SubList(2981, 17), SubList(13, 2)) // enter operational
-    (3, 3, SubList(3016, 19), SubList(15, 2)) // start slaves at all
-    (4, 4, SubList(3035, 26), SubList(17, 2)) // error of a mandatory slave
-    (5, 5, SubList(3091, 13), SubList(9, 2)) // flying master
-    (6, 6, SubList(3104, 47), SubList(9, 2)) // stop all nodes on an error of a mandatory slave
-    (0, 0, SubList(3264, 20), SubList(0, 0)) // slave of this master
-    (2, 2, SubList(3284, 18), SubList(0, 0)) // boot and configure
-    (3, 3, SubList(3302, 9), SubList(0, 0)) // mandatory
-    (4, 4, SubList(3311, 47), SubList(0, 0)) // no reset of its communication while operational
-    (5, 5, SubList(3358, 19), SubList(0, 0)) // verify its software
-    (6, 6, SubList(3377, 19), SubList(0, 0)) // update its software
-    (7, 7, SubList(3396, 25), SubList(0, 0)) // restore its configuration
-    (8, 15, SubList(3421, 12), SubList(0, 0)) // retry factor
-    (16, 31, SubList(3433, 16), SubList(0, 0)) // guard time in ms
+    (0, 7, SubList(1699, 7), SubList(0, 4)) // command
+    (0, 0, SubList(2429, 28), SubList(0, 0)) // program download in progress
+    (1, 7, SubList(2457, 5), SubList(4, 9)) // error
+    (16, 31, SubList(2589, 25), SubList(0, 0)) // error of the manufacturer
+    (0, 15, SubList(2861, 7), SubList(0, 0)) // segment
+    (16, 31, SubList(2868, 15), SubList(0, 0)) // length in bytes
+    (0, 0, SubList(2991, 10), SubList(13, 2)) // NMT master
+    (1, 1, SubList(3006, 12), SubList(15, 2)) // start slaves
+    (2, 2, SubList(3039, 17), SubList(17, 2)) // enter operational
+    (3, 3, SubList(3074, 19), SubList(19, 2)) // start slaves at all
+    (4, 4, SubList(3093, 26), SubList(21, 2)) // error of a mandatory slave
+    (5, 5, SubList(3149, 13), SubList(13, 2)) // flying master
+    (6, 6, SubList(3162, 47), SubList(13, 2)) // stop all nodes on an error of a mandatory slave
+    (0, 0, SubList(3322, 20), SubList(0, 0)) // slave of this master
+    (2, 2, SubList(3342, 18), SubList(0, 0)) // boot and configure
+    (3, 3, SubList(3360, 9), SubList(0, 0)) // mandatory
+    (4, 4, SubList(3369, 47), SubList(0, 0)) // no reset of its communication while operational
+    (5, 5, SubList(3416, 19), SubList(0, 0)) // verify its software
+    (6, 6, SubList(3435, 19), SubList(0, 0)) // update its software
+    (7, 7, SubList(3454, 25), SubList(0, 0)) // restore its configuration
+    (8, 15, SubList(3479, 12), SubList(0, 0)) // retry factor
+    (16, 31, SubList(3491, 16), SubList(0, 0)) // guard time in ms
 );
 
 static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
-    (0, 0, SubList(2404, 4)) // none
-    (1, 1, SubList(2408, 16)) // no valid program
-    (2, 2, SubList(2424, 14)) // unknown format
-    (3, 3, SubList(2438, 14)) // wrong checksum
-    (4, 4, SubList(2452, 17)) // flash not cleared
-    (5, 5, SubList(2469, 17)) // flash write error
-    (6, 6, SubList(2486, 13)) // wrong address
-    (7, 7, SubList(2499, 13)) // flash secured
-    (63, 63, SubList(2512, 19)) // of the manufacturer
-    (0, 0, SubList(2943, 2)) // no
-    (1, 1, SubList(2945, 3)) // yes
-    (0, 0, SubList(2960, 10)) // one by one
-    (1, 1, SubList(2970, 11)) // all at once
-    (0, 0, SubList(2998, 9)) // by itself
-    (1, 1, SubList(3007, 9)) // when told
-    (0, 0, SubList(2945, 3)) // yes
-    (1, 1, SubList(2943, 2)) // no
-    (0, 0, SubList(3061, 15)) // that slave only
-    (1, 1, SubList(3076, 15)) // reset all nodes
+    (0, 0, SubList(1706, 12)) // stop program
+    (1, 1, SubList(1718, 13)) // start program
+    (2, 2, SubList(1731, 13)) // reset program
+    (3, 3, SubList(1744, 13)) // clear program
+    (0, 0, SubList(2462, 4)) // none
+    (1, 1, SubList(2466, 16)) // no valid program
+    (2, 2, SubList(2482, 14)) // unknown format
+    (3, 3, SubList(2496, 14)) // wrong checksum
+    (4, 4, SubList(2510, 17)) // flash not cleared
+    (5, 5, SubList(2527, 17)) // flash write error
+    (6, 6, SubList(2544, 13)) // wrong address
+    (7, 7, SubList(2557, 13)) // flash secured
+    (63, 63, SubList(2570, 19)) // of the manufacturer
+    (0, 0, SubList(3001, 2)) // no
+    (1, 1, SubList(3003, 3)) // yes
+    (0, 0, SubList(3018, 10)) // one by one
+    (1, 1, SubList(3028, 11)) // all at once
+    (0, 0, SubList(3056, 9)) // by itself
+    (1, 1, SubList(3065, 9)) // when told
+    (0, 0, SubList(3003, 3)) // yes
+    (1, 1, SubList(3001, 2)) // no
+    (0, 0, SubList(3119, 15)) // that slave only
+    (1, 1, SubList(3134, 15)) // reset all nodes
 );
 
 static COMMANDS: &[CommandRow] = &[];
@@ -269,7 +274,8 @@ static TEXTS: &str = concat!(
     "The configuration date that 1020h of each node must have, else it is configured; 0 means unknown.",
     "Expected configuration time",
     "The configuration time that 1020h of each node must have, else it is configured; 0 means unknown.",
-    "Program data", "Takes programs for the device, one a sub-index.", "Program control",
+    "Program data", "Takes programs for the device, one a sub-index.", "Program control", "command",
+    "stop program", "start program", "reset program", "clear program",
     "Starts, stops, resets or clears the programs in 1F50h.", "Application software date",
     "Application software time", "Verify application software",
     "Date and time of the application software in the device.", "Expected application software date",
