@@ -60,6 +60,8 @@ mod support;
 mod texts;
 mod timing;
 mod torture;
+#[cfg(feature = "full")]
+mod traffic;
 mod verify;
 mod write;
 mod xdd;

@@ -1,6 +1,6 @@
 //! `objdict probe`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::args::ProbeArgs;
@@ -96,9 +96,7 @@ fn answers(
     }
     let (mut log, mut frames) = (LogReader::new(bytes.as_slice(), LogOptions::default()), Vec::new());
     while let Some(frame) = log.next_frame()? {
-        if !frame.is_remote && !frame.is_error && !frame.is_fd {
-            frames.push(frame);
-        }
+        frames.push(frame);
     }
     if log.bad_count() > 0 {
         note(&format!(
@@ -107,7 +105,7 @@ fn answers(
             plural(log.bad_count() as usize, "line")
         ));
     }
-    let base = frames.iter().filter(|frame| !frame.is_extended);
+    let base = frames.iter().filter(|frame| !frame.is_extended && !frame.is_error);
     let servers: BTreeSet<u32> = base.map(|frame| frame.can_id).filter(|id| SERVERS.contains(id)).collect();
     let node_id = match (node_id, servers.first(), servers.len()) {
         (Some(node_id), ..) => node_id,
@@ -118,14 +116,15 @@ fn answers(
         }
         (None, None, _) => NODE_ID,
     };
-    let mut conversation = match device {
-        Some(device) => Conversation::with(device, node_id),
-        None => Conversation::new(node_id),
-    };
+    let mut buses: BTreeMap<u16, Conversation<'_>> = BTreeMap::new();
     for frame in &frames {
-        conversation.take(frame.can_id, frame.is_extended, frame.data());
+        let conversation = buses.entry(frame.channel).or_insert_with(|| match device {
+            Some(device) => Conversation::with(device, node_id),
+            None => Conversation::new(node_id),
+        });
+        conversation.take(frame);
     }
-    Ok((conversation.into_exchanges(), Some(node_id)))
+    Ok((buses.into_values().flat_map(Conversation::into_exchanges).collect(), Some(node_id)))
 }
 
 /// Whether a file is JSON, or CSV with a column `index`.

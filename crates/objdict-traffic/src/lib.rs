@@ -63,10 +63,8 @@ impl<'d> Bus<'d> {
 
     /// What a frame is. With it descriptions may find their nodes.
     pub fn decode(&mut self, frame: &LoggedFrame) -> DecodedFrame {
-        if frame.is_error || frame.is_fd {
-            return DecodedFrame::UNKNOWN;
-        }
-        let decoded = self.reader.decode(&raw(frame));
+        let Some(observed) = observed(frame) else { return DecodedFrame::UNKNOWN };
+        let decoded = self.reader.decode(&observed);
         if self.candidates.is_open() {
             self.candidates.take(&decoded, &self.reader);
         }
@@ -114,6 +112,11 @@ impl<'d> Bus<'d> {
 pub fn raw(frame: &LoggedFrame) -> RawFrame<'_> {
     let LoggedFrame { can_id, is_extended, is_remote, .. } = *frame;
     RawFrame { can_id, is_extended, is_remote, data: frame.data() }
+}
+
+/// The frame, if it is one of CANopen.
+pub(crate) fn observed(frame: &LoggedFrame) -> Option<RawFrame<'_>> {
+    (!frame.is_error && !frame.is_fd).then(|| raw(frame))
 }
 
 /// The buses in logs, by the names of their channels.

@@ -18,7 +18,7 @@ fn found_in(device: &Device, frames: &str) -> BTreeSet<(&'static str, u16, u8)> 
     let mut reader = LogReader::new(log.as_bytes(), LogOptions::default());
     let mut conversation = Conversation::with(device, NODE);
     while let Some(frame) = reader.next_frame().unwrap() {
-        conversation.take(frame.can_id, frame.is_extended, frame.data());
+        conversation.take(&frame);
     }
     assert_eq!(reader.bad_count(), 0);
     found(&judge(device, NODE, &conversation.into_exchanges()))

@@ -111,7 +111,7 @@ fn recorded(log: &str) -> Vec<Exchange> {
     let mut reader = LogReader::new(log.as_bytes(), LogOptions::default());
     let mut conversation = Conversation::new(NODE);
     while let Some(frame) = reader.next_frame().unwrap() {
-        conversation.take(frame.can_id, frame.is_extended, frame.data());
+        conversation.take(&frame);
     }
     assert_eq!(reader.bad_count(), 0);
     conversation.into_exchanges()

@@ -14,14 +14,14 @@ pub struct Decoder<'a> {
     pub node_id: Option<u8>,
     /// The language of the sentences. Terms of device profiles are always English.
     pub language: Language,
-    /// Whether the device has all objects of the node, so that one that is missing is worth a word.
-    pub is_complete: bool,
+    /// The description with all objects of the node: an object that it lacks is worth a word.
+    pub description: Option<&'a Device>,
 }
 
 impl<'a> Decoder<'a> {
     /// Creates an English decoder.
     pub fn english(device: &'a Device, node_id: Option<u8>) -> Self {
-        Self { device, node_id, language: Language::English, is_complete: true }
+        Self { device, node_id, language: Language::English, description: Some(device) }
     }
 
     /// The meaning of an entry's value, if it is more than a number.

@@ -4,6 +4,7 @@ use super::decoder::Decoder;
 use super::time;
 use crate::Language;
 use crate::model::{DataType, MappedObject, PdoKind, Value};
+use crate::profile;
 
 impl Decoder<'_> {
     pub(super) fn of_pdo(&self, index: u16, sub: u8, value: &Value) -> Option<String> {
@@ -87,15 +88,17 @@ impl Decoder<'_> {
             let (unused, dummy) = (self.pick("unused", "unbenutzt"), DataType(object.index));
             return Some(format!("{bits} {unused} (dummy {dummy})"));
         }
-        let place = format!("0x{:04X}sub{:X}", object.index, object.sub);
-        Some(match self.device.entry(object.index, object.sub) {
-            Some(entry) => format!("{place} {}, {bits}", entry.name),
-            None if !self.is_complete => format!("{place}, {bits}"),
-            None => {
-                let missing = self.pick("which the description lacks", "den die Beschreibung nicht hat");
-                format!("{place}, {missing}, {bits}")
-            }
-        })
+        let (index, sub) = (object.index, object.sub);
+        let mut place = format!("0x{index:04X}sub{sub:X}");
+        if let Some(entry) = self.device.entry(index, sub) {
+            place += &format!(" {}", entry.name);
+        } else if let Some((name, _)) = profile::entry(self.device, index, sub) {
+            place += &format!(" {name}");
+        }
+        if self.description.is_some_and(|description| description.entry(index, sub).is_none()) {
+            place += self.pick(", which the description lacks", ", den die Beschreibung nicht hat");
+        }
+        Some(format!("{place}, {bits}"))
     }
 
     /// The object in a scanner list (1FA0h).

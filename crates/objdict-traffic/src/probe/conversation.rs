@@ -1,15 +1,23 @@
 //! Recorded frames as exchanges: the SDO channels of one node (CiA 301 §7.2.4.3), and its resets.
 
-use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
-use objdict_bus::Abort;
-use objdict_document::describe::frames::{SdoTransfer, TransferStep};
-use objdict_model::model::{CobId, Device, SdoChannel, predefined};
+use std::collections::BTreeMap;
 
-/// The frames of the SDO channels of a node, taken in their order.
-#[derive(Clone, Debug)]
-pub struct Conversation {
+use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
+use crate::log::LoggedFrame;
+use crate::observed;
+use objdict_bus::Abort;
+use objdict_document::describe::frames::{
+    DecodedFrame, FrameKind, FrameReader, SdoFrame, SdoTransfer, Talker, TransferStep,
+};
+use objdict_model::model::Device;
+
+/// The frames of the SDO channels of a node, taken in their order, as `objdict decode` reads them.
+#[derive(Debug)]
+pub struct Conversation<'d> {
     node_id: u8,
-    channels: Vec<Channel>,
+    reader: FrameReader<'d>,
+    /// What awaits its answer, by the number of the channel.
+    asked: BTreeMap<u16, Asked>,
     /// The reset since the last exchange.
     reset: Option<NodeReset>,
     /// Whether a reset was commanded whose boot-up message has not come yet.
@@ -17,21 +25,14 @@ pub struct Conversation {
     exchanges: Vec<Exchange>,
 }
 
-/// A server of the node, and what it is asked.
-#[derive(Clone, Debug)]
-struct Channel {
-    request: CobId,
-    response: CobId,
-    transfer: SdoTransfer,
-    asked: Option<Asked>,
-}
-
 /// A request that awaits its response.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Asked {
     index: u16,
     sub: u8,
     is_download: bool,
+    /// The bytes of the value that came with the request.
+    sent: Vec<u8>,
     /// The size that the sender of the value states.
     size: Option<u32>,
     /// Whether the server has answered.
@@ -41,44 +42,39 @@ struct Asked {
 /// The most bytes of a value that is refused before it is transferred.
 const LONGEST: usize = 1 << 16;
 
-impl Conversation {
+impl<'d> Conversation<'d> {
     /// The conversation with a node on its default channel.
     pub fn new(node_id: u8) -> Self {
-        let default = Channel::new(
-            predefined::per_node(predefined::SDO_REQUEST),
-            predefined::per_node(predefined::SDO_RESPONSE),
-        );
-        Self { node_id, channels: vec![default], reset: None, awaits_boot_up: false, exchanges: Vec::new() }
+        Self::of(FrameReader::of_bus(Vec::new()), node_id)
     }
 
     /// The conversation with a node on its default channel and those that its description has besides (1201h to 127Fh).
-    pub fn with(device: &Device, node_id: u8) -> Self {
-        let mut conversation = Self::new(node_id);
-        for SdoChannel { number, request, response, .. } in device.services().sdo_servers {
-            let valid = request.zip(response).filter(|ids| ids.0.is_valid() && ids.1.is_valid());
-            if let (2.., Some((request, response))) = (number, valid) {
-                conversation.channels.push(Channel::new(request, response));
-            }
-        }
-        conversation
+    pub fn with(device: &'d Device, node_id: u8) -> Self {
+        Self::of(FrameReader::of_bus(vec![Talker { name: "", node_id, device }]), node_id)
+    }
+
+    fn of(reader: FrameReader<'d>, node_id: u8) -> Self {
+        let (asked, exchanges) = Default::default();
+        Self { node_id, reader, asked, reset: None, awaits_boot_up: false, exchanges }
     }
 
     /// Takes a frame; others than those of the channels, NMT commands and boot-up messages are skipped.
-    pub fn take(&mut self, can_id: u32, is_extended: bool, data: &[u8]) {
-        match (can_id, data) {
-            (0, &[command @ (0x81 | 0x82), whom, ..])
-                if !is_extended && [0, self.node_id].contains(&whom) =>
-            {
+    pub fn take(&mut self, frame: &LoggedFrame) {
+        let Some(frame) = observed(frame) else { return };
+        let decoded = self.reader.decode(&frame);
+        match (decoded.kind, frame.data) {
+            (FrameKind::Nmt, &[command @ (0x81 | 0x82), whom, ..]) if [0, self.node_id].contains(&whom) => {
                 self.awaits_boot_up = true;
                 self.restart(if command == 0x81 { NodeReset::All } else { NodeReset::Communication });
             }
-            (_, [0, ..]) if !is_extended && can_id == 0x700 + u32::from(self.node_id) => {
+            (FrameKind::BootUp, _) if decoded.node_id == Some(self.node_id) => {
                 // without a command, the node was switched on
                 if !std::mem::take(&mut self.awaits_boot_up) {
                     self.restart(NodeReset::All);
                 }
             }
-            _ => self.transfer(can_id, is_extended, data),
+            (FrameKind::Sdo, _) if decoded.node_id == Some(self.node_id) => self.transfer(&decoded),
+            _ => {}
         }
     }
 
@@ -88,21 +84,24 @@ impl Conversation {
         self.exchanges
     }
 
-    fn transfer(&mut self, can_id: u32, is_extended: bool, data: &[u8]) {
-        let node_id = self.node_id;
-        let is_of = |cob_id: CobId| (cob_id.can_id(node_id), cob_id.is_extended()) == (can_id, is_extended);
-        let mut ended = Vec::new();
-        for channel in &mut self.channels {
-            if is_of(channel.request) {
-                ended.extend(channel.request(data));
-            } else if is_of(channel.response) {
-                ended.extend(channel.response(data));
+    fn transfer(&mut self, decoded: &DecodedFrame) {
+        let Some((sdo, transfer)) = decoded.sdo.zip(self.reader.transfer(decoded)) else { return };
+        let ended = match sdo.is_request {
+            true => {
+                let (before, asked) = Asked::request(&sdo, transfer, self.asked.remove(&sdo.channel));
+                asked.map(|asked| self.asked.insert(sdo.channel, asked));
+                before
             }
-        }
+            false => {
+                let (answered, asked) = Asked::response(&sdo, transfer, self.asked.remove(&sdo.channel));
+                asked.map(|asked| self.asked.insert(sdo.channel, asked));
+                answered
+            }
+        };
         self.add(ended);
     }
 
-    fn add(&mut self, ended: Vec<Exchange>) {
+    fn add(&mut self, ended: impl IntoIterator<Item = Exchange>) {
         for exchange in ended {
             let reset = self.reset.take();
             self.exchanges.push(Exchange { reset, ..exchange });
@@ -116,71 +115,89 @@ impl Conversation {
 
     /// What is under way is not brought to its end.
     fn give_up(&mut self) {
-        let ended = self.channels.iter_mut().filter_map(Channel::give_up).collect();
+        let ended: Vec<Exchange> =
+            std::mem::take(&mut self.asked).into_values().filter_map(Asked::give_up).collect();
         self.add(ended);
     }
 }
 
-impl Channel {
-    fn new(request: CobId, response: CobId) -> Self {
-        Self { request, response, transfer: SdoTransfer::default(), asked: None }
-    }
-
-    /// Processes a request, and returns the exchange that it ends.
-    fn request(&mut self, data: &[u8]) -> Option<Exchange> {
-        // a new transfer clears the data of the previous one
-        let before = if self.transfer.is_begun_by(data) { self.give_up() } else { None };
-        let step = self.transfer.frame(data, true);
-        let size = match step {
+impl Asked {
+    /// What a request ends, and what awaits its answer after it.
+    fn request(
+        sdo: &SdoFrame,
+        transfer: &SdoTransfer,
+        before: Option<Self>,
+    ) -> (Option<Exchange>, Option<Self>) {
+        let size = match sdo.step {
             TransferStep::WriteStart(size) => size,
             TransferStep::Read | TransferStep::BlockRead | TransferStep::Write => None,
             // the client needs only the beginning, or timed out
-            TransferStep::Abort(_) => return self.give_up(),
-            _ => return before,
+            TransferStep::Abort(_) => return (before.and_then(Self::give_up), None),
+            _ => return (None, before),
         };
-        let is_download = self.transfer.is_download();
-        let asked = |(index, sub)| Asked { index, sub, is_download, size, is_answered: false };
-        self.asked = self.transfer.entry().map(asked);
-        before
+        let asked = sdo.entry.map(|(index, sub)| Self {
+            index,
+            sub,
+            is_download: transfer.is_download(),
+            sent: transfer.data().to_vec(),
+            size,
+            is_answered: false,
+        });
+        (before.and_then(Self::give_up), asked)
     }
 
-    /// Processes a response, and returns the exchange that it ends.
-    fn response(&mut self, data: &[u8]) -> Option<Exchange> {
-        let asked = self.asked.as_mut()?;
-        // a late response to an aborted upload does not answer the download
-        if asked.is_download && matches!(data.first()? >> 5, 0 | 2) {
-            return None;
-        }
-        let step = self.transfer.frame(data, false);
-        asked.is_answered |= step != TransferStep::Malformed;
-        let is_of_entry = self.transfer.entry() == Some((asked.index, asked.sub));
-        let answer = match step {
-            TransferStep::Abort(code) => SdoAnswer::Abort(Abort::from(code)),
-            TransferStep::Value | TransferStep::ValueStart(_) if !is_of_entry => return None,
-            TransferStep::Value | TransferStep::LastSegment | TransferStep::BlockEnd => self.value(),
-            TransferStep::Written if self.transfer.is_complete() => SdoAnswer::Done,
+    /// What a response ends, and what still awaits its answer.
+    fn response(
+        sdo: &SdoFrame,
+        transfer: &SdoTransfer,
+        asked: Option<Self>,
+    ) -> (Option<Exchange>, Option<Self>) {
+        let mut asked = match asked {
+            Some(asked) if asked.is_answered_by(sdo, transfer) => asked,
+            // a value whose request the log does not have, or that the client did not wait for
+            asked => {
+                let value = sdo.entry.filter(|_| sdo.step.has_value());
+                let (reset, request) = (None, SdoRequest::Upload);
+                let read = value.map(|(index, sub)| {
+                    let answer = value_of(transfer);
+                    Exchange { reset, index, sub, request, answer }
+                });
+                return (read, asked);
+            }
+        };
+        let answer = match sdo.step {
+            TransferStep::Abort(code) => Some(SdoAnswer::Abort(Abort::from(code))),
+            step if step.has_value() => Some(value_of(transfer)),
+            TransferStep::Written if transfer.is_complete() => Some(SdoAnswer::Done),
             TransferStep::ValueStart(size) => {
                 asked.size = size;
-                return None;
+                None
             }
-            _ => return None,
+            _ => None,
         };
-        self.end(answer)
-    }
-
-    /// The value that the server sent.
-    fn value(&self) -> SdoAnswer {
-        let bytes = self.transfer.data();
-        match <[u8; 4]>::try_from(bytes) {
-            Ok(bytes) if self.transfer.is_padded() => SdoAnswer::Unsized(bytes),
-            _ => SdoAnswer::Bytes(bytes.to_vec()),
+        asked.is_answered = true;
+        match answer {
+            Some(answer) => {
+                asked.sent = transfer.data().to_vec();
+                (Some(asked.end(answer)), None)
+            }
+            None => (None, Some(asked)),
         }
     }
 
-    fn end(&mut self, answer: SdoAnswer) -> Option<Exchange> {
-        let Asked { index, sub, is_download, size, .. } = self.asked.take()?;
+    /// A late response to a transfer that the client gave up does not answer the next one.
+    fn is_answered_by(&self, sdo: &SdoFrame, transfer: &SdoTransfer) -> bool {
+        match sdo.step {
+            TransferStep::Abort(_) => true,
+            TransferStep::Malformed => false,
+            _ if self.is_download => transfer.is_download(),
+            _ => !transfer.is_download() && sdo.entry == Some((self.index, self.sub)),
+        }
+    }
+
+    fn end(self, answer: SdoAnswer) -> Exchange {
+        let Self { index, sub, is_download, sent: mut data, size, .. } = self;
         let request = if is_download {
-            let mut data = self.transfer.data().to_vec();
             // bytes that were not transferred are zeros: a server may refuse the length
             let length = length_of(size).unwrap_or(0).clamp(data.len(), data.len().max(LONGEST));
             data.resize(length, 0);
@@ -188,21 +205,29 @@ impl Channel {
         } else {
             SdoRequest::Upload
         };
-        Some(Exchange { reset: None, index, sub, request, answer })
+        Exchange { reset: None, index, sub, request, answer }
     }
 
     /// The end of a transfer that was not brought to its end.
-    fn give_up(&mut self) -> Option<Exchange> {
-        let asked = self.asked?;
-        match (asked.is_answered, asked.is_download) {
-            (true, false) => self.end(SdoAnswer::Length(length_of(asked.size))),
-            // part of a value was written: nothing is known of the rest
-            (true, true) => {
-                self.asked = None;
-                None
+    fn give_up(self) -> Option<Exchange> {
+        match (self.is_answered, self.is_download) {
+            (true, false) => {
+                let length = length_of(self.size);
+                Some(self.end(SdoAnswer::Length(length)))
             }
-            (false, _) => self.end(SdoAnswer::Silence),
+            // part of a value was written: nothing is known of the rest
+            (true, true) => None,
+            (false, _) => Some(self.end(SdoAnswer::Silence)),
         }
+    }
+}
+
+/// The value that the server sent.
+fn value_of(transfer: &SdoTransfer) -> SdoAnswer {
+    let bytes = transfer.data();
+    match <[u8; 4]>::try_from(bytes) {
+        Ok(bytes) if transfer.is_padded() => SdoAnswer::Unsized(bytes),
+        _ => SdoAnswer::Bytes(bytes.to_vec()),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::{Bus, raw};
 use objdict_document::describe::frames::{DecodedFrame, TransferStep};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::diagnostic::RuleInfo;
-use objdict_model::model::{Access, DataType, Entry};
+use objdict_model::model::{Access, DataType, Entry, PdoKind};
 use objdict_network::Service;
 
 use super::milliseconds;
@@ -28,11 +28,13 @@ pub(super) struct ExpectedFrames {
 impl ExpectedFrames {
     fn of(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> Self {
         let changes = Some(bus.reader.changes().pdos);
-        let bits = bus.reader.mapped_bits(decoded, &raw(frame));
-        let bytes = bits.filter(|bits| (1..=64).contains(bits)).map(|bits| bits.div_ceil(8) as usize);
+        let bytes = bus.reader.mapped_bytes(decoded, &raw(frame));
         let device = decoded.node_id.and_then(|node_id| bus.reader.device(node_id));
         let pdo = match decoded.service {
-            Some(Service::Pdo(pdo)) => device.and_then(|device| device.pdo(pdo.kind, pdo.number)),
+            // only frames of a TPDO are as often as its node sends them
+            Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Tpdo && !decoded.is_predefined() => {
+                device.and_then(|device| device.pdo(pdo.kind, pdo.number))
+            }
             _ => None,
         };
         let inhibit = pdo.as_ref().filter(|pdo| pdo.transmission_type.is_some_and(|kind| kind >= 254));

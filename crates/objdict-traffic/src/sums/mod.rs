@@ -39,6 +39,8 @@ struct MessageSums {
     is_extended: bool,
     kind: FrameKind,
     service: Option<Service>,
+    /// Whether a description or the node itself gives the service this CAN-ID.
+    is_described: bool,
     node_id: Option<u8>,
     cycle: Cycle,
     expected: ExpectedFrames,
@@ -172,15 +174,18 @@ impl BusSums {
                 self.base[can_id as usize & 0x7FF] = at as u16 + 1;
             }
             let DecodedFrame { kind, service, node_id, .. } = *decoded;
+            let is_described = !decoded.is_predefined();
             let (cycle, expected) = Default::default();
-            self.messages.push(MessageSums { can_id, is_extended, kind, service, node_id, cycle, expected });
+            let message =
+                MessageSums { can_id, is_extended, kind, service, is_described, node_id, cycle, expected };
+            self.messages.push(message);
             at
         });
         let Some(message) = self.messages.get_mut(at) else { return };
         if message.kind != decoded.kind && message.kind == FrameKind::BootUp {
             message.kind = decoded.kind;
         }
-        if decoded.kind == FrameKind::Pdo && !frame.is_remote && !is_rpdo(decoded.service) {
+        if decoded.kind == FrameKind::Pdo && !frame.is_remote {
             let last = message.cycle.last;
             for (rule, text) in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
                 let node_id = decoded.node_id.unwrap_or(0);

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::history::NodeEvent;
 use super::{BusSums, MessageSums, NODES, kept, lost, milliseconds};
 use crate::{Bus, DescribedNode};
-use objdict_document::describe::frames::{FrameKind, nmt_state};
+use objdict_document::describe::frames::{FrameKind, nmt_state, raw_bytes};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::model::{CobId, Pdo, PdoKind};
 use objdict_network::Service;
@@ -273,9 +273,9 @@ impl BusSums {
             if stated.as_deref().map(kept) == Some(bytes) {
                 report.as_described += 1;
             } else if report.others.len() < MAX_LISTED && is_setting(described, index, sub) {
-                let said = stated.map_or_else(|| "no value".to_owned(), |bytes| digits(&bytes));
+                let said = stated.map_or_else(|| "no value".to_owned(), |bytes| raw_bytes(&bytes));
                 let entry = bus.reader.entry_name(node_id, (index, sub));
-                report.others.push(format!("{entry}: {} is written, described is {said}", digits(bytes)));
+                report.others.push(format!("{entry}: wrote {}, expected {said}", raw_bytes(bytes)));
             }
         }
         reports
@@ -338,7 +338,7 @@ impl MessageSums {
                 let time = device()?.services().heartbeat_time.filter(|time| *time != 0)?;
                 Some(format!("{time} ms"))
             }
-            (FrameKind::Pdo, Some(Service::Pdo(pdo))) => {
+            (FrameKind::Pdo, Some(Service::Pdo(pdo))) if self.is_described => {
                 described_cycle(&device()?.pdo(pdo.kind, pdo.number)?, sync)
             }
             _ => None,
@@ -401,10 +401,6 @@ fn stated(described: &DescribedNode, node_id: u8, index: u16, sub: u8) -> Option
     let value = object.value(sub)?;
     let data_type = object.entry(sub)?.implied_type()?;
     value.resolve(data_type, node_id).unwrap_or_else(|| value.clone().into_owned()).to_bytes(data_type)
-}
-
-fn digits(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" ")
 }
 
 fn rate(count: u64, seconds: f64) -> f64 {

@@ -99,6 +99,11 @@ impl DecodedFrame {
     pub(super) const fn new(kind: FrameKind, service: Option<Service>, node_id: Option<u8>) -> Self {
         Self { kind, service, node_id, sdo: None, user: 0 }
     }
+
+    /// Whether no node is known to use the CAN-ID: the service is the one that the predefined connection set gives it.
+    pub const fn is_predefined(&self) -> bool {
+        self.user == usize::MAX
+    }
 }
 
 /// A frame of an SDO transfer.

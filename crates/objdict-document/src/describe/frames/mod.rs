@@ -19,8 +19,8 @@ pub use self::sdo::SdoTransfer;
 use self::sdo::Transfers;
 use self::signals::SignalPlace;
 pub use self::signals::{PdoSignal, SignalReading};
-pub use self::talker::Talker;
 use self::talker::{Nodes, TalkingNode};
+pub use self::talker::{Talker, raw_bytes};
 use self::users::{CanIdUser, Stale, Users};
 use super::Decoder;
 use crate::model::{Device, PdoKind, Value};
@@ -66,13 +66,12 @@ impl<'a> FrameReader<'a> {
     /// A reader of the frames of these nodes, which are all nodes.
     pub fn new(talkers: Vec<Talker<'a>>) -> Self {
         let nodes = Nodes::new(talkers);
-        let mut users = Users::default();
-        nodes.iter().for_each(|node| users.update(node, Stale::All));
+        let stale = nodes.iter().map(|node| (node.node_id, Stale::All)).collect();
         Self {
             nodes,
-            users,
+            users: Users::default(),
             transfers: Transfers::default(),
-            stale: BTreeSet::new(),
+            stale,
             guarded: 0,
             has_defaults: false,
             changes: Changes::default(),
@@ -127,13 +126,14 @@ impl<'a> FrameReader<'a> {
     pub fn decode(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
         let RawFrame { can_id, is_extended, is_remote, data } = *frame;
         let node_id = (can_id & 0x7F) as u8;
-        if is_extended {
+        self.find_users();
+        if is_extended || self.is_channel(frame) {
             return self.configured(frame);
         }
         match can_id {
             0 => self.command(data),
-            0x581..=0x5FF => self.sdo((node_id, 1), data, false),
-            0x601..=0x67F => self.sdo((node_id, 1), data, true),
+            0x581..=0x5FF if !is_remote => self.sdo((node_id, 1), data, false),
+            0x601..=0x67F if !is_remote => self.sdo((node_id, 1), data, true),
             0x701..=0x77F => {
                 let kind = self.error_control(node_id, data, is_remote);
                 DecodedFrame::new(kind, Some(Service::ErrorControl), Some(node_id))
@@ -182,9 +182,14 @@ impl<'a> FrameReader<'a> {
         Some((node, SignalPlace::multiplexed(node, entry), u32::from_le_bytes(bytes).into()))
     }
 
-    /// The number of bits that are mapped into a PDO, if that is known.
-    pub fn mapped_bits(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<u32> {
-        self.user(decoded, frame)?.content.bits
+    /// The number of bytes of a PDO by its mapping, if that is known.
+    pub fn mapped_bytes(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<usize> {
+        self.user(decoded, frame)?.content.bytes()
+    }
+
+    /// The SDO transfer of a frame, after it.
+    pub fn transfer(&self, decoded: &DecodedFrame) -> Option<&SdoTransfer> {
+        self.transfers.get((decoded.node_id?, decoded.sdo?.channel))
     }
 
     /// The value of an SDO transfer that is complete with this frame: its bytes, and the value where its type is known.
@@ -279,10 +284,12 @@ impl<'a> FrameReader<'a> {
 
     fn sdo(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> DecodedFrame {
         let (node_id, _) = channel;
-        let is_download = self.transfers.is_download(channel);
+        let is_download = self.transfers.get(channel).is_some_and(SdoTransfer::is_download);
         let sdo = self.transfers.frame(channel, data, is_request);
+        if self.has_defaults && sdo.entry.is_some() {
+            self.nodes.add_unknown(node_id);
+        }
         if let Some(entry) = sdo.entry {
-            self.learn(node_id, entry);
             let is_accepted = is_download && !is_request && sdo.step == TransferStep::Written;
             let is_answer = !is_download && !is_request && sdo.step.has_value();
             if COMMUNICATION.contains(&entry.0) && (is_accepted || is_answer) {
@@ -294,17 +301,6 @@ impl<'a> FrameReader<'a> {
         DecodedFrame { sdo: Some(sdo), ..decoded }
     }
 
-    /// Gives a node without a description an entry, as the documents define it.
-    fn learn(&mut self, node_id: u8, entry: (u16, u8)) {
-        if !self.has_defaults {
-            return;
-        }
-        self.nodes.add_unknown(node_id);
-        if let Some(node) = self.nodes.get_mut(node_id) {
-            node.learn(entry);
-        }
-    }
-
     /// Takes a value that a node has accepted, or has sent as an answer.
     fn take(&mut self, (node_id, channel): (u8, u16), entry: (u16, u8), is_accepted: bool) {
         let bytes = self.nodes.transferred(&self.transfers, (node_id, channel), entry);
@@ -313,12 +309,7 @@ impl<'a> FrameReader<'a> {
             (0x1010, 1 | 2) if is_accepted && bytes == b"save" => return node.store(),
             (0x1011, 1 | 2) if is_accepted && bytes == b"load" => return node.restore(),
             (0x1010 | 0x1011, _) => return,
-            // the objects that a node without a description maps have names too
-            (0x1600..=0x17FF | 0x1A00..=0x1BFF, 1..) => {
-                if let &[_, sub, low, high] = bytes {
-                    node.learn((u16::from_le_bytes([low, high]), sub));
-                }
-            }
+            _ if self.has_defaults => node.learn(entry),
             _ => {}
         }
         if node.take(entry, bytes) {
@@ -326,18 +317,36 @@ impl<'a> FrameReader<'a> {
         }
     }
 
-    /// A frame of a service whose CAN-ID is in the dictionary.
-    fn configured(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
+    /// Finds the services of nodes whose values have changed.
+    fn find_users(&mut self) {
         for (node_id, stale) in std::mem::take(&mut self.stale) {
-            if let Some(node) = self.nodes.get(node_id) {
+            if let Some(node) = self.nodes.get_mut(node_id) {
+                if self.has_defaults {
+                    node.learn_mapped(stale);
+                }
                 self.users.update(node, stale);
             }
         }
+    }
+
+    /// Whether an SDO channel of a description has the CAN-ID that is a default one of a node without a description.
+    fn is_channel(&self, frame: &RawFrame<'_>) -> bool {
+        let is_sdo = |user: &CanIdUser| matches!(user.service, Service::SdoRequest | Service::SdoResponse);
+        matches!(frame.can_id, 0x581..=0x5FF | 0x601..=0x67F)
+            && self.users.of(users::key(frame.can_id, false)).is_some_and(|(_, user)| is_sdo(user))
+            && !self.is_described((frame.can_id & 0x7F) as u8)
+    }
+
+    /// A frame of a service whose CAN-ID is in the dictionary.
+    fn configured(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
         let key = users::key(frame.can_id, frame.is_extended);
         let Some((at, &CanIdUser { node_id, service, channel, .. })) = self.users.of(key) else {
             return self.predefined(frame);
         };
         if let Service::SdoRequest | Service::SdoResponse = service {
+            if frame.is_remote {
+                return DecodedFrame::UNKNOWN;
+            }
             return self.sdo((node_id, channel), frame.data, service == Service::SdoRequest);
         }
         let kind = match service {
@@ -351,10 +360,10 @@ impl<'a> FrameReader<'a> {
         DecodedFrame { user: at, ..DecodedFrame::new(kind, Some(service), node_id) }
     }
 
-    /// A frame of a node without a description, by the predefined connection set.
+    /// A frame that no description has, by the predefined connection set.
     fn predefined(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
         let node_id = (frame.can_id & 0x7F) as u8;
-        let is_node = node_id != 0 && !self.is_described(node_id);
+        let is_node = node_id != 0;
         let pdo = |kind| Service::pdo(kind, (frame.can_id >> 8) as u16 - u16::from(kind == PdoKind::Rpdo));
         let (kind, service) = match frame.can_id {
             _ if !self.has_defaults || frame.is_extended => (FrameKind::Unknown, None),

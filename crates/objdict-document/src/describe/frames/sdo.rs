@@ -19,6 +19,10 @@ pub struct SdoTransfer {
     data: Vec<u8>,
     is_padded: bool,
     is_complete: bool,
+    /// Whether a download was asked for and has not ended.
+    is_open: bool,
+    /// The download that a late answer to an earlier upload came between.
+    interrupted: Option<Box<SdoTransfer>>,
     blocks: Option<Blocks>,
 }
 
@@ -54,9 +58,9 @@ impl Transfers {
         &transfer.data[..shown]
     }
 
-    /// Whether the server answers to a download.
-    pub(super) fn is_download(&self, channel: (u8, u16)) -> bool {
-        self.0.get(&channel).is_some_and(|transfer| transfer.is_download)
+    /// The transfer of a channel.
+    pub(super) fn get(&self, channel: (u8, u16)) -> Option<&SdoTransfer> {
+        self.0.get(&channel)
     }
 }
 
@@ -77,7 +81,11 @@ fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
 impl SdoTransfer {
     /// Processes a frame from the client (a request) or the server, and returns the step that it makes.
     pub fn frame(&mut self, data: &[u8], is_request: bool) -> TransferStep {
-        match whole(data, is_request) {
+        let whole = whole(data, is_request);
+        if let Some(bytes) = whole {
+            self.resume(bytes, is_request);
+        }
+        match whole {
             Some(bytes) if self.has_segment(is_request, bytes[0]) => self.block_segment(bytes),
             Some(bytes) if is_request => self.request(bytes),
             Some(bytes) => self.response(bytes),
@@ -85,15 +93,16 @@ impl SdoTransfer {
         }
     }
 
-    /// Whether a frame of the client begins another transfer.
-    pub fn is_begun_by(&self, data: &[u8]) -> bool {
-        let bytes = whole(data, true).filter(|[command, ..]| !self.has_segment(true, *command));
-        bytes.is_some_and(|[command, ..]| match command >> 5 {
-            1 | 2 => true,
-            5 => command & 3 == 0,
-            6 => command & 1 == 0,
-            _ => false,
-        })
+    /// Goes on with an interrupted download when its client or its server does.
+    fn resume(&mut self, bytes: [u8; 8], is_request: bool) {
+        let goes_on = |download: &mut Box<Self>| match bytes[0] >> 5 {
+            1 | 3 | 5 => true,
+            4 => download.entry == Some(entry_of(bytes)),
+            _ => is_request,
+        };
+        if let Some(download) = self.interrupted.take_if(goes_on) {
+            *self = *download;
+        }
     }
 
     /// Index and sub-index; `None` before the first transfer.
@@ -160,10 +169,10 @@ impl SdoTransfer {
         match command >> 5 {
             3 => {
                 self.entry = Some(entry_of(bytes));
-                if self.is_complete { TransferStep::Written } else { TransferStep::Expected }
+                if self.is_complete && self.is_download { self.written() } else { TransferStep::Expected }
             }
             2 => {
-                self.begin(bytes, false);
+                self.answer(bytes);
                 let Some(value) = expedited(command, value) else {
                     return TransferStep::ValueStart(stated_size(command & 1 != 0, value));
                 };
@@ -172,13 +181,13 @@ impl SdoTransfer {
                 self.is_complete = true;
                 TransferStep::Value
             }
-            1 if self.is_complete => TransferStep::Written,
+            1 if self.is_complete && self.is_download => self.written(),
             1 => TransferStep::Accepted,
             0 => self.segment(bytes, false),
             4 => self.abort(bytes),
             5 => self.block_download(bytes),
             6 if command & 1 == 0 => {
-                self.begin(bytes, false);
+                self.answer(bytes);
                 self.blocks = Some(Blocks::default());
                 TransferStep::ValueStart(stated_size(command & 2 != 0, value))
             }
@@ -190,7 +199,20 @@ impl SdoTransfer {
     fn begin(&mut self, bytes: [u8; 8], is_download: bool) {
         let mut data = std::mem::take(&mut self.data);
         data.clear();
-        *self = Self { entry: Some(entry_of(bytes)), is_download, data, ..Self::default() };
+        let (entry, is_open) = (Some(entry_of(bytes)), is_download);
+        *self = Self { entry, is_download, is_open, data, ..Self::default() };
+    }
+
+    /// The server answers to an upload: during a download, to one that the client has given up.
+    fn answer(&mut self, bytes: [u8; 8]) {
+        let interrupted = self.is_open.then(|| Box::new(std::mem::take(self)));
+        self.begin(bytes, false);
+        self.interrupted = interrupted;
+    }
+
+    const fn written(&mut self) -> TransferStep {
+        self.is_open = false;
+        TransferStep::Written
     }
 
     fn abort(&mut self, bytes: [u8; 8]) -> TransferStep {
@@ -264,7 +286,7 @@ impl SdoTransfer {
                 self.open();
                 TransferStep::Expected
             }
-            1 => TransferStep::Written,
+            1 => self.written(),
             2 => self.block_accepted(number),
             _ => TransferStep::Unknown(command),
         }

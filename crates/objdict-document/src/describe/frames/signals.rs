@@ -109,6 +109,11 @@ impl PdoContent {
         Self { places: places.collect(), bits: if is_multiplexed { Some(64) } else { bits }, is_multiplexed }
     }
 
+    /// The bytes of its frames; `None` if the description does not say.
+    pub(super) fn bytes(&self) -> Option<usize> {
+        self.bits.filter(|bits| (1..=64).contains(bits)).map(|bits| bits.div_ceil(8) as usize)
+    }
+
     /// The values in a frame.
     pub(super) fn signals<'r>(
         &'r self,
@@ -141,7 +146,7 @@ impl SignalPlace {
         Self {
             index,
             sub,
-            name: node.device.entry(index, sub).map_or_else(String::new, |entry| entry.name.to_string()),
+            name: node.entry_name((index, sub)).into_owned(),
             start: 0,
             end: bits.unwrap_or(32),
             data_type: data_type.filter(|_| bits.is_some()),
@@ -176,7 +181,7 @@ impl SignalPlace {
         let scaled =
             self.scaled.as_ref().zip(value.as_ref()).and_then(|(scaled, value)| scaled.number(value));
         let text = match (&value, raw) {
-            (Some(value), _) => node.words_in((self.index, self.sub), value, || self.scaled.clone()),
+            (Some(value), _) => node.words_in(self.entry(), value, self.data_type, || self.scaled.clone()),
             (None, Some(raw)) => format!("{raw:X}h"),
             (None, None) => String::new(),
         };
@@ -199,16 +204,6 @@ impl PdoSignal<'_> {
     pub(super) fn into_owned(self) -> PdoSignal<'static> {
         let (name, unit) = (self.name.into_owned().into(), self.unit.into_owned().into());
         PdoSignal { name, unit, ..self }
-    }
-
-    /// `6041:00 Statusword = 1591 (state: operation enabled)`.
-    pub(super) fn in_words(&self) -> String {
-        let Self { index, sub, name, text, .. } = self;
-        let named = if name.is_empty() { String::new() } else { format!(" {name}") };
-        match self.raw {
-            Some(_) => format!("{index:04X}:{sub:02X}{named} = {text}"),
-            None => format!("{index:04X}:{sub:02X}{named} is missing"),
-        }
     }
 }
 

@@ -1,14 +1,16 @@
 //! The nodes of a bus and their entries in words.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::sdo::Transfers;
+use super::users::Stale;
 use crate::dbc::{Scaled, scaling_of};
 use crate::describe::{Decoder, ValueReader};
-use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Value};
+use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Pdo, Value};
 use crate::profile;
 
-/// The most entries that are added to a node without a description.
+/// The most entries that a node has beyond its description.
 const MAX_LEARNT: usize = 4096;
 
 /// A node whose frames are read. Its device has the values with which the node runs.
@@ -33,7 +35,8 @@ pub(super) struct TalkingNode<'a> {
     /// The values after a reset.
     start: Cow<'a, Device>,
     pub(super) device: Cow<'a, Device>,
-    learnt: usize,
+    /// The entries of `device` that no description has, or of which none has a value.
+    learnt: BTreeSet<(u16, u8)>,
 }
 
 impl<'a> TalkingNode<'a> {
@@ -45,7 +48,7 @@ impl<'a> TalkingNode<'a> {
             described: Cow::Borrowed(device),
             start: Cow::Borrowed(device),
             device: Cow::Borrowed(device),
-            learnt: 0,
+            learnt: BTreeSet::new(),
         }
     }
 }
@@ -79,15 +82,20 @@ impl<'a> Nodes<'a> {
         if self.get(node_id).is_none() {
             let name = Cow::Owned(format!("node {node_id}"));
             let [described, start, device] = std::array::from_fn(|_| Cow::Owned(Device::default()));
-            self.add(TalkingNode { name, node_id, is_described: false, described, start, device, learnt: 0 });
+            let (is_described, learnt) = (false, BTreeSet::new());
+            self.add(TalkingNode { name, node_id, is_described, described, start, device, learnt });
         }
     }
 
     /// Describes a node, which so far may be one without a description.
     pub(super) fn describe(&mut self, talker: Talker<'a>) {
-        let node = TalkingNode::of_talker(talker);
+        let mut node = TalkingNode::of_talker(talker);
         match self.by_id.get(usize::from(node.node_id)).copied().flatten() {
-            Some(at) => self.all[usize::from(at)] = node,
+            Some(at) => {
+                let former = &mut self.all[usize::from(at)];
+                node.take_over(former);
+                *former = node;
+            }
             None => self.add(node),
         }
     }
@@ -123,68 +131,119 @@ impl<'a> Nodes<'a> {
     }
 
     /// `1017:00 Producer heartbeat time`.
-    pub(super) fn entry(&self, node_id: u8, (index, sub): (u16, u8)) -> String {
-        let entry = self.get(node_id).and_then(|node| Some(node.device.entry(index, sub)?.name.clone()));
-        match entry.filter(|name| !name.is_empty()) {
-            Some(name) => format!("{index:04X}:{sub:02X} {name}"),
-            None => format!("{index:04X}:{sub:02X}"),
-        }
+    pub(super) fn entry(&self, node_id: u8, entry: (u16, u8)) -> String {
+        named(entry, &self.get(node_id).map_or(Cow::default(), |node| node.entry_name(entry)))
     }
 
-    /// The same with a value.
+    /// The same, and whether the description has the entry.
+    pub(super) fn marked_entry(&self, node_id: u8, entry: (u16, u8)) -> String {
+        self.entry(node_id, entry) + self.get(node_id).map_or("", |node| node.missing_mark(entry))
+    }
+
+    /// The same with a value, and with its length if that is not as described.
     pub(super) fn value(&self, node_id: u8, entry: (u16, u8), bytes: &[u8]) -> String {
-        let value = self.get(node_id).and_then(|node| Some((node, node.value_of(entry, bytes)?)));
-        match value {
-            Some((node, value)) => node.described(entry, &value),
-            None => format!("{} = {}", self.entry(node_id, entry), digits(bytes)),
-        }
+        let node = self.get(node_id);
+        let words = node.and_then(|node| node.words(entry, bytes)).unwrap_or_else(|| raw_bytes(bytes));
+        let length = node.and_then(|node| node.data_type(entry)?.byte_length());
+        let other = length.and_then(|length| other_length(bytes.len(), length.into())).unwrap_or_default();
+        format!("{} = {words}{other}", self.marked_entry(node_id, entry))
     }
 }
 
-/// `01 0A`.
-pub(super) fn digits(bytes: &[u8]) -> String {
-    let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+/// `1017:00 Producer heartbeat time`; without a name the address alone.
+pub(super) fn named((index, sub): (u16, u8), name: &str) -> String {
+    if name.is_empty() { format!("{index:04X}:{sub:02X}") } else { format!("{index:04X}:{sub:02X} {name}") }
+}
+
+/// Bytes that no type makes a value: `01h 25h`.
+pub fn raw_bytes(bytes: &[u8]) -> String {
+    let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}h")).collect();
     digits.join(" ")
 }
 
+/// A text whose last character may be a control character: `STT<00h>`.
+fn escaped_end(text: &str) -> String {
+    match text.strip_suffix(char::is_control) {
+        Some(start) => format!("{start}<{:02X}h>", text[start.len()..].chars().next().map_or(0, u32::from)),
+        None => text.to_owned(),
+    }
+}
+
+/// The length of a value or a PDO beside the described one: ` (6 bytes, expected 3)`.
+pub(super) fn other_length(is: usize, expected: usize) -> Option<String> {
+    let unit = if is == 1 { "byte" } else { "bytes" };
+    (is != expected).then(|| format!(" ({is} {unit}, expected {expected})"))
+}
+
+/// What is said of a thing that the description of its node lacks.
+pub(super) const MISSING: &str = " (not in the description)";
+
 impl TalkingNode<'_> {
+    /// The name of an entry, as the device has it, else as the documents of its profile, CiA 301 and CiA 302 do.
+    pub(super) fn entry_name(&self, (index, sub): (u16, u8)) -> Cow<'_, str> {
+        let own = self.device.entry(index, sub).map(|entry| entry.name.to_string());
+        match own.filter(|name| !name.is_empty()) {
+            Some(name) => name.into(),
+            None => profile::entry(&self.device, index, sub).map_or("", |(name, _)| name).into(),
+        }
+    }
+
+    /// What is said of an entry that the description lacks.
+    pub(super) fn missing_mark(&self, (index, sub): (u16, u8)) -> &'static str {
+        if self.is_described && self.described.entry(index, sub).is_none() { MISSING } else { "" }
+    }
+
     /// The type of an entry.
-    pub(super) fn data_type(&self, (index, sub): (u16, u8)) -> Option<DataType> {
-        let object = self.device.object(index)?;
-        let entry = object.entry(sub)?;
-        let of_count = || DataType::of_sub_0(index).filter(|_| sub == 0 && object.object_type().has_subs());
-        entry.implied_type().or_else(of_count)
+    pub(super) fn data_type(&self, entry: (u16, u8)) -> Option<DataType> {
+        self.data_types(entry).next()
     }
 
-    /// The value that bytes of an SDO are.
+    /// The types of an entry: as the device has it, and as the documents do.
+    fn data_types(&self, (index, sub): (u16, u8)) -> impl Iterator<Item = DataType> {
+        let own = || {
+            let object = self.device.object(index)?;
+            let of_count =
+                || DataType::of_sub_0(index).filter(|_| sub == 0 && object.object_type().has_subs());
+            object.entry(sub)?.implied_type().or_else(of_count)
+        };
+        let of_documents = profile::entry(&self.device, index, sub).and_then(|(_, data_type)| data_type);
+        own().into_iter().chain(of_documents)
+    }
+
+    /// The value that bytes of an SDO are. A value of another length than described may be as the documents have it.
     pub(super) fn value_of(&self, entry: (u16, u8), bytes: &[u8]) -> Option<Value> {
-        Value::from_bytes(bytes, self.data_type(entry)?)
+        self.typed(entry, bytes).map(|(value, _)| value)
     }
 
-    /// An entry with a value: `6041:00 Statusword = 1591 (state: operation enabled)`.
-    pub(super) fn described(&self, (index, sub): (u16, u8), value: &Value) -> String {
-        let entry = self.device.entry(index, sub);
-        let name = entry.as_ref().map_or("", |entry| &entry.name);
-        let named = if name.is_empty() { String::new() } else { format!(" {name}") };
-        format!("{index:04X}:{sub:02X}{named} = {}", self.words((index, sub), value))
+    fn typed(&self, entry: (u16, u8), bytes: &[u8]) -> Option<(Value, DataType)> {
+        self.data_types(entry).find_map(|data_type| Some((Value::from_bytes(bytes, data_type)?, data_type)))
     }
 
     /// A value with its meaning or its unit: `1591 (state: operation enabled)`, `1200 (120 mm)`.
-    fn words(&self, (index, sub): (u16, u8), value: &Value) -> String {
-        let scaling = || scaling_of(&self.described, &self.meanings(), (index, sub));
-        self.words_in((index, sub), value, scaling)
+    fn words(&self, entry: (u16, u8), bytes: &[u8]) -> Option<String> {
+        let (value, data_type) = self.typed(entry, bytes)?;
+        let scaling = || scaling_of(&self.described, &self.meanings(), entry);
+        Some(self.words_in(entry, &value, Some(data_type), scaling))
     }
 
-    /// The same with a scale and a unit that are known.
+    /// The same with a type, a scale and a unit that are known.
     pub(super) fn words_in(
         &self,
         (index, sub): (u16, u8),
         value: &Value,
+        data_type: Option<DataType>,
         scaling: impl FnOnce() -> Option<Scaled>,
     ) -> String {
         let node_id = Some(self.node_id);
-        let short = ValueReader { index, node_id }.short(Some(value), self.data_type((index, sub)));
-        let decoder = Decoder { is_complete: self.is_described, ..Decoder::english(&self.device, node_id) };
+        let short = match value {
+            Value::Bytes(bytes) => raw_bytes(bytes),
+            Value::Text(text) if text.contains(char::is_control) => {
+                text.split_inclusive(char::is_control).map(escaped_end).collect()
+            }
+            value => ValueReader { index, node_id }.short(Some(value), data_type),
+        };
+        let description = Some(&*self.described).filter(|_| self.is_described);
+        let decoder = Decoder { description, ..Decoder::english(&self.device, node_id) };
         match decoder.of(index, sub, value) {
             Some(meaning) => match self.command(index, value) {
                 Some(command) => format!("{short} (command: {command}, {meaning})"),
@@ -243,15 +302,34 @@ impl TalkingNode<'_> {
         self.described.meanings()
     }
 
-    /// Adds an entry that no description has, as the documents define it, so that it has a name and a type.
+    /// Adds the entries that PDOs map and no description has.
+    pub(super) fn learn_mapped(&mut self, stale: Stale) {
+        let entries = |pdo: Pdo<'_>| -> Vec<_> {
+            let objects = pdo.slots.iter().filter_map(|slot| slot.object);
+            objects.map(|object| (object.index, object.sub)).collect()
+        };
+        let entries: Vec<(u16, u8)> = match stale {
+            Stale::Pdo(kind, number) => self.device.pdo(kind, number).map(entries).unwrap_or_default(),
+            Stale::All => self.device.pdos().flat_map(entries).collect(),
+            Stale::Others => return,
+        };
+        entries.into_iter().for_each(|entry| self.learn(entry));
+    }
+
+    /// Adds an entry that no description has, as the documents define it, so that it can have a value.
     pub(super) fn learn(&mut self, (index, sub): (u16, u8)) {
-        if self.is_described || self.learnt >= MAX_LEARNT || self.device.entry(index, sub).is_some() {
+        if self.learnt.len() >= MAX_LEARNT || self.device.entry(index, sub).is_some() {
             return;
         }
         let facts = profile::of_object(&self.device, index)
             .find_map(|(_, facts)| Some((facts.name, facts.object_type(), facts.entry(sub)?)));
         let Some((name, object_type, facts)) = facts else { return };
-        self.learnt += 1;
+        let described = self.device.object(index);
+        if described.is_some_and(|object| object.object_type().has_subs() != object_type.has_subs()) {
+            // what the description has would become something else
+            return;
+        }
+        self.learnt.insert((index, sub));
         let entry_name = if facts.name.is_empty() { name } else { facts.name };
         let entry = Entry {
             name: entry_name.into(),
@@ -280,6 +358,10 @@ impl TalkingNode<'_> {
         });
         if !is_known {
             self.device.to_mut().assign(&[Assignment { index, sub, value }]);
+            let is_stated = self.start.entry(index, sub).is_some_and(|entry| entry.value().is_some());
+            if !is_stated && self.learnt.len() < MAX_LEARNT {
+                self.learnt.insert((index, sub));
+            }
         }
         !is_known
     }
@@ -305,7 +387,29 @@ impl TalkingNode<'_> {
         if !self.is_described || matches!(self.device, Cow::Borrowed(_)) {
             return false;
         }
-        self.device = self.start.clone();
+        let running = std::mem::replace(&mut self.device, self.start.clone());
+        let mut kept = std::mem::take(&mut self.learnt);
+        // what the device is, no reset changes
+        kept.insert((0x1000, 0));
+        self.take_seen(&running, &kept);
         true
+    }
+
+    /// Takes what was seen of a node before its description was known.
+    fn take_over(&mut self, former: &Self) {
+        if !former.is_described {
+            self.take_seen(&former.device, &former.learnt);
+        }
+    }
+
+    /// Takes entries with the values that they have in a device.
+    fn take_seen(&mut self, from: &Device, entries: &BTreeSet<(u16, u8)>) {
+        for &(index, sub) in entries {
+            self.learn((index, sub));
+            let value = |device: &Device| device.entry(index, sub).and_then(|entry| entry.value().cloned());
+            if let Some(value) = value(from).filter(|seen| value(&self.device).as_ref() != Some(seen)) {
+                self.device.to_mut().assign(&[Assignment { index, sub, value }]);
+            }
+        }
     }
 }

@@ -80,7 +80,7 @@ fn values_are_written_and_read() {
     let expected = [
         "drive: write 1017:00 Producer heartbeat time = 300 (300 ms)",
         "drive: 1017:00 is written",
-        "drive: write 1000:00 Device type = 01 00",
+        "drive: write 1000:00 Device type = 01h 00h (2 bytes, expected 4)",
         "drive: 1000:00 Device type: SDO abort 06010002h: attempt to write a read-only entry",
         "drive: read 1000:00 Device type",
         "drive: 1000:00 Device type = 0x20192 (device profile CiA 402 (drives), additional information 0x0002 (servo drive))",
@@ -141,10 +141,10 @@ fn pdos_and_emergencies() {
     ]);
     let expected = [
         "drive TPDO 1: 6041:00 Statusword = 39, 6061:00 Modes of operation display = -1",
-        "drive TPDO 1: 6041:00 Statusword = 39, 6061:00 Modes of operation display is missing",
+        "drive TPDO 1 (2 bytes, expected 3): 6041:00 Statusword = 39, 6061:00 Modes of operation display is missing",
         "to drive RPDO 1: 6040:00 Controlword = 15",
         "drive EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)",
-        "drive EMCY 8210h (PDO too short, not processed), error register 11h (generic error, communication), 01 00 00 00 00",
+        "drive EMCY 8210h (PDO too short, not processed), error register 11h (generic error, communication), 01h 00h 00h 00h 00h",
         "not a service of a known node",
     ];
     assert_eq!(words, expected);
@@ -267,8 +267,8 @@ fn nodes_without_a_description() {
         (0x1C5, &[]),
     ]);
     let expected = [
-        "node 7 TPDO 1: 01 02",
-        "to node 7 RPDO 2: 03",
+        "node 7 TPDO 1: 01h 02h",
+        "to node 7 RPDO 2: 03h",
         "node 7: read 1017:00 Producer heartbeat time",
         "node 7: 1017:00 Producer heartbeat time = 300 (300 ms)",
         "node 7: 1000:00 Device type = 0x20192 (device profile CiA 402 (drives), additional information 0x0002 (servo drive))",
@@ -278,7 +278,7 @@ fn nodes_without_a_description() {
         "request of a dynamic SDO connection",
         "LSS master: configure node-ID 5",
         "LSS node: node-ID is accepted",
-        "drive TPDO 1: 6041:00 Statusword = 39, 6061:00 Modes of operation display is missing",
+        "drive TPDO 1 (2 bytes, expected 3): 6041:00 Statusword = 39, 6061:00 Modes of operation display is missing",
         "node 69 TPDO 1: ",
     ];
     assert_eq!(words, expected);
@@ -315,8 +315,11 @@ fn a_multiplexed_pdo_names_its_entry() {
         "drive TPDO 1: to all nodes: 1017:00 Producer heartbeat time = 1000 (1000 ms)"
     );
     let of_other = [6, 0, 0x21, 1, 1, 2, 3, 4];
-    assert_eq!(words(0x205, &of_other), "to drive RPDO 1: of other: 2100:01 = 4030201h");
-    assert_eq!(words(0x205, &[6, 0, 0x21]), "to drive RPDO 1: MPDO of 3 bytes");
+    assert_eq!(
+        words(0x205, &of_other),
+        "to drive RPDO 1: of other: 2100:01 (not in the description) = 4030201h"
+    );
+    assert_eq!(words(0x205, &[6, 0, 0x21]), "to drive RPDO 1 (3 bytes, expected 8): MPDO 06h 00h 21h");
     let frame = RawFrame { can_id: 0x185, is_extended: false, is_remote: false, data: &to_other };
     let decoded = reader.decode(&frame);
     assert_eq!(reader.values(&decoded, &frame), [(6, (0x6061, 0), Value::Signed(-1))]);
@@ -330,7 +333,7 @@ fn restored_defaults_count_from_the_next_reset() {
     mapped.configured_mut().value = Some(Value::Unsigned(1));
     let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
     let mut words = |can_id, data: &[u8]| reader.read(can_id, data, false).text;
-    let configured = "drive TPDO 1: 6041:00 Statusword = 7";
+    let configured = "drive TPDO 1 (3 bytes, expected 2): 6041:00 Statusword = 7";
     assert_eq!(words(0x185, &[7, 0, 8]), configured);
     words(0x605, &[0x23, 0x11, 0x10, 1, b'l', b'o', b'a', b'd']);
     words(0x585, &[0x60, 0x11, 0x10, 1, 0, 0, 0, 0]);

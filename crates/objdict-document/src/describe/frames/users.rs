@@ -106,9 +106,11 @@ impl Users {
         add(emcy.filter(|emcy| emcy.is_valid()), Service::Emcy, 0);
         let servers = services.sdo_servers.iter().filter(|server| server.number > 1);
         for SdoChannel { number, request, response, .. } in servers {
-            let valid = |cob_id: &Option<CobId>| cob_id.filter(|cob_id| cob_id.is_valid());
-            add(valid(request), Service::SdoRequest, *number);
-            add(valid(response), Service::SdoResponse, *number);
+            // a channel is off as soon as one of its COB-IDs is (CiA 301 §7.5.2.33)
+            if [request, response].iter().all(|cob_id| cob_id.is_some_and(CobId::is_valid)) {
+                add(*request, Service::SdoRequest, *number);
+                add(*response, Service::SdoResponse, *number);
+            }
         }
     }
 

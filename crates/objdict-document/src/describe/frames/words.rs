@@ -3,8 +3,8 @@
 use objdict_network::Service;
 
 use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
-use super::signals::{self, Multiplexer};
-use super::talker::{TalkingNode, digits};
+use super::signals::{self, Multiplexer, PdoSignal};
+use super::talker::{MISSING, TalkingNode, named, other_length, raw_bytes};
 use super::{FrameReader, lss, nmt_state, users};
 use crate::describe::{Decoder, time};
 use crate::model::PdoKind;
@@ -26,13 +26,13 @@ impl FrameReader<'_> {
             },
             FrameKind::Time => time_stamp(data),
             FrameKind::Emcy => match decoded.node_id.and_then(|node_id| self.nodes.get(node_id)) {
-                Some(node) => emergency(node, data),
+                Some(node) => emergency(node, data, self.missing_mark(decoded)),
                 None => String::new(),
             },
             FrameKind::Pdo if frame.is_remote => request(decoded, &name()),
             FrameKind::Pdo => self.pdo(decoded, frame, &name()),
             FrameKind::Sdo => match (decoded.node_id, &decoded.sdo) {
-                (Some(node_id), Some(sdo)) => self.transfer(node_id, sdo, data),
+                (Some(node_id), Some(sdo)) => self.transfer_words(node_id, sdo, data),
                 _ => String::new(),
             },
             FrameKind::Guarding if frame.is_remote => format!("guarding request to {}", name()),
@@ -62,11 +62,13 @@ impl FrameReader<'_> {
     fn pdo(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>, name: &str) -> String {
         let service = decoded.service.map_or_else(String::new, |service| service.to_string());
         let is_rpdo = matches!(decoded.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Rpdo);
-        let values: Vec<String> =
-            self.signals(decoded, frame).iter().map(super::PdoSignal::in_words).collect();
         let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
         let is_multiplexed = user.is_some_and(|user| user.content.is_multiplexed);
         let multiplexer = signals::multiplexed(frame.data).filter(|_| is_multiplexed);
+        let owner = multiplexer.and_then(|(multiplexer, ..)| self.nodes.get(multiplexer.node_id()));
+        let owner = owner.or_else(|| self.nodes.get(decoded.node_id?));
+        let signals = self.signals(decoded, frame);
+        let values: Vec<String> = signals.iter().map(|signal| signal_words(owner, signal)).collect();
         let content = match (values.as_slice(), multiplexer) {
             ([value, ..], Some((Multiplexer::To(0), ..))) => format!("to all nodes: {value}"),
             ([value, ..], Some((Multiplexer::To(node_id), ..))) => {
@@ -75,18 +77,30 @@ impl FrameReader<'_> {
             ([value, ..], Some((Multiplexer::Of(node_id), ..))) => {
                 format!("of {}: {value}", self.nodes.name(node_id))
             }
-            ([], _) if is_multiplexed => format!("MPDO of {} bytes", frame.data.len()),
-            ([], _) if user.is_some() => "nothing is mapped".to_owned(),
-            ([], _) => digits(frame.data),
+            ([], _) if is_multiplexed => format!("MPDO {}", raw_bytes(frame.data)),
+            ([], _) if user.is_some() && frame.data.is_empty() => "nothing is mapped".to_owned(),
+            ([], _) if user.is_some() => format!("{}, nothing is mapped", raw_bytes(frame.data)),
+            ([], _) => raw_bytes(frame.data),
             (values, None) => values.join(", "),
         };
-        format!("{}{name} {service}: {content}", if is_rpdo { "to " } else { "" })
+        let expected = self.mapped_bytes(decoded, frame);
+        let other =
+            expected.and_then(|expected| other_length(frame.data.len(), expected)).unwrap_or_default();
+        let mark = self.missing_mark(decoded);
+        format!("{}{name} {service}{mark}{other}: {content}", if is_rpdo { "to " } else { "" })
     }
 
-    fn transfer(&self, node_id: u8, sdo: &SdoFrame, data: &[u8]) -> String {
+    /// What is said of a message that the description of its node lacks.
+    fn missing_mark(&self, decoded: &DecodedFrame) -> &'static str {
+        let is_described = decoded.node_id.is_some_and(|node_id| self.is_described(node_id));
+        if is_described && decoded.is_predefined() { MISSING } else { "" }
+    }
+
+    fn transfer_words(&self, node_id: u8, sdo: &SdoFrame, data: &[u8]) -> String {
         let name = self.nodes.name(node_id);
-        let address = sdo.entry.map_or_else(String::new, |(index, sub)| format!("{index:04X}:{sub:02X}"));
-        let entry = || sdo.entry.map_or_else(String::new, |entry| self.nodes.entry(node_id, entry));
+        let mark = |entry| self.nodes.get(node_id).map_or("", |node| node.missing_mark(entry));
+        let address = || sdo.entry.map_or_else(String::new, |entry| named(entry, "") + mark(entry));
+        let entry = || sdo.entry.map_or_else(String::new, |entry| self.nodes.marked_entry(node_id, entry));
         let value = || {
             let in_words = |entry| {
                 let bytes = self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry);
@@ -99,8 +113,8 @@ impl FrameReader<'_> {
             TransferStep::Read | TransferStep::BlockRead => format!("read {}", entry()),
             TransferStep::Write => format!("write {}", value()),
             TransferStep::WriteStart(stated) => format!("write {}{}", entry(), size(stated)),
-            TransferStep::Expected => format!("{address} is expected"),
-            TransferStep::Written => format!("{address} is written"),
+            TransferStep::Expected => format!("{} is expected", address()),
+            TransferStep::Written => format!("{} is written", address()),
             TransferStep::Value => value(),
             TransferStep::ValueStart(stated) => format!("{}{}", entry(), size(stated)),
             TransferStep::NextSegment => "next segment".to_owned(),
@@ -129,6 +143,14 @@ impl FrameReader<'_> {
     }
 }
 
+/// `6041:00 Statusword = 1591 (state: operation enabled)`.
+fn signal_words(owner: Option<&TalkingNode<'_>>, signal: &PdoSignal<'_>) -> String {
+    let entry = (signal.index, signal.sub);
+    let mark = owner.map_or("", |node| node.missing_mark(entry));
+    let value = if signal.raw.is_some() { format!("= {}", signal.text) } else { "is missing".to_owned() };
+    format!("{}{mark} {value}", named(entry, &signal.name))
+}
+
 /// The request of a PDO, SYNC or another message by a remote frame.
 fn request(decoded: &DecodedFrame, name: &str) -> String {
     let service = decoded.service.map_or_else(String::new, |service| service.to_string());
@@ -155,25 +177,25 @@ fn time_stamp(data: &[u8]) -> String {
     let clock = time::of_day(u32::from_le_bytes([a, b, c, d]) & 0x0FFF_FFFF);
     match day.zip(clock) {
         Some((day, clock)) => format!("TIME {day} {clock}"),
-        None => format!("TIME {}, not a valid time", digits(data)),
+        None => format!("TIME {}, not a valid time", raw_bytes(data)),
     }
 }
 
 /// An emergency message: `EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)`.
-fn emergency(node: &TalkingNode<'_>, data: &[u8]) -> String {
+fn emergency(node: &TalkingNode<'_>, data: &[u8], mark: &str) -> String {
     let &[low, high, register, ref vendor @ ..] = data else {
-        return format!("{} EMCY with {} bytes", node.name, data.len());
+        return format!("{} EMCY{mark} with {} bytes", node.name, data.len());
     };
     let decoder = Decoder::english(&node.device, Some(node.node_id));
     let code = u16::from_le_bytes([low, high]);
     let mut text = format!(
-        "{} EMCY {code:04X}h ({}), error register {register:02X}h ({})",
+        "{} EMCY{mark} {code:04X}h ({}), error register {register:02X}h ({})",
         node.name,
         decoder.error_code(code.into()),
         decoder.error_register(register.into())
     );
     if vendor.iter().any(|byte| *byte != 0) {
-        text += &format!(", {}", digits(vendor));
+        text += &format!(", {}", raw_bytes(vendor));
     }
     text
 }
