@@ -18,6 +18,7 @@ mod hostile;
 mod limits;
 mod lsp;
 mod neovim;
+mod networks;
 mod open;
 mod outputs;
 mod page;

@@ -56,9 +56,9 @@ pub(crate) enum NetworkCommand {
     ///
     /// SDO transfers are left out.
     Graph(NetworkGraphArgs),
-    /// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads of each node
+    /// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads and dictionary of each node
     ///
-    /// Exits with 1 if they differ.
+    /// Prints nothing and exits with 0 if everything built and shown is the same, apart from file names, comments and dates. Exits with 1 if anything differs.
     Diff(NetworkDiffArgs),
     /// Print a `network.toml` to start from, for nodes with these descriptions
     ///

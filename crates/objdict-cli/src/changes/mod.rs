@@ -100,7 +100,7 @@ impl ComparedDescriptions {
 }
 
 /// The address of a change: `6040h:00`, `TPDO` parameters as objects; empty for the device as a whole.
-fn address(change: &DeviceChange) -> String {
+pub(super) fn address(change: &DeviceChange) -> String {
     match (change.index, change.sub) {
         (Some(index), Some(sub)) => format!("{index:04X}h:{sub:02X}"),
         (Some(index), None) => format!("{index:04X}h"),

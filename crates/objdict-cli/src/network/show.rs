@@ -172,7 +172,7 @@ fn can_ids(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Microseconds as milliseconds.
-fn period(time: u64) -> String {
+pub(super) fn period(time: u64) -> String {
     match time % 1000 {
         0 => format!("{} ms", time / 1000),
         rest => format!("{}.{} ms", time / 1000, format!("{rest:03}").trim_end_matches('0')),

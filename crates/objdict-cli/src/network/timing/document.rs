@@ -226,7 +226,7 @@ impl LoadRow {
 }
 
 impl<'a> TimingJson<'a> {
-    pub(super) fn new(file: &'a str, timing: &'a Timing, options: &TimingOptions) -> Self {
+    pub(crate) fn new(file: &'a str, timing: &'a Timing, options: &TimingOptions) -> Self {
         let rate = timing.bit_rate;
         let nodes = timing.nodes.iter();
         let kinds = timing.kinds.iter();
