@@ -206,3 +206,31 @@ fn nothing_is_said_where_nothing_is() {
     let id = client.send_request("textDocument/noSuch", json!({}));
     assert_eq!(client.answer_to(&id).response_result.unwrap_err().code, -32601);
 }
+
+#[test]
+fn a_section_with_another_spelling_is_its_object() {
+    let mut client = Client::start();
+    let plain = fixture("eds/drive-402.eds").replace('\r', "");
+    let odd = plain.replace("[6041]", "[6041h]").replace("[1018sub1]", "[$1018.1]");
+    client.open("drive.eds", &odd);
+    let params = at(&client, "drive.eds", &position_of(&odd, "0x60410010"));
+    let found = client.ask("textDocument/definition", params);
+    let line = found["range"]["start"]["line"].as_u64().unwrap() as usize;
+    assert_eq!(odd.lines().nth(line), Some("[6041h]"));
+    let said = ["6041", "[1018", "0x6041"].map(|part| hover(&mut client, "drive.eds", &odd, "[", part));
+    let outline = |client: &mut Client, text: &str| {
+        client.change("drive.eds", text);
+        let symbols = client
+            .ask("textDocument/documentSymbol", json!({ "textDocument": client.document("drive.eds") }));
+        let names = symbols.to_string();
+        names
+            .split("\"name\":")
+            .map(|rest| rest.split(',').next().unwrap_or_default().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(outline(&mut client, &odd), outline(&mut client, &plain));
+    assert_eq!(
+        said,
+        ["6041", "[1018", "0x6041"].map(|part| hover(&mut client, "drive.eds", &plain, "[", part))
+    );
+}

@@ -148,26 +148,56 @@ fn hex_sub(text: &str) -> Option<u8> {
     if digits { u8::from_str_radix(text, 16).ok() } else { None }
 }
 
-/// An object or sub-index with leading zeros, a `0x` or blanks.
+/// An object or sub-index with leading zeros, blanks, or marks of hex numbers.
 fn odd_object(name: &str) -> Option<SectionName> {
-    let compact: String = name.split_ascii_whitespace().collect();
-    let without_prefix = compact.strip_prefix("0x").or_else(|| compact.strip_prefix("0X"));
-    let text = without_zeros(without_prefix.unwrap_or(&compact));
-    let sub_prefix = text.contains("sub0x");
-    let decorated = without_prefix.is_some() || sub_prefix || compact.len() < name.len();
-    let padded = text.starts_with('0') || text.len() < compact.len();
+    let plain = unmarked(&name.split_ascii_whitespace().collect::<String>())?;
+    let text = without_zeros(&plain);
+    let decorated = plain != name;
+    let padded = text.starts_with('0') || text.len() < plain.len();
     let (index, rest) = hex_prefix(text).filter(|_| decorated || padded || text.contains(['s', 'S']))?;
     let part = match suffix_of(rest)? {
         Suffix::None if text.len() <= 4 => Part::Object(index),
-        Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub.strip_prefix("0x").unwrap_or(sub))?),
+        Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub)?),
         // a data type has no links, so the section itself is the mistake and not its leading zeros
         Suffix::Of(part) if !decorated && part(index) == Part::Links(index) => {
             return Some(SectionName::standard(Part::Links(index)));
         }
+        Suffix::Of(part) if decorated => part(index),
         _ => return None,
     };
     let spelling = if decorated { NameSpelling::Decorated } else { NameSpelling::LeadingZero };
     Some(SectionName { part, spelling })
+}
+
+/// The hex digits at the start of a text without their mark (`0x1018`, `$1018`, `16#1018`, `1018h`), the text behind them, and whether
+/// they have one.
+fn unmarked_digits(text: &str) -> (&str, &str, bool) {
+    let marks = ["0x", "0X", "$", "16#"];
+    let number = marks.iter().find_map(|mark| text.strip_prefix(mark)).unwrap_or(text);
+    let (digits, rest) = number.split_at(number.bytes().take_while(u8::is_ascii_hexdigit).count());
+    let is_next = |mark: &&&str| rest.get(..mark.len()).is_some_and(|next| next.eq_ignore_ascii_case(mark));
+    let behind = ["hex", "h"].iter().find(is_next).map_or(0, |mark| mark.len());
+    (digits, &rest[behind..], behind > 0 || number.len() < text.len())
+}
+
+/// `1018sub1` for `0x1018sub0x1`, `1018hsub1h`, `$1018.1` and the like; `None` for a word such as `Beach`, and for `1018.10`, whose
+/// sub-index may be decimal.
+fn unmarked(name: &str) -> Option<String> {
+    let (index, rest, is_marked) = unmarked_digits(name);
+    let separated = rest.strip_prefix(['.', ':', '/', '_']).filter(|_| !index.is_empty());
+    let is_index = index.len() >= 4 && index.bytes().any(|byte| byte.is_ascii_digit());
+    let is_prefixed = name.starts_with("0x") || name.starts_with("0X");
+    if !is_index && (separated.is_some() || is_marked && !is_prefixed) {
+        return None;
+    }
+    let rest = separated.unwrap_or(rest);
+    let after_sub = rest.get(..3).filter(|word| word.eq_ignore_ascii_case("sub")).map(|_| &rest[3..]);
+    if separated.is_none() && after_sub.is_none() {
+        return Some(format!("{index}{rest}"));
+    }
+    let (digits, behind, is_marked) = unmarked_digits(after_sub.unwrap_or(rest));
+    let is_hex = is_marked || digits.len() == 1 || digits.starts_with('0') || digits.parse::<u16>().is_err();
+    (after_sub.is_some() || is_hex).then(|| format!("{index}sub{digits}{behind}"))
 }
 
 /// The text from the last four digits of its index on, if only zeros precede them.
@@ -266,6 +296,31 @@ mod tests {
         assert_eq!(parse("2001sub0xA"), (Part::Entry(0x2001, 10), NameSpelling::Decorated));
         assert_eq!(parse("1018 sub1"), (Part::Entry(0x1018, 1), NameSpelling::Decorated));
         assert_eq!(parse("DeviceCommissioning"), (Part::Commissioning, NameSpelling::CorrectCommissioning));
+        for name in ["1018h", "1018H", "1018hex", "$1018", "16#1018", "01018h", "0x1018h", "1018 h"] {
+            assert_eq!(parse(name), (Part::Object(0x1018), NameSpelling::Decorated), "{name}");
+        }
+        for name in [
+            "1018hsubA",
+            "1018subAh",
+            "1018subAhex",
+            "1018HSUBAH",
+            "$1018sub$A",
+            "1018.A",
+            "1018:0A",
+            "1018/A",
+            "1018_A",
+            "1018h.Ah",
+            "1018.subA",
+            "1018.0xA",
+            "1018 . A",
+        ] {
+            assert_eq!(parse(name), (Part::Entry(0x1018, 10), NameSpelling::Decorated), "{name}");
+        }
+        assert_eq!(parse("3004hName"), (Part::CompactNames(0x3004), NameSpelling::Decorated));
+        assert_eq!(parse("$300DDenotation"), (Part::CompactDenotations(0x300D), NameSpelling::Decorated));
+        assert_eq!(parse("6000hObjectLinks"), (Part::Links(0x6000), NameSpelling::Decorated));
+        let module = ModulePart::FixedEntry(0x6423, 1);
+        assert_eq!(parse("M1Fixed6423hsub1"), (Part::Module(1, module), NameSpelling::Decorated));
     }
 
     #[test]
@@ -281,6 +336,16 @@ mod tests {
             "",
             "FACE sheet",
             "sub1",
+            "Beach",
+            "FACEhex",
+            "$Face",
+            "1018.10",
+            "1018.",
+            "1018hour",
+            "1.0",
+            "0.5",
+            "0h",
+            "2024-1",
         ] {
             assert!(matches!(parse(name).0, Part::Section(_)), "{name}: {:?}", parse(name));
         }

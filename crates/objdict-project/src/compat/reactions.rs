@@ -190,7 +190,9 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/real-as-bits", NODE, Wrong, "the bits are read as the number"),
     row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
-        .when("with `0x` or blanks", |_, finding| finding.fix.is_some() && is_decorated(finding)),
+        .when("with `0x`, `h`, a point or blanks", |_, finding| {
+            finding.fix.is_some() && is_decorated(finding)
+        }),
     row("cia306/stray-compact-section", DCF_TOOLS, Refused, "the file is refused"),
     row(
         "cia306/stray-compact-section",

@@ -93,9 +93,9 @@ text_rules! {
 
     SECTION_SPELLING = "cia306/section-spelling", Warning, fix Safe;
     summary: "the name of an object's section is misspelt",
-    checks: "Whether section names of objects are a hex index without `0x` and leading zeros, and section names of sub-indexes append `sub` and a hex sub-index without leading zeros. Recognisable names are read. Leading zeros, which many readers accept, are a warning, everything else is an error.",
+    checks: "Whether section names of objects are a hex index without `0x` and leading zeros, and section names of sub-indexes append `sub` and a hex sub-index without leading zeros. Recognisable names such as `[1018h]`, `[$1018]` and `[1018.1]` are read. Leading zeros, which many readers accept, are a warning, everything else is an error.",
     why: "Other tools read another object, or none.",
-    example: "`[1018sub01]`, `[0x1000]`, `[1003sub100]`",
+    example: "`[1018sub01]`, `[0x1000]`, `[1000h]`, `[1003sub100]`",
     remedy: "Write `[1018sub1]`, `[1000]`.",
     source: "CiA 306-1 §4.6.3.2",
 
