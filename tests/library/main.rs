@@ -41,6 +41,7 @@ mod lsp;
 mod namesakes;
 mod network;
 mod new;
+mod numbers;
 mod objdictgen;
 #[cfg(feature = "cli")]
 mod pages;

@@ -1,5 +1,7 @@
 //! Values of arguments.
 
+use objdict_model::literal::written_number;
+
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// A value of a few, each with its word and what it is.
@@ -37,8 +39,5 @@ pub(super) fn serial_number(text: &str) -> Result<u32, String> {
 
 /// A number in decimal or as `0x7F`.
 pub(super) fn number(text: &str) -> Option<u32> {
-    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(digits) => u32::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    }
+    written_number(text, u32::MAX.into()).and_then(|number| u32::try_from(number).ok())
 }

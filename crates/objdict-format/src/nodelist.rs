@@ -129,7 +129,7 @@ fn number(section: &str, key: &str, text: &str, (low, high): (u8, u8)) -> Result
     if text.is_empty() {
         return Ok(None);
     }
-    let number = literal::integer(text, low.into(), high.into(), &mut Quirks::default());
+    let number = literal::integer_in_line(text, low.into(), high.into(), &mut Quirks::default());
     match number.ok().and_then(|number| u8::try_from(number).ok()) {
         Some(number) => Ok(Some(number)),
         None => {

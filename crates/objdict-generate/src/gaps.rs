@@ -99,7 +99,7 @@ fn set_type(entry: &mut Entry, data_type: DataType) {
     let values = [entry.default.as_mut(), entry.low_limit.as_mut(), entry.high_limit.as_mut(), configured];
     for value in values.into_iter().flatten() {
         if let Value::Raw(text) = value
-            && let Ok(typed) = literal::value(text, Some(data_type), &mut Quirks::default())
+            && let Ok(typed) = literal::value_in_line(text, Some(data_type), &mut Quirks::default())
         {
             *value = typed;
         }

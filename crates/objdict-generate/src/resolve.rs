@@ -291,7 +291,7 @@ impl<'a> Resolver<'a> {
         }
         // the type is not stated, but known
         let typed = match value {
-            Value::Raw(text) => literal::value(text, Some(data_type), &mut Quirks::default()).ok(),
+            Value::Raw(text) => literal::value_in_line(text, Some(data_type), &mut Quirks::default()).ok(),
             _ => None,
         };
         let word = word(typed.as_ref().unwrap_or(value), data_type);

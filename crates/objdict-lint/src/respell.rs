@@ -1,7 +1,7 @@
 //! Texts that are not valid values of their field, but whose intended value is clear.
 
 use crate::diagnostic::{Fix, say};
-use crate::literal::{Intended, Spelling, print};
+use crate::literal::{Intended, Spelling, iec_number, print, written};
 use crate::model::{DataType, Field, InvalidValue, ObjectType, Place, Reason, Value};
 
 /// The fix of an invalid value at `place`, if the intended value is clear.
@@ -9,6 +9,13 @@ pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place
     let text = invalid.text.trim();
     let safe = |value: String| (Fix::safe(say!("write `{}`", value)), value);
     let risky = |value: String| (Fix::risky(say!("write `{}`", value)), value);
+    // tools that stop at `#` read the base
+    let literal = iec_number(text, &invalid.reason);
+    if let Some(number) =
+        literal.filter(|number| data_type.is_none_or(|data_type| written(number, data_type).is_ok()))
+    {
+        return Some(Fix::risky(say!("write `{}`", number)).set(place, number));
+    }
     let (fix, value) = match (&invalid.field, &invalid.reason) {
         // `r` may be read-only or constant
         (Field::AccessType, _) if text.len() == 1 => risky(invalid.intended_access()?.name().to_owned()),

@@ -139,7 +139,8 @@ fn set_plain(editor: &mut IniEditor<'_>, document: &Document, section: &Section,
 /// Whether a key has this number already, in any spelling.
 fn has_number(document: &Document, section: &Section, key: &str, number: &str) -> bool {
     const NUMBERS: [&str; 3] = ["NetNumber", "CANopenManager", "LSS_SerialNumber"];
-    let value = |text: &str| literal::value(text, Some(DataType::UNSIGNED32), &mut Quirks::default()).ok();
+    let value =
+        |text: &str| literal::value_in_line(text, Some(DataType::UNSIGNED32), &mut Quirks::default()).ok();
     let mut entries = section.entries.iter().filter(|_| NUMBERS.contains(&key));
     let entry = entries.find(|entry| entry.key.of(document.text()).eq_ignore_ascii_case(key));
     entry

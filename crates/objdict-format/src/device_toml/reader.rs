@@ -11,6 +11,7 @@ use objdict_keyed::rules::{DUPLICATE_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE}
 use objdict_keyed::section::KeyedTable;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
+use objdict_model::literal::{NoValue, written};
 use objdict_model::model::{
     Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, PdoMapping,
     SrdoAccess, Value,
@@ -472,10 +473,16 @@ impl ObjectReader<'_> {
         let value = value_of(tree, data_type);
         if value.is_none() {
             let word = data_type.map_or("missing".to_owned(), super::words::type_word);
-            let message =
-                say!("`{}` is `{}`, which is not a value of the type `{}`", name, tree.spelled(), word);
-            let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
-            self.findings.push(finding.help("write a value of its data type, or correct `type`"));
+            let wrong =
+                tree.text().zip(data_type).and_then(|(text, data_type)| written(text, data_type).err());
+            let (message, help) = match wrong {
+                Some(NoValue { message, help: Some(help) }) => (say!("`{}`: {}", name, message), help),
+                _ => (
+                    say!("`{}` is `{}`, which is not a value of the type `{}`", name, tree.spelled(), word),
+                    "write a value of its data type, or correct `type`",
+                ),
+            };
+            self.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help(help));
         }
         value
     }

@@ -96,7 +96,7 @@ pub(super) fn value_of(tree: &KeyedTree, data_type: Option<DataType>) -> Option<
                 TypeKind::OctetString | TypeKind::Domain => Some(Value::Bytes(Box::default())),
                 _ => None,
             },
-            _ => literal::value(text, data_type, &mut literal::Quirks::default()).ok(),
+            _ => literal::written(text, data_type?).ok(),
         },
         Kind::Integer(number) => match kind {
             TypeKind::Real32 => Some(Value::Real32(*number as f32)),

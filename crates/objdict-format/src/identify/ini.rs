@@ -175,7 +175,7 @@ impl<'a> IniSigns<'a> {
         };
         let noun = if sections.len() == 1 { "section" } else { "sections" };
         let reason = format!("it has the {noun} {}{but}", list(&sections));
-        let number = |text: &str| literal::integer(text, 1, 127, &mut Quirks::default()).ok();
+        let number = |text: &str| literal::integer_in_line(text, 1, 127, &mut Quirks::default()).ok();
         Identification {
             version: self.version.map(quoted).filter(|version| !version.is_empty()),
             node_id: self.node_id.and_then(number).and_then(|id| u8::try_from(id).ok()),

@@ -136,11 +136,8 @@ pub(crate) fn set(
                 value.map(|value| mapping(value).ok_or_else(|| is("a PDO mapping"))).transpose()?;
         }
         "flags" => {
-            let number = |text: &str| {
-                literal::integer(text, 0, u32::MAX.into(), &mut Quirks::default())
-                    .ok()
-                    .map(|flags| flags as u32)
-            };
+            let number =
+                |text: &str| literal::written_number(text, u32::MAX.into()).map(|flags| flags as u32);
             entry.flags = parsed(&text, number)
                 .ok_or_else(|| is("a number of 32 bits"))?
                 .map(objdict_model::model::ObjFlags);
@@ -265,8 +262,10 @@ fn value_of(tree: &KeyedTree, data_type: Option<DataType>) -> Result<Value, Text
     let data_type = data_type.ok_or_else(no_type)?;
     // an EDS has empty strings in quotes
     let text = if text.is_empty() { "\"\"".to_owned() } else { text };
-    let value = literal::value(&text, Some(data_type), &mut Quirks::default());
-    value.map_err(|_| say!("`{}` is not a valid `{}`", text, data_type_word(data_type)))
+    literal::written(&text, data_type).map_err(|wrong| match wrong.help {
+        Some(_) => wrong.message.into(),
+        None => say!("`{}` is not a valid `{}`", text, data_type_word(data_type)),
+    })
 }
 
 fn set_value(entry: &mut Entry, word: &str, value: Option<&KeyedTree>) -> Result<(), Text> {
@@ -314,7 +313,7 @@ fn retype(entry: &mut Entry) -> Result<(), Text> {
         let printed = slot.as_ref().map(|value| literal::print(value, Spelling::default()));
         let Some(text) = invalid.or(printed) else { continue };
         invalid_values.retain(|invalid| invalid.field != field);
-        match literal::value(&text, data_type, &mut Quirks::default()) {
+        match literal::value_in_line(&text, data_type, &mut Quirks::default()) {
             Ok(value) => *slot = Some(value),
             Err(reason) => {
                 *slot = None;

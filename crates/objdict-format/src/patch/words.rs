@@ -6,6 +6,7 @@ use crate::field_names::{self, COMMISSIONING, DEVICE, FILE};
 use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types;
 use objdict_keyed::types::{ACCESS, OBJECT_TYPES};
+use objdict_model::literal::written_number;
 use objdict_model::model::{DataType, ObjectType, Part};
 
 /// The fields of an object or entry.
@@ -88,10 +89,7 @@ pub(crate) fn word_of(name: &str) -> Option<&'static str> {
 
 /// The data type that a text names: a short word, the name of CiA 301, or its index.
 pub(crate) fn data_type(text: &str) -> Option<DataType> {
-    let index = || match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(hex) => u16::from_str_radix(hex, 16).ok().map(DataType),
-        None => text.parse().ok().map(DataType),
-    };
+    let index = || written_number(text, u16::MAX.into()).map(|index| DataType(index as u16));
     types::named(text).or_else(|| DataType::from_name(&text.to_ascii_uppercase())).or_else(index)
 }
 
@@ -103,9 +101,8 @@ pub(crate) fn data_type_word(data_type: DataType) -> String {
 
 /// The object type that a text names: a word, or its code.
 pub(crate) fn object_type(text: &str) -> Option<ObjectType> {
-    let code =
-        text.strip_prefix("0x").map_or_else(|| text.parse().ok(), |hex| u8::from_str_radix(hex, 16).ok());
-    let is = |kind: &ObjectType| kind.name().eq_ignore_ascii_case(text) || Some(kind.code()) == code;
+    let code = written_number(text, u8::MAX.into());
+    let is = |kind: &ObjectType| kind.name().eq_ignore_ascii_case(text) || Some(kind.code().into()) == code;
     ObjectType::ALL.into_iter().find(is)
 }
 

@@ -10,11 +10,16 @@ mod print;
 mod respell;
 mod spelling;
 mod time;
+mod written;
 
 pub use calendar::{clock_time, date};
 pub use intended::Intended;
-pub use parse::{Quirk, Quirks, high_limit, integer, plain_value, small_number, strip_comment, value};
+pub use parse::{
+    Quirk, Quirks, high_limit, integer, integer_in_line, plain_value, small_number, strip_comment, value,
+    value_in_line,
+};
 pub use print::{RealSpelling, Spelling, print};
 pub use respell::{respell, trailing_comment};
 pub use spelling::{QUOTED, RULES, spelling, spelling_in_line};
 pub use time::nanoseconds;
+pub use written::{NoValue, iec_number, written, written_number};

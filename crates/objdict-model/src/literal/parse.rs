@@ -112,16 +112,58 @@ fn any_integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i
     Ok(number.value)
 }
 
-/// The part of a number or keyword before a trailing comment, without trailing spaces.
+/// The part of a number or keyword before a trailing comment, without trailing blanks. The comment begins after a blank, so that no
+/// text is cut to a shorter number; a `;` also where nothing or a blank follows it.
 pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
-    let slashes = text.find("//");
-    let cut = memchr::memchr2(b';', b'#', text.as_bytes()).into_iter().chain(slashes).min();
-    match cut {
-        Some(at) if at > 0 => {
+    let is_blank = |byte: Option<&u8>| byte.is_some_and(|byte| matches!(byte, b' ' | b'\t'));
+    let bytes = text.as_bytes();
+    let begins = |&at: &usize| {
+        let is_mark = bytes[at] != b'/' || bytes.get(at + 1) == Some(&b'/');
+        let next = bytes.get(at + 1);
+        is_mark && (is_blank(bytes.get(at - 1)) || bytes[at] == b';' && (next.is_none() || is_blank(next)))
+    };
+    match memchr::memchr3_iter(b';', b'#', b'/', bytes).filter(|at| *at > 0).find(begins) {
+        Some(at) => {
             quirks.add(Quirk::TrailingComment);
             text[..at].trim_ascii_end()
         }
-        _ => text,
+        None => text,
+    }
+}
+
+/// What `read` makes of a text in a line, or of the part before a comment.
+fn in_line<T>(
+    text: &str,
+    quirks: &mut Quirks,
+    read: impl Fn(&str, &mut Quirks) -> Result<T, Reason>,
+) -> Result<T, Reason> {
+    let mut whole = *quirks;
+    let result = read(text, &mut whole);
+    let core = if result.is_ok() { text } else { strip_comment(text, quirks) };
+    if core.len() < text.len() {
+        return read(core, quirks);
+    }
+    *quirks = whole;
+    result
+}
+
+/// The [`value`] of a text in a line of an EDS or DCF, where a comment may follow it.
+///
+/// # Errors
+/// The reason why the text is not a valid value of the type.
+pub fn value_in_line(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
+    in_line(text, quirks, |text, quirks| value(text, data_type, quirks))
+}
+
+/// The [`integer`] of a text in a line of an EDS or DCF, where a comment may follow it.
+///
+/// # Errors
+/// The reason why the text is not such a number.
+#[inline]
+pub fn integer_in_line(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i128, Reason> {
+    match small_number(text.as_bytes()) {
+        Some(number) if low <= i64::from(number) && u64::from(number) <= high => Ok(number.into()),
+        _ => in_line(text, quirks, |text, quirks| any_integer(text, low, high, quirks)),
     }
 }
 
@@ -165,7 +207,7 @@ pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
 fn number(text: &str, quirks: &mut Quirks) -> Result<WrittenNumber, Reason> {
     match plain_number(text) {
         Ok(number) => Ok(number),
-        Err(_) => number_with_quirks(strip_comment(text, quirks), quirks),
+        Err(_) => number_with_quirks(text, quirks),
     }
 }
 
@@ -228,7 +270,7 @@ fn number_with_quirks(text: &str, quirks: &mut Quirks) -> Result<WrittenNumber, 
 
 fn integer_value(text: &str, data_type: DataType, quirks: &mut Quirks) -> Result<Value, Reason> {
     if text.contains('$') {
-        return formula(strip_comment(text, quirks), quirks).map(Value::NodeId);
+        return formula(text, quirks).map(Value::NodeId);
     }
     let number = number(text, quirks).map_err(|reason| match reason {
         Reason::OutOfRange { .. } => out_of_range(data_type),
@@ -294,12 +336,11 @@ fn boolean(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     integer(text, 0, 1, quirks).map(|number| Value::Boolean(number == 1))
 }
 
-/// The bits of a hex literal, or the decimal text of a REAL without comment and C suffix.
+/// The bits of a hex literal, or the decimal text of a REAL without C suffix.
 fn real_text<'a>(text: &'a str, quirks: &mut Quirks) -> Result<ParsedReal<'a>, Reason> {
     if text.contains('$') {
         return Err(Reason::FormulaForType);
     }
-    let text = strip_comment(text, quirks);
     if let Some(digits) = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         quirks.add(Quirk::RealAsBits);
         return magnitude(digits.as_bytes(), 16).map(ParsedReal::Bits).map_err(|_| Reason::NotReal);
@@ -355,7 +396,7 @@ fn bytes(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
     if let Some(bytes) = hex::parse(text) {
         return Ok(Value::Bytes(bytes));
     }
-    let plain: String = strip_comment(text, quirks).split_ascii_whitespace().collect();
+    let plain: String = text.split_ascii_whitespace().collect();
     let plain = plain.strip_prefix("0x").or_else(|| plain.strip_prefix("0X")).unwrap_or(&plain);
     let bytes = hex::parse(plain).ok_or(Reason::NotHexBytes)?;
     quirks.add(Quirk::DecoratedBytes);
@@ -365,7 +406,6 @@ fn bytes(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
 /// `days milliseconds`, twelve hex digits (the bytes on the wire), or a 48-bit integer. CiA 306-1 defines
 /// none of them; real files use all three.
 fn time(text: &str, quirks: &mut Quirks) -> Result<Value, Reason> {
-    let text = strip_comment(text, quirks);
     let time = if let Some((days, milliseconds)) = text.split_once([' ', '\t']) {
         let days =
             integer(days, 0, u64::from(u16::MAX), quirks).ok().and_then(|days| u16::try_from(days).ok());
@@ -434,9 +474,30 @@ mod tests {
         assert_eq!(quirky("07", DataType::UNSIGNED8, Quirk::LeadingZero), Value::Unsigned(7));
         assert_eq!(quirky("0xFFFF", DataType::INTEGER16, Quirk::TwosComplement), Value::Signed(-1));
         assert_eq!(quirky("0x10LL", DataType::UNSIGNED64, Quirk::CSuffix), Value::Unsigned(16));
-        assert_eq!(quirky("5 # five", DataType::UNSIGNED8, Quirk::TrailingComment), Value::Unsigned(5));
         assert_eq!(quirky("true", DataType::BOOLEAN, Quirk::BooleanWord), Value::Boolean(true));
         assert_eq!(read("018", DataType::UNSIGNED8).0, Err(Reason::NotOctal));
+    }
+
+    #[test]
+    fn a_comment_begins_after_a_blank_and_in_lines_alone() {
+        let line = |text| {
+            let mut quirks = Quirks::default();
+            (
+                value_in_line(text, Some(DataType::UNSIGNED8), &mut quirks).ok(),
+                quirks.has(Quirk::TrailingComment),
+            )
+        };
+        for text in ["5 # five", "5 //", "5\t;five", "5; five", "5;", "5 ;# x"] {
+            assert_eq!(line(text), (Some(Value::Unsigned(5)), true), "{text}");
+            assert_eq!(read(text, DataType::UNSIGNED8).0, Err(Reason::NotANumber), "{text}");
+        }
+        for text in ["5#3", "5;3", "5//3", "5#", "5 /3", "5/ / 3", "; 5", "# 5", "16#5 # x"] {
+            assert_eq!(line(text).0, None, "{text}");
+        }
+        assert_eq!(
+            integer_in_line("5 # five", 0, 4, &mut Quirks::default()),
+            Err(Reason::OutOfRange { low: 0, high: 4 })
+        );
     }
 
     #[test]

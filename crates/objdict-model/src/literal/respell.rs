@@ -84,7 +84,7 @@ fn formula(core: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::literal::value;
+    use crate::literal::value_in_line as value;
     use crate::model::DataType;
 
     #[test]

@@ -48,10 +48,7 @@ pub fn spelling(
     let at = at.into();
     for (quirk, rule, help) in found(quirks) {
         let mut finding = finding(text, at.clone(), quirk, rule, help);
-        // XML has no place for a comment next to an attribute
-        if let At::Span(span) = at
-            && quirk != Quirk::TrailingComment
-        {
+        if let At::Span(span) = at {
             let respelled = respell(text, quirk, value);
             let plain = respelled.filter(|text| !text.contains(['&', '<', '>', '"', '\'']));
             finding.fix = plain.map(|text| fix_of(quirk, &text).replace(span, text));
@@ -150,7 +147,7 @@ text_rules! {
 
     TRAILING_COMMENT = "cia306/trailing-comment", Warning, fix Safe;
     summary: "a comment follows a number or keyword",
-    checks: "Whether `;`, `#` or `//` follows a value that cannot contain it. In names and strings they are part of the text.",
+    checks: "Whether a blank and `;`, `#` or `//`, or `;` and a blank, follow a value that cannot contain them. In names and strings they are part of the text. Without a blank, `1;2` and `16#3E8` are not numbers.",
     why: "The standard has no such comments: other tools read the whole text as the value, which is then not a number.",
     example: "`DataType=0x0007 ; UNSIGNED32`",
     remedy: "Put the comment on a separate line.",

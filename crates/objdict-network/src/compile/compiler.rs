@@ -9,7 +9,7 @@ use crate::configure::{Setting, configure};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::download::{Beyond, Download, beyond, bytes_of, transferred_type};
 use crate::effective::before;
-use crate::literal::{self, Quirks};
+use crate::literal::{self, NoValue};
 use crate::model::{Access, Address, Assignment, DataType, Device, Field, Place, Value, hex};
 use crate::network::{Node, Said};
 use crate::origin::because;
@@ -179,9 +179,14 @@ impl<'n, 'f> Compiler<'n, 'f> {
             return;
         }
         let data_type = transferred_type(&self.node.device, at.index, at.sub.unwrap_or(0));
-        match literal::value(text, data_type, &mut Quirks::default()) {
-            Ok(value) => self.write_value(at, &value, said),
-            Err(_) => self.invalid(at, text, said),
+        match data_type.map(|data_type| literal::written(text, data_type)) {
+            Some(Ok(value)) => self.write_value(at, &value, said),
+            Some(Err(NoValue { message, help: Some(help) })) => {
+                let message = format!("{:04X}h:{:02X}: {message}", at.index, at.sub.unwrap_or(0));
+                let finding = Diagnostic::new(&INVALID_VALUE, said, message).help(help);
+                self.report(finding, at, Field::DataType);
+            }
+            _ => self.invalid(at, text, said),
         }
     }
 

@@ -12,7 +12,7 @@ use std::fmt::{self, Write};
 
 use crate::diagnostic::one_line;
 use crate::download::{ConciseDcf, Download};
-use crate::literal::{self, Quirks, Spelling};
+use crate::literal::{self, Spelling};
 use crate::model::{Address, DataType, TypeKind, Value, hex};
 
 /// Type keyword for bytes of unknown type or bytes that are not valid for their type.
@@ -181,12 +181,12 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
     })
 }
 
-/// The line up to the first `#` outside quotes.
+/// The line up to the first `#` outside quotes that a blank precedes, so that `16#3` is not cut to 16.
 fn without_comment(line: &str) -> &str {
     let (mut is_quoted, mut is_escaped) = (false, false);
     for (at, c) in line.char_indices() {
         match c {
-            '#' if !is_quoted => return &line[..at],
+            '#' if !is_quoted && (at == 0 || line[..at].ends_with([' ', '\t'])) => return &line[..at],
             '"' if !is_escaped => is_quoted = !is_quoted,
             _ => {}
         }
@@ -242,25 +242,17 @@ fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<
     resolved.and_then(|value| value.to_bytes(data_type)).ok_or_else(|| no_value(text, data_type))
 }
 
+const WRITE_NUMBER: &str = "write a number of the type, or the type `BYTES` and hex digits";
+
 fn no_value(text: &str, data_type: DataType) -> WrongText {
-    (
-        format!("`{text}` is not a valid {data_type}"),
-        "write a number of the type, or the type `BYTES` and hex digits",
-    )
+    (format!("`{text}` is not a valid {data_type}"), WRITE_NUMBER)
 }
 
 fn number(text: &str, data_type: DataType) -> Result<Value, WrongText> {
     if text.is_empty() {
         return Err((format!("the value of type {data_type} is missing"), "write `1017:00 UNSIGNED16 250`"));
     }
-    let mut quirks = Quirks::default();
-    let value = literal::value(text, Some(data_type), &mut quirks).map_err(|_| no_value(text, data_type))?;
-    let is_octal = quirks.has(literal::Quirk::Octal) || quirks.has(literal::Quirk::LeadingZero);
-    if is_octal {
-        let message = format!("`{text}` is ambiguous: with a leading zero it may be octal or decimal");
-        return Err((message, "write it without the leading zero, or in hexadecimal with `0x`"));
-    }
-    Ok(value)
+    literal::written(text, data_type).map_err(|wrong| (wrong.message, wrong.help.unwrap_or(WRITE_NUMBER)))
 }
 
 /// Removes the quotes of a text.
@@ -350,7 +342,7 @@ mod tests {
         line 7: `$NODEID+0x200` needs the node-ID
         line 8: `a` is not in double quotes
         line 9: `0` is not a sequence of hexadecimal bytes
-        line 10: `010` is ambiguous: with a leading zero it may be octal or decimal
+        line 10: `010` is octal by CiA 306, but some tools read it as decimal
         "#);
         let formula = parse("1400:01 unsigned32 $NODEID+0x200", Some(5)).unwrap();
         assert_eq!(formula.0[0].data, [5, 2, 0, 0]);

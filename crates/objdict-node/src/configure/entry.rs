@@ -6,7 +6,7 @@ use super::time::in_unit_of;
 use super::{Configurator, Wrong};
 use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
-use crate::literal::{self, Quirk, Quirks};
+use crate::literal;
 use crate::model::{
     Access, Address, DataType, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Value,
 };
@@ -110,15 +110,9 @@ impl<'a> Configurator<'a> {
         if let Some(time) = nanoseconds(text).filter(|_| data_type.is_integer()) {
             return in_unit_of(self.device, (index, sub), text, time).map(Value::Unsigned);
         }
-        let mut quirks = Quirks::default();
-        let value = literal::value(text, Some(data_type), &mut quirks)
-            .map_err(|_| Wrong::new(format!("`{text}` is not a valid {data_type}")).at(place()))?;
-        if quirks.has(Quirk::Octal) {
-            let wrong =
-                Wrong::new(format!("`{text}` is octal by CiA 306, but some tools read it as decimal"));
-            return Err(wrong.help("write it without the leading zero, or in hexadecimal with `0x`"));
-        }
-        Ok(value)
+        literal::written(text, data_type).map_err(|wrong| {
+            Wrong { help: wrong.help.map(str::to_owned), ..Wrong::new(wrong.message) }.at(place())
+        })
     }
 
     /// Finds the entry and checks that a configuration may write it.

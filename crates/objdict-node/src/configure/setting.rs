@@ -6,7 +6,7 @@ use std::str::FromStr;
 use super::time::milliseconds;
 use crate::model::{Moment, PdoKind};
 use crate::resolve::ObjectName;
-use objdict_model::literal::nanoseconds;
+use objdict_model::literal::{nanoseconds, written_number};
 
 /// One setting.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -386,7 +386,10 @@ impl Setting {
         };
         let (time, factor) = text.rsplit_once('x').ok_or_else(wrong)?;
         let milliseconds = milliseconds(time).ok_or_else(wrong)?;
-        Ok(Self::Guard { milliseconds, factor: factor.trim().parse().map_err(|_| wrong())? })
+        Ok(Self::Guard {
+            milliseconds,
+            factor: number(factor).and_then(|factor| u8::try_from(factor).ok()).ok_or_else(wrong)?,
+        })
     }
 }
 
@@ -399,15 +402,9 @@ fn split_values(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// A decimal number, or a hexadecimal one with prefix `0x`.
+/// A number of 32 bits.
 fn number(text: &str) -> Option<u32> {
-    let text = text.trim();
-    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(digits) if !digits.starts_with('+') => u32::from_str_radix(digits, 16).ok(),
-        Some(_) => None,
-        None if text.starts_with('+') => None,
-        None => text.parse().ok(),
-    }
+    written_number(text.trim(), u32::MAX.into()).map(|number| number as u32)
 }
 
 impl FromStr for PdoName {

@@ -3,14 +3,14 @@
 use super::Wrong;
 use crate::model::Device;
 use crate::profile;
-use objdict_model::literal::nanoseconds;
+use objdict_model::literal::{nanoseconds, written_number};
 
 /// A time in milliseconds: with a unit, or a plain number of milliseconds.
 pub(super) fn milliseconds(text: &str) -> Option<u16> {
     let number = match nanoseconds(text) {
         Some(time) if time.is_multiple_of(1_000_000) => time / 1_000_000,
         Some(_) => return None,
-        None => text.trim().parse().ok()?,
+        None => written_number(text.trim(), u16::MAX.into())?,
     };
     u16::try_from(number).ok()
 }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::ProblemKind;
+use crate::literal::{self, Quirks};
 use crate::model::{DataType, Device, Entry, Object, ObjectType, TypeKind, Value};
 
 /// The data type of an entry.
@@ -95,12 +96,8 @@ fn own_type(device: &Device, data_type: DataType) -> Option<DataType> {
 
 /// Parses a number of a device-specific type.
 fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
-    let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
-    let number = match hex {
-        Some(digits) => u64::from_str_radix(digits, 16).ok().map(i128::from),
-        None => text.parse().ok(),
-    };
-    Value::from_integer(number?, data_type)
+    let number = literal::integer_in_line(text, i64::MIN, u64::MAX, &mut Quirks::default());
+    Value::from_integer(number.ok()?, data_type)
 }
 
 /// A limit that a value violates.

@@ -107,6 +107,6 @@ fn is_item(key: &str) -> bool {
 }
 
 fn index_of(value: &str) -> Option<u16> {
-    let index = literal::integer(value, 1, u64::from(u16::MAX), &mut Quirks::default()).ok()?;
+    let index = literal::integer_in_line(value, 1, u64::from(u16::MAX), &mut Quirks::default()).ok()?;
     u16::try_from(index).ok()
 }

@@ -101,7 +101,7 @@ impl<'a> EdsRewriter<'a> {
     fn set(&mut self, place: &Place, value: &str) -> Option<()> {
         let field = place.field.as_ref()?;
         if let (Part::List(list), Field::Item(number)) = (&place.part, field) {
-            let index = literal::integer(value, 1, 0xFFFF, &mut Quirks::default()).ok()?;
+            let index = literal::integer_in_line(value, 1, 0xFFFF, &mut Quirks::default()).ok()?;
             let mut indexes = self.device.lists.get(*list).to_vec();
             *indexes.get_mut(usize::try_from(*number).ok()?.checked_sub(1)?)? = u16::try_from(index).ok()?;
             return self.list(*list, &indexes);

@@ -53,7 +53,7 @@ fn of_type(data_type: DataType, text: &str) -> Option<String> {
         return None;
     }
     let mut quirks = Quirks::default();
-    literal::value(text, Some(data_type), &mut quirks).ok()?;
+    literal::value_in_line(text, Some(data_type), &mut quirks).ok()?;
     if quirks.has(Quirk::TrailingComment) {
         return None;
     }
@@ -76,7 +76,7 @@ fn index(text: &str) -> Option<String> {
 /// A number in a spelling of the standard that all readers accept.
 fn plain_number(text: &str) -> Option<i128> {
     let mut quirks = Quirks::default();
-    let number = literal::integer(text, 0, u64::from(u32::MAX), &mut quirks).ok()?;
+    let number = literal::integer_in_line(text, 0, u64::from(u32::MAX), &mut quirks).ok()?;
     quirks.is_empty().then_some(number)
 }
 

@@ -89,7 +89,7 @@ impl ReportedValues {
         if data_type.is_some_and(DataType::is_integer) && digits.is_some_and(is_hex) {
             self.negative.add(line.value_at, || say!("`{}` is a negative hex number", line.value));
             let mut quirks = Quirks::default();
-            if let Ok(value) = literal::value(line.value, data_type, &mut quirks)
+            if let Ok(value) = literal::value_in_line(line.value, data_type, &mut quirks)
                 && !quirks.has(Quirk::TrailingComment)
             {
                 self.negative.fix(line.value_at, literal::print(&value, literal::Spelling::default()));
@@ -118,7 +118,7 @@ impl ReportedValues {
 /// The bits of a REAL in hex; `None` where a comment would be lost.
 fn bits_of(text: &str, data_type: Option<DataType>) -> Option<String> {
     let mut quirks = Quirks::default();
-    let value = literal::value(text, data_type, &mut quirks).ok()?;
+    let value = literal::value_in_line(text, data_type, &mut quirks).ok()?;
     let spelling = literal::Spelling { real: literal::RealSpelling::Hex, ..literal::Spelling::default() };
     (!quirks.has(Quirk::TrailingComment)).then(|| literal::print(&value, spelling))
 }

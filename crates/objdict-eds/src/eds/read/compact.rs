@@ -86,7 +86,7 @@ fn compact_value(
         return None;
     }
     let mut quirks = Quirks::default();
-    let value = literal::value(item.value, data_type, &mut quirks);
+    let value = literal::value_in_line(item.value, data_type, &mut quirks);
     if let Ok(value) = &value {
         findings::quirks(item, quirks, Some(value), items.findings);
     }

@@ -169,7 +169,7 @@ impl<'a> Items<'a> {
             return None;
         }
         let mut quirks = Quirks::default();
-        let number = literal::integer(item.value, range.0, range.1, &mut quirks);
+        let number = literal::integer_in_line(item.value, range.0, range.1, &mut quirks);
         match number {
             Ok(number) => {
                 if !quirks.is_empty() {

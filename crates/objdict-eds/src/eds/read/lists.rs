@@ -42,7 +42,7 @@ impl EdsReader<'_> {
 pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Extra) -> Vec<u16> {
     numbered(items, counter, extra, |items, item, extra| {
         let mut quirks = Quirks::default();
-        let index = literal::integer(item.value, 1, u64::from(u16::MAX), &mut quirks);
+        let index = literal::integer_in_line(item.value, 1, u64::from(u16::MAX), &mut quirks);
         if !quirks.is_empty() {
             findings::quirks(item, quirks, None, items.findings);
         }
@@ -133,7 +133,7 @@ fn repeated_number<'a>(items: &Items<'a>, counter: &Field) -> Option<Renumbered<
 pub(super) fn check_count(items: &mut Items<'_>, count: Option<Item<'_>>, key: &str, actual: usize) {
     let mut quirks = Quirks::default();
     let stated = match &count {
-        Some(item) => literal::integer(item.value, 0, u64::from(u32::MAX), &mut quirks).ok(),
+        Some(item) => literal::integer_in_line(item.value, 0, u64::from(u32::MAX), &mut quirks).ok(),
         None => None,
     };
     if let Some(item) = &count {

@@ -95,7 +95,8 @@ fn module_info(module: &mut Module, items: &mut Items<'_>) {
 pub(super) fn index_range(text: &str) -> Result<(u16, u16), Reason> {
     let (low, high) = text.split_once('-').ok_or(Reason::Malformed)?;
     let index = |text: &str| {
-        let number = literal::integer(text.trim_ascii(), 0, u64::from(u16::MAX), &mut Quirks::default())?;
+        let number =
+            literal::integer_in_line(text.trim_ascii(), 0, u64::from(u16::MAX), &mut Quirks::default())?;
         u16::try_from(number).map_err(|_| Reason::Malformed)
     };
     Ok((index(low)?, index(high)?))

@@ -186,13 +186,15 @@ fn compact_count<'a>(
     item: &Item<'a>,
     invalid_values: &mut InvalidValues,
 ) -> Option<u8> {
-    let all = || literal::integer(item.value, 255, 255, &mut Quirks::default()).is_ok().then_some(254);
+    let all =
+        || literal::integer_in_line(item.value, 255, 255, &mut Quirks::default()).is_ok().then_some(254);
     items.integer(item, (0, 254), invalid_values).or_else(all).filter(|&count| count > 0)
 }
 
 /// `n`, or `0;b`.
 fn extension_count(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<ExtensionCount> {
-    let integer = |text: &str| literal::integer(text.trim_ascii(), 0, 255, &mut Quirks::default()).ok();
+    let integer =
+        |text: &str| literal::integer_in_line(text.trim_ascii(), 0, 255, &mut Quirks::default()).ok();
     let number = |text| u8::try_from(integer(text)?).ok().filter(|&number| number > 0);
     let count = match item.value.split_once(';') {
         Some((zero, bits)) if integer(zero) == Some(0) => number(bits).map(ExtensionCount::SharedBits),
@@ -225,7 +227,7 @@ fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Opti
         return Some(value);
     }
     let mut quirks = Quirks::default();
-    let value = literal::value(item.value, data_type, &mut quirks);
+    let value = literal::value_in_line(item.value, data_type, &mut quirks);
     match value {
         Ok(value) => {
             let value = match item.field() {

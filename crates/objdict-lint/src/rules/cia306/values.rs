@@ -1,6 +1,7 @@
 //! Defaults and other values.
 
 use crate::diagnostic::{Argument, Findings, Severity, Text, joined, say};
+use crate::literal::iec_number;
 use crate::model::{
     Access, DataType, Device, Field, InvalidValue, ObjectType, Place, Reason, TypeKind, Value,
 };
@@ -141,6 +142,9 @@ fn invalid_value_message(invalid: &InvalidValue, data_type: Option<DataType>) ->
 }
 
 fn invalid_value_help(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
+    if let Some(number) = iec_number(&invalid.text, &invalid.reason) {
+        return say!("write `{}`, if it is meant as in IEC 61131", number);
+    }
     match (&invalid.field, &invalid.reason) {
         (Field::AccessType, _) => match invalid.intended_access() {
             Some(access) => say!("did you mean `{}`? write one of {}", access, access_names()),
