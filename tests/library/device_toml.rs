@@ -45,7 +45,8 @@ fn comes_back(files: &[PathBuf]) {
         let text = written(description.device());
         let again = read(&text);
         assert!(again.device() == description.device(), "{}:\n{text}", file.display());
-        assert_eq!(again.findings().iter().count(), 0, "{}: {:?}\n{text}", file.display(), again.findings());
+        // a factor that is no number in an XDD is a warning here too
+        assert!(!again.findings().has_errors(), "{}: {:?}\n{text}", file.display(), again.findings());
     }
 }
 

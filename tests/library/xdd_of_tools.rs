@@ -110,7 +110,7 @@ fn projects_of_canopennode_are_read() {
     let (kind, input) = Reading::default().read("lamp.xml", bytes.clone()).unwrap();
     let Input::Description(description) = input else { panic!("no description") };
     assert_eq!((kind, description.is_project(), description.print()), (FileKind::CanopenNode, true, bytes));
-    let device = description.device();
+    let device = description.described();
     let heartbeat = device.entry(0x1016, 1).unwrap();
     assert_eq!(
         (heartbeat.data_type, &heartbeat.default),

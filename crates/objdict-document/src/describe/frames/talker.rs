@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::sdo::Transfers;
-use super::users::Stale;
+use super::stale::Stale;
 use crate::dbc::{Scaled, scaling_of};
 use crate::describe::{Decoder, ValueReader};
 use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Pdo, Value};

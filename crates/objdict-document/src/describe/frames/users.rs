@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use objdict_network::Service;
 
 use super::signals::PdoContent;
+use super::stale::Stale;
 use super::talker::TalkingNode;
 use crate::model::{CobId, Pdo, PdoKind, SdoChannel, predefined};
 
@@ -24,34 +25,6 @@ pub(super) struct CanIdUser {
     pub(super) channel: u16,
     /// What a PDO carries.
     pub(super) content: PdoContent,
-}
-
-/// The services of a node that have to be found again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Stale {
-    All,
-    Pdo(PdoKind, u16),
-    /// Those that are no PDOs.
-    Others,
-}
-
-impl Stale {
-    /// What an object decides.
-    pub(super) fn of(index: u16) -> Option<Self> {
-        let pdo = || PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));
-        match index {
-            0x1005 | 0x1012 | 0x1014 | 0x1200..=0x127F => Some(Self::Others),
-            _ => pdo().map(|(kind, number)| Self::Pdo(kind, number)),
-        }
-    }
-
-    fn has(self, service: Service) -> bool {
-        match (self, service) {
-            (Self::All, _) => true,
-            (Self::Pdo(kind, number), service) => service == Service::pdo(kind, number),
-            (Self::Others, service) => !matches!(service, Service::Pdo(_)),
-        }
-    }
 }
 
 /// The services with CAN-IDs that nodes configure.
