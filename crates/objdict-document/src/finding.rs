@@ -3,7 +3,7 @@
 use super::anchor::{Anchor, in_one_spelling};
 use super::texts::LanguageTexts;
 use crate::diagnostic::{At, Diagnostic, Severity};
-use crate::model::{Part, Place};
+use crate::model::{Device, Part, Place};
 
 /// A finding, for readers who may not have the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,6 +49,16 @@ impl Finding {
             also: finding.also.iter().filter_map(place).collect(),
             line,
         }
+    }
+
+    /// The finding on the page of a device, which has no place for a disabled object.
+    #[must_use]
+    pub fn on_page_of(mut self, device: &Device) -> Self {
+        let is_there =
+            |place: &Place| place.part.object().is_none_or(|index| device.objects.contains_key(&index));
+        self.place = self.place.filter(is_there);
+        self.also.retain(is_there);
+        self
     }
 
     /// The object or entry of the finding.

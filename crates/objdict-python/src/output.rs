@@ -174,7 +174,10 @@ fn concise(shared: &SharedDescription, node: &OutputNode) -> PyResult<Vec<u8>> {
 fn page(shared: &SharedDescription, form: Form, language: Option<String>) -> PyResult<String> {
     let (subject, findings) = findings_of(shared)?;
     let line = |finding| Location::line_of(subject, finding);
-    let findings: Vec<_> = findings.iter().map(|finding| Finding::new(finding, line(finding))).collect();
+    let findings: Vec<_> = findings
+        .iter()
+        .map(|finding| Finding::new(finding, line(finding)).on_page_of(shared.device()))
+        .collect();
     let names = code::identifiers(shared.device()).unwrap_or_default();
     let names = names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c }));
     Ok(with_subject(shared, Some(&findings), &names.collect(), |subject| {

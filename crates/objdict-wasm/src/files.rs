@@ -130,6 +130,7 @@ pub(crate) fn page(description: &Description, extension: &str) -> Files {
     let findings: Vec<Finding> = findings
         .iter()
         .map(|finding| Finding::new(finding, Location::line_of(description.into(), finding)))
+        .map(|finding| finding.on_page_of(description.device()))
         .collect();
     let names = generate::identifiers(description.device()).unwrap_or_default();
     let identifiers: Identifiers =

@@ -44,6 +44,7 @@ impl Documented {
     fn new(file: String, format: &'static str, device: Device, findings: Vec<Finding>) -> Self {
         let names = generate::identifiers(&device).unwrap_or_default();
         let names = names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c }));
+        let findings = findings.into_iter().map(|finding| finding.on_page_of(&device)).collect();
         Self { file, format, device, findings, identifiers: names.collect() }
     }
 

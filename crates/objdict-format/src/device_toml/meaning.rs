@@ -4,6 +4,7 @@ use super::words::{key, quoted, type_word};
 use objdict_keyed::rules::{OUT_OF_RANGE, WRONG_TYPE};
 use objdict_keyed::section::KeyedTable;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, say};
+use objdict_model::literal::written_number;
 use objdict_model::model::{
     AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, Label, Labels, Parameter, ScaledValue,
     SimpleType, TypeDefinition, TypeShape, Unit, Value, VarDeclaration,
@@ -41,7 +42,8 @@ pub(super) fn read(
         let values = section.named("enum", findings).iter();
         for value in values.clone() {
             let number = value.key.spelled();
-            let Some(of_type) = number.parse().ok() else {
+            let negative = || number.parse().ok();
+            let Some(of_type) = written_number(&number, u64::MAX).map(i128::from).or_else(negative) else {
                 let message = say!("`{}` is not a number, and `enum` names values by number", number);
                 findings.push(
                     Diagnostic::new(&WRONG_TYPE, value.key.span, message).help("write `number = \"name\"`"),
