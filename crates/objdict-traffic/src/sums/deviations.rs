@@ -32,8 +32,10 @@ impl ExpectedFrames {
         let device = decoded.node_id.and_then(|node_id| bus.reader.device(node_id));
         let pdo = match decoded.service {
             // only frames of a TPDO are as often as its node sends them
-            Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Tpdo && !decoded.is_predefined() => {
-                device.and_then(|device| device.pdo(pdo.kind, pdo.number))
+            Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Tpdo => {
+                let pdo = device.and_then(|device| device.pdo(pdo.kind, pdo.number));
+                // one with another CAN-ID is not the one of this frame
+                pdo.filter(|pdo| pdo.cob_id.is_none() || !decoded.is_predefined())
             }
             _ => None,
         };
