@@ -27,7 +27,7 @@ mod supply;
 
 use std::borrow::Cow;
 
-use objdict_model::{canopennode, diagnostic, literal, model};
+use objdict_model::{diagnostic, literal, model};
 use objdict_profile as profile;
 
 use crate::diagnostic::Findings;

@@ -1,8 +1,8 @@
 //! Findings for the requirements of stacks.
 
-use crate::canopennode::{self, Cause};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
 use crate::model::Device;
+use objdict_model::canopennode::{self, Cause};
 
 /// Reports the requirements of one kind that a device does not meet.
 pub(crate) fn unmet(rule: &'static RuleInfo, cause: Cause, device: &Device, findings: &mut Findings) {

@@ -93,9 +93,9 @@ pub fn without_disabled(described: &Device, findings: Findings) -> Findings {
 /// that a fix would write has no item of a disabled object, so there is none.
 pub(crate) fn renumbered(described: &Device, findings: Findings) -> Findings {
     let number_of = |list: ObjectList, number: u32| {
-        let enabled = (1..).zip(described.lists.get(list)).filter(|(_, index)| {
-            !described.object(**index).is_some_and(Object::is_disabled)
-        });
+        let enabled = (1..)
+            .zip(described.lists.get(list))
+            .filter(|(_, index)| !described.object(**index).is_some_and(Object::is_disabled));
         let item = usize::try_from(number).ok()?.checked_sub(1)?;
         enabled.map(|(number, _)| number).nth(item)
     };

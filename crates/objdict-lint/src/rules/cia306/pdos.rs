@@ -251,8 +251,7 @@ fn check_pdo_count(
 ) {
     let PdoRange { name, field, low, high } = pdos;
     let described = device.objects.range(low..=high);
-    let described =
-        described.filter(|(_, object)| !object.orphan).count();
+    let described = described.filter(|(_, object)| !object.orphan).count();
     let compact = info.compact_pdo.is_some_and(|mask| mask != 0)
         || info.invalid_values.get(&Field::CompactPdo).is_some();
     if stated == described || compact && stated > described {

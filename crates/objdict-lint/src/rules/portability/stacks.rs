@@ -1,10 +1,10 @@
 //! Services that CANopenNode and other stacks do not support.
 
-use crate::canopennode::Cause;
 use crate::diagnostic::Findings;
 use crate::model::Device;
 use crate::rule::rules;
 use crate::stack;
+use objdict_model::canopennode::Cause;
 
 rules! {
     "portability/mapped-bits" = MAPPED_BITS, Warning, Device(mapped_bits);
