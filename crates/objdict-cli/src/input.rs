@@ -83,17 +83,7 @@ impl InputArgs {
         let (from, device, variant, encoding) = (self.from, self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading {
-            from,
-            device,
-            variant,
-            encoding,
-            max_size,
-            max_entries,
-            node_id: None,
-            patches,
-            ..Reading::default()
-        }
+        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..Reading::default() }
     }
 
     /// How a file is read that has further patches.

@@ -71,7 +71,7 @@ pub struct NetworkFile {
     pub files: Vec<PathBuf>,
     /// The problems of the text and of what follows from it.
     findings: Findings,
-    /// How many of them, the first ones, are those of the text.
+    /// How many of them, the first ones, are about the text.
     of_text: usize,
 }
 

@@ -165,17 +165,7 @@ impl ConfigureArgs {
         let (device, variant, encoding) = (self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading {
-            from,
-            device,
-            variant,
-            encoding,
-            max_size,
-            max_entries,
-            node_id: None,
-            patches,
-            ..Reading::default()
-        }
+        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..Reading::default() }
     }
 }
 

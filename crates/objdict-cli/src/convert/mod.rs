@@ -23,7 +23,7 @@ use super::stdout::Output;
 use super::written_files::{SaveFolder, Saved, is_stdout, keep, require_other, save};
 use objdict_format::input::Reading;
 use objdict_format::{Description, Format, LossKind, ReadError, json};
-use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
+use objdict_model::diagnostic::Severity;
 use objdict_node::concise;
 use objdict_node::download::ConciseDcf;
 use objdict_project::workspace;
@@ -161,8 +161,8 @@ fn convert_one(
     }
 }
 
-/// Refuses a source in which `objdict check` finds errors, those of rules too: its author can correct them before others get it as
-/// an EDS. A vendor's description is converted as it is.
+/// Refuses a source in which `objdict check` finds errors, also of rules: its author can correct them before others get an EDS. A
+/// vendor's description is converted as it is.
 fn refuse_faulty(
     description: &Description,
     job: &Job,
@@ -173,18 +173,18 @@ fn refuse_faulty(
     }
     let project = settings.project_of(&job.input)?;
     let options = settings.options(&job.input, project.as_deref());
-    let mut errors = workspace::findings(description, &options);
-    errors.retain(Findings::has_errors);
-    let line = |error: &Diagnostic| error.line(description.source(), |at| description.span_of(at));
-    let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
-    let problems: Vec<String> =
-        errors.iter().flat_map(|found| found.iter().filter(is_error).map(line)).collect();
-    match problems.is_empty() {
-        true => Ok(()),
-        false => {
-            Err(ReadError::Faulty { name: source_name(&job.input), problems: problems.join("\n") }.into())
-        }
+    // a variant has places of its own
+    let mut findings = workspace::findings(description, &options).into_iter();
+    let problems = description.map_devices(|device| {
+        let found = findings.next().unwrap_or_default();
+        let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
+        errors.map(|error| error.line(device.source(), |at| device.span_of(at))).collect::<Vec<_>>()
+    });
+    let problems = problems.concat();
+    if problems.is_empty() {
+        return Ok(());
     }
+    Err(ReadError::Faulty { name: source_name(&job.input), problems: problems.join("\n") }.into())
 }
 
 /// The description with the text that its patches make of it.

@@ -129,7 +129,7 @@ impl<'f> ComparedNetwork<'f> {
                 (Some(bytes), []) => format!(", {}", plural(bytes.into(), "byte")),
                 (Some(_), _) => format!(", {} bytes", message.length()),
             };
-            // that of a PDO follows from its trigger
+            // the period of a PDO follows from its trigger
             let is_cyclic = |end: &End| !matches!(end.service, Service::Pdo(_) | Service::MirroredPdo);
             let period = message.period.filter(|_| message.senders.iter().all(is_cyclic));
             let period = period.map(|period| format!(", every {}", show::period(period))).unwrap_or_default();
@@ -172,16 +172,16 @@ impl<'f> ComparedNetwork<'f> {
     /// Everything that is shown and built, by name; the descriptions that `bus.yml` comes with are compared as devices.
     fn outputs(&self) -> Result<Vec<BuiltFile>, Failure> {
         let json = |name: &str, value: serde_json::Result<serde_json::Value>| {
-            let text = value.and_then(|value| serde_json::to_string_pretty(&value)).unwrap_or_default();
-            BuiltFile { name: name.to_owned(), bytes: text.into_bytes() }
+            let text = value.and_then(|value| serde_json::to_string_pretty(&value)).map_err(Failure::new)?;
+            Ok::<_, Failure>(BuiltFile { name: name.to_owned(), bytes: text.into_bytes() })
         };
-        let mut files = vec![json("show", serde_json::to_value(&self.overview))];
+        let mut files = vec![json("show", serde_json::to_value(&self.overview))?];
         let options = TimingOptions {
             bit_rate: Some(self.overview.bit_rate.unwrap_or(1000)),
             ..TimingOptions::default()
         };
         if let Some(times) = Timing::new(self.network, self.compiled, &options) {
-            files.push(json("timing", serde_json::to_value(timing::TimingJson::new("", &times, &options))));
+            files.push(json("timing", serde_json::to_value(timing::TimingJson::new("", &times, &options)))?);
         }
         if self.network.manager.is_some() {
             files.extend(self.build.lely(&LelyOptions::default()).map_err(Failure::new)?);
@@ -233,7 +233,7 @@ fn has(
         sent.entries.iter().any(|entry| entry.index == index && sub.is_none_or(|sub| entry.sub == sub))
     };
     let is_explained = |change: &DeviceChange| {
-        // the configurations of the nodes, and what the boot plan says
+        // the configurations of the nodes, and what the boot plan shows
         let is_of_manager =
             |index| index == 0x1F22 || is_booted && matches!(index, 0x1016 | 0x1F55 | 0x1F80..=0x1F8A);
         let of_pdo = |index| [Some(index), PdoKind::of_communication(index).map(|_| index + 0x200)];

@@ -410,7 +410,7 @@ impl Reading {
     }
 }
 
-/// Refuses a `device.toml` whose text has errors, or that of one of its variants.
+/// Refuses a `device.toml` with errors in its text or in one of its variants.
 ///
 /// # Errors
 /// [`ReadError::Faulty`] with the errors.
@@ -419,7 +419,7 @@ pub fn refuse_errors(description: &Description) -> Result<(), ReadError> {
     if description.format() != Format::Toml {
         return Ok(());
     }
-    // those of its variants repeat those of the file
+    // a variant repeats the errors of the file
     let mut problems: Vec<String> = Vec::new();
     description.map_devices(|device| {
         let errors = device.findings().iter().filter(|finding| finding.severity == Severity::Error);

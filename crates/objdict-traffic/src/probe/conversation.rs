@@ -70,7 +70,9 @@ impl<'d> Conversation<'d> {
             (FrameKind::BootUp, _) if decoded.node_id == Some(self.node_id) => {
                 // without a command, the node was switched on
                 let was_switched_on = !std::mem::take(&mut self.awaits_boot_up);
-                was_switched_on.then(|| self.restart(NodeReset::All));
+                if was_switched_on {
+                    self.restart(NodeReset::All);
+                }
             }
             (FrameKind::Sdo, _) if decoded.node_id == Some(self.node_id) => self.transfer(&decoded),
             _ => {}
