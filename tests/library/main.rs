@@ -5,6 +5,7 @@
 
 mod agree;
 mod boot;
+mod boots;
 mod changes;
 mod circles;
 mod compat;

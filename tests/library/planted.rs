@@ -15,8 +15,8 @@ use crate::support;
 const FOUND: usize = 90;
 
 /// A mistake: `old` behind `at` is `new`.
-struct Mistake<'a> {
-    file: &'a str,
+pub(crate) struct Mistake<'a> {
+    pub(crate) file: &'a str,
     /// The rule that finds it; `None` for a mistake that no rule finds.
     rule: Option<&'a str>,
     what: &'a str,
@@ -25,7 +25,7 @@ struct Mistake<'a> {
     new: String,
 }
 
-fn mistakes(table: &str) -> Vec<Mistake<'_>> {
+pub(crate) fn mistakes(table: &str) -> Vec<Mistake<'_>> {
     let (mut file, mut found) = ("", Vec::new());
     for line in table.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
         if let Some(name) = line.strip_prefix("== ") {
@@ -45,7 +45,7 @@ fn mistakes(table: &str) -> Vec<Mistake<'_>> {
 }
 
 impl Mistake<'_> {
-    fn plant(&self, text: &str) -> String {
+    pub(crate) fn plant(&self, text: &str) -> String {
         plant(text, self.what, &self.at, &self.old, &self.new)
     }
 }

@@ -4,7 +4,7 @@ use objdict_device::NmtState;
 
 use crate::frame::BusFrame;
 use crate::manager::Milestone;
-use crate::model::Device;
+use crate::model::{CobId, Device, PdoKind};
 use crate::node::MILLISECOND;
 
 /// What happened on the bus from the time when the manager was switched on. Times are in nanoseconds.
@@ -107,14 +107,16 @@ pub struct NodeRun {
     pub downloads: usize,
     /// The emergency messages that it sent.
     pub emergencies: usize,
-    /// Those of them that report an error while it was operational.
+    /// Those of them that report an error while it was operational, but for errors that were over before the boot was.
     pub errors: usize,
 }
 
 impl NodeRun {
-    /// Whether it is as it must be: operational, or booted if the application starts it.
+    /// Whether it is as it must be: booted, and operational unless the application starts it.
     pub(crate) fn has_arrived(&self, waits_for_application: bool) -> bool {
-        !self.must_boot || self.operational.is_some() || (waits_for_application && self.booted.is_some())
+        let is_ready = self.is_manager || self.booted.is_some();
+        let is_started = self.operational.is_some() || waits_for_application && !self.is_manager;
+        !self.must_boot || is_ready && is_started
     }
 }
 
@@ -132,6 +134,12 @@ impl Run {
         self.waiting >= 1000 * MILLISECOND
     }
 
+    /// The services that nodes are configured for but that are not simulated: sentences in lower case without a full stop.
+    pub fn not_simulated(&self) -> Vec<String> {
+        let devices = self.nodes.iter().filter_map(|node| Some((&node.name, node.device.as_ref()?)));
+        devices.flat_map(|(name, device)| unserved(name, device)).collect()
+    }
+
     /// The frames with their times and senders.
     pub fn frames(&self) -> impl Iterator<Item = (u64, usize, BusFrame)> + '_ {
         self.events.iter().filter_map(|event| match event.kind {
@@ -139,4 +147,27 @@ impl Run {
             _ => None,
         })
     }
+}
+
+/// What a node is configured for and does not do in the simulation.
+fn unserved(name: &str, device: &Device) -> Vec<String> {
+    let is_extended =
+        |value: Option<CobId>| value.is_some_and(|cob_id| cob_id.is_valid() && cob_id.is_extended());
+    let services = [(0x1005, "SYNC"), (0x1014, "EMCY")].into_iter().filter_map(|(index, service)| {
+        let cob_id = device.value(index, 0).and_then(|value| CobId::from_value(&value));
+        is_extended(cob_id).then(|| (service.to_owned(), "a CAN-ID of 29 bits"))
+    });
+    let pdos = device.pdos().filter(|pdo| pdo.is_valid() == Some(true) && pdo.mapped().next().is_some());
+    let pdos = pdos.filter_map(|pdo| {
+        let is_requested = pdo.kind == PdoKind::Tpdo && matches!(pdo.transmission_type, Some(252 | 253));
+        let reason = match () {
+            () if pdo.is_multiplexed() => "multiplexed objects",
+            () if is_extended(pdo.cob_id) => "a CAN-ID of 29 bits",
+            () if is_requested => "a transmission on request",
+            () => return None,
+        };
+        Some((pdo.to_string(), reason))
+    });
+    let sentence = |(service, reason)| format!("{service} of `{name}` has {reason}, which is not simulated");
+    services.chain(pdos).map(sentence).collect()
 }

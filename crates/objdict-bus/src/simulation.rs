@@ -199,10 +199,7 @@ impl Simulation {
         self.record(EventKind::Frame { sender, frame });
         self.look_for_conflict(sender, &frame);
         if self.nodes[sender].as_ref().is_some_and(|node| node.emergency_id() == frame.id()) {
-            let is_error = frame.data().get(..2).is_some_and(|code| code != [0; 2]);
-            let run = &mut self.runs[sender];
-            run.emergencies += 1;
-            run.errors += usize::from(is_error && run.state == Some(NmtState::Operational));
+            self.take_emergency(sender, frame.data());
         }
         for (at, node) in self.nodes.iter_mut().enumerate() {
             let Some(node) = node else { continue };
@@ -212,6 +209,18 @@ impl Simulation {
         }
         if let Some(own) = self.nodes[0].as_mut().filter(|_| sender != 0) {
             self.manager.receive(&frame, own, self.now);
+        }
+    }
+
+    /// Counts an emergency. A node that starts by itself may disturb others until the manager has configured it, so an error that
+    /// is over before all nodes are as they must be is none.
+    fn take_emergency(&mut self, sender: usize, data: &[u8]) {
+        let run = &mut self.runs[sender];
+        run.emergencies += 1;
+        match data {
+            [_, _, 0, ..] if self.arrived.is_none() => run.errors = 0,
+            [0, 0, ..] => {}
+            _ => run.errors += usize::from(run.state == Some(NmtState::Operational)),
         }
     }
 

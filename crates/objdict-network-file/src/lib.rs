@@ -3,6 +3,7 @@
 mod boot;
 mod bus_keys;
 mod bus_yml;
+mod effective;
 mod init;
 mod link_edits;
 mod mentions;
@@ -29,6 +30,7 @@ pub use self::link_edits::LinkEdit;
 pub use self::mentions::NodeMention;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;
+pub use self::stored::unreadable_configurations;
 pub use self::topology::location;
 use objdict_format::Description;
 use objdict_format::identify::{ContentKind, identify_source};
@@ -173,6 +175,7 @@ impl NetworkFile {
         let mut findings = self.findings.clone();
         if let Some(resolved) = &self.resolved {
             network::check(resolved.network(), resolved.compiled(), &mut findings);
+            effective::check(resolved.network(), resolved.compiled(), &mut findings);
         }
         findings.sort_by_key(|finding| {
             let start = match finding.labels.first().map(|label| &label.at) {

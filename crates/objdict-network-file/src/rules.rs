@@ -35,14 +35,6 @@ text_rules! {
     remedy: "Correct the number.",
     source: "CiA 306-3",
 
-    OTHER_NODE_ID = "network/other-node-id", Error;
-    summary: "a DCF is listed for another node",
-    checks: "Whether the DCF of `NodeX` has the node-ID X.",
-    why: "The manager sends the configuration of one node to another one.",
-    example: "`Node5DCFName=left.dcf`, where `left.dcf` has `NodeID=11`",
-    remedy: "List the DCF of the node, or correct its node-ID.",
-    source: "CiA 306-3",
-
     INVALID_CONFIGURATION = "network/invalid-configuration", Error;
     summary: "the manager holds a configuration that is not valid",
     checks: "Whether 1F20h in the description of the manager has DCFs, and 1F22h concise DCFs, each for a node of the network.",

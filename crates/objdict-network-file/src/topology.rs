@@ -1,10 +1,10 @@
 //! Node lists (CiA 306-3): a network of DCFs, each of which says all of its node.
 
 use super::NodeDescriptions;
-use super::rules::{INVALID_NODE_LIST, NODE_COUNT, OTHER_NODE_ID};
+use super::rules::{INVALID_NODE_LIST, NODE_COUNT};
 use objdict_format::nodelist;
-use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, say};
-use objdict_model::model::{Field, Part, Place, Topology, TopologyNode};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, say};
+use objdict_model::model::{Topology, TopologyNode};
 use objdict_model::source::{Folder, SourceFile, Span};
 use objdict_network::{Heartbeat, Manager, Network, Node, Said};
 
@@ -34,7 +34,7 @@ pub(super) fn read(
     reader.count(&topology);
     let mut network = Network { name: topology.name.clone(), ..Network::default() };
     for listed in topology.nodes.iter().filter(|node| node.present) {
-        let node = reader.node(&topology, listed, network.nodes.len());
+        let node = reader.node(&topology, listed);
         network.nodes.extend(node);
     }
     let stated = |node: &Node| node.device.commissioning.as_ref().and_then(|node| node.baud_rate);
@@ -106,21 +106,13 @@ impl TopologyReader<'_, '_> {
         self.findings.push(finding.help(say!("write `Nodes=0x{:02X}`", topology.present())));
     }
 
-    /// The node that gets this position in the network.
-    fn node(&mut self, topology: &Topology, listed: &TopologyNode, position: usize) -> Option<Node> {
+    /// A node of the list.
+    fn node(&mut self, topology: &Topology, listed: &TopologyNode) -> Option<Node> {
         let key = format!("Node{}DCFName", listed.id);
         let at = self.span(&key);
         let name = listed.name.clone().unwrap_or_else(|| format!("node{}", listed.id));
         let file = Said::new(location(self.descriptions.folder.as_ref(), topology, listed), at);
         let device = self.descriptions.read(&name, &file, self.findings)?;
-        if let Some(stated) = device.node_id().filter(|stated| *stated != listed.id) {
-            let message =
-                say!("`{}` is configured for node {}, but listed as node {}", name, stated, listed.id);
-            let place = Place::of(Part::Commissioning).field(Field::NodeId);
-            let finding =
-                Diagnostic::new(&OTHER_NODE_ID, at, message).label(At::Node(position, place), "the node-ID");
-            self.findings.push(finding.help("list the DCF of the node, or correct its node-ID").understood());
-        }
         let node_id = Some(Said::new(listed.id, at));
         Some(Node { name: Said::new(name, at), file, device, node_id, ..Node::default() })
     }

@@ -47,7 +47,8 @@ impl Slave {
 
     /// Where the network file has the final values of an object; of a PDO those of both of its objects.
     pub(crate) fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
-        let objects = [index].into_iter().chain((0x1400..0x1C00).contains(&index).then_some(index | 0x0200));
+        let other = (0x1400..0x1C00).contains(&index).then_some(index ^ 0x0200);
+        let objects = [index].into_iter().chain(other);
         let entries = objects.flat_map(|index| self.origins.range((index, 0)..=(index, u8::MAX)));
         entries.map(|(_, span)| At::Span(*span))
     }

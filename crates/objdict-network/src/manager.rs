@@ -107,14 +107,13 @@ impl<'a> Knowledge<'a> {
         };
         let stated = |number: u32| if number == 0 { Vec::new() } else { vec![(0, number)] };
         let bytes = |known: NodeListObject| NodeListObject { data_type: DataType::UNSIGNED8, ..known };
-        let commands = |known: NodeListObject| NodeListObject { access: Access::Wo, ..known };
         let mut objects = vec![
             known(EMERGENCIES, "Emergency consumer object", self.emergencies()),
-            commands(known(0x1F25, "Configuration request", Vec::new())),
+            NodeListObject { access: Access::Wo, ..known(0x1F25, "Configuration request", Vec::new()) },
             known(0x1F55, "Expected software identification", self.software()),
             known(0x1F80, "NMT startup", vec![(0, self.manager.startup.to_number())]),
             known(0x1F81, "NMT slave assignment", self.assignments()),
-            commands(bytes(known(0x1F82, "Request NMT", Vec::new()))),
+            bytes(known(0x1F82, "Request NMT", Vec::new())),
             known(0x1F84, "Device type identification", self.identities(0)),
             known(0x1F85, "Vendor identification", self.identities(1)),
             known(0x1F86, "Product code", self.identities(2)),
@@ -158,7 +157,7 @@ impl NodeListObject {
             // not valid: 0 would be the CAN-ID of NMT
             main.default = Some(value(1 << 31));
         }
-        // 1F25h and 1F82h have a sub-index for all nodes (CiA 302-2)
+        // a command has a sub-index for all nodes (CiA 302-2)
         let count = NODES + u8::from(self.access == Access::Wo);
         let mut values: Vec<(u8, Value)> =
             self.values.iter().map(|(sub, number)| (*sub, value(*number))).collect();

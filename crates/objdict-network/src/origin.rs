@@ -5,7 +5,7 @@
 
 use crate::compiled::Origins;
 use crate::compiled::{Slave, indexes};
-use crate::diagnostic::{At, Diagnostic};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, SourceLabel};
 use crate::messages::{MessageId, SdoCanId, Service};
 use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};
@@ -52,6 +52,37 @@ impl Slave {
     /// Where the description has the value of an entry; `None` if the configuration replaces it.
     pub(crate) fn origin(&self, network: &Network, index: u16, sub: u8) -> Option<At> {
         network.nodes[self.node].origin(self.node, &self.origins, (index, sub))
+    }
+
+    /// A finding of a rule about devices, about the effective dictionary: where the network file gives an entry its value, else
+    /// in the description. `None` if the network file gives none of the values, or if an error is known of the object.
+    pub fn found(&self, network: &Network, finding: &Diagnostic, known: &Findings) -> Option<Diagnostic> {
+        let entry = |label: &SourceLabel| match &label.at {
+            At::Place(Place { part: Part::Entry(index, sub), .. }) => Some((*index, *sub)),
+            At::Place(Place { part: Part::Object(index), .. }) => Some((*index, 0)),
+            _ => None,
+        };
+        let said = |label| entry(label).and_then(|(index, sub)| self.said(index, sub));
+        let at = finding.labels.iter().find_map(said)?;
+        let own: Vec<At> =
+            finding.labels.iter().filter_map(entry).flat_map(|(index, _)| self.said_of(index)).collect();
+        let is_own = |label: &SourceLabel| own.contains(&label.at);
+        let mut errors = known.iter().filter(|known| known.severity == Severity::Error);
+        if errors.any(|known| known.labels.iter().any(is_own)) {
+            return None;
+        }
+        let message = format!("`{}`: {}", network.nodes[self.node].name.value, finding.message);
+        let mut found = Diagnostic::new(finding.rule, at, message).severity(finding.severity);
+        for label in finding.labels.iter().filter(|label| said(label) != Some(at)) {
+            let at = match &label.at {
+                At::Place(place) => said(label).map_or(At::Node(self.node, place.clone()), At::Span),
+                other => other.clone(),
+            };
+            let text = if label.text.is_empty() { "in the description".into() } else { label.text.clone() };
+            found = found.label(at, text);
+        }
+        found.help.clone_from(&finding.help);
+        Some(found.understood())
     }
 
     /// Whether an entry has a value on purpose: the network file states it, or a DCF one that is not the default.

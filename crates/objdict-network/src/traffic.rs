@@ -13,6 +13,7 @@ pub(crate) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
 
 /// Who sends SYNC, and how.
 pub(crate) struct Sync {
+    pub(crate) can_id: MessageId,
     /// The communication cycle period in microseconds.
     pub(crate) period: u64,
     /// The synchronous window length in microseconds; 0: none.
@@ -65,8 +66,11 @@ pub(crate) struct Traffic<'n> {
 impl<'n> Traffic<'n> {
     /// The one that sends SYNC.
     pub(crate) fn sync(self) -> Option<Sync> {
-        let senders = self.messages.0.values().flat_map(|message| &message.senders);
-        let party = senders.clone().find(|party| party.service == Service::Sync)?;
+        let mut messages = self.messages.0.iter();
+        let (can_id, party) = messages.find_map(|(can_id, message)| {
+            let party = message.senders.iter().find(|party| party.service == Service::Sync)?;
+            Some((*can_id, party))
+        })?;
         let (period, window, overflow) = match party.node {
             None => {
                 let manager = self.network.manager.as_ref()?;
@@ -81,6 +85,7 @@ impl<'n> Traffic<'n> {
             }
         };
         Some(Sync {
+            can_id,
             period: period.into(),
             window: Said::new(window.value.into(), window.at),
             overflow,

@@ -37,17 +37,18 @@ pub(super) fn run(args: &NetworkBootArgs, out: &mut Output) -> Result<Outcome, F
     if let Some(bit_rate) = args.bit_rate {
         installation.plant.bit_rate = bit_rate;
     }
-    let Installation { plant, notes } = &installation;
+    let Installation { plant, mut notes } = installation;
     let conditions = Conditions {
         response: args.response_time,
         after: args.run_time,
         limit: args.time_limit,
         ..Conditions::default()
     };
-    let run = boot(plant, &conditions);
+    let run = boot(&plant, &conditions);
+    notes.extend(run.not_simulated());
     let report = BootReport { run: &run, bit_rate: plant.bit_rate };
     match args.format {
-        ShowFormat::Json => report.json(&source_names_of(&args.files), notes, args.summary, out)?,
+        ShowFormat::Json => report.json(&source_names_of(&args.files), &notes, args.summary, out)?,
         ShowFormat::Table => {
             notes.iter().for_each(|text| note(&format!("note: {text}\n")));
             if !args.summary {
@@ -289,7 +290,10 @@ impl<'r> BootReport<'r> {
     fn problems(&self) -> Vec<String> {
         let waits = self.run.waits_for_application;
         let manager = &self.run.nodes[0].name;
-        let late = self.run.nodes.iter().filter(|node| node.must_boot && node.operational.is_none());
+        let is_late = |node: &&NodeRun| {
+            node.must_boot && (node.operational.is_none() || !node.is_manager && node.booted.is_none())
+        };
+        let late = self.run.nodes.iter().filter(is_late);
         let late = late.filter(|node| !waits || node.booted.is_none());
         let of_node = late.map(|node| {
             let name = &node.name;
@@ -304,6 +308,7 @@ impl<'r> BootReport<'r> {
                     format!("{name} must be booted, but its 1F81h in {manager} is {assignment:08X}h")
                 }
                 _ if node.state.is_none() => format!("{name} is missing"),
+                _ if node.operational.is_some() => format!("{name} is not booted"),
                 _ => format!("{name} is not operational"),
             }
         });

@@ -4,7 +4,8 @@ use super::NetworkCheck;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
-use crate::identity::{self, PLACEHOLDER, number};
+use crate::identity::{self, PLACEHOLDER, answered, number};
+use crate::manager::numbers;
 use crate::model::Place;
 use crate::rules::{
     AMBIGUOUS_IDENTITY, BOOT_TIME, KEPT_ALIVE_WITHOUT_STATE, MISSING_ENTRY, NOTHING_TO_RESTORE,
@@ -26,6 +27,7 @@ impl NetworkCheck<'_, '_> {
                     continue;
                 }
                 let described = number(&node.device, 0x1018, sub, slave.node_id).unwrap_or(0);
+                let described = answered(&node.device, sub, slave.node_id).unwrap_or(described);
                 if described != 0 && described != request.value {
                     let message = say!(
                         "the {} number of `{}` is {:X}h, but its description says {:X}h",
@@ -34,15 +36,80 @@ impl NetworkCheck<'_, '_> {
                         request.value,
                         described
                     );
-                    let place = At::Node(slave.node, node.device.value_place(0x1018, sub));
+                    let elsewhere =
+                        identity::stated(&node.device).into_iter().nth(usize::from(sub) - 1).flatten();
+                    let elsewhere = elsewhere.filter(|(number, _)| *number == described);
+                    let place = elsewhere.map_or(node.device.value_place(0x1018, sub), |(_, place)| place);
                     let finding = Diagnostic::new(&WRONG_IDENTITY, request.at, message)
-                        .label(place, "the described number");
-                    self.findings
-                        .push(finding.help("correct the number, or use the description of that device"));
+                        .label(At::Node(slave.node, place), "the described number");
+                    let finding = finding.help("correct the number, or use the description of that device");
+                    self.findings.push(self.judged(slave, finding, sub, slave.identity[usize::from(sub)]));
                 }
             }
             self.ambiguous_identity(slave);
             self.expected_identity(slave);
+        }
+    }
+
+    /// A finding about an expected number: an error where the manager does not boot the node, because it answers another one.
+    fn judged(&self, slave: &Slave, finding: Diagnostic, sub: u8, expected: u32) -> Diagnostic {
+        let node = &self.network.nodes[slave.node];
+        let is_other = match answered(&node.device, sub, slave.node_id) {
+            Some(number) => number != expected,
+            None => node.device.entry(0x1018, sub).is_none(),
+        };
+        let is_booted = self.network.manager.is_some() && node.boot.boot;
+        if expected != 0 && is_other && is_booted {
+            finding.severity(Severity::Error).understood()
+        } else {
+            finding
+        }
+    }
+
+    /// 1F55h against 1F56h of the nodes whose software the manager checks (1F81h bit 5).
+    pub(super) fn software(&mut self) {
+        const CHECKED: u32 = 1 << 5;
+        let numbers = numbers(self.network, self.compiled);
+        for slave in &self.compiled.slaves {
+            let node = &self.network.nodes[slave.node];
+            let known = |index| numbers.get(&(index, slave.node_id)).copied().unwrap_or(0);
+            if !node.boot.boot || known(0x1F81) & CHECKED == 0 {
+                continue;
+            }
+            let (name, version) = (&node.name.value, node.boot.software_version);
+            let at = if version.at.is_empty() { node.name.at } else { version.at };
+            let own = number(&node.device, 0x1F56, 1, slave.node_id).filter(|own| *own != 0);
+            let place = At::Node(slave.node, node.device.value_place(0x1F56, 1));
+            let finding = match (known(0x1F55), own) {
+                (0, _) => Diagnostic::new(
+                    &WRONG_IDENTITY,
+                    at,
+                    say!(
+                        "the manager checks the software of `{}`, but 1F55h does not say which is expected",
+                        name
+                    ),
+                )
+                .help("state the version: 1F55h of the manager, `software-version`"),
+                (_, None) if node.device.entry(0x1F56, 1).is_none() => {
+                    let message =
+                        say!("`{}` has no 1F56h:01, so the manager cannot check its software", name);
+                    Diagnostic::new(&MISSING_ENTRY, at, message)
+                        .help("remove the key, or complete the description")
+                }
+                (expected, Some(own)) if own != expected => {
+                    let message = say!(
+                        "the manager expects the software {:X}h of `{}`, but 1F56h:01 has {:X}h",
+                        expected,
+                        name,
+                        own
+                    );
+                    let finding =
+                        Diagnostic::new(&WRONG_IDENTITY, at, message).label(place, "the described number");
+                    finding.help("correct the number, or use the description of that device")
+                }
+                _ => continue,
+            };
+            self.findings.push(finding.severity(Severity::Error).understood());
         }
     }
 
@@ -112,6 +179,7 @@ impl NetworkCheck<'_, '_> {
             let finding = Diagnostic::new(&AMBIGUOUS_IDENTITY, node.file.at, message)
                 .label(At::Node(slave.node, place), "the number in `DeviceInfo`")
                 .label(At::Node(slave.node, other), "the number in 1018h");
+            let finding = self.judged(slave, finding, position, expected);
             self.findings.push(finding.help(match (position, self.network.order) {
                 (3, Order::Dcfgen) => "state the right one: `revision_number`",
                 (_, Order::Dcfgen) => "correct the description",
@@ -139,7 +207,12 @@ impl NetworkCheck<'_, '_> {
             let Some(wanted) = number(&manager.device, index, slave.node_id, slave.node_id) else { continue };
             let is_off = wanted == 0 || index == 0x1028 && wanted >> 31 != 0;
             // a device type of 0 is one
-            let is_stated = is != 0 || index == 0x1F84 && node.device.value(0x1000, 0).is_some();
+            let is_stated = match index {
+                0x1F84 => node.device.value(0x1000, 0).is_some(),
+                // what the node does not have, it does not answer
+                0x1F85..=0x1F88 => is != 0 || node.device.entry(0x1018, (index - 0x1F84) as u8).is_none(),
+                _ => is != 0,
+            };
             let said = manager.said(index, slave.node_id);
             // a setting beside a number that follows from the node is a contradiction
             let is_reported = said.is_some() && is != 0;
@@ -157,9 +230,10 @@ impl NetworkCheck<'_, '_> {
                     .help("correct the value of the manager, or use the description of that device");
                 // the revision may be another one than that of the description
                 let is_other_device = (0x1F84..=0x1F86).contains(&index);
-                self.findings.push(match is_other_device {
-                    true => finding.severity(Severity::Error).understood(),
-                    false => finding,
+                self.findings.push(match (index, is_other_device) {
+                    (_, true) => finding.severity(Severity::Error).understood(),
+                    (0x1F87 | 0x1F88, _) => self.judged(slave, finding, (index - 0x1F84) as u8, wanted),
+                    _ => finding,
                 });
             }
         }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::NetworkCheck;
 use crate::compiled::{PdoState, indexes};
 use crate::connect::NodePdos;
-use crate::diagnostic::{At, Diagnostic, Severity, say, series};
+use crate::diagnostic::{At, Diagnostic, say, series};
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{BaudRates, Field, Part, PdoKind, Place, restricted};
 use crate::network::{Node, Said};
@@ -89,6 +89,7 @@ impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn can_ids(&mut self) {
         for (can_id, message) in &self.messages.0 {
             self.senders(*can_id, message);
+            self.counterparts(*can_id, message);
             let parties = message.senders.iter().chain(&message.receivers);
             for party in parties.filter(|party| matches!(party.service, Service::Pdo(_))) {
                 let Some(owner) = restricted(can_id.number).filter(|_| !can_id.is_extended) else { continue };
@@ -106,18 +107,11 @@ impl<'n> NetworkCheck<'n, '_> {
     /// One sender a CAN-ID. Nodes with one node-ID share all of them, which is said once.
     fn senders(&mut self, can_id: MessageId, message: &Message) {
         let Some((first, others)) = message.senders.split_first() else { return };
-        let node_id = |party: &Party| {
-            let manager = || self.network.manager.as_ref()?.node_id;
-            party
-                .node
-                .map_or_else(manager, |node| self.network.nodes[node].node_id)
-                .map(|node_id| node_id.value)
-        };
         let mut findings = Vec::new();
         for other in others {
             let is_general = |service| matches!(service, Service::Sync | Service::Time);
             let is_same_service = other.service == first.service && is_general(first.service);
-            if node_id(first) == node_id(other)
+            if self.node_id(first) == self.node_id(other)
                 && (first.node != other.node || first.service == other.service)
             {
                 continue;
@@ -148,6 +142,37 @@ impl<'n> NetworkCheck<'n, '_> {
             findings.push(finding.help(help).understood());
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
+    }
+
+    fn node_id(&self, party: &Party) -> Option<u8> {
+        let manager = || self.network.manager.as_ref()?.node_id;
+        let of_node = |node: usize| self.network.nodes[node].node_id;
+        party.node.map_or_else(manager, of_node).map(|node_id| node_id.value)
+    }
+
+    /// A manager without a description has a PDO for each RPDO that no node sends, so each needs a CAN-ID of its own.
+    fn counterparts(&mut self, can_id: MessageId, message: &Message) {
+        let is_rpdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
+        let mut received = message.receivers.iter().filter(is_rpdo);
+        let mut mirrored = message.senders.iter().filter(|sender| sender.service == Service::MirroredPdo);
+        let (Some(manager), Some(first), Some(second)) = (mirrored.next(), received.next(), received.next())
+        else {
+            return;
+        };
+        if first.node != second.node && self.node_id(first) == self.node_id(second) {
+            return;
+        }
+        let message = format!(
+            "two PDOs of `{}` send {can_id}: for {} and for {}",
+            self.name(manager),
+            self.described(first),
+            self.described(second)
+        );
+        let finding = Diagnostic::new(&DUPLICATE_CAN_ID, second.at, message)
+            .label(first.at, "the other receiver")
+            .label_each(self.can_id_origin(can_id, second), "the CAN-ID")
+            .label_each(self.can_id_origin(can_id, first), "the CAN-ID");
+        self.findings.push(finding.help("give each RPDO a CAN-ID of its own").understood());
     }
 
     /// The PDO of a party.
@@ -198,7 +223,7 @@ impl<'n> NetworkCheck<'n, '_> {
                     true => {
                         finding.help("map fewer entries: the node does not process a PDO that is too short")
                     }
-                    false => finding.severity(Severity::Warning).help(self.remedy(receiver, received, sent)),
+                    false => finding.help(self.remedy(receiver, received, sent)),
                 });
             }
         }

@@ -22,6 +22,8 @@ struct Consumer<'n> {
     origin: Option<At>,
     node_id: u8,
     milliseconds: u16,
+    /// Whether it is the manager, which boots no node whose heartbeat it misses.
+    is_manager: bool,
 }
 
 impl<'n> NetworkCheck<'n, '_> {
@@ -48,7 +50,9 @@ impl<'n> NetworkCheck<'n, '_> {
                 let finding = Diagnostic::new(&NO_HEARTBEAT_CONSUMER, at, message);
                 let finding =
                     finding.label_each(origins.into_iter().flatten(), "the consumer heartbeat time");
-                self.findings.push(finding.help("monitor each node by one sub-index").understood());
+                let finding = finding.help("monitor each node by one sub-index").understood();
+                let is_said = slave.said(0x1016, second.sub).is_some();
+                self.findings.push(if is_said { finding.severity(Severity::Error) } else { finding });
             }
             let Some(manager) = manager.filter(|manager| manager.node == Some(slave.node)) else { continue };
             if manager.monitors_nodes() || has_twice {
@@ -80,7 +84,7 @@ impl<'n> NetworkCheck<'n, '_> {
     /// The consumer heartbeat times of nodes and manager against the producers.
     pub(super) fn heartbeats(&mut self) {
         for consumer in self.consumers() {
-            let Consumer { name, own, is_said, at, origin, node_id, milliseconds } = consumer;
+            let Consumer { name, own, is_said, at, origin, node_id, milliseconds, is_manager } = consumer;
             if own == Some(node_id) {
                 let finding = monitors_itself(at, name);
                 self.findings.push(finding.label_each(origin, "the consumer heartbeat time"));
@@ -98,9 +102,10 @@ impl<'n> NetworkCheck<'n, '_> {
                 }
                 Some((producer, 0, place)) => {
                     let message = say!("`{}` monitors `{}`, which sends no heartbeat", name, producer);
-                    finding(&SILENT_NODE, message)
+                    let finding = finding(&SILENT_NODE, message)
                         .label_each(place, "the producer heartbeat time")
-                        .help("set the producer heartbeat time of the node (1017h)")
+                        .help("set the producer heartbeat time of the node (1017h)");
+                    if is_manager { finding.severity(Severity::Error).understood() } else { finding }
                 }
                 Some((producer, period, place))
                     if f64::from(milliseconds) < f64::from(period) * LEAST_FACTOR =>
@@ -112,14 +117,23 @@ impl<'n> NetworkCheck<'n, '_> {
                         milliseconds,
                         period
                     );
-                    finding(&SHORT_HEARTBEAT_TIME, message)
+                    let finding = finding(&SHORT_HEARTBEAT_TIME, message)
                         .label_each(place, "the producer heartbeat time")
-                        .help("wait 1.5 to 3 times as long as the producer heartbeat time")
+                        .help("wait 1.5 to 3 times as long as the producer heartbeat time");
+                    let is_sure = milliseconds <= period;
+                    if is_sure { finding.severity(Severity::Error).understood() } else { finding }
                 }
                 Some(_) => continue,
             };
             self.findings.push(finding);
         }
+    }
+
+    /// Whether a node is the manager and boots another one.
+    fn is_booted_by(&self, node: usize, node_id: u8) -> bool {
+        let other = self.compiled.slaves.iter().find(|slave| slave.node_id == node_id);
+        let is_manager = self.network.manager.as_ref().is_some_and(|manager| manager.node == Some(node));
+        is_manager && other.is_some_and(|other| self.network.nodes[other.node].boot.boot)
     }
 
     fn consumers(&self) -> Vec<Consumer<'n>> {
@@ -137,6 +151,7 @@ impl<'n> NetworkCheck<'n, '_> {
                     origin: slave.origin(self.network, 0x1016, consumer.sub),
                     node_id: consumer.node_id,
                     milliseconds: consumer.time,
+                    is_manager: self.is_booted_by(slave.node, consumer.node_id),
                 });
             }
         }
@@ -155,6 +170,7 @@ impl<'n> NetworkCheck<'n, '_> {
                     origin: None,
                     node_id: slave.node_id,
                     milliseconds,
+                    is_manager: true,
                 }));
             }
         }

@@ -13,6 +13,9 @@ const FLYING: i128 = 1 << 5;
 /// 1F81h: the node is a slave.
 const SLAVE: u32 = 1;
 
+/// 1F81h: the manager configures and starts the node.
+const BOOTED: u32 = 1 << 2;
+
 /// 1F81h: the network does not start without the node.
 const MANDATORY: u32 = 1 << 3;
 
@@ -53,8 +56,8 @@ impl NetworkCheck<'_, '_> {
             );
             let finding = Diagnostic::new(&ABSENT_SLAVE, manager.name.at, message)
                 .label_each(own.origin(self.network, 0x1F81, sub), "the assigned node");
-            let is_mandatory = number & MANDATORY != 0;
-            let finding = if is_mandatory { finding.severity(Severity::Error) } else { finding };
+            let is_missed = number & (MANDATORY | BOOTED) != 0;
+            let finding = if is_missed { finding.severity(Severity::Error) } else { finding };
             self.findings
                 .push(finding.help(say!("describe the node, or set 1F81h:{:02X} to 0", sub)).understood());
         }

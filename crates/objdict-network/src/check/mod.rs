@@ -2,6 +2,7 @@
 
 mod boot;
 mod can_ids;
+mod foreign;
 mod heartbeat;
 mod managers;
 mod pdos;
@@ -39,6 +40,8 @@ pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     check.own_tables();
     check.unbooted();
     check.identities();
+    check.software();
+    check.foreign_descriptions();
     check.without_device_type();
     check.boot_time();
     check.kept_alive();

@@ -35,7 +35,7 @@ impl NetworkCheck<'_, '_> {
         let (index, sub) = (refused.index, refused.sub);
         let name = &self.network.nodes[slave.node].name;
         let origin = slave.origin(self.network, index, sub);
-        let own: Vec<At> = slave.said_of(group(index)).chain(origin.clone()).collect();
+        let own: Vec<At> = slave.said_of(index).chain(origin.clone()).collect();
         let is_known = |finding: &Diagnostic| {
             let mut labels = finding.labels.iter();
             finding.severity == Severity::Error && labels.any(|label| own.contains(&label.at))

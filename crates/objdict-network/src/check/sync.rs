@@ -20,7 +20,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let synchronous: Vec<_> = pdos.into_iter().filter(|(_, state)| state.is_synchronous()).collect();
         let mut users: Vec<&Slave> = synchronous.iter().map(|(slave, _)| *slave).collect();
         users.dedup_by_key(|slave| slave.node);
-        self.counters(&sync, &users);
+        self.counters(&sync);
         if synchronous.iter().any(|(_, state)| state.pdo.kind == PdoKind::Tpdo) {
             self.counter_of_manager(&sync);
         }
@@ -124,14 +124,19 @@ impl<'n> NetworkCheck<'n, '_> {
         if is_sure { finding } else { finding.severity(Severity::Warning) }
     }
 
-    /// 1019h of the nodes that use SYNC.
-    fn counters(&mut self, sync: &Sync, users: &[&Slave]) {
+    /// 1019h of the nodes that hear SYNC: one of another length is an EMCY also where no PDO waits for it.
+    fn counters(&mut self, sync: &Sync) {
+        let compiled = self.compiled;
         let sender = sync.node.and_then(|node| self.slave(node));
-        for slave in users.iter().filter(|slave| Some(slave.node) != sync.node) {
-            // a node without 1019h takes a SYNC of any length
-            let overflow = slave.device.services().sync_counter_overflow;
-            let Some(overflow) = overflow.filter(|overflow| *overflow != sync.overflow) else { continue };
-            if is_reserved_overflow(overflow) || is_reserved_overflow(sync.overflow) {
+        let is_hearing =
+            |slave: &&Slave| Some(slave.node) != sync.node && slave.sync_can_id() == Some(sync.can_id);
+        for slave in compiled.nodes().filter(is_hearing) {
+            // a node without 1019h expects no counter
+            let overflow = slave.device.services().sync_counter_overflow.unwrap_or(0);
+            if overflow == sync.overflow
+                || is_reserved_overflow(overflow)
+                || is_reserved_overflow(sync.overflow)
+            {
                 continue;
             }
             let node = &self.network.nodes[slave.node];
@@ -146,7 +151,10 @@ impl<'n> NetworkCheck<'n, '_> {
                 .label(sync.at, "who sends SYNC")
                 .label_each(slave.origin(self.network, 0x1019, 0), "the overflow value")
                 .label_each(of_sender, "the overflow value of the sender");
-            let finding = finding.help("set 1019h to the same value in all nodes");
+            let finding = finding.help(match slave.device.object(0x1019) {
+                Some(_) => "set 1019h to the same value in all nodes",
+                None => "send SYNC without a counter: the node has no 1019h",
+            });
             self.findings.push(finding.understood());
         }
     }

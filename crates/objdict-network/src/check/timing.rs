@@ -55,7 +55,8 @@ impl<'n> NetworkCheck<'n, '_> {
                 );
                 let finding = Diagnostic::new(&PDO_TIMES, at, message)
                     .label_each(slave.origin(self.network, communication, 5), "the event timer");
-                findings.push(finding.help("lengthen the deadline"));
+                let finding = finding.help("lengthen the deadline");
+                findings.push(finding.severity(Severity::Error).understood());
             }
             let sender = message.and_then(|message| self.sender_of(message));
             let Some((sender, sent)) =
@@ -76,7 +77,8 @@ impl<'n> NetworkCheck<'n, '_> {
                 let finding = Diagnostic::new(&PDO_TIMES, at, message)
                     .label_each(slave.origin(self.network, communication, 5), "the deadline")
                     .label_each(timer, "the event timer of the sender");
-                findings.push(finding.help("lengthen the deadline of the receiver"));
+                let finding = finding.help("lengthen the deadline of the receiver");
+                findings.push(finding.severity(Severity::Error).understood());
             }
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));

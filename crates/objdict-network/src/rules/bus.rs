@@ -21,7 +21,7 @@ text_rules! {
 
     DUPLICATE_CAN_ID = "network/duplicate-can-id", Error;
     summary: "two nodes send the same CAN-ID",
-    checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO and heartbeats of all nodes, and what the manager sends. The manager is the client of the default SDO of each node, so no other client (1280h) may use its CAN-IDs.",
+    checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO and heartbeats of all nodes, and what the manager sends. A manager without a description has a PDO for each RPDO that no node sends, so each of these needs a CAN-ID of its own. The manager is the client of the default SDO of each node, so no other client (1280h) may use its CAN-IDs.",
     why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers take the data of both.",
     example: "TPDO 1 of two nodes on 18Bh, or a TPDO on 585h, where node 5 answers SDOs",
     remedy: "Give one of them another CAN-ID. What a node is to receive is in its RPDO.",
@@ -37,7 +37,7 @@ text_rules! {
 
     PDO_LENGTH = "network/pdo-length", Error;
     summary: "sender and receiver of a PDO disagree about its length",
-    checks: "Whether an RPDO maps as many bits as the TPDO with its CAN-ID. A receiver that takes less is a warning.",
+    checks: "Whether an RPDO maps as many bits as the TPDO with its CAN-ID.",
     why: "A node does not process a PDO that is too short, and sends EMCY 8210h; for one that is too long it sends 8220h.",
     example: "a TPDO with 16 bits, received by an RPDO with 32",
     remedy: "Map the same lengths, with dummies for what the receiver does not need.",
@@ -61,7 +61,7 @@ text_rules! {
 
     SYNC_COUNTER = "network/sync-counter", Error;
     summary: "nodes count SYNC differently",
-    checks: "Whether 1019h of all nodes that use SYNC has the value of the one that sends it.",
+    checks: "Whether 1019h of all nodes that hear SYNC has the value of the one that sends it. A node without 1019h expects no counter.",
     why: "A SYNC of another length is an EMCY 8240h, and PDOs with a SYNC start value never start.",
     example: "`sync_overflow: 10` of the manager and 1019h = 0 in a node",
     remedy: "Set 1019h to the same value in all nodes.",
@@ -77,7 +77,7 @@ text_rules! {
 
     PDO_TIMES = "network/pdo-times", Warning;
     summary: "the times of a PDO contradict each other",
-    checks: "Whether the event timer of a TPDO is not shorter than its inhibit time, and each receiver, the manager of a `bus.yml` included, waits longer than the event timer.",
+    checks: "Whether the event timer of a TPDO is not shorter than its inhibit time, and each receiver, the manager of a `bus.yml` included, waits longer than the event timer: a shorter deadline is an error.",
     why: "A PDO is not sent more often than its inhibit time allows; a receiver that waits too short reports EMCY 8250h all the time.",
     example: "an inhibit time of 100 ms, an event timer of 50 ms",
     remedy: "Make the event timer longer than the inhibit time, and the deadline longer than the event timer.",
@@ -85,7 +85,7 @@ text_rules! {
 
     SHORT_HEARTBEAT_TIME = "network/short-heartbeat-time", Warning;
     summary: "a node waits too short for a heartbeat",
-    checks: "Whether each consumer heartbeat time is at least 1.5 times the producer heartbeat time of the node that it monitors.",
+    checks: "Whether each consumer heartbeat time is at least 1.5 times the producer heartbeat time of the node that it monitors. One that is not longer than the producer heartbeat time is an error.",
     why: "A heartbeat has the lowest priority, so under load nodes report the loss of others that are there.",
     example: "`heartbeat_multiplier: 1.0`",
     remedy: "Use a consumer heartbeat time of 1.5 to 3 times the producer heartbeat time.",
@@ -93,7 +93,7 @@ text_rules! {
 
     SILENT_NODE = "network/silent-node", Warning;
     summary: "a heartbeat is monitored that no node sends",
-    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time. A node that monitors itself is an error, and so is one that the network file writes into 1016h and that is not there.",
+    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time. A node that monitors itself is an error, and so is one that the network file writes into 1016h and that is not there, and one that the manager boots: it waits for the first heartbeat.",
     why: "The monitoring never begins, or reports the loss of the node for ever.",
     example: "1016h:01 with node 7 in a network without it",
     remedy: "Set the producer heartbeat time of the node, or free the sub-index of 1016h.",
@@ -101,15 +101,15 @@ text_rules! {
 
     WRONG_IDENTITY = "network/wrong-identity", Warning;
     summary: "the manager expects another device than the description says",
-    checks: "Whether revision number and serial number of the network file, and 1F84h to 1F88h and 1028h of a described manager, are those of the description of the node. Another device type, vendor-ID or product code in the manager is an error.",
-    why: "The manager does not start the node, or does not hear its emergencies.",
+    checks: "Whether revision number, serial number (1018h or `LSS_SerialNumber`) and software version (1F56h) of the network file, and 1F84h to 1F88h and 1028h of a described manager, are those of the description of the node. A number that the node does not answer is an error if the manager boots the node.",
+    why: "The manager does not boot the node, or does not hear its emergencies.",
     example: "`revision_number: 0x20000` for an EDS with the revision 10000h",
     remedy: "Correct the number, or use the description that belongs to the device.",
     source: "CiA 302-2, 1F84h to 1F88h",
 
     AMBIGUOUS_IDENTITY = "network/ambiguous-identity", Warning;
     summary: "a description states two numbers for what the manager checks",
-    checks: "Whether vendor-ID, product code and revision number of `DeviceInfo`, which the manager expects in 1F85h to 1F87h, are those of 1018h in the same description. 0 and FFFFFFFFh count as not stated.",
+    checks: "Whether vendor-ID, product code and revision number of `DeviceInfo`, which the manager expects in 1F85h to 1F87h, are those of 1018h in the same description. 0 and FFFFFFFFh count as not stated. If the manager expects another number than 1018h has, it is an error.",
     why: "The manager does not boot a node that answers with another number. Vendors often write a version of the file as `RevisionNumber`.",
     example: "`RevisionNumber=1` for a device with 1018h:03 = 10002h",
     remedy: "State the number of the device, correct the description, or let the manager check less.",

@@ -13,11 +13,27 @@ text_rules! {
 
     MISSING_ENTRY = "network/missing-entry", Error;
     summary: "a setting needs an entry that the node does not have",
-    checks: "Whether the description of a node has each object and sub-index that the network file writes or maps, and 1000h, which the manager reads first. A service that the node does not have is a warning: it stays off; so is a revision or serial number that 1018h does not have.",
+    checks: "Whether the description of a node has each object and sub-index that the network file writes or maps, and 1000h, which the manager reads first. A service that the node does not have is a warning: it stays off; so is a revision or serial number that 1018h does not have. A software version that 1F56h does not have is an error: the manager does not boot the node.",
     why: "The node aborts the download with 0602 0000h or 0609 0011h, and the manager does not start it.",
     example: "`heartbeat_producer: 500` for a node without 1017h",
     remedy: "Remove the setting, or correct index and sub-index.",
     source: "CiA 301 §7.2.4.3.17",
+
+    OTHER_NODE_ID = "network/other-node-id", Error;
+    summary: "a DCF was made for another node",
+    checks: "Whether the node-ID of each DCF or XDC is that of its node. Where `network.toml` or `bus.yml` states the node-ID, another one is a warning, because formulas with `$NODEID` follow it.",
+    why: "The configuration of one node goes to another one: COB-IDs that are numbers, node-specific values and the serial number are those of the other node.",
+    example: "`Node5DCFName=left.dcf`, where `left.dcf` has `NodeID=11`",
+    remedy: "Use the DCF of the node, correct its node-ID, or use the EDS.",
+    source: "CiA 306-1, `NodeID`; CiA 306-3",
+
+    OTHER_NET_NUMBER = "network/other-net-number", Warning;
+    summary: "a DCF was made for another network",
+    checks: "Whether `NetNumber` of each DCF, where it is not 0, is that of the other ones.",
+    why: "The DCF was made for another network, so its CAN-IDs and heartbeat times may not fit.",
+    example: "`NetNumber=1` and `NetNumber=2`",
+    remedy: "Use the DCFs of one network, or correct `NetNumber`.",
+    source: "CiA 306-1, `NetNumber`",
 
     CONTRADICTION = "network/contradictory-values", Error;
     summary: "an entry is set to two values",
@@ -77,7 +93,7 @@ text_rules! {
 
     NO_HEARTBEAT_CONSUMER = "network/no-heartbeat-consumer", Warning;
     summary: "a node cannot monitor a heartbeat",
-    checks: "Whether a node that is to monitor another one has a free sub-index in 1016h, whether the time fits into it, and whether each sub-index in use names another node.",
+    checks: "Whether a node that is to monitor another one has a free sub-index in 1016h, whether the time fits into it, and whether each sub-index in use names another node; one that the network file names twice is an error.",
     why: "The node does not notice that the other one is gone.",
     example: "`heartbeat_consumer: true` for a node without 1016h",
     remedy: "Remove the setting, or free a sub-index of 1016h.",
@@ -157,7 +173,7 @@ text_rules! {
 
     ABSENT_SLAVE = "network/absent-slave", Warning;
     summary: "the manager waits for a node that is not in the network",
-    checks: "Whether each node-ID that 1F81h of the manager assigns as a slave belongs to a node of the network. A mandatory one that is absent is an error.",
+    checks: "Whether each node-ID that 1F81h of the manager assigns as a slave belongs to a node of the network. A mandatory one that is absent is an error, and one that the manager boots.",
     why: "The manager looks for the node for ever. Without a mandatory one it does not start the network.",
     example: "1F81h:09 is 1, but no node has the node-ID 9",
     remedy: "Describe the node, or write 0 into the sub-index.",

@@ -44,6 +44,8 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }
+    #[cfg(feature = "network")]
+    findings.append(objdict_network_file::unreadable_configurations(description.device()));
     if let Some(origin) = description.origin() {
         findings.append(lint::check_configured(description.device(), origin.device()));
     }

@@ -1,0 +1,24 @@
+//! The rules about devices, for the nodes as the network configures them: an error in a DCF that is built of the network is
+//! found here, at the place of the network file that gives the value.
+
+use objdict_lint as lint;
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
+use objdict_network::{Compiled, Network};
+
+/// Warnings about values without an effect, which no rule about networks reports.
+const IDLE: [&str; 2] = ["cia301/invalid-sync-start-value", "cia301/rtr-pdo-without-rtr"];
+
+/// Reports what the network file gives the nodes.
+pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
+    let options = lint::Options::default();
+    let is_reported =
+        |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
+    for slave in compiled.nodes() {
+        let found = lint::without_disabled(&slave.device, lint::check(&slave.device, &options));
+        for finding in found.iter().filter(is_reported) {
+            if let Some(finding) = slave.found(network, finding, findings) {
+                findings.push(finding);
+            }
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! A network without an error boots, and what a boot refuses is an error.
+//!
+//! Exceptions, which docs/network.md states: a network without a manager is a part of one, and `network boot` ends a run
+//! at its time limit.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use objdict::bus::{Conditions, Cut, boot};
+use objdict::diagnostic::{Findings, Severity};
+use objdict::format::network::{Build, NetworkFile};
+use objdict::format::{self, Format};
+use objdict::network::DcfgenMode;
+use objdict::source::{SourceFile, SourceOptions};
+
+use crate::network::new_folder;
+use crate::planted::mistakes;
+use crate::support::skips::{sample, skip};
+use crate::support::{files_below, fixtures};
+
+/// The most frames of a run.
+const FRAMES: usize = 20_000;
+
+/// Edits of each network of the fixtures.
+const EDITS: u32 = 12;
+
+/// Numbers that mean something in a network.
+const NUMBERS: [&str; 22] = [
+    "0",
+    "1",
+    "2",
+    "5",
+    "11",
+    "12",
+    "50",
+    "127",
+    "200",
+    "240",
+    "241",
+    "252",
+    "253",
+    "254",
+    "1000",
+    "0x80",
+    "0x185",
+    "0x205",
+    "0x605",
+    "0x40000185",
+    "0x80000185",
+    "0x20012345",
+];
+
+/// Keys of a node in `network.toml`.
+const TOML_KEYS: [&str; 12] = [
+    "heartbeat = \"20ms\"",
+    "heartbeat = \"2s\"",
+    "boot = false",
+    "mandatory = true",
+    "reset-communication = false",
+    "serial-number = 0x20",
+    "revision-number = 0x20002",
+    "software-version = 1",
+    "restore = 1",
+    "unused-pdos = \"off\"",
+    "watches-manager = true",
+    "identity = \"none\"",
+];
+
+/// Keys of a node in `bus.yml`.
+const YML_KEYS: [&str; 10] = [
+    "heartbeat_producer: 20",
+    "heartbeat_multiplier: 0.5",
+    "heartbeat_consumer: true",
+    "boot: false",
+    "mandatory: true",
+    "reset_communication: false",
+    "serial_number: 0x20",
+    "software_version: 1",
+    "guard_time: 100",
+    "tpdo: {1: {enabled: true, cob_id: 0x205, transmission: 1}}",
+];
+
+fn read(text: &str, path: &Path) -> NetworkFile {
+    let name = path.file_name().unwrap().to_string_lossy();
+    NetworkFile::read(
+        SourceFile::from_text(name.into_owned(), text),
+        path.parent().unwrap(),
+        &Default::default(),
+    )
+}
+
+fn errors(findings: &Findings) -> BTreeSet<String> {
+    let errors = findings.iter().filter(|finding| finding.severity == Severity::Error);
+    errors.map(|finding| format!("{}: {}", finding.rule.id, finding.message)).collect()
+}
+
+/// The rules with an error in a device.
+fn rules(findings: &Findings) -> BTreeSet<&'static str> {
+    let errors = findings.iter().filter(|finding| finding.severity == Severity::Error);
+    errors.map(|finding| finding.rule.id).collect()
+}
+
+/// Errors of built DCFs that the descriptions of their nodes do not have.
+fn errors_of_dcfs(file: &NetworkFile, build: &Build<'_>) -> Option<String> {
+    for (node, built) in build.each_dcf() {
+        let built = match built {
+            Ok(built) if built.name.ends_with(".dcf") => built,
+            Ok(_) => continue,
+            Err(error) => return Some(error.to_string()),
+        };
+        let source = SourceFile::from_bytes(&built.name, built.bytes, &SourceOptions::default()).unwrap();
+        let found = objdict::check(&format::read(source, Format::Dcf));
+        let own = node.and_then(|node| file.description(node)).map(objdict::check).unwrap_or_default();
+        if !rules(&found).is_subset(&rules(&own)) {
+            return Some(format!("{}: {:?}", built.name, errors(&found)));
+        }
+    }
+    None
+}
+
+/// What is against a network without errors; `None` for one that keeps the law.
+fn broken(file: &NetworkFile) -> Option<String> {
+    let network = file.network()?;
+    if file.check().has_errors() || network.manager.as_ref()?.node_id.is_none() {
+        return None;
+    }
+    let installation = match file.install(file.boot_files()) {
+        Ok(installation) => installation,
+        Err(error) => return Some(format!("not installed: {error}")),
+    };
+    let run = boot(&installation.plant, &Conditions { frames: FRAMES, ..Conditions::default() });
+    let is_cut = matches!(run.cut, Some(Cut::Time | Cut::Frames));
+    if !run.is_booted() && !is_cut {
+        let nodes = run.nodes.iter();
+        let nodes = nodes.map(|node| (&node.name, node.state, &node.milestone, node.errors));
+        return Some(format!("not booted: {:?}", nodes.collect::<Vec<_>>()));
+    }
+    errors_of_dcfs(file, &file.build(DcfgenMode::Corrected).ok()?)
+}
+
+/// A text without the lines that it does not need to break the law in the same way.
+fn smallest(text: &str, path: &Path, why: &str) -> String {
+    let kind = |why: &str| why.split(':').next().unwrap().to_owned();
+    let mut lines: Vec<&str> = text.lines().collect();
+    let mut at = 0;
+    while at < lines.len() {
+        let mut fewer = lines.clone();
+        fewer.remove(at);
+        match broken(&read(&fewer.join("\n"), path)) {
+            Some(other) if kind(&other) == kind(why) => lines = fewer,
+            _ => at += 1,
+        }
+    }
+    lines.join("\n")
+}
+
+fn assert_kept(texts: impl IntoIterator<Item = (PathBuf, String)>) -> usize {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (path, text) in texts {
+        count += 1;
+        if let Some(why) = broken(&read(&text, &path)) {
+            let text = smallest(&text, &path, &why);
+            let left = broken(&read(&text, &path)).unwrap();
+            wrong.push(format!("{}: {left}\n{text}", path.display()));
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n\n"));
+    count
+}
+
+/// The networks below a folder with their texts.
+fn networks(folder: &Path) -> Vec<(PathBuf, String)> {
+    let paths = files_below(folder, &["toml", "yml", "cpj"]).into_iter();
+    paths.filter_map(|path| Some((path.clone(), fs::read_to_string(&path).ok()?))).collect()
+}
+
+/// Numbers from a seed.
+struct Random(u32);
+
+impl Random {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (self.0 >> 8) as usize % count
+    }
+
+    fn of<T: Copy>(&mut self, items: &[T]) -> T {
+        items[self.below(items.len())]
+    }
+}
+
+/// Where the numbers of a text are.
+fn numbers(text: &str) -> Vec<std::ops::Range<usize>> {
+    let is_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+    let bytes = text.as_bytes();
+    let starts =
+        (0..bytes.len()).filter(|&at| bytes[at].is_ascii_digit() && (at == 0 || !is_word(bytes[at - 1])));
+    starts.map(|at| at..at + bytes[at..].iter().take_while(|byte| is_word(**byte)).count()).collect()
+}
+
+/// A text with a number replaced, a line removed, or a key of a node added.
+fn edited(text: &str, is_toml: bool, random: &mut Random) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    match random.below(4) {
+        0 => drop(lines.remove(random.below(lines.len()))),
+        1 => {
+            let is_node = |line: &str| {
+                if is_toml { line.starts_with("[node.") } else { line.trim().starts_with("node_id:") }
+            };
+            let nodes: Vec<usize> = (0..lines.len()).filter(|at| is_node(&lines[*at])).collect();
+            if nodes.is_empty() {
+                return text.to_owned();
+            }
+            let at = random.of(&nodes);
+            let indent = lines[at].len() - lines[at].trim_start().len();
+            let key = if is_toml { random.of(&TOML_KEYS) } else { random.of(&YML_KEYS) };
+            lines.insert(at + 1, format!("{}{key}", " ".repeat(indent)));
+        }
+        _ => {
+            let found = numbers(text);
+            if found.is_empty() {
+                return text.to_owned();
+            }
+            let range = found[random.below(found.len())].clone();
+            return format!("{}{}{}", &text[..range.start], random.of(&NUMBERS), &text[range.end..]);
+        }
+    }
+    lines.join("\n")
+}
+
+/// A drive as node 5 of a network with SYNC, and these keys.
+fn drive(keys: &str) -> NetworkFile {
+    node("eds/drive-402.eds", keys)
+}
+
+fn node(file: &str, keys: &str) -> NetworkFile {
+    let head = "[bus]\nbit-rate = 250\nmanager = \"m\"\nsync = \"20ms\"\n[manager]\nid = 1\n";
+    let text = format!("{head}[node.a]\nfile = \"{file}\"\nid = 5\n{keys}\n");
+    read(&text, &fixtures().join("network.toml"))
+}
+
+/// The findings of a severity: rule and message.
+fn found(file: &NetworkFile, severity: Severity) -> Vec<String> {
+    let findings = file.check();
+    let findings = findings.iter().filter(|finding| finding.severity == severity);
+    findings.map(|finding| format!("{}: {}", finding.rule.name(), finding.message)).collect()
+}
+
+/// What a description cannot satisfy, and what the rules of CiA 301 say of the effective dictionary.
+#[test]
+fn each_kind_is_found_where_it_is_set() {
+    let errors = [
+        (
+            "software-version = 1",
+            "missing-entry: `a` has no 1F56h:01, so the manager cannot check its software",
+        ),
+        ("revision-number = 0x20002", "wrong-identity: the revision number of `a` is 20002h"),
+        (
+            "set = { \"1400:1\" = 0x185 }",
+            "can-id-in-both-directions: `a`: TPDO 1 transmits and RPDO 1 receives",
+        ),
+        ("set = { \"1801:1\" = 0x185 }", "duplicate-can-id: TPDO 1 of `a` and TPDO 2 of `a` both send 185h"),
+        ("heartbeat = \"1s\"\nwatch = \"1.0x\"", "short-heartbeat-time: `m` gives `a` up after 1000 ms"),
+    ];
+    for (keys, expected) in errors {
+        let found = found(&drive(keys), Severity::Error);
+        assert!(matches!(found.as_slice(), [one] if one.starts_with(expected)), "{keys}: {found:?}");
+    }
+    let reserved = node("network/servo.eds", "set = { \"1016:1\" = 0xC8000500 }");
+    let found_there = found(&reserved, Severity::Error);
+    let expected = "invalid-consumer-heartbeat: `a`: `0xC8000500` in 1016h sub-index 1 has bits";
+    assert!(matches!(found_there.as_slice(), [one] if one.starts_with(expected)), "{found_there:?}");
+    let warnings = [
+        ("set = { \"1800:6\" = 3 }", "invalid-sync-start-value: `a`: the SYNC start value `3` of TPDO 1"),
+        (
+            "set = { \"1800:1\" = 0x40000185, \"1800:2\" = 253 }",
+            "rtr-pdo-without-rtr: `a`: TPDO 1 is sent only",
+        ),
+        ("heartbeat = \"1s\"\nwatch = \"1.2x\"", "short-heartbeat-time: `m` gives `a` up after 1200 ms"),
+    ];
+    let healthy = found(&drive(""), Severity::Warning);
+    for (keys, expected) in warnings {
+        let file = drive(keys);
+        let found = found(&file, Severity::Warning);
+        let new: Vec<_> = found.iter().filter(|found| !healthy.contains(found)).collect();
+        assert!(matches!(new.as_slice(), [one] if one.starts_with(expected)), "{keys}: {new:?}");
+        assert_eq!(broken(&file), None, "{keys}");
+    }
+}
+
+/// A serial number that the DCF states for LSS is what the node answers.
+#[test]
+fn numbers_of_a_dcf_are_those_of_its_node() {
+    let head = "[bus]\nmanager = \"m\"\nunused-pdos = \"off\"\n[manager]\nid = 1\n";
+    let node = |file: &str, keys: &str| {
+        let text = format!("{head}[node.a]\nfile = \"{file}\"\n{keys}\n");
+        read(&text, &fixtures().join("network.toml"))
+    };
+    let other = node("dcf/drive-402-node8.dcf", "id = 5");
+    let expected = "other-node-id: `a` is node 5, but its DCF was made for node 8";
+    assert!(found(&other, Severity::Warning).contains(&expected.to_owned()));
+    assert_eq!(found(&other, Severity::Error), Vec::<String>::new());
+    let serial = node("dcf/drive-402-node8.dcf", "serial-number = 0x20");
+    let found = found(&serial, Severity::Error);
+    assert!(
+        matches!(found.as_slice(), [one] if one.starts_with("wrong-identity: the serial number of `a` is 20h"))
+    );
+}
+
+#[test]
+fn two_pdos_of_an_undescribed_manager_need_two_can_ids() {
+    let rpdo = "rpdo: {1: {cob_id: 0x205, mapping: [{index: 0x6040, sub_index: 0}]}}";
+    let node = |name: &str, id: u8| format!("{name}:\n  node_id: {id}\n  dcf: servo.eds\n  {rpdo}\n");
+    let text = format!("master:\n  node_id: 1\n{}{}", node("a", 5), node("b", 6));
+    let file = read(&text, &fixtures().join("network/bus.yml"));
+    let expected =
+        "duplicate-can-id: two PDOs of `master` send 205h: for RPDO 1 of `a` and for RPDO 1 of `b`";
+    assert_eq!(found(&file, Severity::Error), [expected]);
+}
+
+/// dcfgen takes a configured value of an EDS for what the node has, and so does the boot.
+#[test]
+fn configured_values_of_an_eds_are_there_at_power_on() {
+    let folder = new_folder("boots-configured");
+    let path = fixtures().join("network/servo.eds");
+    let eds = fs::read_to_string(path).unwrap().replace("\r\n", "\n");
+    let at = eds.find("[1017]\n").unwrap() + "[1017]\n".len();
+    fs::write(folder.join("servo.eds"), format!("{}ParameterValue=100\n{}", &eds[..at], &eds[at..])).unwrap();
+    let text = "master:\n  node_id: 1\na:\n  node_id: 5\n  dcf: servo.eds\n";
+    let file = read(text, &folder.join("bus.yml"));
+    let run = boot(&file.install(file.boot_files()).unwrap().plant, &Conditions::default());
+    assert!(run.is_booted() && run.nodes[1].downloads == 0);
+}
+
+/// The DCF of a manager, alone and in a network: a concise DCF with a wrong number of downloads.
+#[test]
+fn a_malformed_configuration_is_found_in_its_file() {
+    let file = drive("heartbeat = \"1s\"");
+    let manager = file.build(DcfgenMode::Corrected).unwrap().manager().unwrap();
+    let text = String::from_utf8(manager.bytes).unwrap();
+    let at = text.find("ParameterValue=01000000").unwrap() + "ParameterValue=".len();
+    let check = |text: String| {
+        let source = SourceFile::from_text("m.dcf", text);
+        errors(&objdict::check(&format::read(source, Format::Dcf)))
+    };
+    assert_eq!(check(text.clone()), BTreeSet::new());
+    let found = check(format!("{}09{}", &text[..at], &text[at + 2..]));
+    let expected = "network/invalid-configuration: the configuration in 1F22h:05 is not valid: ";
+    assert!(found.len() == 1 && found.iter().all(|found| found.starts_with(expected)), "{found:?}");
+}
+
+#[test]
+fn the_fixtures_keep_the_law() {
+    let folders = ["network", "rules/network"].map(|folder| fixtures().join(folder));
+    assert!(assert_kept(folders.iter().flat_map(|folder| networks(folder))) > 100);
+}
+
+#[test]
+fn edited_networks_keep_the_law() {
+    let bases = networks(&fixtures().join("network")).into_iter();
+    let edits =
+        bases.flat_map(|(path, text)| (0..EDITS * 4).map(move |seed| (path.clone(), text.clone(), seed)));
+    let texts = sample(edits).into_iter().map(|(path, text, seed)| {
+        let is_toml = path.extension().is_some_and(|ending| ending == "toml");
+        let mut random = Random(seed);
+        let times = 1 + random.below(2);
+        (path, (0..times).fold(text, |text, _| edited(&text, is_toml, &mut random)))
+    });
+    assert_kept(texts);
+}
+
+#[test]
+fn planted_mistakes_keep_the_law() {
+    let table = fs::read_to_string(fixtures().join("planted.txt")).unwrap();
+    let is_network = |name: &str| [".toml", ".yml"].iter().any(|ending| name.ends_with(ending));
+    let planted = mistakes(&table).into_iter().filter(|mistake| is_network(mistake.file)).map(|mistake| {
+        let path = fixtures().join(mistake.file);
+        let text = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+        (path, mistake.plant(&text))
+    });
+    assert!(assert_kept(planted) > 10);
+}
+
+#[test]
+fn the_networks_of_the_corpus_keep_the_law() {
+    let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") else {
+        return skip("no `OBJDICT_CORPUS_DIR`");
+    };
+    assert_kept(networks(Path::new(&folder)));
+}
