@@ -21,7 +21,9 @@ impl NetworkCheck<'_, '_> {
             let name = &node.name.value;
             let stated = [(3, node.revision_number, "revision"), (4, node.serial_number, "serial")];
             for (sub, request, what) in stated {
-                let Some(request) = request.filter(|request| request.value != PLACEHOLDER) else { continue };
+                // 0 is not checked (CiA 302-2), nor is a placeholder
+                let is_checked = |request: &crate::Said<u32>| ![0, PLACEHOLDER].contains(&request.value);
+                let Some(request) = request.filter(is_checked) else { continue };
                 if node.device.entry(0x1018, sub).is_none() {
                     self.unanswered(slave, request.at, sub, what);
                     continue;

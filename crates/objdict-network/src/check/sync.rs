@@ -94,7 +94,8 @@ impl<'n> NetworkCheck<'n, '_> {
         let said = slave.said(indexes(first.pdo).0, 2).or(request);
         let finding = Diagnostic::new(&NO_SYNC_SENDER, said.unwrap_or(node.name.at), message)
             .help("set the SYNC period of the manager, or use an event-driven transmission type");
-        if self.is_needed(slave, first) { finding } else { finding.severity(Severity::Warning) }
+        // the nodes boot all the same
+        finding.severity(Severity::Warning)
     }
 
     fn other_can_id(

@@ -19,7 +19,7 @@ use crate::manager::complete;
 use crate::model::{Address, Field, Part as DevicePart, Place};
 use crate::network::{DownloadRequest, Manager, Network, Node, RequestedValue, Said};
 use crate::rules::{
-    HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
+    HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, SILENT_NODE, UNKNOWN_NODE_ID,
 };
 use crate::source::Span;
 
@@ -88,7 +88,7 @@ fn slave(
     }
     let own = compiler.downloads.len();
     if let Some(manager) = manager.filter(|_| !network.is_as_described) {
-        consumers(compiler, manager);
+        consumers(network, compiler, manager);
     }
     compiler.contradictions();
     let heartbeat = compiler.heartbeat();
@@ -203,11 +203,21 @@ fn download(compiler: &mut Compiler<'_, '_>, request: &Said<DownloadRequest>) {
     }
 }
 
+/// The producer heartbeat time of the manager: that of the network file, else of its description.
+fn heartbeat_of(network: &Network, manager: &Manager) -> u16 {
+    let described = || {
+        let node = &network.nodes[manager.node?];
+        let number = identity::number(&node.device, 0x1017, 0, manager.node_id?.value)?;
+        u16::try_from(number).ok()
+    };
+    manager.heartbeat.producer.map(|time| time.value).or_else(described).unwrap_or(0)
+}
+
 /// 1016h: the node monitors the manager, or no longer does.
-fn consumers(compiler: &mut Compiler<'_, '_>, manager: &Manager) {
+fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manager) {
     const CONSUMERS: u16 = 0x1016;
     let Some(manager_id) = manager.node_id.map(|node_id| node_id.value) else { return };
-    let producer = manager.heartbeat.producer.map_or(0, |time| time.value);
+    let producer = heartbeat_of(network, manager);
     let time = if producer == 0 { Some(0) } else { manager.heartbeat.consumer_time(producer) };
     let subs: Vec<(u8, u32)> = (1..=254)
         .filter(|&sub| compiler.has(Address { index: CONSUMERS, sub: Some(sub) }))
@@ -220,7 +230,17 @@ fn consumers(compiler: &mut Compiler<'_, '_>, manager: &Manager) {
         let at = Address { index: CONSUMERS, sub: Some(sub) };
         compiler.write(at, value.into(), said, Severity::Error);
     };
-    let Some(request) = request.filter(|_| time != Some(0)) else {
+    let is_silent = time == Some(0);
+    if let Some(request) = request.filter(|_| is_silent) {
+        let message = say!(
+            "`{}` is to monitor `{}`, which sends no heartbeat",
+            compiler.node.name.value,
+            manager.name.value
+        );
+        let finding = Diagnostic::new(&SILENT_NODE, request.at, message);
+        compiler.findings.push(finding.help("set the producer heartbeat time of the manager").understood());
+    }
+    let Some(request) = request.filter(|_| !is_silent) else {
         // what the network file writes itself stays
         let is_stale = |&(sub, consumer): &(u8, u32)| {
             let is_of_manager = consumer & 0xFFFF != 0 && node_of(consumer) == manager_id;

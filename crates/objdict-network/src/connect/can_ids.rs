@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::compiled::Compiled;
 use crate::configure::PdoName;
-use crate::model::{CobId, restricted};
+use crate::model::{CobId, PdoKind, restricted};
 use crate::{Messages, Network, Node, Service};
 
 /// What sends or receives a CAN-ID.
@@ -63,9 +63,17 @@ impl CanIds {
         }
     }
 
-    /// The first of these CAN-IDs that is free, else one of the free ranges.
-    pub(super) fn choose(&mut self, preferred: impl IntoIterator<Item = u32>) -> Option<u32> {
-        let free = preferred.into_iter().find(|id| self.is_free(*id));
+    /// The predefined CAN-ID of a sender unless another one sends it, else the first of these CAN-IDs that is free, else one of the
+    /// free ranges.
+    pub(super) fn choose(
+        &mut self,
+        of_sender: Option<u32>,
+        preferred: impl IntoIterator<Item = u32>,
+    ) -> Option<u32> {
+        let is_sent = |id: &u32| self.sender(*id).is_some();
+        let own =
+            of_sender.filter(|id| restricted(*id).is_none() && !self.demanded.contains(id) && !is_sent(id));
+        let free = own.or_else(|| preferred.into_iter().find(|id| self.is_free(*id)));
         free.or_else(|| {
             while let Some(id) = self.pool.pop() {
                 if self.is_free(id) {
@@ -74,6 +82,17 @@ impl CanIds {
             }
             None
         })
+    }
+
+    /// Who sends or receives a CAN-ID.
+    pub(super) fn users(&self, can_id: u32) -> impl Iterator<Item = User> + '_ {
+        self.users.get(&can_id).into_iter().flatten().copied()
+    }
+
+    /// Who sends a CAN-ID.
+    pub(super) fn sender(&self, can_id: u32) -> Option<User> {
+        let is_sender = |user: &User| !matches!(user, User::Pdo(_, pdo) if pdo.kind == PdoKind::Rpdo);
+        self.users(can_id).find(is_sender)
     }
 
     fn is_free(&self, can_id: u32) -> bool {

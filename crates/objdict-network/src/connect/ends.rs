@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use objdict_node::download::transferred_type;
 use objdict_node::{ObjectName, resolve};
 
-use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, listing, nearest, say};
+use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, listing, misspelled, nearest, say};
 use crate::model::{Address, DataType, Device, Field, MappedObject, Object, PdoKind, Place};
 use crate::names::unknown_node;
 use crate::origin::{because, refusing_field};
@@ -157,7 +157,12 @@ impl<'a> NodeNames<'a> {
             return wrong(&UNKNOWN_NODE, end, message, help);
         }
         let message = say!("there is no node `{}`", end.node);
-        Box::new(unknown_node(end.at, &end.node, message, self.positions.keys().copied()))
+        let manager = self.network.manager.as_ref().map(|manager| &manager.name);
+        let names = self.positions.keys().copied().chain(manager.map(|name| &*name.value));
+        let finding = unknown_node(end.at, &end.node, message, names);
+        // a manager without a description may have any name
+        let meant = manager.filter(|name| misspelled(&end.node, [&*name.value]).is_some());
+        Box::new(finding.label_each(meant.map(|name| At::Span(name.at)), "the name of the manager"))
     }
 
     fn to_itself(&self, link: &Link, end: &LinkEnd) -> Box<Diagnostic> {

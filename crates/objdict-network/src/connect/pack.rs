@@ -7,13 +7,13 @@ use super::frame::{GroupFrame, Share};
 use super::groups::{LeadSignal, LinkGroup};
 use super::obstacles;
 use super::pdos::{CandidatePdo, NewMapping, NodePdos, Obstacle};
-use crate::compiled::{Compiled, Slave, received_type};
+use crate::compiled::{Compiled, Slave, indexes, received_type};
 use crate::configure::PdoName;
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::model::{CobId, Pdo, PdoKind};
-use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
+use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, MOVED_CAN_ID, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
-use crate::{LinkParameters, Network, Node, PdoRequest, RequestedCobId, Said};
+use crate::{Link, LinkParameters, Network, Node, PdoRequest, RequestedCobId, Said, Service};
 
 /// The PDOs of all groups with their nodes, in the order of the groups.
 pub(super) fn pack(
@@ -29,6 +29,9 @@ pub(super) fn pack(
         pdos: pdos.collect(),
         can_ids: CanIds::new(network, compiled),
         requests: Vec::new(),
+        links: &network.links,
+        compiled,
+        findings: Findings::new(),
     };
     // in the order of the links, so that those at the end take nothing from others
     let mut order = 0..;
@@ -40,6 +43,7 @@ pub(super) fn pack(
             Err(finding) => findings.push(*finding),
         }
     }
+    findings.append(std::mem::take(&mut packer.findings));
     for slave in compiled.nodes() {
         if let Some(at) = network.switches_off(slave.node) {
             packer.switch_off(network, slave, at, findings);
@@ -53,6 +57,10 @@ struct FramePacker<'a> {
     pdos: Vec<NodePdos>,
     can_ids: CanIds,
     requests: Vec<(usize, PdoRequest)>,
+    links: &'a [Link],
+    compiled: &'a Compiled,
+    /// PDOs that leave their predefined CAN-IDs.
+    findings: Findings,
 }
 
 /// A PDO of a consumer for a share of a frame.
@@ -273,8 +281,14 @@ impl FramePacker<'_> {
                 let of_consumers = of_consumers.filter(|(to, _)| group.partners.contains(&to.node));
                 let of_consumers =
                     of_consumers.filter_map(|(to, pdo)| predefined(&self.nodes[to.node], *pdo));
-                let chosen = self.can_ids.choose(of_lead.into_iter().chain(of_consumers));
-                chosen.ok_or_else(|| Box::new(no_can_id(group.at)))?
+                let of_sender = of_lead.filter(|_| group.kind == PdoKind::Tpdo);
+                let chosen = self.can_ids.choose(of_sender, of_lead.into_iter().chain(of_consumers));
+                let chosen = chosen.ok_or_else(|| Box::new(no_can_id(group.at)))?;
+                if let Some(wanted) = of_lead.filter(|wanted| *wanted != chosen) {
+                    let moved = self.moved(group, own, (wanted, chosen));
+                    self.findings.push(moved);
+                }
+                chosen
             }
         };
         self.can_ids.add(can_id, user);
@@ -288,6 +302,42 @@ impl FramePacker<'_> {
         let request = self.led(group, &transfer.frame, transfer.pdo, can_id | extended);
         self.request(lead, transfer.pdo, request);
         Ok(())
+    }
+
+    /// A PDO that gets another CAN-ID than its predefined one, with the place of the PDO that has it.
+    fn moved(&self, group: &LinkGroup, own: PdoName, (wanted, chosen): (u32, u32)) -> Diagnostic {
+        let named =
+            |node: usize, pdo: PdoName| format!("{} of `{}`", Service::Pdo(pdo), self.nodes[node].name.value);
+        let user = self.can_ids.sender(wanted).or_else(|| self.can_ids.users(wanted).next());
+        let (who, at, is_set) = match user {
+            Some(User::Pdo(node, pdo)) => {
+                let of_link = self.requests.iter().find(|(at, request)| (*at, request.pdo) == (node, pdo));
+                let slave = self.compiled.nodes().find(|slave| slave.node == node);
+                let entry = (indexes(pdo).0, 1);
+                let said = of_link.map(|(_, request)| request.at);
+                let said = said.or_else(|| slave?.said(entry.0, entry.1));
+                let described = || At::Node(node, self.nodes[node].device.value_place(entry.0, entry.1));
+                let mut candidates = self.pdos[node].pdos.iter();
+                let is_set = candidates.any(|candidate| candidate.name == pdo && candidate.stated.is_some());
+                (named(node, pdo), Some(said.map_or_else(described, At::Span)), is_set)
+            }
+            _ => {
+                let link = self.links.iter().find(|link| link.parameters.can_id == Some(wanted));
+                ("another link or service".to_owned(), link.map(|link| At::Span(link.at)), false)
+            }
+        };
+        let message = say!(
+            "{} gets the CAN-ID {:X}h, because its predefined one, {:X}h, is that of {}",
+            named(group.lead, own),
+            chosen,
+            wanted,
+            who
+        );
+        let finding =
+            Diagnostic::new(&MOVED_CAN_ID, group.at, message).label_each(at, "the predefined CAN-ID");
+        // `set` and `sdo` are the last resort, and a typing error in them goes unnoticed
+        let severity = if is_set { Severity::Warning } else { Severity::Note };
+        finding.severity(severity).help("give one of them another CAN-ID")
     }
 
     /// The request of the lead.

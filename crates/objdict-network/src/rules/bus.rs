@@ -45,7 +45,7 @@ text_rules! {
 
     NO_SYNC_SENDER = "network/no-sync-sender", Error;
     summary: "a PDO waits for SYNC, which no node sends",
-    checks: "Whether a node sends SYNC, with the CAN-ID of 1005h, where a valid PDO has a transmission type that SYNC triggers. PDOs that the network file does not configure and that no described node shares are a warning.",
+    checks: "Whether a node sends SYNC, with the CAN-ID of 1005h, where a valid PDO has a transmission type that SYNC triggers. Without any sender of SYNC it is a warning, because the nodes boot, and so is another CAN-ID for PDOs that the network file does not configure and that no described node shares.",
     why: "The PDO is never sent, or takes no effect.",
     example: "`transmission: 1` without `sync_period`, 1005h = 81h in one node",
     remedy: "Set the SYNC period of the manager, give SYNC one CAN-ID, or use an event-driven transmission type.",
@@ -93,7 +93,7 @@ text_rules! {
 
     SILENT_NODE = "network/silent-node", Warning;
     summary: "a heartbeat is monitored that no node sends",
-    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time. A node that monitors itself is an error, and so is one that the network file writes into 1016h and that is not there, and one that the manager boots: it waits for the first heartbeat.",
+    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time, and whether the manager has one if a node is to monitor it. A node that monitors itself is an error, and so is one that the network file writes into 1016h and that is not there, and one that the manager boots: it waits for the first heartbeat.",
     why: "The monitoring never begins, or reports the loss of the node for ever.",
     example: "1016h:01 with node 7 in a network without it",
     remedy: "Set the producer heartbeat time of the node, or free the sub-index of 1016h.",

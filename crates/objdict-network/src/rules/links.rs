@@ -67,6 +67,14 @@ text_rules! {
     remedy: "Link fewer entries, or entries that fit into PDOs together: links with the same nodes and the same parameters share PDOs.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
+    MOVED_CAN_ID = "network/moved-can-id", Note;
+    summary: "a PDO leaves its predefined CAN-ID",
+    checks: "Whether the PDO of each link without a `can-id` keeps its CAN-ID of the predefined connection set. Another PDO that has it by `set` or `sdo` is a warning.",
+    why: "Programs and tools that know the predefined CAN-IDs do not find the PDO, and its priority changes. A CAN-ID in `set` may be a typing error.",
+    example: r#"a link of TPDO 1 of node 5, and `set = { "1800:1" = 0x185 }` in node 6"#,
+    remedy: "Correct the other CAN-ID, or state one with `can-id`.",
+    source: "CiA 301 §7.3.5",
+
     FIXED_PDO = "network/fixed-pdo", Error;
     summary: "the PDOs of a node cannot be configured as the network needs it",
     checks: "Whether one of the PDOs that are left can carry the linked entries: its mapping, its COB-ID and the parameters that the link sets can be written or are as needed already. An RPDO also needs as many mapping entries, and data types for the gaps that `DummyUsage` allows. The help says what is against each PDO. A PDO that `unused-pdos` cannot switch off is a warning.",
