@@ -242,7 +242,7 @@ pub mod format {
     #[cfg(feature = "toml")]
     pub use objdict_format::{
         ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, concise,
-        convert, device_schema, json, losses, new_device_toml, patch, write,
+        convert, device_schema, json, losses, new_device_toml, patch, unread, write,
     };
     pub use objdict_format::{Description, ReadError, identify, input, open, read};
     pub use objdict_model::source::EditError;

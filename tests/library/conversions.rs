@@ -1,9 +1,12 @@
 //! What a conversion makes of what one format says and the other says otherwise, or not at all.
 
-use objdict::compare::differences;
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+use objdict::compare::{DatumDifference, differences};
 use objdict::format::{self, Description, Dialect, Format, LossKind, WriteOptions, Written};
 use objdict::model::{Access, DataType, Device, Value};
-use objdict::source::SourceFile;
+use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -285,4 +288,103 @@ fn type_and_access_are_those_of_the_standard() {
             assert!(invented.contains(&"/objects/0x1017/data_type"));
         }
     }
+}
+
+/// A list may name objects that the file does not describe: no conversion takes that for an error to be repaired.
+#[test]
+fn a_listed_object_without_a_section_stays_listed() {
+    let device = base("small.eds", &[("1=0x2000\n", "1=0x2000\n2=0x2001\n3=0x2001\n")]);
+    assert_eq!(device.lists.manufacturer.as_deref(), Some(&[0x2000, 0x2001, 0x2001][..]));
+    for format in [Format::Eds, Format::Toml] {
+        let written =
+            format::convert(device.clone(), "a".as_ref(), format, false, &WriteOptions::default()).unwrap();
+        let back = read(std::str::from_utf8(&written.bytes).unwrap(), format).into_device();
+        assert_eq!((back.lists, written.losses), (device.lists.clone(), Vec::new()), "{format:?}");
+    }
+    let written =
+        format::convert(device, "a".as_ref(), Format::Xdd, false, &WriteOptions::default()).unwrap();
+    assert!(paths(&written, LossKind::Lost).contains(&"/lists/manufacturer"), "{:?}", written.losses);
+}
+
+/// What the reader passes over cannot be in a new text.
+#[test]
+fn what_is_not_read_is_listed() {
+    let text = "[1000]\nParameterName=Type\nParameterName=Type\nDataType=7\nDataType=5\nno key\n[1000]\nParameterName=Other\n";
+    let unread = format::unread(&read(text, Format::Eds));
+    let said: Vec<String> = unread.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        said,
+        [
+            "lost: device: line 6: `no key` is not a section, key or comment",
+            "lost: device: line 5: `DataType` is defined twice, as `7` and `5`; the first one is read",
+            "lost: device: line 7: section `[1000]` is defined twice; the first one is read",
+        ]
+    );
+}
+
+/// Where a conversion has put other data than it says, or says what is not so; `None` if all is listed.
+fn unlisted(device: &Device, format: Format, embed: bool) -> Option<String> {
+    let mut options = WriteOptions::default();
+    options.embed = embed;
+    let name = PathBuf::from("converted");
+    let written = match format::convert(device.clone(), &name, format, false, &options) {
+        Ok(written) => written,
+        Err(error) => return Some(error.to_string()),
+    };
+    let source =
+        SourceFile::from_bytes("converted", written.bytes.clone(), &SourceOptions::default()).unwrap();
+    let back = format::read(source, format).into_described();
+    // a type of device is not configured
+    let kept = match format {
+        Format::Eds | Format::Xdd => device.unconfigured(),
+        _ => Cow::Borrowed(device),
+    };
+    // compact storage is only another form of the same entries
+    let is_compact = embed || format == Format::Toml;
+    let wanted = if is_compact { kept.clone() } else { Cow::Owned(kept.expanded().into_owned()) };
+    unlisted_in(&written, LossKind::LeftOut, &differences(device, &kept))
+        .or_else(|| unlisted_in(&written, LossKind::Lost, &differences(&wanted, &back)))
+}
+
+/// What differences and losses of a kind do not have alike.
+fn unlisted_in(written: &Written, kind: LossKind, differences: &[DatumDifference]) -> Option<String> {
+    let is_part =
+        |path: &str, of: &str| path == of || path.strip_prefix(of).is_some_and(|rest| rest.starts_with('/'));
+    let listed = paths(written, kind);
+    // the file states its own name
+    let is_gone = |found: &&DatumDifference| found.left.is_some() && found.path != "/file_info/file_name";
+    let gone: Vec<&DatumDifference> = differences.iter().filter(is_gone).collect();
+    let is_same =
+        |found: &DatumDifference, loss: &str| is_part(&found.path, loss) || is_part(loss, &found.path);
+    let unsaid = gone.iter().find(|found| !listed.iter().any(|loss| is_same(found, loss)));
+    let untrue = listed.iter().find(|loss| !gone.iter().any(|found| is_same(found, loss)));
+    unsaid
+        .map(|found| format!("{} is gone: {:?}", found.path, found.left))
+        .or_else(|| untrue.map(|loss| format!("{loss} is said to be gone")))
+}
+
+/// Every fixture in every format, with what is embedded and without; with `OBJDICT_CORPUS_DIR` the files below that folder.
+#[test]
+fn all_that_is_gone_is_listed_and_nothing_else() {
+    let mut files = support::skips::sample(support::devices_of_all_folders());
+    files.extend(support::skips::sample(support::files("xdd", &["xdd", "xdc"])));
+    if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
+        let folder = PathBuf::from(folder);
+        files.extend(support::skips::sample(support::files_below(&folder, &["eds", "dcf", "xdd", "xdc"])));
+    }
+    let mut failures = Vec::new();
+    for (position, path) in files.iter().enumerate() {
+        let Ok(description) = format::open(path, &SourceOptions::default()) else { continue };
+        let device = description.into_device();
+        let formats = [Format::Eds, Format::Xdd, Format::Toml, Format::Dcf];
+        // two of the formats for each
+        for format in [formats[position % 4], formats[(position + 1) % 4]] {
+            let failure = unlisted(&device, format, position % 3 == 0);
+            let named = |text| format!("{} as {format:?}: {text}", path.display());
+            failures.extend(failure.map(|text| (device.objects.len(), named(text))));
+        }
+    }
+    failures.sort();
+    let shown: Vec<&String> = failures.iter().take(3).map(|(_, text)| text).collect();
+    assert!(failures.is_empty(), "{} conversions, the smallest: {shown:#?}", failures.len());
 }

@@ -241,7 +241,9 @@ fn kept_back(without: &str, with: &str, device: &Device) -> Option<String> {
     }
     // a profile names its own error codes
     if let Some((start, _)) = without.split_once("h (").filter(|_| without.contains(" EMCY ")) {
-        return (!plain.contains(start)).then(|| start.to_owned());
+        // the description may give the CAN-ID to another service
+        let is_other = ["PDO ", "SYNC ", "TIME "].iter().any(|service| plain.contains(service));
+        return (!plain.contains(start) && !is_other).then(|| start.to_owned());
     }
     let address = without.split(' ').find(|word| word.len() >= 7 && word.as_bytes()[4] == b':')?;
     let entry = (u16::from_str_radix(&address[..4], 16).ok()?, u8::from_str_radix(&address[5..7], 16).ok()?);

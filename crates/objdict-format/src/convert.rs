@@ -3,8 +3,10 @@
 use std::mem;
 use std::path::Path;
 
+use objdict_model::diagnostic::Diagnostic;
+
 use super::description::stated_name;
-use super::{EditError, Format, Loss, LossKind, Syntax, WriteOptions, Written, write};
+use super::{Description, EditError, Format, Loss, LossKind, Syntax, WriteOptions, Written, write};
 use objdict_model::model::{Device, Objects, Place};
 
 /// The text of a device for a file, whose name it states. An EDS or DCF does not have the objects that are
@@ -33,6 +35,32 @@ pub fn convert(
     Ok(Written { losses, ..written })
 }
 
+/// The lines of a description of which its device has nothing, so that no new text has it: repeated sections and keys, and lines
+/// that are neither. What was repeated with the same value is not among them.
+pub fn unread(description: &Description) -> Vec<Loss> {
+    let is_unread = |finding: &&Diagnostic| match finding.rule.id {
+        "cia306/duplicate-section" => finding.fix.is_some() && !finding.is_understood,
+        "cia306/duplicate-key" => !finding.is_understood,
+        "cia306/junk-line" => true,
+        _ => false,
+    };
+    let source = description.source();
+    let loss = |finding: &Diagnostic| {
+        let span = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
+        let line = source.line_column(span.start).line;
+        Loss {
+            place: Place::device(),
+            path: String::new(),
+            kind: LossKind::Lost,
+            value: serde_json::Value::from(span.of(source.text())).into(),
+            becomes: None,
+            reason: Some(format!("line {line}: {}", finding.message)),
+        }
+    };
+    let of_lines = description.text_findings();
+    of_lines.iter().chain(description.findings()).filter(is_unread).map(loss).collect()
+}
+
 /// Removes the objects that the device does not have: an EDS cannot say so, and every other tool would take them for
 /// objects of the device.
 fn remove_disabled(device: &mut Device) -> Vec<Loss> {
@@ -47,10 +75,9 @@ fn remove_disabled(device: &mut Device) -> Vec<Loss> {
         becomes: None,
         reason: Some("the object is disabled; `--keep-disabled` keeps it".to_owned()),
     };
-    let losses: Vec<Loss> = disabled.into_iter().map(loss).collect();
     let lists = &mut device.lists;
     for list in [&mut lists.mandatory, &mut lists.optional, &mut lists.manufacturer].into_iter().flatten() {
-        list.retain(|index| device.objects.contains_key(index));
+        list.retain(|index| !disabled.contains_key(index));
     }
-    losses
+    disabled.into_iter().map(loss).collect()
 }

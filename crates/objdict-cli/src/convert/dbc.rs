@@ -11,14 +11,15 @@ use super::super::network;
 use super::super::stdout::Output;
 use super::super::written_files::{Saved, is_stdout, keep, save};
 use super::Job;
+use super::device::left_out;
 use super::losses::{self, LossReport};
 use objdict_document::dbc;
-use objdict_document::dbc::{BusNode, DbcOptions, Omission};
+use objdict_document::dbc::{BusNode, DbcOptions};
 use objdict_format::identify::{ContentKind, identify};
 use objdict_format::input::Reading;
 use objdict_format::{Loss, LossKind};
 use objdict_model::diagnostic::counted;
-use objdict_model::model::{Device, NodeList, Part};
+use objdict_model::model::{Device, NodeList};
 use objdict_network::DcfgenMode;
 use objdict_network_file::{ConfiguredNode, location};
 
@@ -72,7 +73,12 @@ pub(super) fn convert(
     let described = nodes.iter().enumerate().filter(|(_, (node, _))| !node.is_counterpart);
     for (position, (node, node_id)) in described {
         let omissions = written.omissions.iter().filter(|omission| omission.node == position);
-        let losses: Vec<Loss> = omissions.map(|omission| loss(&node.device, omission)).collect();
+        let losses: Vec<Loss> = omissions
+            .map(|omission| {
+                let kind = if omission.is_lost { LossKind::Lost } else { LossKind::LeftOut };
+                left_out(&node.device, &omission.place, kind, omission.reason.clone())
+            })
+            .collect();
         if nodes.len() > 1 {
             let (file, from) = (name_of(&node.job.input), node.from.name());
             lines.push_str(&format!("{file} ({from}), node {node_id}\n"));
@@ -233,29 +239,4 @@ fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>,
             Err(failure.help("name an EDS, DCF, XDD, XDC, JSON, node list or network"))
         }
     }
-}
-
-/// What a DBC does not say of a node, in the words of the loss report.
-fn loss(device: &Device, omission: &Omission) -> Loss {
-    let (path, value) = match omission.place.part {
-        Part::Entry(index, sub) => {
-            let object = device.object(index);
-            let sub_path = match object.and_then(|object| object.subs.get(sub)) {
-                Some(_) => format!("/subs/0x{sub:02X}"),
-                None => String::new(),
-            };
-            let entry = object.and_then(|object| object.entry(sub));
-            let is_configured = entry.as_ref().is_some_and(|entry| entry.configured_value().is_some());
-            let field = if is_configured { "configured/value" } else { "default" };
-            let value = entry.as_ref().and_then(|entry| entry.value());
-            (
-                format!("/objects/0x{index:04X}{sub_path}/{field}"),
-                serde_json::to_value(value).unwrap_or_default(),
-            )
-        }
-        _ => (String::new(), serde_json::Value::Null),
-    };
-    let kind = if omission.is_lost { LossKind::Lost } else { LossKind::LeftOut };
-    let (place, reason) = (omission.place.clone(), Some(omission.reason.clone()));
-    Loss { place, path, kind, value: value.into(), becomes: None, reason }
 }

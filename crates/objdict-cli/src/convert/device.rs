@@ -10,10 +10,10 @@ use super::super::input::{FileKind, name_of};
 use super::super::node::{commissioning, former_node_id, restated, valid_node_id};
 use super::Job;
 use objdict_format as format;
-use objdict_format::{Description, Format, Loss, Syntax, WriteOptions, json, stated_name};
+use objdict_format::{Description, Format, Loss, LossKind, Syntax, WriteOptions, json, stated_name};
 use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{counted, series};
-use objdict_model::model::{Commissioning, Device, DeviceKind};
+use objdict_model::model::{Commissioning, Device, DeviceKind, Part, Place};
 use objdict_model::source::Folder;
 use objdict_node::concise;
 use objdict_node::configure::rebase;
@@ -47,16 +47,22 @@ pub(super) fn of_description(
     }
     let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
     refuse_unknown_text(job, &description, is_edited && !args.canonical.is_asked())?;
+    let anew = |description: Description, embed: bool| {
+        let mut unread = format::unread(&description);
+        let mut converted = of_device(args, job, description.into_described(), embed, max_losses)?;
+        unread.append(&mut converted.losses);
+        Ok(ConvertedFile { losses: unread, ..converted })
+    };
     if description.is_project() || description.is_network() || description.is_composed() {
-        return of_device(args, job, description.into_described(), !args.no_embed, max_losses);
+        return anew(description, !args.no_embed);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
-        return of_device(args, job, description.into_described(), !args.no_embed, max_losses);
+        return anew(description, !args.no_embed);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         // an EDS takes every text of another, an XDD only those that are valid, and other tools not all of them
         let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
-        return of_device(args, job, description.into_described(), !args.no_embed && is_narrower, max_losses);
+        return anew(description, !args.no_embed && is_narrower);
     }
     warn_of_violations(job, &description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
@@ -136,15 +142,15 @@ pub(super) fn of_device(
     match job.to {
         FileKind::Json => Ok(ConvertedFile::whole(json::write_device(&device).into_bytes())),
         FileKind::Cdcf => {
-            let configuration = configuration(args, job, &device)?;
-            configuration.write().map(ConvertedFile::whole).map_err(Failure::new)
+            let (configuration, losses) = configuration(args, job, &device)?;
+            Ok(ConvertedFile { bytes: configuration.write().map_err(Failure::new)?, losses })
         }
         FileKind::CdcfText => {
-            let configuration = configuration(args, job, &device)?;
+            let (configuration, losses) = configuration(args, job, &device)?;
             let described =
                 DescribedStream { device: Some(&device), node_id: args.node_id.or(device.node_id()) };
             let text = concise::print(&configuration, |download| described.annotate(download));
-            Ok(ConvertedFile::whole(text.into_bytes()))
+            Ok(ConvertedFile { bytes: text.into_bytes(), losses })
         }
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode | FileKind::Objdictgen => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
@@ -219,14 +225,40 @@ fn warn_of_node_id(args: &ConvertArgs, job: &Job, device: &Device) {
     }
 }
 
-/// The downloads that configure a node as the device says.
-fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<ConciseDcf, Failure> {
+/// The downloads that configure a node as the device says, and the entries that none of them writes.
+fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<(ConciseDcf, Vec<Loss>), Failure> {
     let scope = if args.all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
-    tell_skipped(&plan);
+    tell_empty(&plan);
+    let left_out = plan.skipped.iter().map(|skipped| {
+        let reason = format!("not part of the stream: {}", skipped.reason);
+        left_out(device, &skipped.place, LossKind::LeftOut, reason)
+    });
+    let losses = left_out.collect();
     let folder = args.network.paths.folder_of(&job.input);
-    plan.into_concise(|file| read_data(&folder, file))
+    Ok((plan.into_concise(|file| read_data(&folder, file))?, losses))
+}
+
+/// An entry whose value a file for other data does not have.
+pub(super) fn left_out(device: &Device, place: &Place, kind: LossKind, reason: String) -> Loss {
+    let (path, value) = match place.part {
+        Part::Entry(index, sub) => {
+            let object = device.object(index);
+            let sub_path = match object.and_then(|object| object.subs.get(sub)) {
+                Some(_) => format!("/subs/0x{sub:02X}"),
+                None => String::new(),
+            };
+            let entry = object.and_then(|object| object.entry(sub));
+            let is_configured = entry.as_ref().is_some_and(|entry| entry.configured_value().is_some());
+            let field = if is_configured { "configured/value" } else { "default" };
+            let value = entry.as_ref().and_then(|entry| entry.value());
+            let path = format!("/objects/0x{index:04X}{sub_path}/{field}");
+            (path, serde_json::to_value(value).unwrap_or_default())
+        }
+        _ => (String::new(), serde_json::Value::Null),
+    };
+    Loss { place: place.clone(), path, kind, value: value.into(), becomes: None, reason: Some(reason) }
 }
 
 /// A plan that cannot be made.
@@ -261,6 +293,10 @@ pub(crate) fn tell_skipped(plan: &Plan) {
         print_note(&format!("{}: not part of the stream: {reason}", series(places.chain(more))));
         rest = others;
     }
+    tell_empty(plan);
+}
+
+fn tell_empty(plan: &Plan) {
     if plan.steps.is_empty() {
         print_note(
             "nothing is configured to another value than its default: the stream is empty; write all values with `--all`",
