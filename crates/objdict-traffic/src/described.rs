@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use objdict_model::model::Device;
+use objdict_network::DcfgenMode;
 use objdict_network_file::NetworkFile;
 
 /// A description of a node.
@@ -34,13 +35,22 @@ impl Descriptions {
     pub fn add_network(&mut self, file: &NetworkFile) {
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else { return };
         self.bit_rate = self.bit_rate.or(network.bit_rate.as_ref().map(|rate| rate.value));
-        self.nodes.extend(compiled.nodes().map(|slave| DescribedNode {
-            name: network.nodes[slave.node].name.value.clone(),
-            node_id: Some(slave.node_id),
-            device: slave.device.clone(),
+        let described = |name: &str, node_id, device| DescribedNode {
+            name: name.to_owned(),
+            node_id: Some(node_id),
+            device,
             file: file.source.name().to_owned(),
             is_configured: true,
+        };
+        let nodes = compiled.nodes();
+        self.nodes.extend(nodes.map(|slave| {
+            described(&network.nodes[slave.node].name.value, slave.node_id, slave.device.clone())
         }));
+        // one without a description has the objects that the network gives it
+        let manager = network.manager.as_ref().filter(|manager| manager.node.is_none());
+        let made = || file.build(DcfgenMode::Corrected).ok()?.made_manager().ok();
+        let made = manager.and_then(|manager| Some((manager, manager.node_id?.value, made()?)));
+        self.nodes.extend(made.map(|(manager, node_id, device)| described(&manager.name.value, node_id, device)));
     }
 
     /// Adds a device, for a node if it is stated.

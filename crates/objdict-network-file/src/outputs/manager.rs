@@ -37,7 +37,7 @@ impl Build<'_> {
     pub fn manager_device(&self) -> Result<Device, BuildError> {
         let mut device = match &self.compiled.manager {
             Some(manager) => manager.described(),
-            None => self.made()?,
+            None => self.made_manager()?,
         };
         self.configure(&mut device)?;
         if let Some(time) = self.configured_at {
@@ -47,8 +47,11 @@ impl Build<'_> {
         Ok(device)
     }
 
-    /// A manager without a description of its own, which has what Lely's master has.
-    fn made(&self) -> Result<Device, BuildError> {
+    /// The device of a manager without a description: what Lely's master has, with a PDO for each PDO of a node.
+    ///
+    /// # Errors
+    /// When there is no manager.
+    pub fn made_manager(&self) -> Result<Device, BuildError> {
         let options = LelyOptions::default();
         let master =
             lely_master(self.network, &self.compiled.slaves, &options).ok_or(BuildError::NoManager)?;
