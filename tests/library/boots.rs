@@ -300,6 +300,15 @@ fn numbers_of_a_dcf_are_those_of_its_node() {
     let expected = "other-node-id: `a` is node 5, but its DCF was made for node 8";
     assert!(found(&other, Severity::Warning).contains(&expected.to_owned()));
     assert_eq!(found(&other, Severity::Error), Vec::<String>::new());
+    let folder = new_folder("boots-other-node");
+    let dcf = fs::read_to_string(fixtures().join("dcf/drive-402-node8.dcf")).unwrap();
+    let numbers = [("$NODEID+0x600", "0x608"), ("$NODEID+0x580", "0x588")];
+    let literal = numbers.iter().fold(dcf, |dcf, (formula, number)| dcf.replace(formula, number));
+    fs::write(folder.join("drive.dcf"), literal).unwrap();
+    let text = format!("{head}[node.a]\nfile = \"drive.dcf\"\nid = 5\n");
+    let errors = found(&read(&text, &folder.join("network.toml")), Severity::Error);
+    let is_of_sdo = |error: &String| error.starts_with("default-sdo-cob-id: `a`: ");
+    assert!(errors.len() == 2 && errors.iter().all(is_of_sdo), "{errors:?}");
     let serial = node("dcf/drive-402-node8.dcf", "serial-number = 0x20");
     let found = found(&serial, Severity::Error);
     assert!(
@@ -381,10 +390,21 @@ fn planted_mistakes_keep_the_law() {
     assert!(assert_kept(planted) > 10);
 }
 
+/// Each device of a corpus as a node of networks with a few keys, beside the networks that are there.
 #[test]
 fn the_networks_of_the_corpus_keep_the_law() {
     let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") else {
         return skip("no `OBJDICT_CORPUS_DIR`");
     };
-    assert_kept(networks(Path::new(&folder)));
+    let folder = Path::new(&folder);
+    let devices = files_below(folder, &["eds", "dcf", "xdd", "xdc"]).into_iter().enumerate();
+    let texts = devices.map(|(number, path)| {
+        let head = "[bus]\nbit-rate = 250\nmanager = \"m\"\nsync = \"20ms\"\nunused-pdos = \"off\"\n[manager]\nid = 1\n";
+        let keys = [TOML_KEYS[number % TOML_KEYS.len()], "heartbeat = \"1s\""][number % 2];
+        let file = path.file_name().unwrap().to_string_lossy();
+        let text = format!("{head}[node.a]\nfile = {file:?}\nid = 5\n{keys}\n");
+        (path.with_file_name("network.toml"), text)
+    });
+    let count = assert_kept(networks(folder).into_iter().chain(texts));
+    assert!(count > 100, "{count} networks");
 }

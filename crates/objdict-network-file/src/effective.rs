@@ -15,8 +15,14 @@ pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findi
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
     for slave in compiled.nodes() {
         let found = lint::without_disabled(&slave.device, lint::check(&slave.device, &options));
+        let node = &network.nodes[slave.node];
+        // of a DCF for another node, what fits that node only
+        let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
+        let own = is_of_other.then(|| lint::check(&node.device, &options));
         for finding in found.iter().filter(is_reported) {
-            if let Some(finding) = slave.found(network, finding, findings) {
+            let is_new = |own: &Findings| own.iter().all(|known| known.rule.id != finding.rule.id);
+            let node_id = node.node_id.filter(|_| own.as_ref().is_some_and(is_new)).map(|node_id| node_id.at);
+            if let Some(finding) = slave.found(network, finding, node_id, findings) {
                 findings.push(finding);
             }
         }

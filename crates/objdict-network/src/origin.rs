@@ -9,6 +9,7 @@ use crate::diagnostic::{At, Diagnostic, Findings, Severity, SourceLabel};
 use crate::messages::{MessageId, SdoCanId, Service};
 use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};
+use crate::source::Span;
 
 /// Adds what the description of a node says that a finding comes from.
 pub(crate) fn because(finding: Diagnostic, node: usize, place: impl Into<Option<Place>>) -> Diagnostic {
@@ -55,15 +56,22 @@ impl Slave {
     }
 
     /// A finding of a rule about devices, about the effective dictionary: where the network file gives an entry its value, else
-    /// in the description. `None` if the network file gives none of the values, or if an error is known of the object.
-    pub fn found(&self, network: &Network, finding: &Diagnostic, known: &Findings) -> Option<Diagnostic> {
+    /// in the description; `node_id` is the place of the node-ID that a value does not fit. `None` if the network file gives none of
+    /// the values, or if an error is known of the object.
+    pub fn found(
+        &self,
+        network: &Network,
+        finding: &Diagnostic,
+        node_id: Option<Span>,
+        known: &Findings,
+    ) -> Option<Diagnostic> {
         let entry = |label: &SourceLabel| match &label.at {
             At::Place(Place { part: Part::Entry(index, sub), .. }) => Some((*index, *sub)),
             At::Place(Place { part: Part::Object(index), .. }) => Some((*index, 0)),
             _ => None,
         };
         let said = |label| entry(label).and_then(|(index, sub)| self.said(index, sub));
-        let at = finding.labels.iter().find_map(said)?;
+        let at = finding.labels.iter().find_map(said).or(node_id)?;
         let own: Vec<At> =
             finding.labels.iter().filter_map(entry).flat_map(|(index, _)| self.said_of(index)).collect();
         let is_own = |label: &SourceLabel| own.contains(&label.at);
