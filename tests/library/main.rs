@@ -36,6 +36,7 @@ mod interop;
 mod json;
 mod links;
 mod lint;
+mod lock;
 mod lossless;
 #[cfg(feature = "full")]
 mod lsp;

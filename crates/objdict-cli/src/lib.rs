@@ -26,6 +26,7 @@ mod generate;
 mod help;
 mod identify;
 mod input;
+mod lock;
 mod lsp;
 mod modules;
 mod network;

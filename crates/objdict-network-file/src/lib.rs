@@ -6,6 +6,7 @@ mod bus_yml;
 mod effective;
 mod init;
 mod link_edits;
+mod lock;
 mod mentions;
 mod network_keys;
 mod network_toml;
@@ -27,6 +28,7 @@ pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
 pub use self::init::node_name;
 pub use self::link_edits::LinkEdit;
+pub use self::lock::{read_lock, write_lock};
 pub use self::mentions::NodeMention;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;
@@ -45,7 +47,7 @@ use objdict_model::source::{
     Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute, shown,
 };
 use objdict_network as network;
-use objdict_network::{Compiled, Network, RequestedValue, Resolved, Said, resolve};
+use objdict_network::{Compiled, Network, NetworkLock, RequestedValue, Resolved, Said, resolve};
 
 /// Whether a file may be a network by its name.
 pub fn may_be_network(path: &Path) -> bool {
@@ -134,6 +136,7 @@ impl NetworkFile {
         let of_text = findings.len();
         let resolved = network.map(|network| {
             let mut network = if is_made { network.as_described() } else { network };
+            network.lock.clone_from(&options.lock);
             stored::read(&mut network, &mut findings);
             resolve(network, &mut findings)
         });
@@ -210,6 +213,8 @@ pub struct PathOptions {
     pub allowed: Vec<PathBuf>,
     /// Patches of the descriptions.
     pub patches: Vec<Arc<Patch>>,
+    /// The PDOs of an earlier build, which keep their CAN-IDs and numbers.
+    pub lock: NetworkLock,
 }
 
 impl PathOptions {

@@ -7,7 +7,7 @@ use crate::download::{ConciseDcf, Order};
 use crate::model::{Address, Device};
 pub use crate::source::Said;
 use crate::source::Span;
-use crate::{IdentityLevel, Link};
+use crate::{IdentityLevel, Link, NetworkLock};
 
 /// The bit rate in kbit/s that dcfgen writes where its file states none.
 const DCFGEN_BIT_RATE: u16 = 1000;
@@ -35,6 +35,8 @@ pub struct Network {
     pub run_time_folder: String,
     /// Whether the network is made of descriptions that are configured already, so that the manager expects what its own says.
     pub is_as_described: bool,
+    /// The PDOs of an earlier build, which keep their CAN-IDs and numbers.
+    pub lock: NetworkLock,
 }
 
 /// A node and its wanted configuration.

@@ -7,6 +7,7 @@ use clap::{Subcommand, ValueEnum};
 use super::report::{ReportArgs, ShowFormat};
 use crate::baseline::BaselineArgs;
 use crate::ending::Failure;
+use crate::lock;
 use crate::patch_option::PatchArgs;
 use crate::settings::{CommandSettings, ConfigFileArgs, SettingsArgs};
 use crate::values::one_of;
@@ -75,12 +76,15 @@ pub(crate) struct NetworkPathArgs {
     /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
     pub define: Vec<(String, String)>,
+    /// Keep the CAN-IDs and PDO numbers in this file, which `network build` creates and updates
+    #[arg(long, value_name = "FILE")]
+    pub lock: Option<PathBuf>,
     #[command(flatten)]
     pub paths: AllowedPathArgs,
 }
 
 // How the descriptions that a network names are read.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct NetworkInputArgs {
     #[command(flatten)]
@@ -101,7 +105,15 @@ impl NetworkInputArgs {
         let mut patches = self.patch.patches.clone();
         patches.extend(CommandSettings::new(&of_config)?.patches_of(network)?);
         let variables = self.paths.define.iter().cloned().collect();
-        Ok(PathOptions { variables, patches, ..self.paths.paths.options() })
+        let lock = self.paths.lock.as_deref().map(lock::read).transpose()?.unwrap_or_default();
+        Ok(PathOptions { variables, patches, lock, ..self.paths.paths.options() })
+    }
+}
+
+impl NetworkInputArgs {
+    /// The same for a network whose PDOs are assigned anew.
+    pub(crate) fn without_lock(&self) -> Self {
+        Self { paths: NetworkPathArgs { lock: None, ..self.paths.clone() }, ..self.clone() }
     }
 }
 
@@ -214,7 +226,7 @@ pub(crate) struct NetworkBuildArgs {
     #[arg(short, long, help_heading = "Lely")]
     pub remote_pdo: bool,
     /// Write the same bytes as dcfgen 2.4.2, including its errors; refuse only what dcfgen refuses
-    #[arg(long, help_heading = "Lely")]
+    #[arg(long, conflicts_with = "lock", help_heading = "Lely")]
     pub strict_dcfgen: bool,
     #[command(flatten)]
     pub input: NetworkInputArgs,

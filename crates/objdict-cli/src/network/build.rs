@@ -1,12 +1,13 @@
 //! `objdict network build`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::ending::{Failure, Outcome, note, tell};
 use super::super::input::name_of;
+use super::super::lock;
 use super::super::settings::{CommandSettings, SettingsArgs};
 use super::super::stdout::Output;
 use super::super::written_files::SaveFolder;
@@ -20,8 +21,13 @@ use objdict_network_file::{Build, BuiltFile};
 use objdict_project::report::{Subject, Tally, grouped, listed};
 
 pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let file = open_one(&args.files, &args.input)?;
-    let settings = SettingsArgs::from(&args.input.config);
+    let (input, lock) = (&args.input, args.input.paths.lock.as_deref());
+    let is_locked = lock.is_some_and(Path::exists);
+    let file = match is_locked {
+        true => open_one(&args.files, input)?,
+        false => open_one(&args.files, &input.without_lock())?,
+    };
+    let settings = SettingsArgs::from(&input.config);
     let findings = findings(&file, &args.files[0], &mut CommandSettings::new(&settings)?)?;
     // as `network check` shows and counts them
     let reported: Vec<_> = Subject::of_network(&file, findings.clone())
@@ -67,6 +73,10 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     for name in folder.replace(&contents)? {
         let path = args.output.join(name);
         note(&format!("note: `{}` is of an earlier build\n", name_of(&path)));
+    }
+    if let Some(path) = lock {
+        let old = file.network().map(|network| &network.lock).filter(|_| is_locked);
+        lock::update(path, old, &build.lock())?;
     }
     out.summary(format_args!("{}: {}", name_of(&args.output), plural(files.len(), "file")))?;
     Ok(if is_verified { Outcome::Clean } else { Outcome::Findings })

@@ -13,7 +13,7 @@ use objdict_format::{EditError, Format, NodeSettings, WriteOptions};
 use objdict_model::Language;
 use objdict_model::model::{Assignment, Commissioning, Device, Value};
 use objdict_network::{
-    Compiled, DcfgenMode, LelyOptions, Network, Overview, Slave, Timing, TimingOptions, compile,
+    Compiled, DcfgenMode, LelyOptions, Network, NetworkLock, Overview, Slave, Timing, TimingOptions, compile,
     configuration_file, lely_master,
 };
 use objdict_node::download::{ConciseDcf, EncodeError, PlanError};
@@ -117,6 +117,11 @@ impl Build<'_> {
     #[must_use]
     pub fn configured_at(self, time: ConfigurationTime) -> Self {
         Self { configured_at: Some(time), ..self }
+    }
+
+    /// What a later build keeps of this one.
+    pub fn lock(&self) -> NetworkLock {
+        NetworkLock::new(self.network, &self.compiled)
     }
 
     /// A node as its DCF describes it.

@@ -7,6 +7,7 @@ mod compiler;
 mod pdo;
 
 use std::cell::OnceCell;
+use std::collections::BTreeSet;
 
 use objdict_model::diagnostic::Severity;
 
@@ -28,7 +29,8 @@ const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
 /// Makes the downloads of all nodes.
 pub fn compile(network: &Network, mode: DcfgenMode) -> Compiled {
-    let mut pool = POOL;
+    let locked: BTreeSet<u32> = network.lock.can_ids().collect();
+    let mut pool = POOL.filter(|id| !locked.contains(id));
     let mut compiled = Compiled::default();
     let own = network.manager.as_ref().and_then(|manager| manager.node);
     for (position, node) in network.nodes.iter().enumerate() {
@@ -60,7 +62,7 @@ fn slave(
     network: &Network,
     compiler: &mut Compiler<'_, '_>,
     manager: Option<&Manager>,
-    pool: &mut std::ops::RangeInclusive<u32>,
+    pool: &mut dyn Iterator<Item = u32>,
 ) -> Slave {
     let node = compiler.node;
     time(compiler);
@@ -75,7 +77,7 @@ fn slave(
     compiler.part = FilePart::Key;
     let mut pdos = pdo::states(compiler);
     for request in &node.pdos {
-        pdo::configure(compiler, &mut pdos, request, pool);
+        pdo::configure(compiler, &mut pdos, request, &network.lock, pool);
     }
     let conditional = compiler.downloads.len();
     compiler.part = FilePart::Download;

@@ -1,12 +1,12 @@
 //! The PDOs of a node.
 
-use std::ops::RangeInclusive;
-
+use super::POOL;
 use super::compiler::Compiler;
 use crate::compiled::{DcfgenMode, PdoState, indexes};
 use crate::configure::PdoName;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::transferred_type;
+use crate::lock::NetworkLock;
 use crate::model::{Address, CobId, DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::network::{PdoRequest, RequestedCobId, Said};
 use crate::origin::{because, refusing_field};
@@ -65,7 +65,8 @@ pub(super) fn configure(
     compiler: &mut Compiler<'_, '_>,
     states: &mut [PdoState],
     request: &PdoRequest,
-    pool: &mut RangeInclusive<u32>,
+    lock: &NetworkLock,
+    pool: &mut dyn Iterator<Item = u32>,
 ) {
     let Some(state) = states.iter_mut().find(|state| state.pdo == request.pdo) else {
         let message =
@@ -80,7 +81,7 @@ pub(super) fn configure(
     let said = request.cob_id.map_or(request.at, |cob_id| cob_id.at);
     match request.cob_id.map(|cob_id| cob_id.value) {
         Some(RequestedCobId::Number(number)) => state.cob_id = number,
-        Some(RequestedCobId::Auto) => match automatic(request.pdo, compiler.node_id, pool) {
+        Some(RequestedCobId::Auto) => match automatic(request.pdo, compiler, lock, pool) {
             Some(cob_id) => state.cob_id = cob_id,
             None => {
                 let message = say!(
@@ -129,11 +130,19 @@ fn idle(compiler: &mut Compiler<'_, '_>, request: &PdoRequest) {
     compiler.findings.push(finding.label(At::Node(compiler.position, place), "the COB-ID"));
 }
 
-/// The CAN-ID of a PDO: predefined for PDO 1 to 4, else the next of the pool.
-fn automatic(pdo: PdoName, node_id: u8, pool: &mut RangeInclusive<u32>) -> Option<u32> {
+/// The CAN-ID of a PDO: predefined for PDO 1 to 4, else that of an earlier build, else the next of the pool.
+fn automatic(
+    pdo: PdoName,
+    compiler: &Compiler<'_, '_>,
+    lock: &NetworkLock,
+    pool: &mut dyn Iterator<Item = u32>,
+) -> Option<u32> {
     match pdo.kind.predefined_can_id(pdo.number) {
-        Some(base) => Some(u32::from(base) + u32::from(node_id)),
-        None => pool.next(),
+        Some(base) => Some(u32::from(base) + u32::from(compiler.node_id)),
+        None => {
+            let locked = lock.pdo(&compiler.node.name.value, pdo).map(|locked| locked.can_id);
+            locked.filter(|id| POOL.contains(id)).or_else(|| pool.next())
+        }
     }
 }
 

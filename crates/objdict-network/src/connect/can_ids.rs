@@ -22,6 +22,8 @@ pub(super) struct CanIds {
     users: HashMap<u32, Vec<User>>,
     /// CAN-IDs that links demand.
     demanded: HashSet<u32>,
+    /// CAN-IDs that PDOs of the network had in an earlier build.
+    locked: HashSet<u32>,
     /// The free ranges in the order in which they are used up.
     pool: Vec<u32>,
 }
@@ -30,6 +32,7 @@ impl CanIds {
     pub(super) fn new(network: &Network, compiled: &Compiled) -> Self {
         let mut ids = Self::default();
         ids.demanded.extend(network.links.iter().filter_map(|link| link.parameters.can_id));
+        ids.locked.extend(network.lock.can_ids());
         for slave in compiled.nodes() {
             for state in slave.pdos.iter().filter(|state| state.cob_id & CobId::BIT_31 == 0) {
                 ids.add(state.can_id().number, User::Pdo(slave.node, state.pdo));
@@ -63,6 +66,11 @@ impl CanIds {
         }
     }
 
+    /// The CAN-ID that the sender had in an earlier build, unless another one sends it or a link demands it.
+    pub(super) fn keep(&self, locked: Option<u32>) -> Option<u32> {
+        locked.filter(|id| !self.demanded.contains(id) && self.sender(*id).is_none())
+    }
+
     /// The predefined CAN-ID of a sender unless another one sends it, else the first of these CAN-IDs that is free, else one of the
     /// free ranges.
     pub(super) fn choose(
@@ -71,8 +79,7 @@ impl CanIds {
         preferred: impl IntoIterator<Item = u32>,
     ) -> Option<u32> {
         let is_sent = |id: &u32| self.sender(*id).is_some();
-        let own =
-            of_sender.filter(|id| restricted(*id).is_none() && !self.demanded.contains(id) && !is_sent(id));
+        let own = of_sender.filter(|id| !self.is_reserved(*id) && !is_sent(id));
         let free = own.or_else(|| preferred.into_iter().find(|id| self.is_free(*id)));
         free.or_else(|| {
             while let Some(id) = self.pool.pop() {
@@ -95,10 +102,12 @@ impl CanIds {
         self.users(can_id).find(is_sender)
     }
 
+    fn is_reserved(&self, can_id: u32) -> bool {
+        restricted(can_id).is_some() || self.demanded.contains(&can_id) || self.locked.contains(&can_id)
+    }
+
     fn is_free(&self, can_id: u32) -> bool {
-        restricted(can_id).is_none()
-            && !self.demanded.contains(&can_id)
-            && self.users.get(&can_id).is_none_or(Vec::is_empty)
+        !self.is_reserved(can_id) && self.users.get(&can_id).is_none_or(Vec::is_empty)
     }
 }
 

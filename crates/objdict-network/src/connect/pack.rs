@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::can_ids::{CanIds, User, plain, predefined};
+use super::ends::Carried;
 use super::frame::{GroupFrame, Share};
 use super::groups::{LeadSignal, LinkGroup};
 use super::obstacles;
@@ -10,6 +11,7 @@ use super::pdos::{CandidatePdo, NewMapping, NodePdos, Obstacle};
 use crate::compiled::{Compiled, Slave, indexes, received_type};
 use crate::configure::PdoName;
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
+use crate::lock::NetworkLock;
 use crate::model::{CobId, Pdo, PdoKind};
 use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, MOVED_CAN_ID, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
@@ -30,6 +32,7 @@ pub(super) fn pack(
         can_ids: CanIds::new(network, compiled),
         requests: Vec::new(),
         links: &network.links,
+        lock: &network.lock,
         compiled,
         findings: Findings::new(),
     };
@@ -58,6 +61,7 @@ struct FramePacker<'a> {
     can_ids: CanIds,
     requests: Vec<(usize, PdoRequest)>,
     links: &'a [Link],
+    lock: &'a NetworkLock,
     compiled: &'a Compiled,
     /// PDOs that leave their predefined CAN-IDs.
     findings: Findings,
@@ -114,6 +118,11 @@ impl FramePacker<'_> {
         }
         let mut alone = Vec::new();
         let mut rest: Vec<&LeadSignal> = group.signals.iter().collect();
+        // what an earlier build has placed comes first, in its order
+        rest.sort_by_cached_key(|signal| {
+            let carrier = self.carrier(group.lead, group.kind, signal.entry);
+            (carrier.is_none(), carrier)
+        });
         while !rest.is_empty() {
             let transfer = match self.transfer(group, &rest) {
                 Ok(transfer) => transfer,
@@ -130,6 +139,25 @@ impl FramePacker<'_> {
         Ok(alone)
     }
 
+    /// The PDO that carried an entry in an earlier build.
+    fn carrier(&self, node: usize, kind: PdoKind, entry: Carried) -> Option<(PdoName, usize)> {
+        self.lock.carrier(&self.nodes[node].name.value, kind, (entry.index, entry.sub))
+    }
+
+    /// The unused PDOs of a node for an entry, best first: the one that carried it in an earlier build, those that carried nothing, then
+    /// the others.
+    fn candidates(&self, node: usize, kind: PdoKind, first: Carried) -> Vec<usize> {
+        let pdos = &self.pdos[node];
+        let mut candidates = pdos.candidates(kind, first);
+        let carrier = self.carrier(node, kind, first).map(|(pdo, _)| pdo);
+        let name = &self.nodes[node].name.value;
+        candidates.sort_by_cached_key(|at| {
+            let pdo = pdos.pdos[*at].name;
+            (carrier != Some(pdo), self.lock.pdo(name, pdo).is_some())
+        });
+        candidates
+    }
+
     /// A PDO for the first of the signals and as many more as possible.
     fn transfer<'a>(
         &self,
@@ -139,8 +167,15 @@ impl FramePacker<'_> {
         let pdos = &self.pdos[group.lead];
         let mut of_lead = TransferRefusal { node: group.lead, kind: group.kind, obstacles: Vec::new() };
         let mut of_consumer = None;
-        for pdo in pdos.candidates(group.kind, rest[0].entry) {
+        for pdo in self.candidates(group.lead, group.kind, rest[0].entry) {
             let candidate = &pdos.pdos[pdo];
+            // entries of another PDO of an earlier build stay there
+            let is_here = |signal: &&&LeadSignal| {
+                let carrier = self.carrier(group.lead, group.kind, signal.entry);
+                carrier.is_none_or(|(carrier, _)| carrier == candidate.name)
+            };
+            let others = rest[1..].iter().filter(is_here).copied();
+            let rest: &[_] = &[rest[0]].into_iter().chain(others).collect::<Vec<_>>();
             let can_id = match self.can_lead(group, candidate, rest) {
                 Ok(can_id) => can_id,
                 Err(obstacle) => {
@@ -241,7 +276,7 @@ impl FramePacker<'_> {
         let mut obstacles = Vec::new();
         // each share has an entry
         for (pdo, (_, first)) in share.receivers.first().into_iter().flat_map(|first| {
-            pdos.candidates(PdoKind::Rpdo, first.1.entry).into_iter().map(move |pdo| (pdo, first))
+            self.candidates(share.node, PdoKind::Rpdo, first.1.entry).into_iter().map(move |pdo| (pdo, first))
         }) {
             let candidate = &pdos.pdos[pdo];
             let found = candidate.constant_can_id().and_then(|fixed| {
@@ -282,7 +317,11 @@ impl FramePacker<'_> {
                 let of_consumers =
                     of_consumers.filter_map(|(to, pdo)| predefined(&self.nodes[to.node], *pdo));
                 let of_sender = of_lead.filter(|_| group.kind == PdoKind::Tpdo);
-                let chosen = self.can_ids.choose(of_sender, of_lead.into_iter().chain(of_consumers));
+                let locked = self.lock.pdo(&self.nodes[lead].name.value, own).map(|locked| locked.can_id);
+                let chosen = self
+                    .can_ids
+                    .keep(locked)
+                    .or_else(|| self.can_ids.choose(of_sender, of_lead.into_iter().chain(of_consumers)));
                 let chosen = chosen.ok_or_else(|| Box::new(no_can_id(group.at)))?;
                 if let Some(wanted) = of_lead.filter(|wanted| *wanted != chosen) {
                     let moved = self.moved(group, own, (wanted, chosen));

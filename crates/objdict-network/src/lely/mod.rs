@@ -5,8 +5,11 @@
 mod objects;
 mod text;
 
+use std::collections::BTreeSet;
+
 use self::text::MasterText;
 use crate::compiled::{DcfgenMode, PdoState, Slave};
+use crate::configure::PdoName;
 use crate::download::{ConciseDcf, Download};
 use crate::manager::Knowledge;
 use crate::model::{BaudRates, PdoKind};
@@ -63,12 +66,35 @@ fn bin(network: &Network, manager: &Manager, slaves: &[Slave]) -> ConciseDcf {
     ConciseDcf(downloads)
 }
 
+/// The PDOs of the nodes in a direction, with the numbers that their other sides have in a manager without a description.
+pub(crate) fn mirrored_numbers<'a>(
+    network: &'a Network,
+    slaves: &'a [Slave],
+    kind: PdoKind,
+) -> Vec<(&'a str, PdoName, u16)> {
+    let manager = network.manager.as_ref().filter(|manager| manager.node.is_none());
+    let Some(manager) = manager else { return Vec::new() };
+    let options = &LelyOptions { mode: DcfgenMode::Corrected, remote_pdos: false };
+    let writer = LelyWriter { network, manager, slaves, options, out: MasterText::default() };
+    let mirrored = writer.mirrored(kind).into_iter();
+    mirrored.map(|pdo| (pdo.node.name.value.as_str(), pdo.state.pdo, pdo.number)).collect()
+}
+
 /// A PDO of a node, which the master has the other side of.
 #[derive(Clone, Copy)]
 struct Mirrored<'a> {
+    /// The number of the other side.
+    number: u16,
     node: &'a Node,
     slave: &'a Slave,
     state: &'a PdoState,
+}
+
+impl Mirrored<'_> {
+    /// The index of the object for the other side, of those from `first` on.
+    const fn index(&self, first: u16) -> u16 {
+        first.saturating_add(self.number - 1)
+    }
 }
 
 struct LelyWriter<'a> {
@@ -106,9 +132,19 @@ impl<'a> LelyWriter<'a> {
             let node = self.node(slave);
             let mut pdos: Vec<_> = slave.pdos.iter().filter(is_used).collect();
             pdos.sort_by_key(|state| state.pdo.number);
-            pdos.into_iter().map(move |state| Mirrored { node, slave, state })
+            pdos.into_iter().map(move |state| Mirrored { number: 0, node, slave, state })
         };
-        self.slaves.iter().flat_map(of_slave).collect()
+        let mut mirrored: Vec<_> = self.slaves.iter().flat_map(of_slave).collect();
+        let lock = &self.network.lock;
+        let mut unlocked = (1..).filter(|number| !lock.has_manager_pdo(kind, *number));
+        let mut taken = BTreeSet::new();
+        for pdo in &mut mirrored {
+            let locked = lock.pdo(&pdo.node.name.value, pdo.state.pdo).and_then(|locked| locked.manager);
+            let locked = locked.filter(|number| taken.insert(*number));
+            pdo.number = locked.or_else(|| unlocked.next()).unwrap_or(u16::MAX);
+        }
+        mirrored.sort_by_key(|pdo| pdo.number);
+        mirrored
     }
 
     /// Whether a node receives what another one sends: a manager that sent it too would be a second sender.
@@ -185,16 +221,18 @@ impl<'a> LelyWriter<'a> {
 
     /// The objects of the master, in the order of its lists.
     fn lists(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
-        let range = |first: u16, count: usize| (first..).take(count);
+        let range = |first: u16, pdos: &[Mirrored<'_>]| -> Vec<u16> {
+            pdos.iter().map(|pdo| pdo.index(first)).collect()
+        };
         let some = |index, is_there: bool| is_there.then_some(index);
         let optional = [0x1003, 0x1005, 0x1006, 0x1007, 0x1012, 0x1013, 0x1014, 0x1015].into_iter();
         let optional = optional
             .chain(some(0x1016, self.manager.monitors_nodes()))
             .chain([0x1017, 0x1019, 0x1028, 0x1029, 0x102A])
-            .chain(range(0x1400, received.len()))
-            .chain(range(0x1600, received.len()))
-            .chain(range(0x1800, sent.len()))
-            .chain(range(0x1A00, sent.len()))
+            .chain(range(0x1400, received))
+            .chain(range(0x1600, received))
+            .chain(range(0x1800, sent))
+            .chain(range(0x1A00, sent))
             .chain(some(0x1F22, self.slaves.iter().any(|slave| self.upload(slave).is_some())))
             .chain([0x1F25, 0x1F55])
             .chain(some(
@@ -204,13 +242,14 @@ impl<'a> LelyWriter<'a> {
             .chain(0x1F80..=0x1F82)
             .chain(0x1F84..=0x1F8A)
             .collect();
-        let remote = |first, count: usize| range(first, if self.options.remote_pdos { count } else { 0 });
+        let has_remote = self.options.remote_pdos;
+        let remote = |first, pdos| if has_remote { range(first, pdos) } else { Vec::new() };
         let manufacturer = objects::indexes(0x2000, received)
             .chain(objects::indexes(0x2200, sent))
-            .chain(remote(0x5800, received.len()))
-            .chain(remote(0x5A00, received.len()))
-            .chain(remote(0x5C00, sent.len()))
-            .chain(remote(0x5E00, sent.len()))
+            .chain(remote(0x5800, received))
+            .chain(remote(0x5A00, received))
+            .chain(remote(0x5C00, sent))
+            .chain(remote(0x5E00, sent))
             .collect();
         self.out.list("MandatoryObjects", vec![0x1000, 0x1001, 0x1018]);
         self.out.list("OptionalObjects", optional);

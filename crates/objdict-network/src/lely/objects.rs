@@ -19,24 +19,24 @@ struct MasterPlaces<'a> {
     first: u16,
     /// The place of an entry, by node, index and sub-index.
     places: BTreeMap<(usize, u16, u8), (u16, u8)>,
-    /// What each PDO adds.
-    added: Vec<Vec<(MappedObject, Mirrored<'a>)>>,
+    /// What each PDO adds, with the number of its other side.
+    added: Vec<(u16, Vec<(MappedObject, Mirrored<'a>)>)>,
 }
 
 impl<'a> MasterPlaces<'a> {
     fn new(first: u16, pdos: &[Mirrored<'a>]) -> Self {
         let mut places = Self { first, places: BTreeMap::new(), added: Vec::new() };
-        for (number, pdo) in (0_u16..).zip(pdos) {
+        for pdo in pdos {
             let mut added = Vec::new();
             for object in pdo.state.mapping.values() {
                 let key = (pdo.slave.node, object.index, object.sub);
                 places.places.entry(key).or_insert_with(|| {
                     added.push((*object, *pdo));
                     // a PDO maps 64 objects at most
-                    (first + number, added.len() as u8)
+                    (pdo.index(first), added.len() as u8)
                 });
             }
-            places.added.push(added);
+            places.added.push((pdo.number, added));
         }
         places
     }
@@ -50,8 +50,8 @@ impl<'a> MasterPlaces<'a> {
 
 /// The indexes of the objects for the entries of PDOs.
 pub(super) fn indexes<'a>(first: u16, pdos: &[Mirrored<'a>]) -> impl Iterator<Item = u16> + use<'a> {
-    let added = MasterPlaces::new(first, pdos).added;
-    (first..).zip(added).filter(|(_, added)| !added.is_empty()).map(|(index, _)| index)
+    let added = MasterPlaces::new(first, pdos).added.into_iter();
+    added.filter(|(_, added)| !added.is_empty()).map(move |(number, _)| first + (number - 1))
 }
 
 impl<'a> LelyWriter<'a> {
@@ -109,8 +109,8 @@ impl<'a> LelyWriter<'a> {
             _ => format!("0x{:02X}", state.transmission),
         };
         let out = &mut self.out;
-        for (index, pdo) in (0x1400_u16..).zip(received) {
-            let section = format!("{index:04X}");
+        for pdo in received {
+            let section = format!("{:04X}", pdo.index(0x1400));
             let sub = |number: u8| format!("{section}sub{number}");
             let state = pdo.state;
             out.record(&section, "RPDO communication parameter", RECORD, 5, "highest sub-index supported");
@@ -122,8 +122,8 @@ impl<'a> LelyWriter<'a> {
         }
         self.mappings(0x1600, "RPDO mapping parameter", &MasterPlaces::new(0x2000, received), received);
         let out = &mut self.out;
-        for (index, pdo) in (0x1800_u16..).zip(sent) {
-            let section = format!("{index:04X}");
+        for pdo in sent {
+            let section = format!("{:04X}", pdo.index(0x1800));
             let sub = |number: u8| format!("{section}sub{number}");
             let state = pdo.state;
             out.record(&section, "TPDO communication parameter", RECORD, 6, "highest sub-index supported");
@@ -138,10 +138,10 @@ impl<'a> LelyWriter<'a> {
     }
 
     fn mappings(&mut self, first: u16, name: &str, places: &MasterPlaces<'_>, pdos: &[Mirrored<'_>]) {
-        for (index, pdo) in (first..).zip(pdos) {
+        for pdo in pdos {
             let mapped: Vec<MappedObject> =
                 pdo.state.mapping.values().map(|object| places.of(pdo, object)).collect();
-            self.mapping(index, name, RECORD, &mapped);
+            self.mapping(pdo.index(first), name, RECORD, &mapped);
         }
     }
 
@@ -241,11 +241,11 @@ impl<'a> LelyWriter<'a> {
     }
 
     fn entries(&mut self, kind: &str, access: &str, places: &MasterPlaces<'_>) {
-        for ((number, index), added) in (1..).zip(places.first..).zip(&places.added) {
+        for (number, added) in &places.added {
             if added.is_empty() {
                 continue;
             }
-            let section = format!("{index:04X}");
+            let section = format!("{:04X}", places.first + (number - 1));
             let name = format!("Mapped application objects for {kind} {number}");
             self.out.record(&section, &name, RECORD, added.len(), "Highest sub-index supported");
             for (sub, (object, pdo)) in (1_u8..).zip(added) {
@@ -259,14 +259,15 @@ impl<'a> LelyWriter<'a> {
     }
 
     fn remote(&mut self, first: u16, kind: &str, pdos: &[Mirrored<'_>]) {
-        for (index, pdo) in (first..).zip(pdos) {
+        for pdo in pdos {
             let number = u32::from(pdo.state.pdo.number) << 8 | u32::from(pdo.slave.node_id);
             let name = format!("Remote {kind} number and node-ID");
-            self.out.value(&format!("{index:04X}"), &name, Type::U32, "rw", hex(number));
+            self.out.value(&format!("{:04X}", pdo.index(first)), &name, Type::U32, "rw", hex(number));
         }
-        for (index, pdo) in (first + 0x200..).zip(pdos) {
+        for pdo in pdos {
             let mapped: Vec<MappedObject> = pdo.state.mapping.values().copied().collect();
-            self.mapping(index, &format!("Remote {kind} mapping parameter"), ARRAY, &mapped);
+            let name = format!("Remote {kind} mapping parameter");
+            self.mapping(pdo.index(first + 0x200), &name, ARRAY, &mapped);
         }
     }
 }
