@@ -43,8 +43,9 @@ pub fn of_object(
 ) -> impl Iterator<Item = (&'static Profile, ObjectFacts<'static>)> {
     // CiA documents do not define manufacturer-specific objects
     let blocks = if MANUFACTURER.contains(&index) { 0..0 } else { 0..super::MAX_BLOCKS };
+    let is_composed = device.profile() == Some(0xFFFF);
     let own = blocks.clone().filter_map(move |block| {
-        let number = super::number_of(device, if device.profile() == Some(0xFFFF) { block } else { 0 })?;
+        let number = super::number_of(device, if is_composed { block } else { 0 })?;
         let profile = of_number(number).filter(|profile| block == 0 || profile.repeats)?;
         Some((profile, profile.object_in(block, index)?))
     });

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::iter;
 
 use super::sdo::Transfers;
 use super::stale::Stale;
@@ -206,8 +207,9 @@ impl TalkingNode<'_> {
                 || DataType::of_sub_0(index).filter(|_| sub == 0 && object.object_type().has_subs());
             object.entry(sub)?.implied_type().or_else(of_count)
         };
-        let of_documents = profile::entry(&self.device, index, sub).and_then(|(_, data_type)| data_type);
-        own().into_iter().chain(of_documents)
+        // most values are as the device has them
+        let of_documents = iter::once_with(move || profile::entry(&self.device, index, sub)?.1);
+        own().into_iter().chain(of_documents.flatten())
     }
 
     /// The value that bytes of an SDO are. A value of another length than described may be as the documents have it.
