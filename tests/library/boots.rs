@@ -361,7 +361,7 @@ fn a_malformed_configuration_is_found_in_its_file() {
 #[test]
 fn the_fixtures_keep_the_law() {
     let folders = ["network", "rules/network"].map(|folder| fixtures().join(folder));
-    assert!(assert_kept(folders.iter().flat_map(|folder| networks(folder))) > 100);
+    assert!(assert_kept(sample(folders.iter().flat_map(|folder| networks(folder)))) > 25);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The file of `network build --lock`: TOML that is written and read by objdict.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use objdict_keyed::section::{Key, KeyedTable, Shape, bits, integer, key};
@@ -7,7 +8,7 @@ use objdict_keyed::toml;
 use objdict_model::diagnostic::Findings;
 use objdict_model::json::quoted;
 use objdict_model::model::{MappedObject, PdoKind};
-use objdict_network::{LockedPdo, NetworkLock};
+use objdict_network::{Compiled, LockedPdo, Network, NetworkLock, mirrored_numbers};
 use objdict_node::configure::PdoName;
 
 const LOCK: &[Key] = &[key("pdo", Shape::List(PDO), "The PDOs of the network that was built.")];
@@ -23,6 +24,27 @@ const PDO: &[Key] = &[
     key("map", Shape::Numerals(MAPPING.0, MAPPING.1), "The mapped objects, as in 1600h and 1A00h."),
     key("manager", NUMBER, "The number of the PDO at the other side, in a manager without a description."),
 ];
+
+/// The PDOs of a network that is built.
+pub(super) fn locked(network: &Network, compiled: &Compiled) -> NetworkLock {
+    let numbers =
+        [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| mirrored_numbers(network, &compiled.slaves, kind));
+    let numbers: BTreeMap<_, _> =
+        numbers.into_iter().flatten().map(|(name, pdo, number)| ((name, pdo), number)).collect();
+    let pdos = compiled.nodes().flat_map(|slave| {
+        let name = &network.nodes[slave.node].name.value;
+        let active = slave.pdos.iter().filter(|state| state.is_active());
+        active.map(|state| {
+            let locked = LockedPdo {
+                can_id: state.can_id().number,
+                mapping: state.mapping.values().copied().collect(),
+                manager: numbers.get(&(name.as_str(), state.pdo)).copied(),
+            };
+            ((name.clone(), state.pdo), locked)
+        })
+    });
+    NetworkLock(pdos.collect())
+}
 
 /// Reads a lock. What it does not say properly is a finding.
 pub fn read_lock(text: &str, findings: &mut Findings) -> NetworkLock {

@@ -17,10 +17,10 @@ const DCF: u16 = 0x1F20;
 const CONCISE_DCF: u16 = 0x1F22;
 
 /// A configuration that a device holds for the node with this node-ID.
-type Held = (u16, u8, Result<ConciseDcf, String>);
+type HeldConfiguration = (u16, u8, Result<ConciseDcf, String>);
 
 /// The configurations that a device holds for other nodes, without empty ones.
-fn held(device: &Device) -> Vec<Held> {
+fn held(device: &Device) -> Vec<HeldConfiguration> {
     let objects = [DCF, CONCISE_DCF].into_iter().filter_map(|index| Some((index, device.object(index)?)));
     let entries =
         objects.flat_map(|(index, object)| object.entries().map(move |(sub, entry)| (index, sub, entry)));

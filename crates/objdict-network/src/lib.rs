@@ -34,7 +34,7 @@ pub use compiled::{Compiled, DcfgenMode, PdoState, Slave};
 pub use effective::switched_on;
 pub use identity::answered;
 pub use identity_level::IdentityLevel;
-pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
+pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master, mirrored_numbers};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
 pub use lock::{LockedPdo, NetworkLock};
 pub use manager::expected;

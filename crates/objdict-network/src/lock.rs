@@ -2,11 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::compiled::Compiled;
 use crate::configure::PdoName;
-use crate::lely::mirrored_numbers;
 use crate::model::{MappedObject, PdoKind};
-use crate::network::Network;
 
 /// The PDOs of an earlier build, by node and PDO.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -24,27 +21,6 @@ pub struct LockedPdo {
 }
 
 impl NetworkLock {
-    /// The PDOs of a network that is built.
-    pub fn new(network: &Network, compiled: &Compiled) -> Self {
-        let numbers =
-            [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| mirrored_numbers(network, &compiled.slaves, kind));
-        let numbers: BTreeMap<_, _> =
-            numbers.into_iter().flatten().map(|(name, pdo, number)| ((name, pdo), number)).collect();
-        let pdos = compiled.nodes().flat_map(|slave| {
-            let name = &network.nodes[slave.node].name.value;
-            let active = slave.pdos.iter().filter(|state| state.is_active());
-            active.map(|state| {
-                let locked = LockedPdo {
-                    can_id: state.can_id().number,
-                    mapping: state.mapping.values().copied().collect(),
-                    manager: numbers.get(&(name.as_str(), state.pdo)).copied(),
-                };
-                ((name.clone(), state.pdo), locked)
-            })
-        });
-        Self(pdos.collect())
-    }
-
     /// What was locked of a PDO.
     pub(crate) fn pdo(&self, node: &str, pdo: PdoName) -> Option<&LockedPdo> {
         // without a lock nothing is copied

@@ -8,6 +8,7 @@ pub use self::replay::BuildObjection;
 use std::borrow::Cow;
 
 use super::NetworkFile;
+use super::lock::locked;
 use objdict_format as format;
 use objdict_format::{EditError, Format, NodeSettings, WriteOptions};
 use objdict_model::Language;
@@ -121,7 +122,7 @@ impl Build<'_> {
 
     /// What a later build keeps of this one.
     pub fn lock(&self) -> NetworkLock {
-        NetworkLock::new(self.network, &self.compiled)
+        locked(self.network, &self.compiled)
     }
 
     /// A node as its DCF describes it.

@@ -67,7 +67,7 @@ fn bin(network: &Network, manager: &Manager, slaves: &[Slave]) -> ConciseDcf {
 }
 
 /// The PDOs of the nodes in a direction, with the numbers that their other sides have in a manager without a description.
-pub(crate) fn mirrored_numbers<'a>(
+pub fn mirrored_numbers<'a>(
     network: &'a Network,
     slaves: &'a [Slave],
     kind: PdoKind,
