@@ -50,8 +50,11 @@ impl Descriptions {
         let manager = network.manager.as_ref().filter(|manager| manager.node.is_none());
         let made = || file.build(DcfgenMode::Corrected).ok()?.made_manager().ok();
         let made = manager.and_then(|manager| Some((manager, manager.node_id?.value, made()?)));
-        self.nodes
-            .extend(made.map(|(manager, node_id, device)| described(&manager.name.value, node_id, device)));
+        self.nodes.extend(made.map(|(manager, node_id, mut device)| {
+            // its PDOs carry the entries of the nodes, whose meanings the nodes know
+            device.objects.retain(|index, _| !matches!(index, 0x1400..=0x1BFF | 0x2000..));
+            described(&manager.name.value, node_id, device)
+        }));
     }
 
     /// Adds a device, for a node if it is stated.
