@@ -8,12 +8,16 @@ use super::args::CheckArgs;
 use super::ending::Failure;
 use super::settings::CommandSettings;
 use super::written_files::save;
-use objdict_model::source::{Fnv, SourceError, read_text, shown};
+use hmac_sha256::Hash;
+use objdict_model::source::{SourceError, read_text, shown};
 
 /// The first line of a cache.
-const HEAD: &str = "objdict cache 1";
+const HEAD: &str = "objdict cache 2";
 
-/// The largest cache that is read, in bytes: two million files.
+/// What the first lines of all versions begin with.
+const CACHE: &str = "objdict cache ";
+
+/// The largest cache that is read, in bytes: half a million files.
 const MAX_SIZE: u64 = 32 << 20;
 
 /// What is known of earlier checks. A file is known by the hash of its name, its contents and everything else that decides what is
@@ -21,8 +25,14 @@ const MAX_SIZE: u64 = 32 << 20;
 pub(super) struct Cache {
     path: PathBuf,
     /// The hash of everything but the file.
-    settings: Fnv,
-    known: HashSet<u64>,
+    settings: Hash,
+    known: HashSet<String>,
+}
+
+/// Adds bytes that no others are mistaken for.
+fn add(hash: &mut Hash, bytes: &[u8]) {
+    hash.update((bytes.len() as u64).to_le_bytes());
+    hash.update(bytes);
 }
 
 impl Cache {
@@ -39,37 +49,43 @@ impl Cache {
             Err(error) => return Err(Failure::new(error)),
         };
         let mut lines = text.lines();
-        if lines.next() != Some(HEAD) {
+        let head = lines.next().unwrap_or_default();
+        if !head.starts_with(CACHE) {
             let message = format!("`{}` is not a cache of objdict", shown(path));
             return Err(Failure::new(message).help("name a file that does not exist yet"));
         }
-        let mut hash = Fnv::new();
-        hash.field(env!("CARGO_PKG_VERSION").as_bytes());
-        hash.field(format!("{:?} {:?} {:?}", args.settings, args.input, args.fixing).as_bytes());
-        hash.field(settings.contents().as_bytes());
+        let mut hash = Hash::new();
+        add(&mut hash, env!("CARGO_PKG_VERSION").as_bytes());
+        add(&mut hash, format!("{:?} {:?} {:?}", args.settings, args.input, args.fixing).as_bytes());
+        add(&mut hash, settings.contents().as_bytes());
         // a line that is corrupted is the hash of no file, and the file is checked
-        let known = lines.filter_map(|line| u64::from_str_radix(line, 16).ok()).collect();
+        let known = lines.filter(|_| head == HEAD).map(str::to_owned).collect();
         Ok(Self { path: path.to_owned(), settings: hash, known })
     }
 
     /// What a file with these contents is known by, and whether nothing was found in it.
-    pub(super) fn look_up(&self, path: &Path, bytes: &[u8]) -> (u64, bool) {
+    pub(super) fn look_up(&self, path: &Path, bytes: &[u8]) -> (String, bool) {
         let mut hash = self.settings;
-        hash.field(path.as_os_str().as_encoded_bytes());
-        hash.field(bytes);
-        (hash.0, self.known.contains(&hash.0))
+        add(&mut hash, path.as_os_str().as_encoded_bytes());
+        add(&mut hash, bytes);
+        let mut key = String::with_capacity(64);
+        for byte in hash.finalize() {
+            let _ = write!(key, "{byte:02x}");
+        }
+        let is_known = self.known.contains(&key);
+        (key, is_known)
     }
 
     /// Replaces what is known by the files in which nothing was found now.
     ///
     /// # Errors
     /// When it cannot be written.
-    pub(super) fn save(&self, mut clean: Vec<u64>) -> Result<(), Failure> {
+    pub(super) fn save(&self, mut clean: Vec<String>) -> Result<(), Failure> {
         clean.sort_unstable();
         clean.dedup();
         let mut text = format!("{HEAD}\n");
         for key in clean {
-            let _ = writeln!(text, "{key:016x}");
+            let _ = writeln!(text, "{key}");
         }
         save(&self.path, text.as_bytes()).map(drop)
     }

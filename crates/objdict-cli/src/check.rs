@@ -120,7 +120,7 @@ enum Checked {
     /// It was checked.
     Description(Box<Examined>),
     /// Nothing was found in it when it was checked before.
-    Clean(SourceFile, u64),
+    Clean(SourceFile, String),
     /// It was found in a folder and is no description of a CANopen device, but what is said here.
     Skipped(String),
     /// It could not be read, or is no description although it was named.
@@ -144,7 +144,7 @@ struct Examined {
     /// Why its fixes were not written.
     unwritten: Option<Failure>,
     /// What it is known by in the cache, if there is one.
-    key: Option<u64>,
+    key: Option<String>,
 }
 
 impl Checked {
@@ -190,7 +190,7 @@ impl Worker<'_> {
         }
     }
 
-    fn fix_devices(&self, file: &InputFile, description: Description, key: Option<u64>) -> Checked {
+    fn fix_devices(&self, file: &InputFile, description: Description, key: Option<String>) -> Checked {
         let project = file.project.as_deref();
         let mut options = self.settings.options(&file.path, project);
         if let Some(tool) = self.args.fixing.dialect.tool().filter(|_| !self.args.settings.names_tools()) {
@@ -290,7 +290,7 @@ pub(super) struct Reporter<'a> {
     /// How many files of a folder are no descriptions, by what they are.
     skipped: BTreeMap<String, usize>,
     /// What the files without findings are known by in the cache.
-    clean: Vec<u64>,
+    clean: Vec<String>,
 }
 
 impl<'a> Reporter<'a> {

@@ -84,6 +84,8 @@ impl LineIndex {
     /// length of the line.
     fn line_start(&self, text: &str, line: usize) -> usize {
         let bytes = text.as_bytes();
+        // editors say "to the end" by the greatest number
+        let line = line.min(self.line_count());
         // the block in which the previous line ends
         let block = self.ended.partition_point(|ended| (*ended as usize) < line).saturating_sub(1);
         let before = self.ended.get(block).map_or(0, |ended| *ended as usize);
@@ -134,6 +136,16 @@ mod tests {
         assert_eq!(index.line_column(text, 3), LineColumn { line: 2, column: 1 });
         assert_eq!(index.line_column(text, 5), LineColumn { line: 3, column: 1 });
         assert_eq!(index.line_column(text, 7), LineColumn { line: 4, column: 1 });
+    }
+
+    #[test]
+    fn a_line_far_behind_the_end_is_the_end() {
+        for text in ["", "a", "a\nb", "a\r\n", "\n\n"] {
+            let index = LineIndex::new(text);
+            for line in [index.line_count(), u32::MAX as usize, usize::MAX - 1] {
+                assert_eq!(index.line_span(text, line), Span::empty(text.len() as u32), "{text:?} {line}");
+            }
+        }
     }
 
     #[test]
