@@ -3,8 +3,6 @@
 #![cfg_attr(not(feature = "full"), allow(unreachable_pub, reason = "what is used depends on the features"))]
 
 #[cfg(feature = "full")]
-pub mod compare;
-#[cfg(feature = "full")]
 mod complete;
 #[cfg(feature = "full")]
 mod configured;
@@ -18,7 +16,6 @@ mod dialect;
 #[cfg(feature = "full")]
 pub mod embedded;
 #[cfg(feature = "full")]
-mod field_names;
 pub mod identify;
 pub mod input;
 #[cfg(feature = "full")]
@@ -47,6 +44,8 @@ pub use self::{
     write::{Loss, LossKind, WriteOptions, Written, losses, write},
 };
 pub use objdict_eds::{eds, ini};
+#[cfg(feature = "full")]
+pub use objdict_model::compare;
 use objdict_model::diagnostic::RuleInfo;
 pub use objdict_model::literal;
 pub use objdict_model::source::EditError;

@@ -33,6 +33,8 @@ macro_rules! error_messages {
 mod named;
 
 pub mod canopennode;
+#[cfg(feature = "json")]
+pub mod compare;
 pub mod diagnostic;
 mod format;
 #[cfg(feature = "json")]

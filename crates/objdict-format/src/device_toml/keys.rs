@@ -294,7 +294,7 @@ pub(super) const OBJECT: &[Key] = entry_keys![
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field_names;
+    use objdict_model::model::field_names;
 
     #[test]
     fn fields_have_the_keys_of_their_rows() {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::words::{index, subs};
-use crate::field_names::{facts_of, key_of};
 use objdict_keyed::tree::KeyedTree;
+use objdict_model::model::field_names::{facts_of, key_of};
 use objdict_model::model::{Field, Part, PdoKind, Place};
 use objdict_model::source::Span;
 

@@ -4,11 +4,11 @@ use serde_json::Value as Json;
 
 use super::words::{FACTS, data_type, data_type_word, object_type};
 use crate::compare::{Datum, DatumChange, apply};
-use crate::field_names::facts_of;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Text, say};
 use objdict_model::literal;
 use objdict_model::literal::{Quirks, Spelling};
+use objdict_model::model::field_names::facts_of;
 use objdict_model::model::{
     Access, AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, Label, Labels,
     Object, Parameter, ParameterGroup, Part, PdoMapping, ScaledValue, SimpleType, TypeDefinition, TypeShape,

@@ -9,12 +9,12 @@ use super::ChangeWords;
 use super::apply::make_words;
 use super::keys::FORMAT;
 use crate::compare::differences;
-use crate::field_names::facts_of;
 use crate::patch::fields::{get, set};
 use crate::patch::words::{ENTRY, FACTS};
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::printable;
 use objdict_model::json::quoted;
+use objdict_model::model::field_names::facts_of;
 use objdict_model::model::{Device, Part};
 use objdict_model::source::Span;
 

@@ -2,11 +2,11 @@
 //!
 //! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/patches.md.
 
-use crate::field_names::{self, COMMISSIONING, DEVICE, FILE};
 use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types;
 use objdict_keyed::types::{ACCESS, OBJECT_TYPES};
 use objdict_model::literal::written_number;
+use objdict_model::model::field_names::{self, COMMISSIONING, DEVICE, FILE};
 use objdict_model::model::{DataType, ObjectType, Part};
 
 /// The fields of an object or entry.

@@ -27,6 +27,8 @@ mod entry;
 mod expand;
 mod explicit;
 mod field;
+#[doc(hidden)] // for the crates that name fields in files
+pub mod field_names;
 mod file_info;
 #[cfg(feature = "serde")]
 mod flat;

@@ -1,11 +1,11 @@
 //! The fields of a device that people name in files: a row for each, with its name in every vocabulary. Paths of JSON, keys of
 //! `device.toml` and the words of patches are looked up here; names of CiA 311 are in its schema.
 
-use objdict_model::model::{Field, Part};
+use super::{Field, Part};
 
 /// A field with its names.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FieldRow {
+pub struct FieldRow {
     /// In an EDS ([`Field::name`]).
     pub eds: &'static str,
     /// In the JSON of the model, below its part.
@@ -19,7 +19,7 @@ const fn row(eds: &'static str, json: &'static str, key: &'static str) -> FieldR
 }
 
 /// The fields of the file.
-pub(crate) const FILE: &[FieldRow] = &[
+pub const FILE: &[FieldRow] = &[
     row("FileName", "file_name", "file-name"),
     row("FileVersion", "file_version", "file-version"),
     row("FileRevision", "file_revision", "file-revision"),
@@ -35,7 +35,7 @@ pub(crate) const FILE: &[FieldRow] = &[
 ];
 
 /// The fields of the device.
-pub(crate) const DEVICE: &[FieldRow] = &[
+pub const DEVICE: &[FieldRow] = &[
     row("VendorName", "vendor_name", "vendor-name"),
     row("VendorNumber", "vendor_number", "vendor-number"),
     row("ProductName", "product_name", "product-name"),
@@ -64,7 +64,7 @@ pub(crate) const DEVICE: &[FieldRow] = &[
 ];
 
 /// The fields of the node of a DCF.
-pub(crate) const COMMISSIONING: &[FieldRow] = &[
+pub const COMMISSIONING: &[FieldRow] = &[
     row("NodeID", "node_id", "node-id"),
     row("NodeName", "node_name", "node-name"),
     row("NodeRefd", "node_reference_designator", "node-reference-designator"),
@@ -77,7 +77,7 @@ pub(crate) const COMMISSIONING: &[FieldRow] = &[
 ];
 
 /// The fields of an object or entry that patches have too.
-pub(crate) const ENTRY: &[FieldRow] = &[
+pub const ENTRY: &[FieldRow] = &[
     row("ParameterName", "name", "name"),
     row("ObjectType", "object_type", "object-type"),
     row("DataType", "data_type", "type"),
@@ -105,13 +105,13 @@ const ENTRY_ONLY: &[FieldRow] = &[
 
 impl FieldRow {
     /// The field of the model.
-    pub(crate) fn field(&self) -> Field {
+    pub fn field(&self) -> Field {
         Field::from_name(self.eds)
     }
 }
 
 /// The rows of a part of facts about the description; `None` for another part.
-pub(crate) fn facts_of(part: &Part) -> Option<&'static [FieldRow]> {
+pub fn facts_of(part: &Part) -> Option<&'static [FieldRow]> {
     match part {
         Part::FileInfo => Some(FILE),
         Part::DeviceInfo => Some(DEVICE),
@@ -127,7 +127,7 @@ fn rows_of(part: &Part) -> impl Iterator<Item = &'static FieldRow> {
 }
 
 /// The field of a part at a path of JSON. Of a value the path goes on to its kind, which says nothing more.
-pub(crate) fn at_json(part: &Part, path: &str) -> Option<Field> {
+pub fn at_json(part: &Part, path: &str) -> Option<Field> {
     let is_it = |row: &&FieldRow| {
         path.strip_prefix(row.json).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
     };
@@ -135,7 +135,7 @@ pub(crate) fn at_json(part: &Part, path: &str) -> Option<Field> {
 }
 
 /// The key of a field of a part.
-pub(crate) fn key_of(part: &Part, field: &Field) -> Option<&'static str> {
+pub fn key_of(part: &Part, field: &Field) -> Option<&'static str> {
     rows_of(part).find(|row| row.eds == field.name()).map(|row| row.key).filter(|key| !key.is_empty())
 }
 

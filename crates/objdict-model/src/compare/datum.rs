@@ -76,7 +76,7 @@ impl Serialize for Datum {
 }
 
 #[cfg(feature = "schema")]
-objdict_model::inline_schemas! {
+crate::inline_schemas! {
     // any part of a device
     Datum: |_| schemars::json_schema!({});
 }

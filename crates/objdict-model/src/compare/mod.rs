@@ -18,11 +18,10 @@ pub use apply::overlay;
 pub use apply::{DatumChange, apply};
 pub use datum::Datum;
 
-use objdict_model::model::{Device, ExtraSection, Place};
+use crate::model::{Device, ExtraSection, Place};
 
 /// A datum that two devices do not have alike.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct DatumDifference {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
@@ -42,7 +41,7 @@ impl DatumDifference {
 /// Where two devices differ, in the order of the model. The order of sections that the model does not know says nothing.
 ///
 /// ```
-/// # mod objdict { pub use objdict_format::compare; pub use objdict_model::model; }
+/// # mod objdict { pub use objdict_model::{compare, model}; }
 /// use objdict::compare::differences;
 /// use objdict::model::{Device, Entry, Object};
 ///
@@ -65,7 +64,6 @@ pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
 
 /// Devices differ in more values than allowed.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(feature = "xdd"), expect(dead_code, reason = "only conversions have a limit"))]
 pub struct TooMany {
     /// In how many.
     pub count: usize,

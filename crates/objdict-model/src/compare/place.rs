@@ -1,7 +1,7 @@
 //! From paths in the JSON of the model to addresses in the device.
 
-use crate::field_names::at_json;
-use objdict_model::model::{Field, ModulePart, ObjectList, Part, Place};
+use crate::model::field_names::at_json;
+use crate::model::{Field, ModulePart, ObjectList, Part, Place};
 
 /// The address of a path.
 pub(super) fn of(path: &str) -> Place {

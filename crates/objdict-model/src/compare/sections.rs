@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use objdict_model::model::{Extra, ExtraSection};
+use crate::model::{Extra, ExtraSection};
 
 /// The text of sections.
 pub(super) fn print(sections: &[&ExtraSection]) -> String {

@@ -7,11 +7,10 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use super::{Datum, to_value};
-use objdict_model::model::{Device, ExtraSection, Object};
+use crate::model::{Device, ExtraSection, Object};
 
 /// A datum and its new value.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct DatumChange {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
