@@ -25,6 +25,7 @@ mod disabled;
 mod document;
 mod doors;
 mod download_plan;
+mod equal;
 mod errata;
 mod fix;
 mod fmt;

@@ -4,10 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{DeviceComparison, Spot, rules};
 use crate::diagnostic::say;
-use crate::model::{Commissioning, DataType, Device, DeviceInfo, Field, Module, ModulePart, Part, Place};
-
-/// A text about the device.
-type FactOf = fn(&DeviceInfo) -> Option<&String>;
+use crate::model::{DataType, Device, DeviceInfo, Field, Module, ModulePart, Part, Place};
 
 /// What a device can do, by field; missing means no.
 fn features(device: &Device) -> Vec<(Place, String, bool)> {
@@ -45,7 +42,6 @@ fn bit_rates(device: &Device) -> Vec<(Field, String)> {
 
 impl DeviceComparison<'_> {
     pub(super) fn device(&mut self) {
-        self.facts();
         // without a section nothing is stated
         if self.old.device.device_info.is_some() && self.new.device.device_info.is_some() {
             self.bit_rates();
@@ -54,39 +50,6 @@ impl DeviceComparison<'_> {
         }
         self.dummies();
         self.modules();
-        self.node();
-    }
-
-    fn facts(&mut self) {
-        let facts: [(Field, FactOf); 3] = [
-            (Field::VendorName, |info| info.vendor_name.as_ref()),
-            (Field::ProductName, |info| info.product_name.as_ref()),
-            (Field::OrderCode, |info| info.order_code.as_ref()),
-        ];
-        for (field, value) in facts {
-            let text = |device: &Device| {
-                device.device_info.as_ref().and_then(value).map(|text| text.trim().to_owned())
-            };
-            let values =
-                [self.old.device, self.new.device].map(|device| text(device).filter(|text| !text.is_empty()));
-            self.fact(&rules::DEVICE_FACT_CHANGED, Part::DeviceInfo, field, values);
-        }
-    }
-
-    /// Compares a text.
-    fn fact(
-        &mut self,
-        rule: &'static rules::ChangeRule,
-        part: Part,
-        field: Field,
-        values: [Option<String>; 2],
-    ) {
-        if values[0] == values[1] {
-            return;
-        }
-        let [old, new] = values.clone().map(|value| value.unwrap_or_else(|| "none".to_owned()));
-        let message = say!("`{}` changes from `{}` to `{}`", &field, old, new);
-        self.report(rule, &Spot::part(&Place::of(part).field(field)), values, message);
     }
 
     fn bit_rates(&mut self) {
@@ -205,44 +168,9 @@ impl DeviceComparison<'_> {
             _ => {}
         }
     }
-
-    /// The configured nodes, if both are.
-    fn node(&mut self) {
-        let (Some(old), Some(new)) = (&self.old.device.commissioning, &self.new.device.commissioning) else {
-            return;
-        };
-        let (old, new) = (facts_of_node(old), facts_of_node(new));
-        for ((field, is_essential, old), (.., new)) in old.into_iter().zip(new) {
-            let rule = if is_essential { &rules::NODE_CHANGED } else { &rules::NODE_FACT_CHANGED };
-            self.fact(rule, Part::Commissioning, field, [old, new]);
-        }
-    }
 }
 
-/// What a configured node is, by field, and whether others depend on it.
-fn facts_of_node(node: &Commissioning) -> [(Field, bool, Option<String>); 8] {
-    let text = |text: &Option<String>| text.clone().filter(|text| !text.is_empty());
-    [
-        (Field::NodeId, true, node.node_id.map(|id| id.to_string())),
-        (Field::Baudrate, true, node.baud_rate.map(|rate| rate.to_string())),
-        (
-            Field::NetNumber,
-            true,
-            node.net_number.filter(|number| *number != 0).map(|number| number.to_string()),
-        ),
-        (Field::NodeName, false, text(&node.node_name)),
-        (Field::NodeRefd, false, text(&node.node_reference_designator)),
-        (Field::NetworkName, false, text(&node.network_name)),
-        (Field::NetRefd, false, text(&node.net_reference_designator)),
-        (Field::CanOpenManager, false, node.manager.filter(|is| *is).map(|_| "1".to_owned())),
-    ]
-}
-
-/// A module without what does not count: comments, lists and unknown keys.
+/// A module without its comments.
 fn essence(module: &Module) -> Module {
-    let mut module = module.clone();
-    module.comments.clear();
-    (module.fixed_list, module.extension_list) = Default::default();
-    (module.extra, module.invalid_values) = Default::default();
-    module
+    Module { comments: Vec::new(), ..module.clone() }
 }

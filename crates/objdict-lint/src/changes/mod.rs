@@ -9,6 +9,7 @@ mod matching;
 mod objects;
 mod pdos;
 mod release;
+mod rest;
 mod rules;
 mod values;
 mod versions;
@@ -91,8 +92,8 @@ pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     let mut comparison = DeviceComparison { old, new, moved: BTreeMap::new(), changes: Vec::new() };
     comparison.objects();
     comparison.pdos();
-    comparison.changes.sort_by_key(|change| (change.index.is_none(), change.index));
     comparison.device();
+    comparison.rest();
     comparison.versions();
     comparison.changes
 }

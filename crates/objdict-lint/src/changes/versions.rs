@@ -9,10 +9,12 @@ use crate::model::{ClockTime, Date, Device, DeviceKind, Field, FileInfo, Identit
 impl DeviceComparison<'_> {
     pub(super) fn versions(&mut self) {
         // a configured node has the versions of its device
-        if [self.old.device, self.new.device].iter().any(|device| device.kind == DeviceKind::Node) {
+        let are_types =
+            [self.old.device, self.new.device].iter().all(|device| device.kind == DeviceKind::Type);
+        self.revision(are_types);
+        if !are_types {
             return;
         }
-        self.revision();
         self.product_code();
         if !self.changes.is_empty() {
             self.file_version();
@@ -20,7 +22,7 @@ impl DeviceComparison<'_> {
         }
     }
 
-    fn revision(&mut self) {
+    fn revision(&mut self, are_types: bool) {
         let identities = [self.old.device, self.new.device].map(|device| device.identity().revision_number);
         let [Some(old), Some(new)] = identities else { return };
         let place = |device: &Device| Some(device.value_place(Identity::INDEX, 3));
@@ -39,8 +41,8 @@ impl DeviceComparison<'_> {
             let message = say!("the revision number falls from {} to {}", shown(old), shown(new));
             return self.report(&rules::REVISION_LOWERED, &spot, values, message);
         }
-        let Some(reason) = self.changes.iter().find(|change| is_behaviour(change)) else { return };
-        if new >> 16 == old >> 16 {
+        let reason = self.changes.iter().find(|change| are_types && is_behaviour(change));
+        if let Some(reason) = reason.filter(|_| new >> 16 == old >> 16) {
             let message = say!(
                 "the major part of the revision number stays {} ({}, then {}): {}",
                 old >> 16,
@@ -49,6 +51,11 @@ impl DeviceComparison<'_> {
                 reason.message.clone(),
             );
             self.report(&rules::REVISION_NOT_RAISED, &spot, values, message);
+        } else if new > old {
+            // other behaviour needs another configuration anyway
+            let affected = spot.affected.without(Audience::Configurations, reason.is_none());
+            let message = say!("the revision number is raised from {} to {}", shown(old), shown(new));
+            self.report(&rules::REVISION_RAISED, &Spot { affected, ..spot }, values, message);
         }
     }
 
@@ -132,6 +139,7 @@ pub(super) fn is_behaviour(change: &DeviceChange) -> bool {
             &rules::CONFIGURED_VALUE_CHANGED,
             &rules::FLAGS_CHANGED,
             &rules::STORAGE_CHANGED,
+            &rules::DATA_CHANGED,
             &rules::DEVICE_FACT_CHANGED,
             &rules::IDENTITY_CHANGED,
             &rules::NODE_CHANGED,

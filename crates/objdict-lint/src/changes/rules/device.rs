@@ -52,7 +52,7 @@ changes! {
         SdoClients: Compatible, "the node answers in the same way";
     }
     summary: "a fact about the configured node changes",
-    checks: "Whether the name of a configured node or of its network, a reference designator, or whether the node is the manager, is another one.",
+    checks: "Whether another key of `[DeviceComissioning]` differs: the name of a configured node or of its network, a reference designator, the serial number for LSS, or whether the node is the manager. Also if only one of the descriptions is of a node.",
     example: "`NodeName=Door`, then `NodeName=Gate`",
     remedy: "Check what uses the name.",
     source: "CiA 306-1 §5.4",
@@ -63,10 +63,21 @@ changes! {
         Firmware: Compatible, "names and types stay";
     }
     summary: "a fact about the device changes",
-    checks: "Whether the name of the vendor or product, the order code, or a text or number that identifies the device (1008h to 100Ah, the serial number) is another one.",
+    checks: "Whether a key of `[DeviceInfo]` that no other rule is about, such as the name of the vendor or product or the order code, or a text or number that identifies the device (1008h to 100Ah, the serial number), is another one.",
     example: "`ProductName=Lamp`, then `ProductName=Lamp 2`",
     remedy: "Check what uses the name.",
     source: "CiA 306-1 §4.5; CiA 301 §7.5.2.9 to §7.5.2.11, §7.5.2.21",
+
+    DATA_CHANGED = "change/data-changed" {
+        Configurations: Compatible, "no value that a configuration writes is affected";
+        SdoClients: Compatible, "no type, access or value that is known from the description is affected";
+        Firmware: Risky, "generated code can have other content";
+    }
+    summary: "the descriptions differ in data that no other rule is about",
+    checks: "Whether any other datum is another one, or is stated in only one of the descriptions. It is named by its key in an EDS, else by its path in JSON. Comments, names, authors, dates and versions of files, order, and other forms of the same (compact objects, numbers) do not count.",
+    example: "`;CO_countLabel=TPDO` of 1800h, then none; `Denotation=Pump`, then `Denotation=Fan`",
+    remedy: "Compare both places.",
+    source: "objdict, docs/json.md",
 
     BIT_RATE_REMOVED = "change/bit-rate-removed" {
         Configurations: Breaking, "a network with the bit rate cannot have the device";
@@ -170,6 +181,17 @@ changes! {
     example: "an entry is removed, and `DefaultValue=0x00010000` of 1018h sub-index 3 stays",
     remedy: "Raise the upper 16 bits of 1018h sub-index 3 and `RevisionNumber`.",
     source: "CiA 301 §7.5.2.21",
+
+    REVISION_RAISED = "change/revision-raised" {
+        Configurations: Risky, "a manager that compares 1018h sub-index 3 with the old number (1F87h) does not start the node";
+        SdoClients: Compatible, "tools that choose the description by the revision number need the new one";
+        Firmware: Compatible, "names and types stay";
+    }
+    summary: "the revision number is higher than before",
+    checks: "Whether 1018h sub-index 3 is a higher number than in the old description. If the behaviour on the bus changes, stored configurations are affected by that and not by the number.",
+    example: "`DefaultValue=0x00010001` of 1018h sub-index 3, then `DefaultValue=0x00020000`",
+    remedy: "Build the configuration of the manager again, so that 1F87h has the new number.",
+    source: "CiA 301 §7.5.2.21; CiA 302-2 (1F87h)",
 
     REVISION_LOWERED = "change/revision-lowered" {
         Configurations: Risky, "a manager that accepts newer revisions only does not start the node";

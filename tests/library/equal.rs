@@ -1,0 +1,176 @@
+//! Equal if and only if built equal: `diff` has no change between two descriptions exactly if everything that is generated and
+//! converted of both is the same, but for names, comments, dates, authors and versions of files, spelling and order. Each datum of
+//! the fixtures is changed in turn, in JSON.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::path::{Path, PathBuf};
+
+use objdict::format::{self, Format, WriteOptions, json};
+use objdict::generate::{self, Options, Target};
+use objdict::lint::changes::compare;
+use objdict::model::{Device, FileInfo};
+use objdict::source::SourceOptions;
+use serde_json::Value;
+
+use crate::support;
+use crate::support::skips::{sample, samples_all};
+
+/// An edit of a JSON document: its path, and what is there then; `None` for nothing.
+type Edit = (String, Option<Value>);
+
+fn edits(value: &Value, path: &str, found: &mut Vec<Edit>) {
+    let mut set = |value: Value| found.push((path.to_owned(), Some(value)));
+    match value {
+        Value::Bool(is) => set(Value::Bool(!is)),
+        Value::Number(number) => {
+            let next = number.as_i64().and_then(|number| number.checked_add(1)).map(Value::from);
+            set(next.unwrap_or_else(|| Value::from(number.as_f64().unwrap_or_default() + 1.0)));
+        }
+        Value::String(text) => {
+            set(Value::String(format!("{text}x")));
+            // words and hex numbers
+            let end = text.char_indices().next_back().map_or(0, |(at, _)| at);
+            ["1", "2"].iter().for_each(|digit| set(Value::String(format!("{}{digit}", &text[..end]))));
+            for word in ["ro", "rw", "wo", "const", "rwr", "rww", "no", "optional", "var", "record"] {
+                set(Value::String(word.into()));
+            }
+        }
+        _ => {}
+    }
+    let escaped = |key: &str| key.replace('~', "~0").replace('/', "~1");
+    let parts: Vec<(String, &Value)> = match value {
+        Value::Object(map) => map.iter().map(|(key, value)| (escaped(key), value)).collect(),
+        Value::Array(items) => items.iter().enumerate().map(|(at, item)| (at.to_string(), item)).collect(),
+        _ => Vec::new(),
+    };
+    for (key, part) in parts {
+        let path = format!("{path}/{key}");
+        edits(part, &path, found);
+        found.push((path, None));
+    }
+}
+
+fn edited(device: &Value, (path, value): &Edit) -> Option<Device> {
+    let mut device = device.clone();
+    let (parent, key) = path.rsplit_once('/')?;
+    let key = key.replace("~1", "/").replace("~0", "~");
+    match (device.pointer_mut(parent)?, value) {
+        (Value::Object(map), Some(value)) => _ = map.insert(key, value.clone()),
+        (Value::Object(map), None) => _ = map.remove(&key),
+        (Value::Array(items), Some(value)) => items[key.parse::<usize>().ok()?] = value.clone(),
+        (Value::Array(items), None) => _ = items.remove(key.parse().ok()?),
+        _ => return None,
+    }
+    serde_json::from_value(device).ok()
+}
+
+/// Everything that is made of a device, by name.
+fn outputs(device: &Device) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    let device = nameless(device);
+    for target in Target::all() {
+        match generate::generate(&device, target, &Options::default()) {
+            Ok(made) => {
+                files.extend(
+                    made.files
+                        .into_iter()
+                        .map(|file| (format!("{}/{}", target.name(), file.path), file.contents)),
+                );
+            }
+            Err(error) => _ = files.insert(target.name().to_owned(), error.to_string().into_bytes()),
+        }
+    }
+    let device = spelled(&device);
+    for format in [Format::Eds, Format::Dcf, Format::Xdd, Format::Xdc, Format::Toml] {
+        let written = format::write(&device, format, &WriteOptions::default()).map(|written| written.bytes);
+        files
+            .insert(format.name().to_owned(), written.unwrap_or_else(|error| error.to_string().into_bytes()));
+    }
+    files.insert("JSON".to_owned(), json::write_device(&device).into_bytes());
+    files
+}
+
+/// The device without names, comments, dates, authors and versions of files.
+fn nameless(device: &Device) -> Device {
+    let mut device = Device { comments: None, ..device.clone() };
+    let info = device.file_info.take().unwrap_or_default();
+    let FileInfo { languages, device_class, extra, invalid_values, .. } = info;
+    device.file_info =
+        Some(FileInfo { languages, device_class, extra, invalid_values, ..FileInfo::default() });
+    let headers = &mut device.headers;
+    headers.network_file = None;
+    [&mut headers.device, &mut headers.network].into_iter().flatten().for_each(|header| header.date = None);
+    let modules = device.modules.iter_mut().flat_map(|modules| modules.supported.values_mut());
+    modules.for_each(|module| module.comments.clear());
+    device
+}
+
+/// The device in one spelling.
+fn spelled(device: &Device) -> Device {
+    let mut device = device.clone();
+    for list in [&mut device.lists.mandatory, &mut device.lists.optional, &mut device.lists.manufacturer] {
+        let mut members = list.take().unwrap_or_default();
+        members.sort_unstable();
+        members.dedup();
+        *list = Some(members);
+    }
+    if let Some(modules) = &mut device.modules {
+        modules.declared = None;
+    }
+    for (_, object) in device.objects.iter_mut() {
+        object.sub_number = None;
+    }
+    device
+}
+
+fn fixtures() -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = ["eds", "dcf", "xdd", "xdc", "bases", "toml"]
+        .iter()
+        .flat_map(|folder| support::files(folder, &["eds", "dcf", "xdd", "xdc", "toml", "od"]))
+        .collect();
+    if let Some(corpus) = env::var_os("OBJDICT_CORPUS_DIR") {
+        files.extend(support::files_below(Path::new(&corpus), &["eds", "dcf", "xdd", "xdc"]));
+    }
+    files
+}
+
+/// So many edits of a device are tried, unless all are.
+const EDITS: usize = 100;
+
+#[test]
+fn devices_without_a_change_are_built_equal() {
+    let mut wrong: Vec<(usize, String)> = Vec::new();
+    let mut tried = 0;
+    for (number, path) in sample(fixtures()).into_iter().enumerate() {
+        let Ok(description) = format::open(&path, &SourceOptions::default()) else { continue };
+        let device = description.device();
+        let document = serde_json::to_value(device).unwrap();
+        let mut all = Vec::new();
+        edits(&document, "", &mut all);
+        let step = if samples_all() { 1 } else { all.len().div_ceil(EDITS) };
+        let plain = |device: &Device| json::write_device(&spelled(&nameless(device)));
+        let (before, json_before) = (outputs(device), plain(device));
+        assert_eq!(compare(device, device).len(), 0, "{}", path.display());
+        for edit in all.iter().skip(number % step).step_by(step) {
+            let Some(other) = edited(&document, edit).filter(|other| other != device) else { continue };
+            let changes = compare(device, &other);
+            // most changes are in JSON, which is made fast
+            let is_same = json_before == plain(&other) && before == outputs(&other);
+            tried += 1;
+            if changes.is_empty() != is_same {
+                let after = outputs(&other);
+                let differ = before.iter().find(|(name, bytes)| after.get(*name) != Some(bytes));
+                let name = differ.map_or("nothing", |(name, _)| name);
+                let value = edit.1.as_ref().map_or("removed".to_owned(), ToString::to_string);
+                let found: Vec<_> = changes.iter().map(|change| change.message.to_string()).collect();
+                let text = format!("{}: {} {value}: {found:?}, and {name} differs", path.display(), edit.0);
+                wrong.push((document.to_string().len(), text));
+            }
+        }
+    }
+    wrong.sort();
+    let smallest = wrong.first().map_or("", |(_, text)| text);
+    assert!(wrong.is_empty(), "{} of {tried} edits, the smallest: {smallest}", wrong.len());
+    assert!(tried > 200, "{tried}");
+}
