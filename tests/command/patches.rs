@@ -87,6 +87,17 @@ fn commands_apply_the_patches_of_the_configuration() {
 fn commands_that_show_a_device_apply_them_too() {
     let folder = project();
     assert!(told(folder.path(), "show io-401.eds 6401:1").contains("4095"));
+    // what the patch changes is a change from the file without it
+    let plain = folder.path().join("plain");
+    fs::create_dir(&plain).unwrap();
+    fs::write(plain.join("objdict.toml"), "").unwrap();
+    fs::copy(folder.path().join("io-401.eds"), plain.join("io-401.eds")).unwrap();
+    let changes = |arguments: &str| {
+        String::from_utf8(run(folder.path(), &format!("diff plain/io-401.eds io-401.eds {arguments}")).stdout)
+            .unwrap()
+    };
+    assert!(changes("").contains("4095"), "{}", changes(""));
+    assert!(changes("--no-config").contains("no changes"), "{}", changes("--no-config"));
     let patch = PATCH.replace("set = { type = \"u16\" }", "set = { default = 500 }");
     fs::write(folder.path().join("fix.patch.toml"), patch).unwrap();
     told(folder.path(), "dcf pack io-401.eds --node-id 5 --all --to text -o new.txt");

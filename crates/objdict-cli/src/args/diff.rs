@@ -92,6 +92,8 @@ pub(crate) struct ReleaseArgs {
     pub report: ReportArgs,
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
 /// How changes are written.

@@ -35,7 +35,7 @@ struct ComparedDescriptions {
 }
 
 pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let [old, new] = sides(&args.sides, &args.input)?;
+    let [old, new] = sides(&args.sides, &args.input, &args.config)?;
     let devices = [old.device()?, new.device()?];
     let mut changes = compare(devices[0], devices[1]);
     identifiers::add(&mut changes, devices[0], devices[1]);

@@ -20,7 +20,7 @@ use objdict_project::report::Subject;
 pub(crate) fn run(args: &ReleaseArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let (date, time) = date_and_time(args.date)?;
     let facts = ReleaseFacts { date, time, product_code: args.product_code };
-    let [old, new] = sides(&args.sides, &args.input)?;
+    let [old, new] = sides(&args.sides, &args.input, &args.config)?;
     for side in [&old, &new] {
         require_type(side)?;
     }

@@ -6,6 +6,7 @@ use super::git;
 use crate::args::SidesArgs;
 use crate::ending::Failure;
 use crate::input::{FileKind, Input, InputArgs, name_of, source_name};
+use crate::settings::ConfigFileArgs;
 use objdict_format::Description;
 use objdict_model::model::{Device, Place};
 use objdict_model::source::LineColumn;
@@ -20,19 +21,19 @@ pub(super) struct ComparedSide {
 }
 
 /// The old and the new description.
-pub(super) fn sides(args: &SidesArgs, input: &InputArgs) -> Result<[ComparedSide; 2], Failure> {
+pub(super) fn sides(
+    args: &SidesArgs,
+    input: &InputArgs,
+    config: &ConfigFileArgs,
+) -> Result<[ComparedSide; 2], Failure> {
     let new = args.newer();
-    let read = |path: &Path| {
-        let name = source_name(path);
-        let read = input.reading().read_one(&name, input.size.read(path)?)?;
-        ComparedSide::new(name, read)
-    };
+    let read = |path: &Path| ComparedSide::new(source_name(path), input.read_one(path, config)?);
     let old = match &args.git {
         None => read(&args.old)?,
         Some(revision) => {
             let file = format!("{revision}:{}", source_name(new));
             let bytes = git::read(revision, new, input.size.max_size)?;
-            let read = input.reading().read_one(&file, bytes)?;
+            let read = input.reading_with(&config.patches_of(new)?).read_one(&file, bytes)?;
             ComparedSide::new(file, read)?
         }
     };
