@@ -15,7 +15,6 @@ pub mod device_toml;
 mod dialect;
 #[cfg(feature = "full")]
 pub mod embedded;
-#[cfg(feature = "full")]
 pub mod identify;
 pub mod input;
 #[cfg(feature = "full")]
