@@ -64,8 +64,11 @@ fn built(text: &str, lock: &NetworkLock) -> (NetworkLock, String, Vec<String>) {
     (build.lock(), String::from_utf8(master.bytes).unwrap(), errors)
 }
 
-/// Where each entry is that a node sends: PDO, CAN-ID, position, and the number of the PDO in the manager.
-fn places(lock: &NetworkLock) -> BTreeMap<(String, u16, u8), (u16, u32, usize, Option<u16>)> {
+/// Where an entry is: PDO, CAN-ID, position, and the number of the PDO in the manager.
+type EntryPlace = (u16, u32, usize, Option<u16>);
+
+/// Where each entry is that a node sends.
+fn places(lock: &NetworkLock) -> BTreeMap<(String, u16, u8), EntryPlace> {
     let sent = lock.0.iter().filter(|((_, pdo), _)| pdo.kind == PdoKind::Tpdo);
     let entries = sent.flat_map(|((node, pdo), locked)| {
         let place = |at| (pdo.number, locked.can_id, at, locked.manager);
