@@ -31,7 +31,7 @@ pub(super) enum Carrier {
 }
 
 text_rules! {
-    STALE_EMBEDDED_DATA = "objdict/stale-embedded-data", Note;
+    "objdict/stale-embedded-data" = STALE_EMBEDDED_DATA, Note;
     summary: "carried data are of a part that was changed since",
     checks: "Whether the data that a conversion embedded in comment lines `; objdict-embed: …` or in properties `objdict:…` still belong to the file: each item names the datum that it replaces.",
     why: "A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.",

@@ -3,7 +3,9 @@
 use objdict_model::diagnostic::text_rules;
 
 text_rules! {
-    INVALID_TOML = "keys/invalid-toml", Error;
+    source: "dcf-tools 2.4.2; objdict, docs/network.md";
+
+    "keys/invalid-toml" = INVALID_TOML, Error;
     summary: "the file is not valid TOML",
     checks: "Whether the text can be read as TOML. If it cannot, nothing else of it is checked.",
     why: "Nothing of what the file describes is known.",
@@ -11,7 +13,7 @@ text_rules! {
     remedy: "Correct the reported line.",
     source: "TOML 1.0",
 
-    INVALID_YAML = "network/invalid-yaml", Error;
+    "network/invalid-yaml" = INVALID_YAML, Error;
     summary: "the network file is not valid YAML",
     checks: "Whether the text can be read as YAML and is one document. If not, nothing else of it is checked.",
     why: "dcfgen and the launch files of ROS refuse the file too, with a message about the parser.",
@@ -19,7 +21,7 @@ text_rules! {
     remedy: "Correct the reported line.",
     source: "YAML 1.1",
 
-    DUPLICATE_KEY = "keys/key-defined-twice", Error;
+    "keys/key-defined-twice" = DUPLICATE_KEY, Error;
     summary: "a key is defined twice",
     checks: "Whether a key is there more than once in a table: a node, a PDO, an object or a setting.",
     why: "It is unclear which of the two is meant. dcfgen takes the last one without a word, so a node that was copied and not renamed is lost.",
@@ -27,15 +29,14 @@ text_rules! {
     remedy: "Remove one of the two, or give it another name.",
     source: "TOML 1.0; YAML 1.1 §3.2.1.3",
 
-    UNKNOWN_KEY = "keys/unknown-key", Error;
+    "keys/unknown-key" = UNKNOWN_KEY, Error;
     summary: "an unknown key",
     checks: "Whether each key is one that objdict reads there: in a `bus.yml`, one that dcfgen or the launch files of ROS know. Other programs may have keys in a `bus.yml`, so there an unknown key is a warning, unless it differs in one or two letters from one that dcfgen reads.",
     why: "The key is misspelled or in the wrong table. Without an error its setting would be lost; dcfgen passes over it, so the node keeps its default.",
     example: "`heartbeat_produce: 500`",
     remedy: "Correct the name or remove the key.",
-    source: "dcf-tools 2.4.2; objdict, docs/network.md",
 
-    FORMER_KEY = "keys/former-key", Warning, fix Safe;
+    "keys/former-key" = FORMER_KEY, Warning, fix Safe;
     summary: "a key that has another name now",
     checks: "Whether a key has the name that it has in all files of objdict: `event-timer` for `event` in a `device.toml`, `transmission` for `type` in a `network.toml`.",
     why: "The same parameter of a PDO would have several names, one in each file. The former name is still read.",
@@ -43,16 +44,15 @@ text_rules! {
     remedy: "Rename the key. `objdict check --fix` does in a `device.toml`, and an editor does in both.",
     source: "objdict, docs/device.md and docs/network.md",
 
-    WRONG_TYPE = "keys/wrong-type", Error,
+    "keys/wrong-type" = WRONG_TYPE, Error,
         explains Around ["missing-key"];
     summary: "a value of the wrong type",
     checks: "Whether each value is a number, a text, true or false, a list or a table as its key demands. A number with a fraction where a whole one belongs, and a decimal number in quotes, are warnings.",
     why: "The value cannot be used. dcfgen stops with a traceback, or takes something else: a quoted `\"false\"` is true.",
     example: "`cob_id: \"0x205\"`, `mandatory: \"no\"`",
     remedy: "Write the value as the message says.",
-    source: "dcf-tools 2.4.2; objdict, docs/network.md",
 
-    OUT_OF_RANGE = "keys/out-of-range", Error;
+    "keys/out-of-range" = OUT_OF_RANGE, Error;
     summary: "a number out of its range",
     checks: "Whether each number fits the object of the dictionary that it goes into.",
     why: "The object cannot hold the value. dcfgen stops with a traceback, or writes a value that the manager does not load.",
@@ -60,15 +60,14 @@ text_rules! {
     remedy: "Write a number in the range that the message states.",
     source: "CiA 301; CiA 302-2",
 
-    MISSING_KEY = "keys/missing-key", Error;
+    "keys/missing-key" = MISSING_KEY, Error;
     summary: "a required key is missing",
     checks: "Whether each table has the keys that it cannot do without: a network its manager, a node the file with its description.",
     why: "Nothing can be built without it.",
     example: "a node without `dcf`",
     remedy: "Add the key.",
-    source: "dcf-tools 2.4.2; objdict, docs/network.md",
 
-    UNKNOWN_PROFILE = "keys/unknown-profile", Error,
+    "keys/unknown-profile" = UNKNOWN_PROFILE, Error,
         explains File ["missing-mandatory-object", "missing-section", "missing-key"];
     summary: "a device of a profile that objdict does not have",
     checks: "Whether the `profile` of a `device.toml` is one of the profiles with which devices can be started, in a version of its data that objdict has.",
@@ -77,7 +76,7 @@ text_rules! {
     remedy: "Write a profile that `objdict new --help` lists, with the version that the message names.",
     source: "objdict, docs/device.md",
 
-    SHARED_PRODUCT_CODE = "keys/shared-product-code", Warning;
+    "keys/shared-product-code" = SHARED_PRODUCT_CODE, Warning;
     summary: "two variants with one product code",
     checks: "Whether each variant of a `device.toml` has a product code of its own: `product-number` in its table `device`, or the default of 1018h:02.",
     why: "A manager knows a device by vendor-ID and product code (1F85h, 1F86h). With one product code it takes one variant for the other and configures entries that are not there.",

@@ -179,14 +179,16 @@ macro_rules! rule {
 pub(crate) use rule;
 
 /// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for each.
-/// A check reports with `NAME.at(place, message)`. If every check gets its rule as an argument, the rows have no names.
+/// A check reports with `NAME.at(place, message)`. If every check gets its rule as an argument, the rows have no names. The source
+/// of most rules may be stated once before them.
 macro_rules! rules {
-    ($(
+    ($(source: $source:literal;)? $(
         $id:literal = $name:ident, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
             $(, explains $reach:ident [$($rule:literal),+])*
             $(, stops $target:literal $(at [$($field:ident),+])?)*;
         $($part:ident: $text:literal,)+
     )+) => {
+        $(const SOURCE: &str = $source;)?
         $(static $name: $crate::Rule = $crate::rule::rule! {
             $id, $severity, $kind($check) $(, fix $safety)? $(, explains $reach [$($rule),+])*
                 $(, stops $target $(at [$($field),+])?)*;
@@ -195,10 +197,11 @@ macro_rules! rules {
 
         pub(crate) const RULES: &[&$crate::Rule] = &[$(&$name,)+];
     };
-    ($(
+    ($(source: $source:literal;)? $(
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;
         $($part:ident: $text:literal,)+
     )+) => {
+        $(const SOURCE: &str = $source;)?
         pub(crate) const RULES: &[&$crate::Rule] =
             &[$(&$crate::rule::rule! { $id, $severity, $kind($check) $(, fix $safety)?; $($part: $text,)+ },)+];
     };

@@ -159,20 +159,31 @@ impl RuleInfo {
 }
 
 /// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the
-/// page; a rule without fixes omits the part `fix`. What its findings explain follows, `, explains File ["name", …]`, and
-/// which tables they stop: `, stops "canopennode" at [DataType]`, or `, stops "*"` for all.
+/// page; a rule without fixes omits the part `fix`, and one without a `source` has the `SOURCE` of its file. What its findings
+/// explain follows, `, explains File ["name", …]`, and which tables they stop: `, stops "canopennode" at [DataType]`, or
+/// `, stops "*"` for all.
 #[macro_export]
 macro_rules! rule_info {
     (
         $id:literal, $severity:ident $(, fix $safety:ident)? $(, explains $reach:ident [$($rule:literal),+])*
             $(, stops $target:literal $(at [$($field:ident),+])?)*;
-        $($part:ident: $text:literal,)+
+        summary: $summary:literal,
+        checks: $checks:literal,
+        why: $why:literal,
+        example: $example:literal,
+        remedy: $remedy:literal,
+        $(source: $source:literal,)?
     ) => {
         $crate::diagnostic::RuleInfo {
             id: $id,
             severity: $crate::diagnostic::Severity::$severity,
             fix: $crate::fix_of!($($safety)?),
-            $($part: $text,)+
+            summary: $summary,
+            checks: $checks,
+            why: $why,
+            example: $example,
+            remedy: $remedy,
+            source: $crate::source_of!($($source)?),
             explains: &[$(
                 $crate::diagnostic::Explained { reach: $crate::diagnostic::Reach::$reach, rules: &[$($rule),+] },
             )*],
@@ -183,19 +194,18 @@ macro_rules! rule_info {
     };
 }
 
-/// Declares the rules of a module with the fields of [`rule_info!`], each a `static RuleInfo`, and the list `RULES` of them.
+/// Declares the rules of a module with the fields of [`rule_info!`], each a `static RuleInfo`, and the list `RULES` of them:
+/// `"cia306/name" = NAME, Error; summary: "…", …` for each. The source of most of them may be stated once before them.
 #[macro_export]
 macro_rules! text_rules {
-    ($(
-        $NAME:ident = $id:literal, $severity:ident $(, fix $safety:ident)?
+    ($(source: $source:literal;)? $(
+        $id:literal = $NAME:ident, $severity:ident $(, fix $safety:ident)?
             $(, explains $reach:ident [$($rule:literal),+])* $(, stops $target:literal $(at [$($field:ident),+])?)*;
         summary: $summary:literal,
-        checks: $checks:literal,
-        why: $why:literal,
-        example: $example:literal,
-        remedy: $remedy:literal,
-        source: $source:literal,
+        $($part:ident: $text:literal,)+
     )+) => {
+        $(const SOURCE: &str = $source;)?
+
         /// Every rule of this module.
         pub static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
@@ -203,12 +213,20 @@ macro_rules! text_rules {
             $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*
                 $(, stops $target $(at [$($field),+])?)*;
             summary: $summary,
-            checks: $checks,
-            why: $why,
-            example: $example,
-            remedy: $remedy,
-            source: $source,
+            $($part: $text,)+
         };)+
+    };
+}
+
+/// The source of a rule: its own, or that of its file.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! source_of {
+    () => {
+        SOURCE
+    };
+    ($source:literal) => {
+        $source
     };
 }
 

@@ -3,7 +3,7 @@
 use crate::diagnostic::text_rules;
 
 text_rules! {
-    DUPLICATE_NODE_ID = "network/duplicate-node-id", Error;
+    "network/duplicate-node-id" = DUPLICATE_NODE_ID, Error;
     summary: "two nodes have the same node-ID",
     checks: "Whether each node-ID is that of one node, the manager included.",
     why: "Both nodes answer at once, and each destroys the frames of the other. dcfgen does not report it.",
@@ -11,7 +11,7 @@ text_rules! {
     remedy: "Give one of them another node-ID.",
     source: "CiA 301 §7.3.5",
 
-    UNSUPPORTED_BIT_RATE = "network/unsupported-bit-rate", Error;
+    "network/unsupported-bit-rate" = UNSUPPORTED_BIT_RATE, Error;
     summary: "a node does not support the bit rate of the network",
     checks: "Whether the bit rate is one of CiA 301, the `BaudRate_x` keys of each description allow it, and each DCF or XDC states the same one. Without a bit rate of the network, DCFs are compared with the first one.",
     why: "The node goes bus-off, or keeps the others from sending.",
@@ -19,7 +19,7 @@ text_rules! {
     remedy: "Use a bit rate that all nodes support, or correct the DCF.",
     source: "CiA 301 §6.2; CiA 306-1 §4.6.2",
 
-    DUPLICATE_CAN_ID = "network/duplicate-can-id", Error;
+    "network/duplicate-can-id" = DUPLICATE_CAN_ID, Error;
     summary: "two nodes send the same CAN-ID",
     checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO and heartbeats of all nodes, and what the manager sends. A manager without a description has a PDO for each RPDO that no node sends, so each of these needs a CAN-ID of its own. The manager is the client of the default SDO of each node, so no other client (1280h) may use its CAN-IDs.",
     why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers take the data of both.",
@@ -27,7 +27,7 @@ text_rules! {
     remedy: "Give one of them another CAN-ID. What a node is to receive is in its RPDO.",
     source: "CiA 301 §7.3.3",
 
-    RESTRICTED_CAN_ID = "network/restricted-can-id", Error;
+    "network/restricted-can-id" = RESTRICTED_CAN_ID, Error;
     summary: "a PDO has a CAN-ID that belongs to another service",
     checks: "Whether the CAN-ID of each valid PDO is one that CiA 301 leaves to PDOs.",
     why: "The PDO disturbs NMT, SDO or error control of other nodes, also of those that are added later.",
@@ -35,7 +35,7 @@ text_rules! {
     remedy: "Use a CAN-ID of 181h to 57Fh or 680h to 6DFh.",
     source: "CiA 301 §7.3.5, table 40",
 
-    PDO_LENGTH = "network/pdo-length", Error;
+    "network/pdo-length" = PDO_LENGTH, Error;
     summary: "sender and receiver of a PDO disagree about its length",
     checks: "Whether an RPDO maps as many bits as the TPDO with its CAN-ID.",
     why: "A node does not process a PDO that is too short, and sends EMCY 8210h; for one that is too long it sends 8220h.",
@@ -43,7 +43,7 @@ text_rules! {
     remedy: "Map the same lengths, with dummies for what the receiver does not need.",
     source: "CiA 301 §7.2.2, §7.4.7.1",
 
-    NO_SYNC_SENDER = "network/no-sync-sender", Error;
+    "network/no-sync-sender" = NO_SYNC_SENDER, Error;
     summary: "a PDO waits for SYNC, which no node sends",
     checks: "Whether a node sends SYNC, with the CAN-ID of 1005h, where a valid PDO has a transmission type that SYNC triggers. Without any sender of SYNC it is a warning, because the nodes boot, and so is another CAN-ID for PDOs that the network file does not configure and that no described node shares.",
     why: "The PDO is never sent, or takes no effect.",
@@ -51,7 +51,7 @@ text_rules! {
     remedy: "Set the SYNC period of the manager, give SYNC one CAN-ID, or use an event-driven transmission type.",
     source: "CiA 301 §7.2.2.2, §7.5.2.5",
 
-    DUPLICATE_SYNC_SENDER = "network/duplicate-sync-sender", Error;
+    "network/duplicate-sync-sender" = DUPLICATE_SYNC_SENDER, Error;
     summary: "two nodes send SYNC or TIME",
     checks: "Whether at most one node sends SYNC, and one TIME.",
     why: "Synchronous PDOs are sent at twice the rate, and their counter is wrong.",
@@ -59,7 +59,7 @@ text_rules! {
     remedy: "Leave one of them; clear bit 30 in the others.",
     source: "CiA 301 §7.5.2.5",
 
-    SYNC_COUNTER = "network/sync-counter", Error;
+    "network/sync-counter" = SYNC_COUNTER, Error;
     summary: "nodes count SYNC differently",
     checks: "Whether 1019h of all nodes that hear SYNC has the value of the one that sends it. A node without 1019h expects no counter.",
     why: "A SYNC of another length is an EMCY 8240h, and PDOs with a SYNC start value never start.",
@@ -67,7 +67,7 @@ text_rules! {
     remedy: "Set 1019h to the same value in all nodes.",
     source: "CiA 301 §7.5.2.22",
 
-    SYNC_WINDOW = "network/sync-window", Warning;
+    "network/sync-window" = SYNC_WINDOW, Warning;
     summary: "the synchronous PDOs do not fit into their time",
     checks: "Whether SYNC and all synchronous PDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period. A window that is longer than the period is an error.",
     why: "Nodes drop a synchronous PDO that they could not send inside the window; without a window PDOs fall into the next cycle.",
@@ -75,7 +75,7 @@ text_rules! {
     remedy: "Lengthen the window or the cycle, or divide the PDOs by transmission types and SYNC start values.",
     source: "CiA 301 §7.5.2.7",
 
-    PDO_TIMES = "network/pdo-times", Warning;
+    "network/pdo-times" = PDO_TIMES, Warning;
     summary: "the times of a PDO contradict each other",
     checks: "Whether the event timer of a TPDO is not shorter than its inhibit time, and each receiver, the manager of a `bus.yml` included, waits longer than the event timer: a shorter deadline is an error.",
     why: "A PDO is not sent more often than its inhibit time allows; a receiver that waits too short reports EMCY 8250h all the time.",
@@ -83,7 +83,7 @@ text_rules! {
     remedy: "Make the event timer longer than the inhibit time, and the deadline longer than the event timer.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    SHORT_HEARTBEAT_TIME = "network/short-heartbeat-time", Warning;
+    "network/short-heartbeat-time" = SHORT_HEARTBEAT_TIME, Warning;
     summary: "a node waits too short for a heartbeat",
     checks: "Whether each consumer heartbeat time is at least 1.5 times the producer heartbeat time of the node that it monitors. One that is not longer than the producer heartbeat time is an error.",
     why: "A heartbeat has the lowest priority, so under load nodes report the loss of others that are there.",
@@ -91,7 +91,7 @@ text_rules! {
     remedy: "Use a consumer heartbeat time of 1.5 to 3 times the producer heartbeat time.",
     source: "CiA 301 §7.2.8.3.2",
 
-    SILENT_NODE = "network/silent-node", Warning;
+    "network/silent-node" = SILENT_NODE, Warning;
     summary: "a heartbeat is monitored that no node sends",
     checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time, and whether the manager has one if a node is to monitor it. A node that monitors itself is an error, and so is one that the network file writes into 1016h and that is not there, and one that the manager boots: it waits for the first heartbeat.",
     why: "The monitoring never begins, or reports the loss of the node for ever.",
@@ -99,7 +99,7 @@ text_rules! {
     remedy: "Set the producer heartbeat time of the node, or free the sub-index of 1016h.",
     source: "CiA 301 §7.5.2.19",
 
-    WRONG_IDENTITY = "network/wrong-identity", Warning;
+    "network/wrong-identity" = WRONG_IDENTITY, Warning;
     summary: "the manager expects another device than the description says",
     checks: "Whether revision number, serial number (1018h or `LSS_SerialNumber`) and software version (1F56h) of the network file, and 1F84h to 1F88h and 1028h of a described manager, are those of the description of the node. A number that the node does not answer is an error if the manager boots the node.",
     why: "The manager does not boot the node, or does not hear its emergencies.",
@@ -107,7 +107,7 @@ text_rules! {
     remedy: "Correct the number, or use the description that belongs to the device.",
     source: "CiA 302-2, 1F84h to 1F88h",
 
-    AMBIGUOUS_IDENTITY = "network/ambiguous-identity", Warning;
+    "network/ambiguous-identity" = AMBIGUOUS_IDENTITY, Warning;
     summary: "a description states two numbers for what the manager checks",
     checks: "Whether vendor-ID, product code and revision number of `DeviceInfo`, which the manager expects in 1F85h to 1F87h, are those of 1018h in the same description. 0 and FFFFFFFFh count as not stated. If the manager expects another number than 1018h has, it is an error.",
     why: "The manager does not boot a node that answers with another number. Vendors often write a version of the file as `RevisionNumber`.",
@@ -115,7 +115,7 @@ text_rules! {
     remedy: "State the number of the device, correct the description, or let the manager check less.",
     source: "CiA 302-2, 1F85h to 1F87h; CiA 306-1, `RevisionNumber`",
 
-    BOOT_TIME = "network/boot-time", Warning;
+    "network/boot-time" = BOOT_TIME, Warning;
     summary: "the configuration takes longer than the boot time",
     checks: "Whether the downloads of each mandatory node take less than the boot time of the manager, on a bus that carries nothing else.",
     why: "The manager gives the network up before it is configured.",
@@ -123,7 +123,7 @@ text_rules! {
     remedy: "Lengthen the boot time, store the configuration in the nodes, or leave downloads out.",
     source: "CiA 302-2, 1F89h",
 
-    BUS_LOAD = "network/bus-load", Warning;
+    "network/bus-load" = BUS_LOAD, Warning;
     summary: "the bus is loaded too much",
     checks: "Whether cyclic PDOs, SYNC and heartbeats, each with the most stuff bits, take at most 80 % of the bit rate; without a stated bit rate, at most all of 1000 kbit/s. Event-driven PDOs count with their inhibit time or event timer.",
     why: "PDOs are late, and there is no time for SDO and emergencies.",
@@ -131,7 +131,7 @@ text_rules! {
     remedy: "Lengthen times, map entries together, or raise the bit rate.",
     source: "CiA 301 §7.2.2",
 
-    LATE_MESSAGE = "network/late-message", Warning;
+    "network/late-message" = LATE_MESSAGE, Warning;
     summary: "a message may come too late",
     checks: "Whether each message is on the bus before its deadline in the worst case: all messages of higher priority come at once, with the most stuff bits, and an SDO frame is just being sent. The deadline is the period, the event timer, or how long a receiver waits. PDOs that an event may trigger at any time, EMCY, NMT and TIME are not counted. Synchronous PDOs, but for those that a receiver waits for, are left to `network/sync-window`.",
     why: "The next value overwrites one that was not sent, or a receiver reports the sender as lost.",

@@ -3,7 +3,9 @@
 use crate::diagnostic::text_rules;
 
 text_rules! {
-    UNKNOWN_NODE_ID = "network/unknown-node-id", Error;
+    source: "CiA 301 §7.2.4.3.17";
+
+    "network/unknown-node-id" = UNKNOWN_NODE_ID, Error;
     summary: "the node-ID of a node is not known",
     checks: "Whether each node has a node-ID from 1 to 127: in the network file, or in its DCF or XDC.",
     why: "Nothing can be sent to the node. dcfgen leaves it out with a warning, or stops with a traceback.",
@@ -11,15 +13,14 @@ text_rules! {
     remedy: "Give the node its node-ID.",
     source: "CiA 301 §7.3.5",
 
-    MISSING_ENTRY = "network/missing-entry", Error;
+    "network/missing-entry" = MISSING_ENTRY, Error;
     summary: "a setting needs an entry that the node does not have",
     checks: "Whether the description of a node has each object and sub-index that the network file writes or maps, and 1000h, which the manager reads first. A service that the node does not have is a warning: it stays off; so is a revision or serial number that 1018h does not have. A software version that 1F56h does not have is an error: the manager does not boot the node.",
     why: "The node aborts the download with 0602 0000h or 0609 0011h, and the manager does not start it.",
     example: "`heartbeat_producer: 500` for a node without 1017h",
     remedy: "Remove the setting, or correct index and sub-index.",
-    source: "CiA 301 §7.2.4.3.17",
 
-    OTHER_NODE_ID = "network/other-node-id", Error;
+    "network/other-node-id" = OTHER_NODE_ID, Error;
     summary: "a DCF was made for another node",
     checks: "Whether the node-ID of each DCF or XDC is that of its node. Where `network.toml` or `bus.yml` states the node-ID, another one is a warning, because formulas with `$NODEID` follow it.",
     why: "The configuration of one node goes to another one: COB-IDs that are numbers, node-specific values and the serial number are those of the other node.",
@@ -27,7 +28,7 @@ text_rules! {
     remedy: "Use the DCF of the node, correct its node-ID, or use the EDS.",
     source: "CiA 306-1, `NodeID`; CiA 306-3",
 
-    OTHER_NET_NUMBER = "network/other-net-number", Warning;
+    "network/other-net-number" = OTHER_NET_NUMBER, Warning;
     summary: "a DCF was made for another network",
     checks: "Whether `NetNumber` of each DCF, where it is not 0, is that of the other ones.",
     why: "The DCF was made for another network, so its CAN-IDs and heartbeat times may not fit.",
@@ -35,7 +36,7 @@ text_rules! {
     remedy: "Use the DCFs of one network, or correct `NetNumber`.",
     source: "CiA 306-1, `NetNumber`",
 
-    CONTRADICTION = "network/contradictory-values", Error;
+    "network/contradictory-values" = CONTRADICTION, Error;
     summary: "an entry is set to two values",
     checks: "Whether `set` gives an entry the same value as the other keys of the network and its links. A download of `sdo` with another value is a warning: it is the last one, so its value remains. `id` and `heartbeat` of a described manager are the same in its two tables.",
     why: "One of the two is not what the node does.",
@@ -43,23 +44,21 @@ text_rules! {
     remedy: "Remove one of the two.",
     source: "objdict, docs/network.md",
 
-    READ_ONLY_ENTRY = "network/read-only-entry", Error;
+    "network/read-only-entry" = READ_ONLY_ENTRY, Error;
     summary: "an entry is written that cannot be written",
     checks: "Whether each entry that the network file writes is writable by its access type.",
     why: "The node aborts the download with 0601 0002h, and the manager does not start it.",
     example: "an `sdo` for 1000h",
     remedy: "Remove the setting, or write another entry.",
-    source: "CiA 301 §7.2.4.3.17",
 
-    INVALID_VALUE = "network/invalid-value", Error;
+    "network/invalid-value" = INVALID_VALUE, Error;
     summary: "a value does not fit its entry",
     checks: "Whether each value that the network file gives to an entry is one of its data type and inside its limits, and whether transmission types and overflow values of the SYNC counter (1019h) are reserved. A reserved type of a PDO that the network does not need is a warning.",
     why: "dcfgen stops with a traceback or cuts the value; the node aborts the download with 0609 0030h.",
     example: "300 for an INTEGER8, `transmission: 245`",
     remedy: "Write a value of the data type and inside the limits.",
-    source: "CiA 301 §7.2.4.3.17",
 
-    UNMAPPABLE_ENTRY = "network/unmappable-entry", Error;
+    "network/unmappable-entry" = UNMAPPABLE_ENTRY, Error;
     summary: "an entry is mapped that no such PDO can carry",
     checks: "Whether each mapped entry supports PDO mapping, has a fixed length, and can be written by an RPDO or read by a TPDO.",
     why: "The node aborts the download of the mapping with 0604 0041h.",
@@ -67,7 +66,7 @@ text_rules! {
     remedy: "Map another entry, or move it to a PDO of the other direction.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
 
-    IDLE_PDO = "network/idle-pdo", Warning;
+    "network/idle-pdo" = IDLE_PDO, Warning;
     summary: "a PDO is configured that stays off",
     checks: "Whether a PDO that the network file configures has a valid COB-ID: in the file, or in the description of the node.",
     why: "Bit 31 of the COB-ID switches the PDO off. dcfgen sends none of its settings, without a word.",
@@ -75,7 +74,7 @@ text_rules! {
     remedy: "Give the PDO a COB-ID, or `auto`.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    PDO_TOO_LONG = "network/pdo-too-long", Error;
+    "network/pdo-too-long" = PDO_TOO_LONG, Error;
     summary: "more is mapped into a PDO than a frame carries",
     checks: "Whether the mapped entries of each PDO have at most 64 bits.",
     why: "The node aborts the download of the mapping with 0604 0042h. dcfgen warns.",
@@ -83,7 +82,7 @@ text_rules! {
     remedy: "Move entries to another PDO.",
     source: "CiA 301 §7.5.2.36",
 
-    NO_FREE_CAN_ID = "network/no-free-can-id", Error;
+    "network/no-free-can-id" = NO_FREE_CAN_ID, Error;
     summary: "no CAN-ID is left for a PDO",
     checks: "Whether each PDO with `cob_id: auto` gets a CAN-ID: PDO 1 to 4 that of the predefined connection set, others one of 680h to 6DFh; and whether each link without a CAN-ID gets one.",
     why: "The PDO cannot be used.",
@@ -91,7 +90,7 @@ text_rules! {
     remedy: "Give CAN-IDs by number.",
     source: "CiA 301 §7.3.5; dcf-tools 2.4.2",
 
-    NO_HEARTBEAT_CONSUMER = "network/no-heartbeat-consumer", Warning;
+    "network/no-heartbeat-consumer" = NO_HEARTBEAT_CONSUMER, Warning;
     summary: "a node cannot monitor a heartbeat",
     checks: "Whether a node that is to monitor another one has a free sub-index in 1016h, whether the time fits into it, and whether each sub-index in use names another node; one that the network file names twice is an error.",
     why: "The node does not notice that the other one is gone.",
@@ -99,7 +98,7 @@ text_rules! {
     remedy: "Remove the setting, or free a sub-index of 1016h.",
     source: "CiA 301 §7.5.2.19",
 
-    HEARTBEAT_AND_GUARDING = "network/heartbeat-and-guarding", Warning;
+    "network/heartbeat-and-guarding" = HEARTBEAT_AND_GUARDING, Warning;
     summary: "a node uses heartbeat and node guarding",
     checks: "Whether a node has a producer heartbeat time as well as a guard time and a life time factor.",
     why: "A node uses one of the two; with a producer heartbeat time it does not answer the guarding.",
@@ -107,7 +106,7 @@ text_rules! {
     remedy: "Remove `guard_time` and `life_time_factor`.",
     source: "CiA 301 §7.2.8.3",
 
-    DUPLICATE_MANAGER = "network/duplicate-manager", Error;
+    "network/duplicate-manager" = DUPLICATE_MANAGER, Error;
     summary: "two nodes are managers",
     checks: "Whether the DCF or XDC of a node that is not the manager says `CANopenManager=1`. Flying masters (bit 5 of 1F80h) are passed over: they take turns.",
     why: "Both managers configure and start the nodes, and undo what the other one did.",
@@ -115,7 +114,7 @@ text_rules! {
     remedy: "Write `CANopenManager=0` into the DCF of the node.",
     source: "CiA 302-2; CiA 306-1, `CANopenManager`",
 
-    REFUSED_DOWNLOAD = "network/refused-download", Error;
+    "network/refused-download" = REFUSED_DOWNLOAD, Error;
     summary: "a node refuses a download of its configuration",
     checks: "Whether each node accepts the downloads of its configuration in their order, from the values that it has when it is switched on: identifiers change only while their service is not valid, mappings only while their PDO is not valid, and mapped entries fit. The configured values of a DCF can be sent.",
     why: "The manager does not start a node that aborts a download.",
@@ -123,7 +122,7 @@ text_rules! {
     remedy: "Correct the value. For a COB-ID use `set`, which switches the service off first.",
     source: "CiA 301 §7.5.2; CiA 302-3, 1F22h",
 
-    REFUSED_CONFIGURATION = "network/refused-configuration", Error;
+    "network/refused-configuration" = REFUSED_CONFIGURATION, Error;
     summary: "a node refuses the configuration that the manager holds",
     checks: "Whether each node accepts every download of its DCF (1F20h) and of its concise DCF (1F22h) in the description of the manager.",
     why: "The manager does not start a node that aborts a download.",
@@ -131,7 +130,7 @@ text_rules! {
     remedy: "Write the DCF of the manager anew.",
     source: "CiA 302-3, 1F20h, 1F22h; CiA 301 §7.2.4.3.17",
 
-    OTHER_CONFIGURATION = "network/other-configuration", Error;
+    "network/other-configuration" = OTHER_CONFIGURATION, Error;
     summary: "the manager sends other values than the DCF of the node has",
     checks: "Whether 1F20h and 1F22h of a configured manager give each entry the value that the DCF of the node has.",
     why: "The values of the manager are sent last, so the node does not do what its DCF says, perhaps with the CAN-ID of another node.",
@@ -139,7 +138,7 @@ text_rules! {
     remedy: "Write the DCFs of node and manager anew.",
     source: "CiA 302-3, 1F20h, 1F22h",
 
-    CONFIGURATION_DATE = "network/configuration-date", Warning;
+    "network/configuration-date" = CONFIGURATION_DATE, Warning;
     summary: "a node has another configuration date than the manager expects",
     checks: "Whether date and time of the configuration in 1F26h and 1F27h of the manager are those in 1020h of the node. 0 is not checked.",
     why: "The manager configures the node at each start.",
@@ -147,7 +146,7 @@ text_rules! {
     remedy: "Write the DCFs of node and manager anew, with the same date.",
     source: "CiA 302-3, 1F26h, 1F27h; CiA 301 §7.5.2.22",
 
-    MANDATORY_NOT_BOOTED = "network/mandatory-not-booted", Warning;
+    "network/mandatory-not-booted" = MANDATORY_NOT_BOOTED, Warning;
     summary: "the manager does not boot a mandatory node",
     checks: "Whether the manager configures and starts each node that is mandatory: by the keys of the network file, and in 1F81h of a described manager.",
     why: "The manager waits for the node, but neither checks nor configures nor starts it, so the network starts while the node is in the state pre-operational, with the values of its description.",
@@ -155,7 +154,7 @@ text_rules! {
     remedy: "Have the manager boot the node, or leave `mandatory` out.",
     source: "CiA 302-2, 1F81h",
 
-    KEPT_ALIVE_WITHOUT_STATE = "network/kept-alive-without-state", Error;
+    "network/kept-alive-without-state" = KEPT_ALIVE_WITHOUT_STATE, Error;
     summary: "the manager must not reset a node that does not report its state",
     checks: "Whether each node that the manager boots and must not reset while it is operational (1F81h bit 4) reports its state when it is switched on: by a heartbeat that its description has as the default of 1017h, or by node guarding (100Ch) where the manager expects no heartbeat.",
     why: "The manager does not reset the node before it knows the state. When the network is switched on, nothing is configured yet, so the manager waits for a heartbeat that does not come, and does not boot the node (errors E and F of CiA 302-2).",
@@ -163,7 +162,7 @@ text_rules! {
     remedy: "Let the manager reset the node (`reset-communication = true`), or store a heartbeat time in the node and describe it by a DCF.",
     source: "CiA 302-2, 1F81h",
 
-    NOTHING_TO_RESTORE = "network/nothing-to-restore", Error;
+    "network/nothing-to-restore" = NOTHING_TO_RESTORE, Error;
     summary: "the manager restores the defaults of a node that cannot restore them",
     checks: "Whether each node whose defaults the manager restores before it configures the node (1F8Ah, `restore`) has this sub-index of 1011h.",
     why: "The node refuses the request, and the manager does not boot it (error J of CiA 302-2).",
@@ -171,7 +170,7 @@ text_rules! {
     remedy: "Remove `restore`, or name a sub-index of 1011h that the node has.",
     source: "CiA 302-2, 1F8Ah; CiA 301 §7.5.2.14",
 
-    ABSENT_SLAVE = "network/absent-slave", Warning;
+    "network/absent-slave" = ABSENT_SLAVE, Warning;
     summary: "the manager waits for a node that is not in the network",
     checks: "Whether each node-ID that 1F81h of the manager assigns as a slave belongs to a node of the network. A mandatory one that is absent is an error, and one that the manager boots.",
     why: "The manager looks for the node for ever. Without a mandatory one it does not start the network.",

@@ -6,7 +6,9 @@ use objdict_model::diagnostic::{Diagnostic, Text, say, text_rules};
 use objdict_model::source::Span;
 
 text_rules! {
-    INVALID_TOML = "objdict/invalid-toml", Error;
+    source: "objdict, docs/config.md";
+
+    "objdict/invalid-toml" = INVALID_TOML, Error;
     summary: "the configuration is not valid TOML",
     checks: "Whether `objdict.toml` is valid TOML. If it is not, the files that it applies to are not checked, and the exit code is 2.",
     why: "A check without its configuration reports unwanted findings and misses those that were requested.",
@@ -14,45 +16,40 @@ text_rules! {
     remedy: "Correct the reported line.",
     source: "objdict, docs/config.md; TOML 1.1",
 
-    UNKNOWN_SETTING = "objdict/unknown-setting", Warning;
+    "objdict/unknown-setting" = UNKNOWN_SETTING, Warning;
     summary: "the configuration contains an unknown setting",
     checks: "Whether each top-level key of `objdict.toml` is a known setting.",
     why: "The name is probably misspelled, and the setting has no effect.",
     example: "`node_id = 5` instead of `node-id = 5`",
     remedy: "Correct the name or remove the setting.",
-    source: "objdict, docs/config.md",
 
-    INVALID_SETTING = "objdict/invalid-setting", Error;
+    "objdict/invalid-setting" = INVALID_SETTING, Error;
     summary: "a setting has an invalid value",
     checks: "Whether each setting of `objdict.toml` has a value of its type and, for a fixed set of values, one of them.",
     why: "The setting has no effect, and the check differs from the intended one.",
     example: "`node-id = 128`",
     remedy: "Write a valid value.",
-    source: "objdict, docs/config.md",
 
-    UNKNOWN_RULE = "objdict/unknown-rule", Warning;
+    "objdict/unknown-rule" = UNKNOWN_RULE, Warning;
     summary: "an unknown rule or group",
     checks: "Whether each rule name in `objdict.toml` and in comments `objdict: allow` is the id of a rule, such as `cia306/file-name`, or a group, such as `cia306`.",
     why: "The setting or comment has no effect.",
     example: "`; objdict: allow cia306/filename`",
     remedy: "Correct the name; `objdict rules` lists all rules.",
-    source: "objdict, docs/config.md",
 
-    INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning;
+    "objdict/invalid-suppression" = INVALID_SUPPRESSION, Warning;
     summary: "a comment contains an invalid objdict instruction",
     checks: "Whether a comment that starts with `objdict:` continues with `allow` and the ids of rules or names of groups, separated by blanks or commas.",
     why: "The author expects the comment to suppress a finding, but it is reported.",
     example: "`; objdict: ignore cia306/file-name`",
     remedy: "Write `; objdict: allow cia306/file-name`; a reason may follow after ` -- `.",
-    source: "objdict, docs/config.md",
 
-    UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe;
+    "objdict/unused-suppression" = UNUSED_SUPPRESSION, Warning, fix Safe;
     summary: "a comment allows a rule without findings",
     checks: "Whether each rule in a comment `objdict: allow` has a finding in the following section or element, or in the file if the comment is before the first one. Rules that are off, and rules about tools or custom profiles that are not selected, are not checked.",
     why: "The allowed problem was fixed or moved. The comment would hide the same problem if it occurs again.",
     example: "`; objdict: allow cia306/file-name` in a file whose `FileName` is right",
     remedy: "Remove the comment or the rule from it, or move the comment before the intended section.",
-    source: "objdict, docs/config.md",
 }
 
 /// A setting with an invalid value.

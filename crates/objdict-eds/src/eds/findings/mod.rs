@@ -20,26 +20,26 @@ pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, value: Option<&Value>, fin
 }
 
 text_rules! {
-    DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Safe, stops "*";
+    source: "CiA 306-1 §4.2";
+
+    "cia306/duplicate-section" = DUPLICATE_SECTION, Error, fix Safe, stops "*";
     summary: "a section is defined twice",
     checks: "Whether each section name occurs once, ignoring case and leading zeros. The first section is read; lists are continued.",
     why: "Some tools read the first section, some the last one, some refuse the file.",
     example: "`[1018sub1]` and later `[1018SUB01]`",
     remedy: "Keep one of them.",
-    source: "CiA 306-1 §4.2",
 
     // one number of a list twice, and another one missing
-    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Safe,
+    "cia306/duplicate-key" = DUPLICATE_KEY, Error, fix Safe,
         explains Section ["wrong-count"], explains Value ["object-not-listed"], stops "*";
     summary: "a key is defined twice in a section",
     checks: "Whether each key occurs once in its section, ignoring case. The first one is read. Two equal lines are only a warning. If the count of a list is right, a single number is used twice and only one number is left for one of them, both are read.",
     why: "Some tools read the first value, some the last one, some refuse the file.",
     example: "`DefaultValue=4` and later `DefaultValue=5`",
     remedy: "Keep one of them.",
-    source: "CiA 306-1 §4.2",
 
     // the keys belong to another sub-index of the same object, or to an object that is listed or has sub-indexes
-    MISSING_HEADER = "cia306/missing-header", Error,
+    "cia306/missing-header" = MISSING_HEADER, Error,
         explains Section ["unknown-key", "unsupported-key", "invalid-value", "value-outside-limits"],
         explains File ["wrong-pdo-count"],
         explains Object [
@@ -57,41 +57,36 @@ text_rules! {
     why: "The object or sub-index does not exist for readers, and its keys are read into the section above, or the file is refused.",
     example: "`[1000]` with its keys, an empty line, and the keys of `[1001]` without this header",
     remedy: "Write the header above the first repeated key.",
-    source: "CiA 306-1 §4.2",
 
-    UNKNOWN_SECTION = "cia306/unknown-section", Note, fix Safe;
+    "cia306/unknown-section" = UNKNOWN_SECTION, Note, fix Safe;
     summary: "the standard does not define a section",
     checks: "Whether each section is defined in CiA 306-1 or CiA 306-3. Unknown sections are kept.",
     why: "The standard allows unknown sections, dcf-tools refuses them.",
     example: "`[ToolInfos]`",
     remedy: "Check the spelling, or remove the section if no tool needs it. With `--compat dcf-tools` the fix makes comments of its lines.",
-    source: "CiA 306-1 §4.2",
 
-    UNKNOWN_KEY = "cia306/unknown-key", Note, fix Safe;
+    "cia306/unknown-key" = UNKNOWN_KEY, Note, fix Safe;
     summary: "the standard does not define a key in its section",
     checks: "Whether the standard defines the key in this section. Unknown keys are kept.",
     why: "The standard allows unknown keys, dcf-tools refuses them.",
     example: "`Unit=ms`",
     remedy: "Check the spelling, or remove the key if no tool needs it. With `--compat dcf-tools` the fix makes a comment of the line, for review if python-canopen or CANopenEditor reads the key.",
-    source: "CiA 306-1 §4.2",
 
-    MISSPELT_SECTION = "cia306/misspelt-section", Warning, fix Unsafe;
+    "cia306/misspelt-section" = MISSPELT_SECTION, Warning, fix Unsafe;
     summary: "the name of a section is misspelt",
     checks: "Whether the name of a section that the standard does not define is almost that of a missing one. The section is read as the missing one, so its absence is not reported. Sections of objects and sub-indexes have the rule `cia306/section-spelling`.",
     why: "Other tools ignore the section: the objects of a misspelt list are not listed.",
     example: "`[OptionalObject]`",
     remedy: "Write `[OptionalObjects]`.",
-    source: "CiA 306-1 §4.2",
 
-    MISSPELT_KEY = "cia306/misspelt-key", Warning, fix Mixed;
+    "cia306/misspelt-key" = MISSPELT_KEY, Warning, fix Mixed;
     summary: "the name of a key is misspelt",
     checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported. A misspelt `ObjectType`, `DataType`, `AccessType` or `SubNumber` is an error, as a missing one is.",
     why: "Other tools ignore the key: the value, limit or type has no effect.",
     example: "`DefualtValue=250`, `Supported Objects=3`",
     remedy: "Write `DefaultValue=250`, `SupportedObjects=3`.",
-    source: "CiA 306-1 §4.2",
 
-    SECTION_SPELLING = "cia306/section-spelling", Warning, fix Safe;
+    "cia306/section-spelling" = SECTION_SPELLING, Warning, fix Safe;
     summary: "the name of an object's section is misspelt",
     checks: "Whether section names of objects are a hex index without `0x` and leading zeros, and section names of sub-indexes append `sub` and a hex sub-index without leading zeros. Recognisable names such as `[1018h]`, `[$1018]` and `[1018.1]` are read. Leading zeros, which many readers accept, are a warning, everything else is an error.",
     why: "Other tools read another object, or none.",
@@ -99,7 +94,7 @@ text_rules! {
     remedy: "Write `[1018sub1]`, `[1000]`.",
     source: "CiA 306-1 §4.6.3.2",
 
-    COMMISSIONING_SPELLING = "cia306/commissioning-spelling", Warning, fix Safe;
+    "cia306/commissioning-spelling" = COMMISSIONING_SPELLING, Warning, fix Safe;
     summary: "`DeviceComissioning` is spelt with two m",
     checks: "Whether the section is called `DeviceComissioning`, with the misspelling of the standard. Both spellings are read.",
     why: "python-canopen, dcf-tools and others only know the name of the standard and do not find the node-ID.",
@@ -107,7 +102,7 @@ text_rules! {
     remedy: "Write `[DeviceComissioning]`.",
     source: "CiA 306-1 §5.4",
 
-    STRAY_COMPACT_SECTION = "cia306/stray-compact-section", Error;
+    "cia306/stray-compact-section" = STRAY_COMPACT_SECTION, Error;
     summary: "names, values or denotations belong to an object without compact storage",
     checks: "Whether each `[xxxxName]`, `[xxxxValue]` and `[xxxxDenotation]` belongs to an object with `CompactSubObj`, and whether their numbers are 1 to `CompactSubObj`.",
     why: "The names and values have no effect.",
@@ -115,7 +110,7 @@ text_rules! {
     remedy: "Add `CompactSubObj` to the object, or move the values to its sub-indexes.",
     source: "CiA 306-1 §4.6.3.4.2",
 
-    WRONG_COUNT = "cia306/wrong-count", Error, fix Safe, explains List ["object-not-listed"];
+    "cia306/wrong-count" = WRONG_COUNT, Error, fix Safe, explains List ["object-not-listed"];
     summary: "a count does not match the number of entries",
     checks: "Whether `SupportedObjects`, `NrOfEntries`, `Lines`, `ObjectLinks`, `NrOfSeg` and `Items` equal the number of numbered keys that follow. All keys are read, regardless of the count. An empty section `[DynamicChannels]` of a device without dynamic channels is a note.",
     why: "Tools that rely on the count do not see the entries above it.",
@@ -124,7 +119,7 @@ text_rules! {
     source: "CiA 306-1 §4.6.3.1",
 
     // a number is missing, and so is the entry
-    LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe,
+    "cia306/list-numbering" = LIST_NUMBERING, Error, fix Safe,
         explains Section ["wrong-count"], explains List ["object-not-listed"];
     summary: "the keys of a list are not consecutive",
     checks: "Whether the keys of a list are decimal numbers from 1 without gaps, and those of comments `Line1` and so on; the latter is a warning.",
@@ -133,7 +128,7 @@ text_rules! {
     remedy: "Renumber the entries.",
     source: "CiA 306-1 §4.6.3.1",
 
-    INVALID_LIST_ENTRY = "cia306/invalid-list-entry", Error;
+    "cia306/invalid-list-entry" = INVALID_LIST_ENTRY, Error;
     summary: "a list entry is not a valid index",
     checks: "Whether each value of an object list is an index from 1h to FFFFh.",
     why: "The intended object is not listed, so many tools do not see it.",
@@ -141,7 +136,7 @@ text_rules! {
     remedy: "Write the index in hex: `3=0x1018`.",
     source: "CiA 306-1 §4.6.3.1",
 
-    MAPPED_OTHERWISE = "cia306/mapped-otherwise", Note;
+    "cia306/mapped-otherwise" = MAPPED_OTHERWISE, Note;
     summary: "mapped entries have the other direction in a file of CANopenEditor",
     checks: "Whether entries with `AccessType=rwr` are not mapped by RPDOs, and those with `rww` not by TPDOs, in files with the comment `;StorageLocation`, as CANopenEditor writes them. Such entries are read as `rw`, because its versions use the pair both ways. In other files `cia301/wrong-mapping-direction` reports them.",
     why: "Other tools offer the entries for the other direction only, and CANopenNode marks the PDOs as not valid.",
@@ -149,7 +144,7 @@ text_rules! {
     remedy: "Write `rww` for an output, `rwr` for an input, or `rw` for both.",
     source: "CANopenEditor",
 
-    DATE_SPELLING = "cia306/date-spelling", Warning, fix Mixed;
+    "cia306/date-spelling" = DATE_SPELLING, Warning, fix Mixed;
     summary: "a date or time is not spelled as the standard demands",
     checks: "Whether dates are spelled `mm-dd-yyyy` and times `hh:mmAM` or `hh:mmPM`. Other orders, names of months, two-digit years, single digits, seconds and 24-hour times are read. A date that can be two days is read with the month first, and its fix needs review, as does that of a time with seconds, which the standard has no place for.",
     why: "Tools that show or compare dates ignore such a text, or take the day for the month.",
@@ -157,7 +152,7 @@ text_rules! {
     remedy: "Write `02-07-2016` and `03:23PM`.",
     source: "CiA 306-1 §4.4",
 
-    FILE_NAME = "cia306/file-name", Note, fix Unsafe;
+    "cia306/file-name" = FILE_NAME, Note, fix Unsafe;
     summary: "`FileName` differs from the name of the file",
     checks: "Whether `FileName` is the name of the file, ignoring case. Folders are not compared, and standard input has no name. The share of files is high because files of the corpus were renamed when they were collected; before that, one in five differed: copies for another device, a title instead of a file name, or the name on the computer where the file was made.",
     why: "The file was copied or renamed, and users look for a file that does not exist. A modified copy may be mistaken for the original.",

@@ -3,15 +3,16 @@
 use crate::diagnostic::text_rules;
 
 text_rules! {
-    BARE_NODE_ID = "portability/bare-node-id", Note, fix Safe;
+    source: "python-canopen 2.4.1";
+
+    "portability/bare-node-id" = BARE_NODE_ID, Note, fix Safe;
     summary: "a value is `$NODEID` without a number",
     checks: "Whether a value is `$NODEID` alone.",
     why: "CiA 306 allows this. python-canopen removes `$NODEID`, parses the empty rest as a number and drops the value.",
     example: "`DefaultValue=$NODEID`",
     remedy: "Write `$NODEID+0`.",
-    source: "python-canopen 2.4.1",
 
-    BLANKS_AFTER_SECTION = "portability/blanks-after-section", Warning, fix Safe;
+    "portability/blanks-after-section" = BLANKS_AFTER_SECTION, Warning, fix Safe;
     summary: "a section header is followed by spaces",
     checks: "Whether a section header is followed by spaces or tabs. The first one is shown, the others are counted.",
     why: "node-canopen takes such a line for a key, and reads the keys below into the previous section.",
@@ -19,7 +20,7 @@ text_rules! {
     remedy: "Remove the spaces.",
     source: "node-canopen 6.2.1",
 
-    COMMENTED_SECTION = "portability/commented-section", Warning, fix Safe;
+    "portability/commented-section" = COMMENTED_SECTION, Warning, fix Safe;
     summary: "keys follow a section header in a comment",
     checks: "Whether a comment of the form `;[name]` is followed by a key before the next header. The first one is shown, the others are counted.",
     why: "CANopenEditor removes the `;` before it looks for a header, so the keys below are read into the commented section.",
@@ -27,15 +28,14 @@ text_rules! {
     remedy: "Write `; [1018sub5]`.",
     source: "CANopenEditor of 2026",
 
-    DUMMY_USAGE = "portability/dummy-usage", Error, fix Safe;
+    "portability/dummy-usage" = DUMMY_USAGE, Error, fix Safe;
     summary: "`[DummyUsage]` does not list all types",
     checks: "Whether `[DummyUsage]` has the keys `Dummy0001` to `Dummy0007`.",
     why: "A missing key means 0. python-canopen reads all seven keys and fails if one is missing.",
     example: "`[DummyUsage]` with `Dummy0005=1` alone",
     remedy: "Add the other keys with 0.",
-    source: "python-canopen 2.4.1",
 
-    EMPTY_KEY = "portability/empty-key", Error, fix Safe;
+    "portability/empty-key" = EMPTY_KEY, Error, fix Safe;
     summary: "a key has no value",
     checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj`, a number of `[DeviceInfo]`, or `AccessType` or `DefaultValue` of an ARRAY or RECORD, has no value. Each key of objects is reported once, at its first place.",
     why: "An empty key is the same as a missing one. python-canopen parses the first two and the numbers of `[DeviceInfo]` and fails; CANopenEditor parses all of an object and skips it. node-canopen takes the last two for keys of a value and fails.",
@@ -43,7 +43,7 @@ text_rules! {
     remedy: "Remove the line.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026, node-canopen 6.2.1",
 
-    HASH_IN_TEXT = "portability/hash-in-text", Warning;
+    "portability/hash-in-text" = HASH_IN_TEXT, Warning;
     summary: "a text contains a `#` after a space",
     checks: "Whether a name, string or other text contains a `#` preceded by a space.",
     why: "CiA 306 has comments only in separate lines. dcf-tools ends the text before the `#`.",
@@ -51,15 +51,14 @@ text_rules! {
     remedy: "Write `Motor no. 1`, or `Motor#1`.",
     source: "dcf-tools 2.4.2",
 
-    HEX_BAUD_RATE = "portability/hex-baud-rate", Error, fix Safe;
+    "portability/hex-baud-rate" = HEX_BAUD_RATE, Error, fix Safe;
     summary: "the bit rate of a node is written in hex",
     checks: "Whether `Baudrate` in `[DeviceComissioning]` is a decimal number.",
     why: "CiA 306 allows hex numbers everywhere. python-canopen parses the bit rate as decimal and fails.",
     example: "`Baudrate=0xFA`",
     remedy: "Write the number in decimal.",
-    source: "python-canopen 2.4.1",
 
-    HEX_COUNT = "portability/hex-count", Error, fix Safe;
+    "portability/hex-count" = HEX_COUNT, Error, fix Safe;
     summary: "a count is written in hex",
     checks: "Whether `SupportedObjects` of an object list and `NrOfEntries` of `[xxxxName]` and `[xxxxValue]` are decimal numbers.",
     why: "CiA 306 allows hex numbers everywhere. dcf-tools parses these counts as decimal and refuses the file, python-canopen fails at the count of `[xxxxName]`.",
@@ -67,7 +66,7 @@ text_rules! {
     remedy: "Write the number in decimal.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 
-    HEX_FLAG = "portability/hex-flag", Error, fix Safe;
+    "portability/hex-flag" = HEX_FLAG, Error, fix Safe;
     summary: "a flag is written in hex",
     checks: "Whether the keys of `[DeviceInfo]` and `[DummyUsage]` with value 0 or 1 are written as `0` or `1`.",
     why: "CANopenEditor reads everything but `1` as no. python-canopen and dcf-tools fail at a hex number in `[DummyUsage]`.",
@@ -75,7 +74,7 @@ text_rules! {
     remedy: "Write `0` or `1`.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
-    KEY_CASE = "portability/key-case", Error, fix Safe;
+    "portability/key-case" = KEY_CASE, Error, fix Safe;
     summary: "the case of a key differs from the standard",
     checks: "Whether the case of each key matches the standard. The first one is shown, the others are counted.",
     why: "CiA 306 ignores case. python-canopen and CANopenEditor compare case-sensitively and do not find the key: python-canopen fails if the key is a name, data type or access, CANopenEditor skips the object.",
@@ -83,15 +82,14 @@ text_rules! {
     remedy: "Write `ParameterName`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 
-    LIMIT_NOT_READ = "portability/limit-not-read", Note;
+    "portability/limit-not-read" = LIMIT_NOT_READ, Note;
     summary: "a tool does not read a limit",
     checks: "Whether a limit is a formula, a REAL with a decimal point, or of type INTEGER24, 40, 48 or 56. The first one is shown, the others are counted.",
     why: "python-canopen reads limits of 8, 16, 32 and 64 bits and ignores others: it then accepts any value.",
     example: "`HighLimit=1.5` of a REAL32",
     remedy: "Check the value in the application.",
-    source: "python-canopen 2.4.1",
 
-    NEGATIVE_HEX = "portability/negative-hex", Error, fix Safe;
+    "portability/negative-hex" = NEGATIVE_HEX, Error, fix Safe;
     summary: "a value is a negative hex number",
     checks: "Whether an integer value has a sign and is written in hex. The first one is shown, the others are counted.",
     why: "node-canopen converts the text with the number syntax of JavaScript, where hex numbers have no sign: it reads 0, and refuses the file if the integer has 64 bits.",
@@ -99,7 +97,7 @@ text_rules! {
     remedy: "Write the number in decimal.",
     source: "node-canopen 6.2.1",
 
-    REAL_AS_DECIMAL = "portability/real-as-decimal", Error, fix Safe;
+    "portability/real-as-decimal" = REAL_AS_DECIMAL, Error, fix Safe;
     summary: "a REAL is written as a decimal number",
     checks: "Whether a value or limit of a REAL32 or REAL64 is something other than the hex digits of its bits, or 0. The first one is shown, the others are counted.",
     why: "CiA 306 does not define the notation of a REAL. dcf-tools reads bits: it refuses `1.5`, and reads `2` as 2.8e-45. python-canopen reads numbers, so only `0` works for both.",
@@ -107,7 +105,7 @@ text_rules! {
     remedy: "Write `0x3FC00000` in a separate copy for dcf-tools. The fix does so unless python-canopen is to read the file too.",
     source: "dcf-tools 2.4.2",
 
-    SECTION_CASE = "portability/section-case", Error, fix Safe;
+    "portability/section-case" = SECTION_CASE, Error, fix Safe;
     summary: "the case of a section name differs from the standard",
     checks: "Whether the case of each section name matches the standard; hex digits of an index may have any case. The first one is shown, the others are counted.",
     why: "CiA 306 ignores case. python-canopen and CANopenEditor compare case-sensitively: they do not find sub-indexes in `[1018SUB1]`, and without `[DeviceInfo]` CANopenEditor does not open the file.",
@@ -115,7 +113,7 @@ text_rules! {
     remedy: "Write `[1018sub1]`, `[DeviceInfo]`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 
-    SEMICOLON_IN_TEXT = "portability/semicolon-in-text", Warning;
+    "portability/semicolon-in-text" = SEMICOLON_IN_TEXT, Warning;
     summary: "a text contains a `;` after a space",
     checks: "Whether a name, string or other text contains a `;` preceded by a space.",
     why: "CiA 306 has comments only in separate lines. dcf-tools and python-canopen end the text before the `;`.",
@@ -123,15 +121,14 @@ text_rules! {
     remedy: "Write `Speed, rpm`.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 
-    SPARSE_NAMES = "portability/sparse-names", Error, fix Safe;
+    "portability/sparse-names" = SPARSE_NAMES, Error, fix Safe;
     summary: "the names of a compact object have a gap",
     checks: "Whether `[xxxxName]` names all sub-indexes from 1 to the number of names.",
     why: "CiA 306 allows missing names, which have a default. python-canopen reads the given number of names from 1 on and fails at the gap.",
     example: "`NrOfEntries=2` with `1=Left` and `3=Right`",
     remedy: "Add the missing names with the default of the standard: the name of the object followed by the sub-index.",
-    source: "python-canopen 2.4.1",
 
-    SUB_BEFORE_OBJECT = "portability/sub-before-object", Error;
+    "portability/sub-before-object" = SUB_BEFORE_OBJECT, Error;
     summary: "a sub-index is before its object",
     checks: "Whether the section of each object is above the sections of its sub-indexes and its `[xxxxName]`.",
     why: "CiA 306 requires no order. python-canopen fails at a sub-index whose object is below it, CANopenEditor skips it.",
@@ -139,7 +136,7 @@ text_rules! {
     remedy: "Move the object above its sub-indexes.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 
-    UNLOADABLE = "portability/unloadable", Error;
+    "portability/unloadable" = UNLOADABLE, Error;
     summary: "a reader that makes a dictionary of the file stops",
     checks: "Whether each line of the object lists has a section with a name, each structure either `SubNumber` or `CompactSubObj`, each entry a data type and an access of CiA 301 and values that begin as values of its type, and whether the node-ID is one and 1018h:04 is there beside `LSS_SerialNumber`. The first place where the reader stops is shown.",
     why: "The C library of Lely core reads a file at run time, as the dictionary of a master or a slave, and does not load it at all when one entry is not as it expects. It knows neither the data types of the device nor `$NODEID` without a number.",
@@ -147,7 +144,7 @@ text_rules! {
     remedy: "Correct the entry, or use a copy without it for the tool.",
     source: "Lely core 2.4, src/co/dcf.c",
 
-    UNQUOTED_STRING = "portability/unquoted-string", Error;
+    "portability/unquoted-string" = UNQUOTED_STRING, Error;
     summary: "a string has no quotes",
     checks: "Whether a value of type VISIBLE_STRING or UNICODE_STRING is in quotes. The first one is shown, the others are counted.",
     why: "CiA 306 and all other tools use strings without quotes. dcf2dev of dcf-tools parses the text as a Python literal and fails; dcfchk and dcfgen do not read it.",

@@ -6,48 +6,45 @@ pub mod lines;
 use crate::diagnostic::text_rules;
 
 text_rules! {
-    BYTE_ORDER_MARK = "cia306/byte-order-mark", Warning, fix Mixed;
+    source: "CiA 306-1 §4.2";
+
+    "cia306/byte-order-mark" = BYTE_ORDER_MARK, Warning, fix Mixed;
     summary: "the file starts with a byte order mark",
     checks: "Whether bytes EF BB BF (UTF-8), FF FE or FE FF (UTF-16) precede the text.",
     why: "An EDS is an ISO 646 file. python-canopen, dcf-tools and others read the mark as part of the first line and then find no section.",
     example: "`EF BB BF [FileInfo]`",
     remedy: "Save the file as plain ASCII or as UTF-8 without byte order mark.",
-    source: "CiA 306-1 §4.2",
 
-    NOT_ASCII = "cia306/not-ascii", Warning, fix Mixed;
+    "cia306/not-ascii" = NOT_ASCII, Warning, fix Mixed;
     summary: "the file contains characters outside ISO 646",
     checks: "Whether all characters in values, names and comments are 7-bit characters. Only the first one is shown.",
     why: "The file does not declare its encoding, so tools show different characters or refuse the file.",
     example: "`ParameterName=Temperature in °C`",
     remedy: "Write `deg C`, `ue`, `u` instead of `°C`, `ü`, `µ`.",
-    source: "CiA 306-1 §4.2",
 
-    CONTROL_CHARACTER = "cia306/control-character", Error, fix Mixed;
+    "cia306/control-character" = CONTROL_CHARACTER, Error, fix Mixed;
     summary: "a line contains a control character",
     checks: "Whether the file contains characters below 20h other than line ends and tabs, such as NUL or Ctrl-Z.",
     why: "Depending on the tool, the text, the line or the file ends there.",
     example: "A NUL byte after `[1000]`.",
     remedy: "Remove the character.",
-    source: "CiA 306-1 §4.2",
 
-    LINE_TOO_LONG = "cia306/line-too-long", Warning;
+    "cia306/line-too-long" = LINE_TOO_LONG, Warning;
     summary: "a line is longer than 255 characters",
     checks: "The length of each line without its line end. A `ParameterName` can therefore have at most 241 characters, a `Description` 243, a `VendorName` 244.",
     why: "A tool may read lines into a buffer of 256 characters and read the rest as another line.",
     example: "A DOMAIN with 300 hex digits as its `ParameterValue`.",
     remedy: "Shorten the text; use `DownloadFile` for the data of a DOMAIN.",
-    source: "CiA 306-1 §4.2",
 
-    MIXED_LINE_ENDS = "cia306/mixed-line-ends", Note, fix Mixed;
+    "cia306/mixed-line-ends" = MIXED_LINE_ENDS, Note, fix Mixed;
     summary: "the file mixes line ends",
     checks: "Whether all lines end with LF, or all with CR LF. A lone CR is also reported.",
     why: "Tools with different line ends edited the file; version control shows lines as changed that are not.",
     example: "Lines with CR LF, and one line with LF that a script added.",
     remedy: "Save the file with one kind of line end.",
-    source: "CiA 306-1 §4.2",
 
     // the line is a mark of a merge, the header of a section that is not read, or a key that its section lacks
-    JUNK_LINE = "cia306/junk-line", Error, fix Mixed,
+    "cia306/junk-line" = JUNK_LINE, Error, fix Mixed,
         explains Conflict ["duplicate-key"],
         explains Header [
             "key-before-section", "duplicate-key", "missing-header", "unknown-key", "unsupported-key", "missing-section",
@@ -67,69 +64,60 @@ text_rules! {
     why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions.",
     example: "`<<<<<<< HEAD`",
     remedy: "Remove the line, or put a `;` before it.",
-    source: "CiA 306-1 §4.2",
 
-    COMMENT_STYLE = "cia306/comment-style", Warning, fix Safe;
+    "cia306/comment-style" = COMMENT_STYLE, Warning, fix Safe;
     summary: "a comment does not start with `;` in the first column",
     checks: "Whether comment lines start with `#` or `//`, or have spaces before the `;`. Only the first one is shown.",
     why: "The standard defines only `;` in column 1. Other tools read such a line as a key or fail.",
     example: "`# device type`",
     remedy: "Write `; device type`.",
-    source: "CiA 306-1 §4.2",
 
-    BLANK_BEFORE_EQUALS = "cia306/blank-before-equals", Note, fix Safe;
+    "cia306/blank-before-equals" = BLANK_BEFORE_EQUALS, Note, fix Safe;
     summary: "spaces precede the `=` or the key",
     checks: "Whether each key starts in column 1 and is directly followed by `=`. Only the first such line is shown.",
     why: "The standard requires the `=` directly after the key; a simple reader makes the space part of the key.",
     example: "`NrOfRXPDO = 5`",
     remedy: "Write `NrOfRXPDO=5`.",
-    source: "CiA 306-1 §4.2",
 
-    INDENTED_SECTION = "cia306/indented-section", Warning, fix Safe;
+    "cia306/indented-section" = INDENTED_SECTION, Warning, fix Safe;
     summary: "a section header does not start in the first column",
     checks: "Whether spaces precede a `[`.",
     why: "The standard requires the `[` in column 1. A tool that does not recognise the header adds the keys below to the previous section.",
     example: "` [1000]`",
     remedy: "Remove the spaces.",
-    source: "CiA 306-1 §4.2",
 
-    UNCLOSED_SECTION = "cia306/unclosed-section", Error, fix Unsafe;
+    "cia306/unclosed-section" = UNCLOSED_SECTION, Error, fix Unsafe;
     summary: "a section header has no `]`",
     checks: "Whether each line that starts with `[` has a `]`. The section is read as if the `]` were present.",
     why: "Some tools read on to the next `]`, and a whole section is lost.",
     example: "`[1018sub1`",
     remedy: "Add the `]`.",
-    source: "CiA 306-1 §4.2",
 
-    TEXT_AFTER_SECTION = "cia306/text-after-section", Warning, fix Mixed;
+    "cia306/text-after-section" = TEXT_AFTER_SECTION, Warning, fix Mixed;
     summary: "text follows a section header",
     checks: "Whether anything except spaces follows the `]`.",
     why: "The standard does not allow comments after a header; tools refuse the line or read another name.",
     example: "`[1200] ; first SDO server`",
     remedy: "Put the text in a separate comment line.",
-    source: "CiA 306-1 §4.2",
 
-    BLANKS_IN_SECTION_NAME = "cia306/blanks-in-section-name", Warning, fix Safe;
+    "cia306/blanks-in-section-name" = BLANKS_IN_SECTION_NAME, Warning, fix Safe;
     summary: "a section header has spaces inside the brackets",
     checks: "Whether the name directly follows the `[` and the `]` directly follows the name.",
     why: "A tool that does not trim the name does not recognise the section.",
     example: "`[ 1000 ]`",
     remedy: "Write `[1000]`.",
-    source: "CiA 306-1 §4.2",
 
-    KEY_BEFORE_SECTION = "cia306/key-before-section", Error, fix Safe;
+    "cia306/key-before-section" = KEY_BEFORE_SECTION, Error, fix Safe;
     summary: "a key precedes the first section",
     checks: "Whether a section header precedes all keys.",
     why: "The key does not belong to any section. Python's reader refuses the whole file.",
     example: "`FileName=drive.eds` as the first line",
     remedy: "Add the missing header, probably `[FileInfo]`, above the key.",
-    source: "CiA 306-1 §4.2",
 
-    NO_SECTION = "cia306/no-section", Error;
+    "cia306/no-section" = NO_SECTION, Error;
     summary: "the file has no section",
     checks: "Whether the file has at least one `[section]`.",
     why: "The file is not an EDS or DCF.",
     example: "An empty file.",
     remedy: "Check the file name and where the file came from.",
-    source: "CiA 306-1 §4.2",
 }

@@ -6,13 +6,14 @@ use crate::demands::{
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 301 §7.5.2";
+
     "cia301/mapped-communication-object", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "a communication object that cannot be mapped to a PDO is marked as mappable",
     checks: "Whether `PDOMapping` is set at a communication object of CiA 301. Exceptions are 1001h, 1002h, 1013h, 1026h and the COB-IDs of SDOs, which CiA 301 declares mappable.",
     why: "A configuration tool offers the object for mapping. The device rejects the mapping, or a received PDO changes its communication settings.",
     example: "`[1017]` with `PDOMapping=1`",
     remedy: "Write `PDOMapping=0`.",
-    source: "CiA 301 §7.5.2",
 
     "cia301/sub-0-out-of-range", Warning, Against(sub_0_out_of_range);
     summary: "the highest sub-index of a communication object is out of range",
@@ -28,7 +29,6 @@ rules! {
     why: "CiA defines the meaning of these objects and may assign the sub-index in a later edition. Tools that know the object do not show it.",
     example: "`[1018sub5]`",
     remedy: "Move vendor-specific entries to 2000h to 5FFFh.",
-    source: "CiA 301 §7.5.2",
 
     "cia301/wrong-access", Error, Expected(wrong_access), fix Unsafe;
     summary: "a communication object has an access type that CiA 301 does not allow",
@@ -36,7 +36,6 @@ rules! {
     why: "A tool offers to write an entry that the device rejects, or does not write one that it must: a read-only heartbeat time cannot be set, and a writable device type is meaningless.",
     example: "`[1000]` with `AccessType=rw`",
     remedy: "Use an access type of the standard, in the description and in the device.",
-    source: "CiA 301 §7.5.2",
 
     "cia301/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "a communication object has a different data type than in CiA 301",
@@ -44,7 +43,6 @@ rules! {
     why: "Managers write these objects with the length that CiA 301 defines. A device with another length answers with an abort, and the boot-up of the node stops.",
     example: "`[1017]` with `DataType=0x0007`",
     remedy: "Use the data type of the standard, in the description and in the device.",
-    source: "CiA 301 §7.5.2",
 
     "cia301/wrong-object-type", Error, Against(wrong_object_type);
     summary: "a communication object has a different object type than in CiA 301",
@@ -52,5 +50,4 @@ rules! {
     why: "A tool that knows the object accesses the sub-indexes of the standard and does not find them.",
     example: "`[1017]` with `ObjectType=0x9`",
     remedy: "Use the object type of the standard.",
-    source: "CiA 301 §7.5.2",
 }

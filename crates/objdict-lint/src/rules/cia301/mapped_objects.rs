@@ -8,6 +8,8 @@ use crate::rule::rules;
 use crate::{Facts, MappedTo, PdoFacts};
 
 rules! {
+    source: "CiA 301 §7.5.2.36";
+
     "cia301/invalid-dummy-mapping" = INVALID_DUMMY_MAPPING, Error, Pdo(invalid_dummy_mapping);
     summary: "a dummy entry of a PDO mapping is not valid",
     checks: "Whether each mapping entry that refers to a data type instead of an object (below 0020h) is in an RPDO, refers to an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not disabled in `DummyUsage`.",
@@ -63,7 +65,6 @@ rules! {
     why: "Often a copied line was not changed: one object is transferred twice, and another one is missing.",
     example: "`[1A00sub1]` and `[1A00sub2]`, both with `DefaultValue=0x60000108`",
     remedy: "Map the intended object.",
-    source: "CiA 301 §7.5.2.36",
 
     "cia301/unaligned-mapping" = UNALIGNED_MAPPING, Note, Pdo(unaligned_mapping);
     summary: "a byte-sized object does not start at a byte boundary of its PDO",
@@ -71,7 +72,6 @@ rules! {
     why: "Most devices and masters copy whole bytes, and reject the mapping or read it incorrectly.",
     example: "`[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`",
     remedy: "Map the single bits last, or fill the byte before.",
-    source: "CiA 301 §7.5.2.36",
 
     "cia301/wrong-mapping-direction" = WRONG_MAPPING_DIRECTION, Error, Pdo(wrong_mapping_direction);
     summary: "a PDO maps an object of the other direction",
@@ -89,7 +89,6 @@ rules! {
     why: "The device rejects the mapping with an abort; a receiver reads the following objects from the wrong position of the frame.",
     example: "`[1A00sub1]` with `DefaultValue=0x60000110`, where `[6000sub1]` is UNSIGNED8",
     remedy: "Write the length of the data type in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.",
-    source: "CiA 301 §7.5.2.36",
 }
 
 fn invalid_dummy_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

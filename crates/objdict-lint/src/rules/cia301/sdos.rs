@@ -7,6 +7,8 @@ use crate::rule::rules;
 use crate::{CobIdService, CobIdUse, Facts, stated};
 
 rules! {
+    source: "CiA 301 §7.5.2.33, §7.5.2.34";
+
     "cia301/default-sdo-cob-id" = DEFAULT_SDO_COB_ID, Error, Facts(default_sdo_cob_id), fix Unsafe;
     summary: "the CAN-ID of the default SDO differs from CiA 301",
     checks: "Whether 1200h sub-index 1 is 600h plus the node-ID and sub-index 2 is 580h plus the node-ID: as formulas in an EDS, as formulas or as numbers for the node in a DCF.",
@@ -29,7 +31,6 @@ rules! {
     why: "CiA 301 numbers the channels consecutively. Managers that assign channels stop at the first missing index.",
     example: "`[1281]` without `[1280]`",
     remedy: "Use the next free index, or describe the missing channels.",
-    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 
     "cia301/incomplete-sdo-parameter" = INCOMPLETE_SDO_PARAMETER, Error, Against(incomplete_sdo_parameter);
     summary: "an SDO parameter lacks a sub-index",
@@ -37,7 +38,6 @@ rules! {
     why: "An SDO channel needs both identifiers, and a client needs the node-ID of its server.",
     example: "`[1280]` with only sub-indexes 0 to 2",
     remedy: "Describe the missing sub-index.",
-    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 
     "cia301/partly-valid-sdo" = PARTLY_VALID_SDO, Error, Facts(partly_valid_sdo);
     summary: "only one direction of an SDO channel is valid",
@@ -45,7 +45,6 @@ rules! {
     why: "A channel works only if both COB-IDs are valid. One valid COB-ID occupies a CAN-ID without providing an SDO.",
     example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub2]` with `DefaultValue=0x80000585`",
     remedy: "Set bit 31 in both, or clear it in both.",
-    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 
     "cia301/sdo-cob-ids-exchanged" = SDO_COB_IDS_EXCHANGED, Error, Facts(sdo_cob_ids_exchanged), fix Unsafe;
     summary: "the COB-IDs of an SDO channel are exchanged",
@@ -61,7 +60,6 @@ rules! {
     why: "Tools find the peer of the channel by the node-ID. With a wrong node-ID, the channel reaches no node or is shown for the wrong one.",
     example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`",
     remedy: "Write the node-ID of the peer.",
-    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 
     "cia301/sdo-valid-by-default" = SDO_VALID_BY_DEFAULT, Warning, Facts(sdo_valid_by_default);
     summary: "an additional SDO channel is valid by default",
@@ -69,7 +67,6 @@ rules! {
     why: "The predefined connection set has no CAN-ID for them: two devices of the type on one network use the same CAN-ID. The default in CiA 301 is 80000000h.",
     example: "`[1201sub1]` with `DefaultValue=0x640`",
     remedy: "Write `0x80000000`.",
-    source: "CiA 301 §7.5.2.33, §7.5.2.34",
 }
 
 fn default_sdo_cob_id(facts: &Facts<'_>, findings: &mut Findings) {

@@ -6,6 +6,8 @@ use crate::rule::rules;
 use crate::{Facts, stated};
 
 rules! {
+    source: "CiA 301 §7.5.2.13, §7.5.2.14";
+
     "cia301/incomplete-eds-storage" = INCOMPLETE_EDS_STORAGE, Error, Device(incomplete_eds_storage);
     summary: "one of the two objects that store the EDS is missing",
     checks: "Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format.",
@@ -30,7 +32,6 @@ rules! {
     why: "The signatures `save` and `load` are written to the entries, not read from them. A tool that compares the device with its description finds a difference, and one that writes the defaults stores or restores by accident.",
     example: "`[1010sub1]` with `DefaultValue=0x65766173`",
     remedy: "Write 1, or the value that the device returns.",
-    source: "CiA 301 §7.5.2.13, §7.5.2.14",
 
     "cia301/storage-without-function" = STORAGE_WITHOUT_FUNCTION, Warning, Device(storage_without_function);
     summary: "1010h or 1011h states that the device cannot store or restore anything",
@@ -38,7 +39,6 @@ rules! {
     why: "A tool reads the entries before it writes the signatures. With 0 it does not store the configuration, which is lost when the power is switched off.",
     example: "`[1010sub1]` with `DefaultValue=0` and no other sub-index",
     remedy: "Write the value that the device returns, 1 if it stores or restores on command; or remove the object.",
-    source: "CiA 301 §7.5.2.13, §7.5.2.14",
 
     "cia301/store-without-restore" = STORE_WITHOUT_RESTORE, Note, Device(store_without_restore);
     summary: "the device has only one of 1010h and 1011h",
@@ -46,7 +46,6 @@ rules! {
     why: "After storing a wrong bit rate or COB-ID, users need the delivered state back; and a restore has no use on a device that stores nothing.",
     example: "`[1010]` without `[1011]`",
     remedy: "Add the other object.",
-    source: "CiA 301 §7.5.2.13, §7.5.2.14",
 }
 
 fn incomplete_eds_storage(device: &Device, findings: &mut Findings) {

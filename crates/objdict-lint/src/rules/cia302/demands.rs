@@ -7,6 +7,8 @@ use crate::demands::{
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 302-2, the object descriptions";
+
     "cia302/different-program-count", Error, Against(different_channel_count);
     summary: "1F51h and 1F50h have a different number of programs",
     checks: "Whether program control (1F51h) has as many sub-indexes as program data (1F50h).",
@@ -29,7 +31,6 @@ rules! {
     why: "The manager reads an entry for each node. A missing entry answers with an abort, and the boot procedure stops.",
     example: "`[1F90]` without `[1F90sub3]`, the priority of the master",
     remedy: "Describe the sub-index. `CompactSubObj=127` describes a list of nodes in one line.",
-    source: "CiA 302-2, the object descriptions",
 
     "cia302/reserved-bits", Warning, Expected(reserved_bits), fix Unsafe;
     summary: "a reserved bit of 1F80h or 1F81h is set",
@@ -45,7 +46,6 @@ rules! {
     why: "A manager with a shorter list ignores the remaining nodes, and a configuration tool offers no entries for them.",
     example: "`[1F81sub0]` with `DefaultValue=32` and sub-indexes up to 32",
     remedy: "Describe all 127 entries; `CompactSubObj=127` does so in one line. A device with memory for fewer nodes rejects the other entries.",
-    source: "CiA 302-2, the object descriptions",
 
     "cia302/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "an object has a sub-index that CiA 302 does not define",
@@ -53,7 +53,6 @@ rules! {
     why: "There is no node 128. A tool that shows a list of nodes does not show the entry.",
     example: "`[1F81sub80]`",
     remedy: "Remove the entry. Vendor-specific entries belong in 2000h to 5FFFh.",
-    source: "CiA 302-2, the object descriptions",
 
     "cia302/wrong-access", Error, Expected(wrong_access), fix Unsafe;
     summary: "an entry has an access type that CiA 302 does not allow",
@@ -77,7 +76,6 @@ rules! {
     why: "A configuration tool offers the entry for mapping, and the device rejects it.",
     example: "`[1F80]` with `PDOMapping=1`",
     remedy: "Write `PDOMapping=0`.",
-    source: "CiA 302-2, the object descriptions",
 
     "cia302/wrong-object-type", Error, Against(wrong_object_type);
     summary: "an object has a different object type than in CiA 302",
@@ -85,7 +83,6 @@ rules! {
     why: "A VAR has no entries for the nodes, so the manager cannot access them.",
     example: "`[1F22]` with `ObjectType=0x7`",
     remedy: "Use the object type of the document; a list of nodes is an ARRAY.",
-    source: "CiA 302-2, the object descriptions",
 
     "cia302/wrong-value", Error, Expected(wrong_value);
     summary: "an entry has a value that CiA 302 does not define",

@@ -6,13 +6,14 @@ use crate::rule::rules;
 use crate::{Facts, Srdo, stated};
 
 rules! {
+    source: "EN 50325-5 (CiA 304)";
+
     "cia304/checksum-missing" = CHECKSUM_MISSING, Error, Facts(checksum_missing);
     summary: "13FFh has no checksum for an SRDO",
     checks: "Whether 13FFh has a sub-index for each SRDO of the device: sub-index 1 for 1301h, and so on.",
     why: "The configuration of an SRDO without a checksum can never become valid.",
     example: "`[1302]` and a 13FFh with one element",
     remedy: "Describe an element for each SRDO.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/missing-safety-object" = MISSING_SAFETY_OBJECT, Error, Facts(missing_safety_object);
     summary: "a device with SRDOs lacks the objects that protect their configuration",
@@ -20,7 +21,6 @@ rules! {
     why: "A configuration tool writes the checksums and then marks the configuration valid. Without these objects the device can never transmit or accept an SRDO.",
     example: "`[1301]` and `[1381]` without `[13FF]`",
     remedy: "Add 13FEh, an UNSIGNED8, and 13FFh, an ARRAY of UNSIGNED16 with an element for each SRDO.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/safety-flag" = SAFETY_FLAG, Warning, Facts(safety_flag);
     summary: "`CANopenSafetySupported` contradicts the objects",
@@ -36,7 +36,6 @@ rules! {
     why: "At power-up the device calculates the checksum, detects the difference and sends no safety data.",
     example: "`[13FE]` with `DefaultValue=0xA5` and `[13FFsub1]` with `DefaultValue=0`",
     remedy: "Verify the configuration and write the reported checksum; or write 0 to 13FEh.",
-    source: "EN 50325-5 (CiA 304)",
 }
 
 fn checksum_missing(facts: &Facts<'_>, findings: &mut Findings) {

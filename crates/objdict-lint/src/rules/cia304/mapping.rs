@@ -6,6 +6,8 @@ use crate::rule::rules;
 use crate::{Facts, MappedTo, Srdo};
 
 rules! {
+    source: "EN 50325-5 (CiA 304)";
+
     "cia304/invalid-inverted-object" = INVALID_INVERTED_OBJECT, Error, Device(invalid_inverted_object);
     summary: "the inverted entry of a safety entry is missing or not suitable",
     checks: "Whether `InvertedSRAD` refers to a described entry, other than itself, of the same data type.",
@@ -20,7 +22,6 @@ rules! {
     why: "The device rejects the mapping, or the description lacks a part of the safety function.",
     example: "`[1381sub1]` with `DefaultValue=0x61000108`, without `[6100]`",
     remedy: "Describe the object, or map the intended one.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/object-not-safe" = OBJECT_NOT_SAFE, Warning, Facts(object_not_safe);
     summary: "an SRDO maps an entry that is not mappable to SRDOs",
@@ -36,7 +37,6 @@ rules! {
     why: "A CAN frame has eight data bytes.",
     example: "nine pairs of 8 bits in `[1381]`",
     remedy: "Remove objects, or move them to another SRDO.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/unequal-pair" = UNEQUAL_PAIR, Error, Facts(unequal_pair);
     summary: "the two objects of a pair in an SRDO have different lengths",
@@ -44,7 +44,6 @@ rules! {
     why: "The receiver compares the two frames bit by bit. After objects of different lengths it compares unrelated bits, and the device enters its safe state.",
     example: "`[1381sub1]` with `DefaultValue=0x61000108` and `[1381sub2]` with `DefaultValue=0x61010110`",
     remedy: "Map the matching inverted object.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/wrong-mapping-count" = WRONG_MAPPING_COUNT, Error, Facts(wrong_mapping_count);
     summary: "the number of mapped objects of an SRDO is not valid",
@@ -52,7 +51,6 @@ rules! {
     why: "Entries are pairs of a plain and an inverted object. A device rejects an odd number and an entry without an object.",
     example: "`[1381sub0]` with `DefaultValue=3`",
     remedy: "Map the inverted object of each plain one, and count both.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error, Facts(wrong_mapping_length);
     summary: "the length in an SRDO mapping differs from the length of the object",
@@ -60,7 +58,6 @@ rules! {
     why: "The device rejects the mapping, or reads the following objects from the wrong position of the frame.",
     example: "`[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is UNSIGNED8",
     remedy: "Write the length of the data type in bits as the last two digits.",
-    source: "EN 50325-5 (CiA 304)",
 }
 
 fn invalid_inverted_object(device: &Device, findings: &mut Findings) {

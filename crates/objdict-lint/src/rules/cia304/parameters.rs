@@ -6,13 +6,14 @@ use crate::rule::rules;
 use crate::{Facts, Srdo, stated};
 
 rules! {
+    source: "EN 50325-5 (CiA 304)";
+
     "cia304/cob-id-collision" = COB_ID_COLLISION, Error, Facts(cob_id_collision);
     summary: "two SRDOs of the device have the same COB-ID",
     checks: "Whether the COB-IDs of all active SRDOs (information direction 1 or 2) differ.",
     why: "The device cannot distinguish the two SRDOs; one that is sent disturbs one that is received.",
     example: "`[1301sub5]` and `[1302sub5]`, both with `DefaultValue=0x101`",
     remedy: "Give each SRDO its own pair of COB-IDs.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/incomplete-srdo-parameter" = INCOMPLETE_SRDO_PARAMETER, Error, Facts(incomplete_srdo_parameter);
     summary: "an SRDO communication parameter lacks a sub-index",
@@ -20,7 +21,6 @@ rules! {
     why: "All of them are part of the safety configuration and its checksum, and none has an implicit value.",
     example: "`[1301]` with only sub-indexes 0 to 4",
     remedy: "Describe the missing sub-index.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/invalid-cob-id-pair" = INVALID_COB_ID_PAIR, Error, Facts(invalid_cob_id_pair);
     summary: "the two COB-IDs of an SRDO are not a valid pair",
@@ -28,7 +28,6 @@ rules! {
     why: "The data are sent twice, plain and inverted, with identifiers that differ in at least two bits, so that a corrupted frame is never accepted as its counterpart. A device rejects any other pair.",
     example: "`[1301sub5]` with `DefaultValue=0x101` and `[1301sub6]` with `DefaultValue=0x103`",
     remedy: "Write an odd CAN-ID and the next one; the default of the standard is FFh and 100h plus twice the node-ID.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/invalid-direction" = INVALID_DIRECTION, Error, Facts(invalid_direction);
     summary: "the information direction of an SRDO is not valid",
@@ -36,7 +35,6 @@ rules! {
     why: "The device rejects any other value, and tools do not know whether it transmits the SRDO.",
     example: "`[1301sub1]` with `DefaultValue=3`",
     remedy: "Write 0, 1 or 2.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/invalid-time" = INVALID_TIME, Error, Facts(invalid_time);
     summary: "the times of an SRDO cannot be met",
@@ -44,7 +42,6 @@ rules! {
     why: "The two frames of an SRDO must arrive within the validation time, and the next pair within the cycle time. A time of 0 can never be met; with a validation time longer than the cycle, frames of two cycles are accepted as one pair.",
     example: "`[1301sub2]` with `DefaultValue=20` and `[1301sub3]` with `DefaultValue=50`",
     remedy: "Write times in milliseconds, with the validation time not longer than the refresh time.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/srdo-without-mapping" = SRDO_WITHOUT_MAPPING, Error, Facts(srdo_without_mapping);
     summary: "an SRDO has only one of its two objects",
@@ -52,7 +49,6 @@ rules! {
     why: "The communication parameter defines when and with which identifiers the SRDO is sent, the mapping its contents. The checksum of the safety configuration covers both.",
     example: "`[1301]` without `[1381]`",
     remedy: "Add the missing object.",
-    source: "EN 50325-5 (CiA 304)",
 
     "cia304/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Error,
         Facts(wrong_transmission_type), fix Unsafe;
@@ -61,7 +57,6 @@ rules! {
     why: "SRDOs are always sent cyclically, and their safety depends on their timing. SYNC or a remote frame must not trigger them.",
     example: "`[1301sub4]` with `DefaultValue=255`",
     remedy: "Write `0xFE` and `AccessType=const`.",
-    source: "EN 50325-5 (CiA 304)",
 }
 
 fn cob_id_collision(facts: &Facts<'_>, findings: &mut Findings) {

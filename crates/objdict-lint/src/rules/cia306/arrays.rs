@@ -6,13 +6,14 @@ use crate::rule::rules;
 use crate::{Facts, demands, stated, with_others};
 
 rules! {
+    source: "CiA 301 §7.4.3, table 42";
+
     "cia306/array-of-mixed-access" = ARRAY_OF_MIXED_ACCESS, Note, Device(array_of_mixed_access);
     summary: "the entries of an ARRAY have different access types",
     checks: "Whether sub-indexes 1 to FEh of each ARRAY can all be read, and all be written, or none. `const` counts as `ro`, `rwr` and `rww` as `rw`. The rule reports one finding for the device, with every such ARRAY. Objects below 2000h are not checked, because CiA 301 and CiA 302 define their access types.",
     why: "Code generators and configuration tools treat the elements of an ARRAY alike, and often use the access type of the first one for all.",
     example: "An ARRAY with `AccessType=rw` at sub-index 1 and `AccessType=ro` at sub-index 2",
     remedy: "Correct the access type, or write `ObjectType=0x9` (RECORD) where the device profile allows it.",
-    source: "CiA 301 §7.4.3, table 42",
 
     "cia306/array-of-mixed-types" = ARRAY_OF_MIXED_TYPES, Error, Object(array_of_mixed_types), fix Unsafe;
     summary: "the entries of an ARRAY have different data types",
@@ -20,7 +21,6 @@ rules! {
     why: "Code generators use one element type for the whole array and truncate or misread the other elements.",
     example: "An ARRAY with an UNSIGNED8 at sub-index 1 and an UNSIGNED32 at sub-index 2",
     remedy: "Write `ObjectType=0x9` (RECORD), or correct the data type.",
-    source: "CiA 301 §7.4.3, table 42",
 
     "cia306/gap-in-array" = GAP_IN_ARRAY, Note, Object(gap_in_array);
     summary: "the sub-indexes of an ARRAY have a gap",

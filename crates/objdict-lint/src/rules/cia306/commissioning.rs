@@ -6,6 +6,8 @@ use crate::rule::rules;
 use crate::stated;
 
 rules! {
+    source: "CiA 306-1 §5.4";
+
     "cia306/invalid-baud-rate" = INVALID_BAUD_RATE, Error, Device(invalid_baud_rate);
     summary: "the bit rate of a DCF is not valid",
     checks: "Whether `Baudrate` is a CiA 301 bit rate (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it according to `BaudRate_x`. 0, which tools write when no bit rate is selected, is a warning.",
@@ -28,7 +30,6 @@ rules! {
     why: "Without node-ID and bit rate, the node cannot be addressed, and formulas with `$NODEID` have no value.",
     example: "An EDS that was renamed to .dcf",
     remedy: "Add the section with `NodeID` and `Baudrate`.",
-    source: "CiA 306-1 §5.4",
 
     "cia306/missing-node-name" = MISSING_NODE_NAME, Note, Device(missing_node_name), fix Unsafe;
     summary: "a configured node has no name",
@@ -36,7 +37,6 @@ rules! {
     why: "Network tools show nodes by their names. A tool that expects the key may refuse the file.",
     example: "`[DeviceComissioning]` without `NodeName`",
     remedy: "Add `NodeName`.",
-    source: "CiA 306-1 §5.4",
 }
 
 fn invalid_baud_rate(device: &Device, findings: &mut Findings) {

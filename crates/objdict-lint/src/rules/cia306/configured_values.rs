@@ -8,6 +8,8 @@ use crate::rule::rules;
 use crate::{EntryAt, stated};
 
 rules! {
+    source: "CiA 306-1 §5.3.1";
+
     "cia306/configuration-in-eds" = CONFIGURATION_IN_EDS, Note, Device(configuration_in_eds);
     summary: "an EDS has keys of a DCF",
     checks: "Whether an EDS uses keys of a DCF: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. Only the first one is shown.",
@@ -22,7 +24,6 @@ rules! {
     why: "The file holds the data of a DOMAIN. For other entries, or in the wrong direction, tools do not transfer the file.",
     example: "`DownloadFile=program.bin` of an UNSIGNED32",
     remedy: "Remove the key and write `ParameterValue`, or correct the object type or access.",
-    source: "CiA 306-1 §5.3.1",
 
     "cia306/read-only-value" = READ_ONLY_VALUE, Warning, Entry(read_only_value), fix Unsafe;
     summary: "a DCF configures an entry that is not writable",
@@ -30,7 +31,6 @@ rules! {
     why: "Tools cannot download the value to the node, although the author expects it.",
     example: "`AccessType=const`, `DefaultValue=8` and `ParameterValue=9`",
     remedy: "Remove the `ParameterValue`, or correct `AccessType`.",
-    source: "CiA 306-1 §5.3.1",
 
     "cia306/value-of-no-download" = VALUE_OF_NO_DOWNLOAD, Note, Entry(value_of_no_download), fix Unsafe;
     summary: "a DCF configures an entry that `ObjFlags` excludes from downloads",

@@ -12,13 +12,14 @@ use crate::rule::rules;
 use crate::stated;
 
 rules! {
+    source: "CiA 306-1 §6.4";
+
     "cia306/missing-module-object" = MISSING_MODULE_OBJECT, Warning, Device(missing_module_object);
     summary: "the DCF does not describe the objects of a connected module",
     checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`: each sub-index of a fixed object, and at least as many elements of an extended object as the modules add to it; modules that share an element fill it with their bits.",
     why: "The DCF describes the complete station including its modules. Objects of modules that are not described are not configured.",
     example: "`1=2` in `[ConnectedModules]` and `1=0x6423` in `[M2FixedObjects]` without `[6423]`",
     remedy: "Describe the objects as defined by the modules.",
-    source: "CiA 306-1 §6.4",
 
     "cia306/module-numbering" = MODULE_NUMBERING, Error, Device(module_numbering), fix Safe;
     summary: "the modules are not numbered consecutively from 1",
@@ -35,7 +36,6 @@ rules! {
     why: "The objects of such a module are unknown.",
     example: "`2=7` in `[ConnectedModules]` of a coupler with five modules",
     remedy: "Write the number of a described module, or copy the module description from the EDS.",
-    source: "CiA 306-1 §6.4",
 }
 
 fn missing_module_object(device: &Device, findings: &mut Findings) {

@@ -5,13 +5,14 @@ use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place, Value};
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 306-1 §4.5";
+
     "cia306/identity-mismatch" = IDENTITY_MISMATCH, Error, Device(identity_mismatch), fix Unsafe;
     summary: "`[DeviceInfo]` and the identity object disagree",
     checks: "Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` equal 1018h sub-indexes 1, 2 and 3, where both values are given. In a DCF, the configured value counts before the default. The finding is a warning if one of the two is 0, because it was probably never filled in, and if only the configured value differs.",
     why: "A tool looks up the EDS by the values read from 1018h. With different numbers in `[DeviceInfo]`, the tool finds no EDS or the wrong one.",
     example: "`VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`",
     remedy: "Write the number that the device reports in both places.",
-    source: "CiA 306-1 §4.5",
 
     "cia306/missing-device-info-key" = MISSING_DEVICE_INFO_KEY, Warning,
         Device(missing_device_info_key), fix Unsafe;
@@ -20,7 +21,6 @@ rules! {
     why: "A configuration tool looks up the description by its numbers and uses the other keys to enable its functions. A conformance test refuses the file.",
     example: "`[DeviceInfo]` without `NrOfRXPDO`",
     remedy: "Add the keys. Write 0 for unsupported features.",
-    source: "CiA 306-1 §4.5",
 
     "cia306/no-baud-rate" = NO_BAUD_RATE, Warning, Device(no_baud_rate);
     summary: "no supported bit rate is given",
@@ -28,7 +28,6 @@ rules! {
     why: "Configuration tools offer only the bit rates given here, so they offer none.",
     example: "`[DeviceInfo]` without any `BaudRate_x`",
     remedy: "Add `BaudRate_125=1` and the other supported bit rates.",
-    source: "CiA 306-1 §4.5",
 
     "cia306/reserved-key" = RESERVED_KEY, Note, Device(reserved_key), fix Safe;
     summary: "`[DeviceInfo]` has a key of EDS version 3.0",
@@ -36,7 +35,6 @@ rules! {
     why: "Version 4.0 reserves these keys and readers ignore them, so their values have no effect.",
     example: "`ExtendedBootUpMaster=0`",
     remedy: "Remove the keys.",
-    source: "CiA 306-1 §4.5",
 }
 
 fn identity_mismatch(device: &Device, findings: &mut Findings) {

@@ -5,13 +5,14 @@ use crate::model::{Device, DeviceKind, Field, FileInfo, Part, Place};
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 306-1 §4.4";
+
     "cia306/eds-version" = EDS_VERSION, Warning, Device(eds_version), fix Unsafe;
     summary: "`EDSVersion` is not a valid version",
     checks: "Whether `EDSVersion` has the form digit, dot, digit. A missing version means 3.0; a missing version and versions before 4.0 are notes.",
     why: "Tools use the version to decide which keys to expect: files of version 3.0 have no `ObjFlags`, no compact storage and no modules. `404` and `4.04` are numbers of other documents.",
     example: "`EDSVersion=404`",
     remedy: "Write `EDSVersion=4.0`.",
-    source: "CiA 306-1 §4.4",
 
     "cia306/implausible-date" = IMPLAUSIBLE_DATE, Note, Device(implausible_date);
     summary: "the date is before the first EDS files",
@@ -19,7 +20,6 @@ rules! {
     why: "The computer's clock was not set, or month and day digits ended up in the year. Tools that look for the newer of two files choose the wrong one.",
     example: "`CreationDate=01-01-1980`",
     remedy: "Correct the date.",
-    source: "CiA 306-1 §4.4",
 
     "cia306/missing-file-info-key" = MISSING_FILE_INFO_KEY, Warning,
         Device(missing_file_info_key), fix Unsafe;
@@ -28,7 +28,6 @@ rules! {
     why: "Configuration tools distinguish files of one device by version and date. A conformance test refuses the file.",
     example: "`[FileInfo]` without `FileRevision`",
     remedy: "Add the keys. Write `FileRevision=0` if revisions are not counted.",
-    source: "CiA 306-1 §4.4",
 
     "cia306/missing-last-eds" = MISSING_LAST_EDS, Note, Device(missing_last_eds);
     summary: "a DCF does not name its EDS",
@@ -44,7 +43,6 @@ rules! {
     why: "One of the dates is wrong, perhaps with day and month swapped, so tools cannot decide which of two files is newer.",
     example: "`CreationDate=11-18-2024` and `ModificationDate=03-04-2024`",
     remedy: "Correct the date. The order is month, day, year.",
-    source: "CiA 306-1 §4.4",
 }
 
 fn eds_version(device: &Device, findings: &mut Findings) {

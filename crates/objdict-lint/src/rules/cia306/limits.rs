@@ -8,13 +8,14 @@ use crate::rule::rules;
 use crate::{EntryAt, stated};
 
 rules! {
+    source: "CiA 306-1 §4.6.3.2";
+
     "cia306/fixed-by-limits" = FIXED_BY_LIMITS, Note, Entry(fixed_by_limits);
     summary: "the limits of an entry allow only one value",
     checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value.",
     why: "With only one allowed value, the entry is effectively a constant. Often a limit still has its initial value.",
     example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
     remedy: "Correct the limits, or remove them.",
-    source: "CiA 306-1 §4.6.3.2",
 
     "cia306/limits-on-text" = LIMITS_ON_TEXT, Warning, Entry(limits_on_text), fix Unsafe;
     summary: "a string has limits",
@@ -22,7 +23,6 @@ rules! {
     why: "Strings have no defined order, so limits have no meaning. They may have been meant as lengths, or the data type is wrong.",
     example: "`DataType=0x0009` with `HighLimit=20`",
     remedy: "Remove the limits, or correct the data type.",
-    source: "CiA 306-1 §4.6.3.2",
 
     "cia306/low-limit-above-high" = LOW_LIMIT_ABOVE_HIGH, Error, Entry(low_limit_above_high), fix Unsafe;
     summary: "the low limit is above the high limit",
@@ -30,7 +30,6 @@ rules! {
     why: "No value is within such limits: tools refuse every value, or skip the check.",
     example: "`LowLimit=10` and `HighLimit=2`",
     remedy: "Swap the two. Write limits of signed types in decimal: `LowLimit=-128`.",
-    source: "CiA 306-1 §4.6.3.2",
 
     "cia306/single-limit" = SINGLE_LIMIT, Note, Entry(single_limit);
     summary: "an entry has only one of the two limits",
@@ -38,7 +37,6 @@ rules! {
     why: "A single limit is allowed, but tools interpret the missing one differently: 0, the end of the type's range, or no limits at all.",
     example: "`HighLimit=100`, and no `LowLimit`",
     remedy: "Add the other limit.",
-    source: "CiA 306-1 §4.6.3.2",
 
     "cia306/value-outside-limits" = VALUE_OUTSIDE_LIMITS, Error, Entry(value_outside_limits);
     summary: "a value is outside its limits",

@@ -5,6 +5,8 @@ use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 306-1 §4.6.4";
+
     "cia306/link-to-missing-object" = LINK_TO_MISSING_OBJECT, Warning,
         Object(link_to_missing_object), fix Unsafe;
     summary: "a link refers to a missing object",
@@ -12,7 +14,6 @@ rules! {
     why: "Tools show linked objects as a group; the group is incomplete.",
     example: "`1=0x6999` in `[2000ObjectLinks]`, and no `[6999]`",
     remedy: "Correct the index, or remove the link and update the count.",
-    source: "CiA 306-1 §4.6.4",
 
     "cia306/repeated-link" = REPEATED_LINK, Warning, Object(repeated_link);
     summary: "an object is linked twice",
@@ -20,7 +21,6 @@ rules! {
     why: "Tools that show linked objects as a group show the object twice.",
     example: "`1=0x6005` and `2=0x6005` in `[6000ObjectLinks]`",
     remedy: "Remove the link and decrease the count by one.",
-    source: "CiA 306-1 §4.6.4",
 }
 
 fn link_to_missing_object(device: &Device, index: u16, object: &Object, findings: &mut Findings) {

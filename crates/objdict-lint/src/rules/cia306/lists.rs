@@ -8,6 +8,8 @@ use crate::rule::rules;
 use crate::{IndexSet, ListFixes, with_members};
 
 rules! {
+    source: "CiA 306-1 §4.6.3.1";
+
     "cia306/disabled-object" = DISABLED_OBJECT, Note, Described(disabled_object);
     summary: "objects are marked as disabled, and are not checked",
     checks: "Whether objects are marked as disabled, by the property `CO_disabled` of an XDD or the comment `;CO_disabled=true` of an EDS, as CANopenEditor writes them.",
@@ -23,7 +25,6 @@ rules! {
     why: "Most readers stop at such a list entry, or show an object without name and type.",
     example: "`4=0x2000` in a list, and no `[2000]`",
     remedy: "Describe the object, or remove its list entry and update the count.",
-    source: "CiA 306-1 §4.6.3.1",
 
     "cia306/missing-section" = MISSING_SECTION, Error,
         Device(missing_section), fix Safe, explains Keys ["unknown-key"];
@@ -40,7 +41,6 @@ rules! {
     why: "Some tools create two objects, others refuse the file.",
     example: "`0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`",
     remedy: "Remove it from the list that it does not belong to, renumber the following entries and update the count.",
-    source: "CiA 306-1 §4.6.3.1",
 
     "cia306/object-not-listed" = OBJECT_NOT_LISTED, Error, Device(object_not_listed), fix Safe;
     summary: "an object is described, but not listed",
@@ -48,7 +48,6 @@ rules! {
     why: "Readers that rely on the lists, such as Lely and most C tools, do not see the object.",
     example: "`[2000]`, and `SupportedObjects=0` in `[ManufacturerObjects]`",
     remedy: "Add the index to the list of its range and update the count, or remove the section.",
-    source: "CiA 306-1 §4.6.3.1",
 
     "cia306/unsorted-list" = UNSORTED_LIST, Note, Device(unsorted_list), fix Safe;
     summary: "an object list is not in ascending order",
@@ -64,7 +63,6 @@ rules! {
     why: "Tools derive the category of an object from its list: they refuse a device whose mandatory objects are optional, and require optional objects that are listed as mandatory.",
     example: "`0x2001` in `[OptionalObjects]`",
     remedy: "Move the entry, and update the count of both lists.",
-    source: "CiA 306-1 §4.6.3.1",
 }
 
 fn disabled_object(described: &Device, findings: &mut Findings) {

@@ -10,13 +10,14 @@ use crate::model::{
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 306-1 §6.3";
+
     "cia306/invalid-extension-limit" = INVALID_EXTENSION_LIMIT, Error, Device(invalid_extension_limit);
     summary: "a module extends an object beyond its highest sub-index",
     checks: "Whether `ObjExtend` of each extension is at most 254, the highest sub-index of an element, and not below the number of sub-indexes in `Count`.",
     why: "`ObjExtend` is the sub-index after which the next object starts. With an invalid value, sub-indexes of the modules overlap or do not fit.",
     example: "`ObjExtend=4` and `Count=8` in `[M1SubExt6000]`",
     remedy: "Write 254, or 128 for CiA 401 objects with one bit per entry.",
-    source: "CiA 306-1 §6.3",
 
     "cia306/missing-module-info" = MISSING_MODULE_INFO, Error, Device(missing_module_info);
     summary: "a module lacks its product information",
@@ -24,7 +25,6 @@ rules! {
     why: "Configuration tools show these values to users who assemble modules.",
     example: "`[M1FixedObjects]` without `[M1ModuleInfo]`",
     remedy: "Add the section or the missing keys.",
-    source: "CiA 306-1 §6.3",
 
     "cia306/missing-obj-extend" = MISSING_OBJ_EXTEND, Warning, Device(missing_obj_extend), fix Unsafe;
     summary: "modules add bits to an object that cannot continue in the next one",
@@ -40,7 +40,6 @@ rules! {
     why: "The assembled device has the object only once, so only one description can be correct.",
     example: "`[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16",
     remedy: "Use the same description in all modules.",
-    source: "CiA 306-1 §6.3",
 
     "cia306/module-list-mismatch" = MODULE_LIST_MISMATCH, Error, Device(module_list_mismatch), fix Mixed;
     summary: "the lists of a module do not match its objects",
@@ -48,7 +47,6 @@ rules! {
     why: "Tools that assemble modules use the lists and ignore objects that are not listed.",
     example: "`1=0x6423` in `[M1FixedObjects]`, and no `[M1Fixed6423]`",
     remedy: "Describe the object, or correct the list and its `NrOfEntries`.",
-    source: "CiA 306-1 §6.3",
 
     "cia306/module-overlap" = MODULE_OVERLAP, Error, Device(module_overlap);
     summary: "an object is defined by a module and elsewhere",
@@ -56,7 +54,6 @@ rules! {
     why: "The object of the coupler and the object of the module share an index.",
     example: "`[6423]` and `[M1Fixed6423]`",
     remedy: "Keep only one definition.",
-    source: "CiA 306-1 §6.3",
 
     "cia306/module-without-objects" = MODULE_WITHOUT_OBJECTS, Warning, Device(module_without_objects);
     summary: "a module adds no objects",
@@ -64,7 +61,6 @@ rules! {
     why: "A configuration tool offers the module, but nothing changes when it is plugged in. Most likely its sections were forgotten or are misspelt.",
     example: "`[M2ModuleInfo]` without `[M2FixedObjects]` and `[M2SubExtends]`",
     remedy: "Describe the objects of the module, or remove the module if it has none, such as a power supply.",
-    source: "CiA 306-1 §6.3",
 }
 
 fn invalid_extension_limit(device: &Device, findings: &mut Findings) {

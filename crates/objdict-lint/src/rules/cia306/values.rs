@@ -9,6 +9,8 @@ use crate::rule::rules;
 use crate::{EntryAt, respell, stated};
 
 rules! {
+    source: "CiA 306-1 §4.6.3.2";
+
     "cia306/formula-out-of-range" = FORMULA_OUT_OF_RANGE, Error, Entry(formula_out_of_range);
     summary: "a formula exceeds the range of its data type",
     checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for the node-ID of the node.",
@@ -32,7 +34,6 @@ rules! {
     why: "Tools know a constant without asking the device. Code generated from the description contains 0 instead.",
     example: "`AccessType=const` without `DefaultValue`",
     remedy: "Write the value, or `AccessType=ro` for a value that differs between devices.",
-    source: "CiA 306-1 §4.6.3.2",
 
     "cia306/write-only-default" = WRITE_ONLY_DEFAULT, Note, Entry(write_only_default);
     summary: "a write-only entry has a default",
@@ -40,7 +41,6 @@ rules! {
     why: "The entry cannot be read back, so tools that restore or compare defaults fail at it. Mostly the entry is a command, and writing its default would execute the command.",
     example: "`AccessType=wo` and `DefaultValue=1`",
     remedy: "Remove the value, or correct the access type.",
-    source: "CiA 306-1 §4.6.3.2",
 }
 
 fn formula_out_of_range(at: &EntryAt<'_>, findings: &mut Findings) {

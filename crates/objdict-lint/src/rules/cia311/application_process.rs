@@ -7,13 +7,14 @@ use crate::model::{BitStruct, Device, Meaning, Object, Place, TypeDefinition, Ty
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 311 §6.4, annex A";
+
     "cia311/unfitting-type" = UNFITTING_TYPE, Warning, Device(unfitting_type);
     summary: "a type of the application process does not fit the entry that has it",
     checks: "Whether the members of a struct that divides a number into bit fields are inside the number and do not share bits, the values of an `enum` are in the range of the data type, and the only `subrange` of an array that begins at 0 or 1 does not end behind the last sub-index. One finding for each type.",
     why: "Tools show a bit under two names, or none; generated code reads other bits than the device writes.",
     example: r#"`<varDeclaration start="4" size="5" …>` after `<varDeclaration start="2" size="3" …>` in one struct"#,
     remedy: "Correct `start` and `size` of the members, the values or the subrange, or the entry.",
-    source: "CiA 311 §6.4, annex A",
 
     "cia311/value-without-name" = VALUE_WITHOUT_NAME, Warning, Device(value_without_name);
     summary: "a value is not in its enumeration",
@@ -21,7 +22,6 @@ rules! {
     why: "Tools that offer the names cannot show the value, and replace it by another one when they write the device.",
     example: r#"`<defaultValue value="9"/>` of a parameter whose `enum` has the values 0 to 2"#,
     remedy: "Add the value to the enumeration, or correct it.",
-    source: "CiA 311 §6.4, annex A",
 }
 
 fn unfitting_type(device: &Device, findings: &mut Findings) {

@@ -8,6 +8,8 @@ use crate::rule::rules;
 use crate::{Facts, channels};
 
 rules! {
+    source: "CiA 401 (1000h)";
+
     "cia401/channels-not-in-device-type" = CHANNELS_NOT_IN_DEVICE_TYPE, Warning,
         Applied(channels_not_in_device_type), fix Unsafe;
     summary: "the module has channels that its device type does not state",
@@ -15,7 +17,6 @@ rules! {
     why: "A master that relies on the device type does not use these channels.",
     example: "`[6401]`, and `[1000]` with `DefaultValue=0x00030191`",
     remedy: "Set the bit, in the description and in the device.",
-    source: "CiA 401 (1000h)",
 
     "cia401/channels-without-pdo" = CHANNELS_WITHOUT_PDO, Warning, Applied(channels_without_pdo);
     summary: "channels of an I/O module have no PDO",
@@ -32,7 +33,6 @@ rules! {
     why: "A master relies on the device type: it uses the channels and the PDOs that carry them. In real files the device type is nearly always copied from a larger device of the same family.",
     example: "`[1000]` with `DefaultValue=0x000F0191`, and no analogue channels",
     remedy: "Clear the bit, or describe the channels.",
-    source: "CiA 401 (1000h)",
 }
 
 fn channels_not_in_device_type(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

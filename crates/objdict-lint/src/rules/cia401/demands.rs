@@ -8,13 +8,14 @@ use crate::demands::{
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 401, the object descriptions";
+
     "cia401/different-channel-count", Warning, Against(different_channel_count);
     summary: "a parameter array and its channels have different lengths",
     checks: "Whether the parameters of channels (polarity, filter, interrupt masks, error mode and value, limits, scaling) have as many elements as there are channels. The rule accepts the number of channels of any width.",
     why: "Channels without an element cannot be configured, and a tool that accesses them by index gets an SDO abort.",
     example: "`[6000sub0]` with `DefaultValue=2`, `[6002sub0]` with `DefaultValue=1`",
     remedy: "Describe an element for each channel.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 401 requires of an I/O module is missing",
@@ -30,7 +31,6 @@ rules! {
     why: "An array without elements describes no channels.",
     example: "`[6200]` with `[6200sub0]` only",
     remedy: "Describe the elements or remove the object.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/reserved-bits", Warning, Expected(reserved_bits), fix Unsafe;
     summary: "a reserved bit of the device type of an I/O module is set",
@@ -46,7 +46,6 @@ rules! {
     why: "Masters look for bit 129 at the next index.",
     example: "`[6020sub81]`; line 129 is 6021h sub-index 1",
     remedy: "Continue at the next index after 128 lines.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/wrong-access", Error, Expected(wrong_access), fix Unsafe;
     summary: "a channel or parameter of an I/O module has the wrong access type",
@@ -54,7 +53,6 @@ rules! {
     why: "An output that is `ro` cannot be set. Tools offer a writable input for RPDOs.",
     example: "`[6200sub1]` with `AccessType=ro`",
     remedy: "Use the access type of the profile, in the description and in the device.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "a channel or parameter of an I/O module has the wrong data type",
@@ -62,7 +60,6 @@ rules! {
     why: "A master that knows the profile reads 6401h as INTEGER16. If the device uses UNSIGNED16, half of all voltages are wrong, without any error.",
     example: "`[6401sub1]` with `DataType=0x0006`; it is an INTEGER16, `0x0003`",
     remedy: "Use the data type of the profile, in the description and in the device.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/wrong-default", Warning, Expected(wrong_default), fix Unsafe;
     summary: "a parameter of an I/O module has a default other than that of CiA 401",
@@ -70,7 +67,6 @@ rules! {
     why: "After a module is replaced, the new one behaves differently until it is configured. In real files the vendor has mostly changed the trigger of analogue inputs. Outputs matter most: with an error mode of 0 they keep their state when the master fails.",
     example: "`[6206sub1]` with `DefaultValue=0x00`",
     remedy: "Use the default of the profile, in the description and in the device.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/wrong-mapping", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "a parameter of an I/O module is marked as mappable",
@@ -78,7 +74,6 @@ rules! {
     why: "A configuration tool offers the parameter for a PDO, and the device rejects the mapping.",
     example: "`[6202sub1]` with `PDOMapping=1`",
     remedy: "Write `PDOMapping=0`, unless the device really can map the parameter.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/wrong-mapping-direction", Warning, Demand(mapped_in_wrong_direction);
     summary: "a TPDO carries outputs, or an RPDO carries inputs",
@@ -94,7 +89,6 @@ rules! {
     why: "A VAR has no sub-index 1, so a master that reads the first channel gets an SDO abort.",
     example: "`[6000]` with `ObjectType=0x7`",
     remedy: "Use the object type of the profile; a single channel is an ARRAY with one element.",
-    source: "CiA 401, the object descriptions",
 
     "cia401/wrong-value", Error, Expected(wrong_value);
     summary: "a parameter of an I/O module has an undefined value",

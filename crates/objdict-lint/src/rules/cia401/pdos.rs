@@ -7,6 +7,8 @@ use crate::rule::rules;
 use crate::{Facts, MappedTo, PdoFacts, channels};
 
 rules! {
+    source: "CiA 401, default PDOs";
+
     "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning,
         Applied(wrong_default_mapping), fix Unsafe;
     summary: "the default mapping of a PDO of an I/O module differs from CiA 401",
@@ -14,7 +16,6 @@ rules! {
     why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files most PDOs that differ carry fewer channels than available, which affects only the missing ones.",
     example: "`[1A00sub1]` with `DefaultValue=0x64010110`",
     remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
-    source: "CiA 401, default PDOs",
 
     "cia401/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
         Applied(wrong_transmission_type), fix Unsafe;
@@ -23,7 +24,6 @@ rules! {
     why: "Without configuration, a master gets no inputs from a module that waits for a SYNC. With 254 the vendor, not the profile, defines when the PDO is sent.",
     example: "`[1800sub2]` with `DefaultValue=254`",
     remedy: "Write `DefaultValue=255`, in the description and in the device.",
-    source: "CiA 401, default PDOs",
 }
 
 fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -7,6 +7,8 @@ use crate::demands::{
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 402-2, IEC 61800-7-201 §7 to §16";
+
     "cia402/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 402 requires of a drive is missing",
     checks: "Whether a drive has the controlword 6040h and the statusword 6041h, and the mandatory objects of each mode that 6502h (supported drive modes) states: 6042h to 6044h, 6046h and 6048h for velocity; 607Ah, 6081h, 6083h and 6064h for profile position; 60FFh, 606Ch and 6083h for profile velocity; 6071h, 6077h and 6087h for torque; 6098h and 6099h for homing; the targets, 6064h and 60C2h for the cyclic modes. Further axes, 800h indexes apart, are checked like the first. Objects that a module of a modular device may add are not reported.",
@@ -21,7 +23,6 @@ rules! {
     why: "A factor without its divisor, or a range with one limit, has no meaning.",
     example: "`[6099]` with `[6099sub0]` and `[6099sub1]` only",
     remedy: "Describe the missing sub-index.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 
     "cia402/undefined-sub-index", Warning, Against(undefined_sub_index);
     summary: "an object of a drive has a sub-index that CiA 402 does not define",
@@ -29,7 +30,6 @@ rules! {
     why: "A later version may define the sub-index, and a master that relies on sub-index 0 reads one value too many.",
     example: "`[607Dsub3]`",
     remedy: "Move manufacturer-specific values to an object from 2000h on.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 
     "cia402/wrong-access", Warning, Expected(wrong_access), fix Unsafe;
     summary: "an entry of a drive has an access type other than that of CiA 402",
@@ -37,7 +37,6 @@ rules! {
     why: "A master that writes a read-only entry, or reads back a write-only one, gets an SDO abort.",
     example: "`AccessType=wo` in `[6040]`",
     remedy: "Correct the access type. Option codes that are `ro` because the drive has only one reaction violate the document, but do no harm unless a master writes them; hence a warning.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 
     "cia402/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "an entry of a drive has a data type other than that of CiA 402",
@@ -45,7 +44,6 @@ rules! {
     why: "A master reads and writes the value with the type of the profile: if the length differs, the device aborts the transfer and rejects the mapping; if the sign differs, a negative speed becomes the largest positive one. Every third of the real drives examined has such an entry, mostly 608Fh and 6090h as INTEGER32 or 60FFh as UNSIGNED32, and each of them violates the document.",
     example: "`DataType=0x0007` in `[60FF]`: UNSIGNED32 instead of INTEGER32",
     remedy: "Correct the data type, in the device too; or move a manufacturer-specific object out of the range of the profile.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 
     "cia402/wrong-mapping", Note, Against(wrong_mapping), fix Unsafe;
     summary: "an entry of a drive that CiA 402 keeps out of PDOs is marked as mappable",
@@ -53,7 +51,6 @@ rules! {
     why: "Tools offer the entry for mapping, and the drive would have to apply it with every SYNC.",
     example: "`PDOMapping=1` in `[605A]`",
     remedy: "Write `PDOMapping=0`, unless the drive really can map the entry.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 
     "cia402/wrong-object-type", Error, Against(wrong_object_type);
     summary: "an object of a drive has an object type other than that of CiA 402",
@@ -61,7 +58,6 @@ rules! {
     why: "A VAR has its value at sub-index 0, but a master reads sub-index 1.",
     example: "`ObjectType=0x7` in `[607D]`",
     remedy: "Use the object type of CiA 402.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 
     "cia402/wrong-value", Error, Expected(wrong_value);
     summary: "an entry of a drive has a value that CiA 402 reserves",
@@ -69,5 +65,4 @@ rules! {
     why: "The drive rejects the value or reacts in an undefined way, such as a quick stop that does not stop.",
     example: "`DefaultValue=9` in `[605A]`, where 8 is the last defined value",
     remedy: "Use a defined value, or a negative one, which is manufacturer-specific.",
-    source: "CiA 402-2, IEC 61800-7-201 §7 to §16",
 }

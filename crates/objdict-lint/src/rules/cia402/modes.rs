@@ -7,6 +7,8 @@ use crate::rule::rules;
 use crate::{Drive, Facts, MODES};
 
 rules! {
+    source: "CiA 402-2, supported drive modes";
+
     "cia402/cyclic-mode-without-sync" = CYCLIC_MODE_WITHOUT_SYNC, Warning, Applied(cyclic_mode_without_sync);
     summary: "a drive with cyclic modes has no SYNC",
     checks: "Whether a drive whose 6502h states a cyclic synchronous mode has 1005h, the COB-ID of SYNC.",
@@ -30,7 +32,6 @@ rules! {
     why: "A master reads 6502h and does not offer the mode although the drive has it; or the objects are obsolete and have no effect.",
     example: "`[6098]` and `[6099]`, and `DefaultValue=0x00000001` in `[6502]`",
     remedy: "Set the bit of the mode, or remove its objects. A file for a family of drives may have the objects on purpose; then add an `allow` comment.",
-    source: "CiA 402-2, supported drive modes",
 
     "cia402/mode-without-display" = MODE_WITHOUT_DISPLAY, Warning, Drive(mode_without_display);
     summary: "only one of modes of operation and modes of operation display is described",
@@ -46,7 +47,6 @@ rules! {
     why: "A master finds no mode that it can use.",
     example: "`DefaultValue=0` in `[6502]`",
     remedy: "Set the bits of the modes that the drive has.",
-    source: "CiA 402-2, supported drive modes",
 
     "cia402/no-mode-selection" = NO_MODE_SELECTION, Warning, Drive(no_mode_selection);
     summary: "a drive with several modes has no object to select one",
@@ -62,7 +62,6 @@ rules! {
     why: "Masters read 6502h before they select a mode, and many do not use an axis without it. Version 2 made the object optional, since version 3 it is mandatory: more than a quarter of the real drives examined lack it, so it is a warning.",
     example: "`[6040]` without `[6502]`",
     remedy: "Describe 6502h (UNSIGNED32, `ro`) with the bits of the modes.",
-    source: "CiA 402-2, supported drive modes",
 
     "cia402/reserved-drive-mode" = RESERVED_DRIVE_MODE, Warning, Drive(reserved_drive_mode);
     summary: "6502h has a reserved bit set",
@@ -70,7 +69,6 @@ rules! {
     why: "Bit 4 was never assigned to a mode, and the others are reserved for a later version. Mostly the numbers of modes were used as bit numbers: the bit of homing, mode 6, is 5.",
     example: "`DefaultValue=0x00000010` in `[6502]`",
     remedy: "Set the bits of the modes; the bit number is the mode number minus 1. Manufacturer-specific modes use bits 16 to 31.",
-    source: "CiA 402-2, supported drive modes",
 
     "cia402/unsupported-mode" = UNSUPPORTED_MODE, Warning, Drive(unsupported_mode);
     summary: "a drive starts in a mode that it does not support",

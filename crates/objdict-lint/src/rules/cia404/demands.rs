@@ -4,13 +4,14 @@ use crate::demands::{undefined_sub_index, wrong_access, wrong_data_type, wrong_o
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 404-1, the object descriptions";
+
     "cia404/undefined-sub-index", Warning, Against(undefined_sub_index);
     summary: "an object of a measuring device has more channels than CiA 404 defines",
     checks: "Whether the objects that CiA 404 defines have only channels 1 to 199.",
     why: "Sub-indexes above C7h are not channels, so tools do not look for values there.",
     example: "`[7130subC8]`",
     remedy: "Move manufacturer-specific values to an object from 2000h on.",
-    source: "CiA 404-1, the object descriptions",
 
     "cia404/wrong-access", Warning, Expected(wrong_access), fix Unsafe;
     summary: "a channel of a measuring device has an access type other than that of CiA 404",
@@ -18,7 +19,6 @@ rules! {
     why: "Tools offer to write a measured value that is not `ro`, and a limit that is `ro` cannot be set.",
     example: "`AccessType=rw` in `[7130sub1]`",
     remedy: "Correct the access type.",
-    source: "CiA 404-1, the object descriptions",
 
     "cia404/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "a channel of a measuring device has a data type other than that of CiA 404",
@@ -26,7 +26,6 @@ rules! {
     why: "The index determines the type: a master that reads 7130h interprets two bytes as INTEGER16.",
     example: "`DataType=0x0008` in `[7130sub1]`: REAL32 in the range of INTEGER16",
     remedy: "Move the object to the range of its type, such as 6130h for REAL32, or correct the type.",
-    source: "CiA 404-1, the object descriptions",
 
     "cia404/wrong-object-type", Error, Against(wrong_object_type);
     summary: "an object of a measuring device has an object type other than that of CiA 404",
@@ -34,5 +33,4 @@ rules! {
     why: "A VAR has its value at sub-index 0, but a master reads sub-index 1.",
     example: "`ObjectType=0x7` in `[7130]`",
     remedy: "Make it an ARRAY with one sub-index per channel, even for a single channel.",
-    source: "CiA 404-1, the object descriptions",
 }

@@ -8,13 +8,14 @@ use crate::demands::{
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 406, the object descriptions";
+
     "cia406/different-channel-count", Warning, Against(different_channel_count);
     summary: "an object of an encoder and its sensors or channels have different lengths",
     checks: "Whether 6010h and 650Ch have as many elements as 6020h, 6301h and 6302h as many as 6300h, 6401h and 6402h as many as 6400h.",
     why: "A sensor without an element has no preset, and a work area without an element has no limit.",
     example: "`[6020sub0]` with `DefaultValue=2`, `[6010sub0]` with `DefaultValue=1`",
     remedy: "Describe one element per sensor or channel.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/misplaced-object", Warning, Against(misplaced_object);
     summary: "a rotary encoder has an object of linear encoders, or vice versa",
@@ -22,7 +23,6 @@ rules! {
     why: "The object has no meaning in this device, or the type in 1000h is wrong, and with it the meaning of all values.",
     example: "`[6005]` in an encoder with `[1000]` `DefaultValue=0x00020196`",
     remedy: "Remove the object or correct the type.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 406 requires of an encoder is missing",
@@ -38,7 +38,6 @@ rules! {
     why: "An array without elements describes nothing.",
     example: "`[6030]` with `[6030sub0]` only",
     remedy: "Describe the sub-index or remove the object.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/reserved-bits", Warning, Expected(reserved_bits), fix Unsafe;
     summary: "a reserved bit of an encoder parameter is set",
@@ -54,7 +53,6 @@ rules! {
     why: "A later edition may define the sub-index differently, and tools that know the profile do not show it.",
     example: "`[650Asub4]`",
     remedy: "Move manufacturer-specific values to 2000h to 5FFFh.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/unknown-encoder-type", Error, Expected(undefined_field_value);
     summary: "the device type states an encoder type that CiA 406 does not define",
@@ -70,7 +68,6 @@ rules! {
     why: "Tools offer to write a position that is not `ro`, and a preset that is `ro` cannot be set.",
     example: "`[6500]` with `AccessType=rw`",
     remedy: "Use the access type of the profile, in the description and in the device.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "an entry of an encoder has the wrong data type",
@@ -78,7 +75,6 @@ rules! {
     why: "A position of another length does not fit the mapping of TPDO 1, and the device rejects a preset of another length.",
     example: "`[6004]` with `DataType=0x0006`; a position has 32 bits",
     remedy: "Use the data type of the profile, in the description and in the device.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/wrong-mapping", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "a parameter of an encoder is marked as mappable",
@@ -86,7 +82,6 @@ rules! {
     why: "A configuration tool offers the parameter for a PDO, and the device rejects the mapping.",
     example: "`[6502]` with `PDOMapping=1`",
     remedy: "Write `PDOMapping=0`, unless the device really can map the parameter.",
-    source: "CiA 406, the object descriptions",
 
     "cia406/wrong-object-type", Error, Against(wrong_object_type);
     summary: "an object of an encoder has the wrong object type",
@@ -94,5 +89,4 @@ rules! {
     why: "A master that reads 6004h does not find a position at sub-index 1, and the mapping 60040020h does not fit.",
     example: "`[6004]` with `ObjectType=0x8`",
     remedy: "Use the object type of the profile: 6004h is a VAR, objects per sensor or channel are ARRAYs.",
-    source: "CiA 406, the object descriptions",
 }

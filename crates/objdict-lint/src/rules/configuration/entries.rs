@@ -9,13 +9,14 @@ use crate::rule::rules;
 use crate::stated;
 
 rules! {
+    source: "CiA 306-1 §4.6.3.2, §5.3";
+
     "configuration/different-access" = DIFFERENT_ACCESS, Warning, Configured(different_access);
     summary: "an entry of a configuration has another access type than in its EDS",
     checks: "Whether each entry of a DCF has the `AccessType` of its EDS, where both state one. `ro` and `const` are the same here: neither is downloaded.",
     why: "A tool downloads what the device does not let it write, or leaves out what it must write.",
     example: "`AccessType=rw` in the DCF, and `AccessType=ro` in the EDS",
     remedy: "Write the access type of the EDS, or check with the EDS of the device.",
-    source: "CiA 306-1 §4.6.3.2, §5.3",
 
     "configuration/different-default" = DIFFERENT_DEFAULT, Warning, Configured(different_default);
     summary: "an entry of a configuration has another default than in its EDS",
@@ -31,7 +32,6 @@ rules! {
     why: "A tool that checks values with the DCF accepts what the device rejects, or the reverse.",
     example: "`HighLimit=200` in the DCF, and `HighLimit=100` in the EDS",
     remedy: "Write the limit of the EDS, or check with the EDS of the device.",
-    source: "CiA 306-1 §4.6.3.2, §5.3",
 
     "configuration/different-type" = DIFFERENT_TYPE, Error, Configured(different_type);
     summary: "an entry of a configuration has another data type than in its EDS",
@@ -39,7 +39,6 @@ rules! {
     why: "A download has the length of the wrong type: the device rejects it with abort code 06070010h, or takes other bytes.",
     example: "`DataType=0x0005` in the DCF, and `DataType=0x0006` in the EDS",
     remedy: "Write the data type of the EDS, or check with the EDS of the device.",
-    source: "CiA 306-1 §4.6.3.2, §5.3",
 
     "configuration/unknown-entry" = UNKNOWN_ENTRY, Warning, Configured(unknown_entry);
     summary: "a configuration has an object or a sub-index that its EDS does not have",

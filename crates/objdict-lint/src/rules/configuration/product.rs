@@ -6,13 +6,14 @@ use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule::rules;
 
 rules! {
+    source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21";
+
     "configuration/other-device" = OTHER_DEVICE, Error, Configured(other_device);
     summary: "a configuration is for another device than its EDS",
     checks: "Whether `VendorNumber` and `ProductNumber` of a DCF are those of its EDS, and vendor-ID and product code in 1018h too. If they are not, no other difference is reported.",
     why: "The configuration belongs to another product: its entries may not exist in the device, or mean something else.",
     example: "`ProductNumber=0x11` in the DCF, and `ProductNumber=0x10` in the EDS",
     remedy: "Name the EDS of the device with `--eds`, or in `LastEDS`; or make the DCF anew.",
-    source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
 
     "configuration/other-revision" = OTHER_REVISION, Warning, Configured(other_revision);
     summary: "a configuration is for another revision than its EDS",
@@ -20,7 +21,6 @@ rules! {
     why: "A manager that compares the revision does not boot the node, and objects of the other revision can differ.",
     example: "`RevisionNumber=0x00010000` in the DCF, and `RevisionNumber=0x00020000` in the EDS",
     remedy: "Make the DCF anew from the EDS of the device, or name the EDS that it was made from.",
-    source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
 }
 
 fn other_device(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {

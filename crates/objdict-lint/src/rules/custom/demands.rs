@@ -7,13 +7,14 @@ use crate::demands::{
 use crate::rule::rules;
 
 rules! {
+    source: "the loaded profile";
+
     "custom/misplaced-object", Warning, Against(misplaced_object);
     summary: "a custom profile defines the object for other devices only",
     checks: "Whether the condition in `only` of a loaded profile holds.",
     why: "The object has no meaning in this device, or the description of the device is wrong.",
     example: r#"`only = "if 1000h[16]"` in the profile, and a device type with bit 16 clear"#,
     remedy: "Remove the object, or correct the values that the condition depends on.",
-    source: "the loaded profile",
 
     "custom/missing-object", Error, Demand(missing_object);
     summary: "an object that a custom profile requires is missing",
@@ -21,7 +22,6 @@ rules! {
     why: "Project software relies on the object.",
     example: r#"`need = "mandatory"` in the profile, and no `[2000]` in the description"#,
     remedy: "Describe the object and implement it in the device; or correct the condition in the profile.",
-    source: "the loaded profile",
 
     "custom/missing-sub-index", Error, Against(missing_entry);
     summary: "a sub-index that a custom profile requires is missing",
@@ -29,7 +29,6 @@ rules! {
     why: "Project software relies on the sub-index.",
     example: r#"`{ sub = 3, need = "mandatory" }` in the profile, and no `[2000sub3]`"#,
     remedy: "Describe the sub-index and implement it in the device.",
-    source: "the loaded profile",
 
     "custom/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "an object has a sub-index that a custom profile does not define",
@@ -37,7 +36,6 @@ rules! {
     why: "Project tools do not show the sub-index, and a later edition of the profile may define it differently.",
     example: "`[2000sub3]` where the profile ends with sub-index 2",
     remedy: "Move it to an object of its own, or add it to the profile.",
-    source: "the loaded profile",
 
     "custom/wrong-access", Error, Expected(wrong_access), fix Unsafe;
     summary: "an entry has an access type that a custom profile does not allow",
@@ -45,7 +43,6 @@ rules! {
     why: "The device rejects a write that the profile allows, or a constant can be changed.",
     example: "`AccessType=ro` where the profile says `rw`",
     remedy: "Use the access type of the profile, in the description and in the device.",
-    source: "the loaded profile",
 
     "custom/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "an entry has a data type other than that of a custom profile",
@@ -53,7 +50,6 @@ rules! {
     why: "The device rejects a write with the length of the profile.",
     example: "`DataType=0x0005` where the profile says `UNSIGNED16`",
     remedy: "Use the data type of the profile, in the description and in the device.",
-    source: "the loaded profile",
 
     "custom/wrong-default", Warning, Expected(wrong_default), fix Unsafe;
     summary: "an entry has a default other than that of a custom profile",
@@ -61,7 +57,6 @@ rules! {
     why: "An unconfigured node behaves differently from the others.",
     example: "`DefaultValue=100` where the profile says `default = 50`",
     remedy: "Use the default of the profile, in the description and in the device.",
-    source: "the loaded profile",
 
     "custom/wrong-mapping", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "an entry that a custom profile keeps out of PDOs is marked as mappable",
@@ -69,7 +64,6 @@ rules! {
     why: "A configuration tool offers the entry for a PDO, and the device rejects the mapping.",
     example: r#"`PDOMapping=1` where the profile says `mapping = "no"`"#,
     remedy: "Write `PDOMapping=0`.",
-    source: "the loaded profile",
 
     "custom/wrong-object-type", Error, Against(wrong_object_type);
     summary: "an object has an object type other than that of a custom profile",
@@ -77,7 +71,6 @@ rules! {
     why: "A tool that knows the profile does not find the sub-indexes.",
     example: "`ObjectType=0x8` where the profile says `RECORD`",
     remedy: "Use the object type of the profile.",
-    source: "the loaded profile",
 
     "custom/wrong-value", Error, Expected(wrong_value);
     summary: "an entry has a value that a custom profile does not allow",
@@ -85,5 +78,4 @@ rules! {
     why: "The device rejects the value, or its behaviour is undefined.",
     example: "`DefaultValue=300` where the profile says `values = [[0, 200]]`",
     remedy: "Use a value of the profile.",
-    source: "the loaded profile",
 }

@@ -6,13 +6,14 @@ use crate::model::{DataType, Device, Field, Object, Place, TypeKind};
 use crate::rule::rules;
 
 rules! {
+    source: "Not in a standard";
+
     "naming/long-name" = LONG_NAME, Note, Entry(long_name);
     summary: "a name is longer than a line of text",
     checks: "Whether each name has at most 100 characters. The limit of CiA 306-1, 241, applies to the line and has its own rule.",
     why: "Tools show names in columns and truncate them, identifiers made from them lose their end, and often the text is a description.",
     example: "A `ParameterName` of two sentences",
     remedy: "Shorten the name; move explanations to a comment or the manual.",
-    source: "Not in a standard",
 
     "naming/placeholder" = PLACEHOLDER, Note, Entry(placeholder);
     summary: "a name is a placeholder",
@@ -20,7 +21,6 @@ rules! {
     why: "Users of the device cannot know the purpose of the entry.",
     example: "`ParameterName=New object`",
     remedy: "Write a descriptive name.",
-    source: "Not in a standard",
 
     "naming/repeated-blanks" = REPEATED_BLANKS, Note, Entry(repeated_blanks), fix Unsafe;
     summary: "a name has extra spaces",
@@ -28,7 +28,6 @@ rules! {
     why: "Tools that look up an entry by the visible name do not find it, and comparisons show changes that are not visible.",
     example: "`ParameterName=Motor  speed`",
     remedy: "Remove the extra spaces.",
-    source: "Not in a standard",
 
     "naming/type-in-name" = TYPE_IN_NAME, Note, Entry(type_in_name);
     summary: "the name contains another type than the entry has",
@@ -36,7 +35,6 @@ rules! {
     why: "The type was changed without the name, or vice versa. Programs that rely on the name read the wrong number of bytes.",
     example: "`ParameterName=Speed_U16` with `DataType=0x0007`",
     remedy: "Correct the type or the name.",
-    source: "Not in a standard",
 
     "naming/unordered-numbering" = UNORDERED_NUMBERING, Note, Object(unordered_numbering);
     summary: "the numbers in element names are not in the order of the sub-indexes",
@@ -44,7 +42,6 @@ rules! {
     why: "Usually lines were swapped: software that sets element 3 by its name sets another element.",
     example: "`[2000sub1]` to `[2000sub3]` called `Input 1`, `Input 3` and `Input 2`",
     remedy: "Number the names in the order of the sub-indexes.",
-    source: "Not in a standard",
 }
 
 /// The maximum length of a name that is not reported.

@@ -6,6 +6,8 @@ use crate::rule::rules;
 use crate::stated;
 
 rules! {
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026";
+
     "portability/auto-baud-rate" = AUTO_BAUD_RATE, Error, Device(auto_baud_rate);
     summary: "a tool does not know `BaudRate_auto`",
     checks: "Whether `[DeviceInfo]` has the key `BaudRate_auto`.",
@@ -28,7 +30,6 @@ rules! {
     why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
     example: "`[DynamicChannels]`",
     remedy: "Use a copy without the section for the tool; network variables then have no segments.",
-    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/modules" = MODULES, Error, Device(modules);
     summary: "a tool does not know modules",
@@ -52,7 +53,6 @@ rules! {
     why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
     example: "`[2000ObjectLinks]`",
     remedy: "Use a copy without the section for the tool: the section only groups objects.",
-    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/parameter-reference" = PARAMETER_REFERENCE, Note, Device(parameter_reference);
     summary: "a tool drops a reference designator",
@@ -68,7 +68,6 @@ rules! {
     why: "dcf-tools refuses a file with unknown keys; python-canopen and CANopenEditor write files without them.",
     example: "`SRDOMapping=1`",
     remedy: "Use a copy of the file without these keys for the tool.",
-    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/sub-index-255" = SUB_INDEX_255, Error, Device(sub_index_255);
     summary: "an object has sub-index FFh",
@@ -84,7 +83,6 @@ rules! {
     why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the sections.",
     example: "`[Tools]` and `[Tool1]`",
     remedy: "Use a copy without the sections for the tool. No device needs them.",
-    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/type-definition" = TYPE_DEFINITION, Error, Device(type_definition);
     summary: "the file defines data types",

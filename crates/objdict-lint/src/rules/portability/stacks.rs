@@ -7,6 +7,8 @@ use crate::stack;
 use objdict_model::canopennode::Cause;
 
 rules! {
+    source: "CANopen.c of CANopenNode 4";
+
     "portability/mapped-bits" = MAPPED_BITS, Warning, Device(mapped_bits);
     summary: "a PDO maps single bits",
     checks: "Whether the default mapping has entries whose length is not a multiple of eight bits.",
@@ -29,7 +31,6 @@ rules! {
     why: "CANopenNode does not compile; PDOs above 255 are ignored because the count is a byte.",
     example: "1016h with 128 elements",
     remedy: "Describe fewer objects, or use the count label for one object only.",
-    source: "CANopen.c of CANopenNode 4",
 
     "portability/service-gap" = SERVICE_GAP, Warning, Device(service_gap);
     summary: "the objects of a service are not consecutive",
@@ -37,7 +38,6 @@ rules! {
     why: "CANopenNode takes consecutive entries of its object list, starting at the first. After a gap it uses the wrong objects; without the first one it does not compile.",
     example: "1800h and 1802h without 1801h",
     remedy: "Number the PDOs without a gap. Set bit 31 of the COB-ID of unused PDOs (not valid).",
-    source: "CANopen.c of CANopenNode 4",
 
     "portability/service-object-missing" = SERVICE_OBJECT_MISSING, Error, Device(service_object_missing);
     summary: "an object required by a stack is missing",
@@ -45,7 +45,6 @@ rules! {
     why: "CANopenNode is compiled with the objects of its services and does not compile if one of them is missing, although most of them are optional in CiA 301.",
     example: "no `[1017]`",
     remedy: "Describe the object. A producer heartbeat time of 0 and an EMCY COB-ID with bit 31 set (not valid) disable the services.",
-    source: "CANopen.c of CANopenNode 4",
 }
 
 fn mapped_bits(device: &Device, findings: &mut Findings) {

@@ -7,15 +7,16 @@ use crate::xdd::version::XddVersion;
 use crate::xml::Element;
 
 text_rules! {
-    UNKNOWN_NAMESPACE = "cia311/unknown-namespace", Warning;
+    source: "CiA 311 annex A";
+
+    "cia311/unknown-namespace" = UNKNOWN_NAMESPACE, Warning;
     summary: "the file is in no namespace of CiA 311",
     checks: "Whether the container is in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read in any case.",
     why: "Tools that check the namespace, such as CANopenEditor, reject the file.",
     example: "`<ISO15745ProfileContainer>` without `xmlns`",
     remedy: r#"Add `xmlns="http://www.canopen.org/xml/1.1"`, and `xmlns=""` to the elements that version 1.1 keeps in no namespace."#,
-    source: "CiA 311 annex A",
 
-    ELEMENT_FORM = "cia311/element-form", Warning;
+    "cia311/element-form" = ELEMENT_FORM, Warning;
     summary: "elements are in a namespace where they must be in none, or vice versa",
     checks: "Whether the local elements of version 1.1, such as `ProfileHeader`, `CANopenObject` and `label`, are in no namespace, and all others in that of the file. In version 1.0 all elements are in the namespace. Only the first element is reported, with the number of others.",
     why: "Tools that check the namespace, such as CANopenEditor, ignore such elements with their content. Others check only the names.",
@@ -23,13 +24,12 @@ text_rules! {
     remedy: r#"Add `xmlns=""` to `ProfileHeader` and `ProfileBody`, and a prefix to the names of the global elements in them."#,
     source: "CiA 311 annex A (`elementFormDefault`)",
 
-    MIXED_NAMESPACES = "cia311/mixed-namespaces", Warning;
+    "cia311/mixed-namespaces" = MIXED_NAMESPACES, Warning;
     summary: "an element and its container are in different namespaces",
     checks: "Whether all elements of CiA 311 are in the namespace of the container or in none. Only the first one is reported, with the number of others.",
     why: "Part of the file follows another version or standard, and tools that check the namespace ignore it.",
     example: r#"`xmlns:q1="http://www.canopen.org/xml/1.0"` in a file of version 1.1"#,
     remedy: "Declare one namespace in the whole file.",
-    source: "CiA 311 annex A",
 }
 
 /// How the elements of a container use namespaces.

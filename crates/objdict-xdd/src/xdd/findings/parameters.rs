@@ -10,45 +10,42 @@ use super::number::Number;
 use super::walk::Walk;
 
 text_rules! {
-    VALUE_NOT_ALLOWED = "cia311/value-not-allowed", Warning;
+    source: "CiA 311 annex A";
+
+    "cia311/value-not-allowed" = VALUE_NOT_ALLOWED, Warning;
     summary: "a parameter has a value outside its allowed values",
     checks: "Whether the default and the actual value of a parameter are among its `allowedValues`, if these list values or several ranges. `cia306/value-outside-limits` checks a single range, which defines the limits of the entry.",
     why: "Tools that offer the allowed values cannot show the actual one; tools that check reject it.",
     example: r#"`<defaultValue value="3"/>` with the allowed values 0, 1 and 2"#,
     remedy: "Add the value to the allowed values, or use another one.",
-    source: "CiA 311 annex A",
 
-    MIN_ABOVE_MAX = "cia311/min-above-max", Error;
+    "cia311/min-above-max" = MIN_ABOVE_MAX, Error;
     summary: "the lower end of a range is above the upper end",
     checks: "Whether `minValue` of a range is not greater than `maxValue`, if both are numbers. `cia306/low-limit-above-high` checks the single range of a parameter that one entry refers to, which defines the limits of the entry.",
     why: "No value is in the range.",
     example: r#"`<range><minValue value="10"/><maxValue value="1"/></range>`"#,
     remedy: "Swap the values.",
-    source: "CiA 311 annex A",
 
-    DUPLICATE_PROPERTY = "cia311/duplicate-property", Warning;
+    "cia311/duplicate-property" = DUPLICATE_PROPERTY, Warning;
     summary: "a property is defined twice",
     checks: "Whether the properties of a parameter have different names.",
     why: "Some tools use the first value, some the last one.",
     example: r#"`<property name="CO_storageGroup" value="RAM"/>` and `<property name="CO_storageGroup" value="ROM"/>`"#,
     remedy: "Keep one of them.",
-    source: "CiA 311 annex A",
 
-    MISSING_CONDITION = "cia311/missing-condition", Note;
+    "cia311/missing-condition" = MISSING_CONDITION, Note;
     summary: "a parameter has conditional support without a condition",
     checks: r#"Whether a parameter with `support="conditional"` has `conditionalSupport`."#,
     why: "Tools cannot determine when the device has the parameter.",
     example: r#"`<parameter uniqueID="P" support="conditional">` without `conditionalSupport`"#,
     remedy: "Add `conditionalSupport` with the parameters that it depends on, or write `mandatory` or `optional`.",
-    source: "CiA 311 annex A",
 
-    AMBIGUOUS_MEMBER = "cia311/ambiguous-member", Warning;
+    "cia311/ambiguous-member" = AMBIGUOUS_MEMBER, Warning;
     summary: "a member of a variable has both an id and an index, or neither",
     checks: "Whether `memberRef` has either `uniqueIDRef`, for a member of a struct, or `index`, for an element of an array.",
     why: "The referenced part of the variable is ambiguous.",
     example: "`<memberRef/>`",
     remedy: "Write one of the two attributes.",
-    source: "CiA 311 annex A",
 }
 
 /// All rules of this module.

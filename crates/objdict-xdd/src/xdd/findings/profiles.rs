@@ -9,23 +9,23 @@ use crate::xml::{Element, Name, n};
 use super::walk::Walk;
 
 text_rules! {
-    MISSING_BODY_TYPE = "cia311/missing-body-type", Error;
+    source: "CiA 311 annex A";
+
+    "cia311/missing-body-type" = MISSING_BODY_TYPE, Error;
     summary: "a profile body does not state its type",
     checks: "Whether `ProfileBody` has `xsi:type`. Without it the type is derived from the content.",
     why: "The type is abstract in the schema: tools that rely on `xsi:type` cannot read the body.",
     example: r#"`<ProfileBody fileName="drive.xdd">`"#,
     remedy: r#"Add `xsi:type="ProfileBody_Device_CANopen"` or `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`, with the prefix of the namespace where it has one."#,
-    source: "CiA 311 annex A",
 
-    UNKNOWN_BODY_TYPE = "cia311/unknown-body-type", Error;
+    "cia311/unknown-body-type" = UNKNOWN_BODY_TYPE, Error;
     summary: "a profile body has a type that CiA 311 does not define",
     checks: "Whether `xsi:type` is `ProfileBody_Device_CANopen` or `ProfileBody_CommunicationNetwork_CANopen`, with any prefix. Otherwise the type is derived from the content.",
     why: "Tools reject the file, or ignore the body.",
     example: r#"`xsi:type="ProfileBody_CANopen"`"#,
     remedy: "Write one of the two types.",
-    source: "CiA 311 annex A",
 
-    MISSING_PROFILE = "cia311/missing-profile", Warning,
+    "cia311/missing-profile" = MISSING_PROFILE, Warning,
         explains NoObjects ["missing-mandatory-object", "no-baud-rate"];
     summary: "one of the two profiles is missing",
     checks: "Whether the container has a device profile and a communication network profile. A missing communication network profile, which contains the object dictionary, is an error, a missing device profile a warning.",
@@ -34,7 +34,7 @@ text_rules! {
     remedy: "Add the other profile.",
     source: "CiA 311 §5",
 
-    DUPLICATE_PROFILE = "cia311/duplicate-profile", Error;
+    "cia311/duplicate-profile" = DUPLICATE_PROFILE, Error;
     summary: "a profile is defined twice",
     checks: "Whether there is one body of each type. The first one is used.",
     why: "Some tools use the first one, some the last one.",
@@ -42,37 +42,33 @@ text_rules! {
     remedy: "Keep one of them; describe another device in a file of its own.",
     source: "CiA 311 §5",
 
-    PROFILE_CLASS_MISMATCH = "cia311/profile-class-mismatch", Warning;
+    "cia311/profile-class-mismatch" = PROFILE_CLASS_MISMATCH, Warning;
     summary: "the header of a profile states another class than its body",
     checks: "Whether `ProfileClassID` is `Device` before a device body and `CommunicationNetwork` before a communication network body.",
     why: "Tools that select the profile by its header use the wrong body.",
     example: "`<ProfileClassID>Device</ProfileClassID>` before `ProfileBody_CommunicationNetwork_CANopen`",
     remedy: "Write the class of the body.",
-    source: "CiA 311 annex A",
 
-    CONTRADICTING_FILE_ATTRIBUTE = "cia311/contradicting-file-attribute", Warning;
+    "cia311/contradicting-file-attribute" = CONTRADICTING_FILE_ATTRIBUTE, Warning;
     summary: "the two profiles contradict each other about the file",
     checks: "Whether `fileName`, `fileVersion`, and the date, time and author of the creation are the same in both bodies, if both have them.",
     why: "Both describe the same file. Some tools show one, some the other.",
     example: r#"`fileVersion="2"` in one body and `fileVersion="1"` in the other"#,
     remedy: "Write the same value to both.",
-    source: "CiA 311 annex A",
 
-    FILE_NAME_WITH_PATH = "cia311/file-name-with-path", Note;
+    "cia311/file-name-with-path" = FILE_NAME_WITH_PATH, Note;
     summary: "the file name contains a path",
     checks: "Whether `fileName` is a name with an extension and without folders.",
     why: "The path is specific to the computer of the author.",
     example: r#"`fileName="C:\xdd\drive.xdd"`"#,
     remedy: "Write `drive.xdd`.",
-    source: "CiA 311 annex A",
 
-    CONTRADICTING_IDENTITY = "cia311/contradicting-identity", Warning;
+    "cia311/contradicting-identity" = CONTRADICTING_IDENTITY, Warning;
     summary: "the two profiles name different vendors or products",
     checks: "Whether `vendorID` and `productID` in `DeviceIdentity` and in `identity` of the application layers are the same numbers, if both have them.",
     why: "Tools compare one or the other with the identity object of the device on the bus.",
     example: "`<vendorID>0x1A3</vendorID>` in one and `<vendorID>0x1A4</vendorID>` in the other",
     remedy: "Write the same number to both.",
-    source: "CiA 311 annex A",
 }
 
 /// A body, its stated class and its actual class.

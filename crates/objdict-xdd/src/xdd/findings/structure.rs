@@ -6,16 +6,17 @@ use crate::xdd::schema::{self, Child, Occurrence};
 use crate::xml::{Attribute, Element, n};
 
 text_rules! {
-    MISSING_ELEMENT = "cia311/missing-element", Warning;
+    source: "CiA 311 annex A";
+
+    "cia311/missing-element" = MISSING_ELEMENT, Warning;
     summary: "an element is missing",
     checks: "Whether each element contains its mandatory child elements of CiA 311. A missing element that the file is useless without, such as `ApplicationLayers` and `CANopenObjectList`, is an error, others are a warning.",
     why: "Schema validation rejects the file.",
     example: "`<DeviceFunction/>` without `capabilities`",
     remedy: "Add the element.",
-    source: "CiA 311 annex A",
 
     // an object is not read whole without its index, and an entry not without its sub-index
-    MISSING_ATTRIBUTE = "cia311/missing-attribute", Warning,
+    "cia311/missing-attribute" = MISSING_ATTRIBUTE, Warning,
         explains Object [
             "missing-key", "sub-number-mismatch", "missing-sub-0", "wrong-highest-sub-index", "wrong-mapping-count",
             "incomplete-pdo-parameter"
@@ -25,63 +26,55 @@ text_rules! {
     why: "Schema validation rejects the file, other tools assume zeros.",
     example: r#"`<CANopenGeneralFeatures nrOfRxPDO="4"/>` without `granularity`"#,
     remedy: "Add the attribute.",
-    source: "CiA 311 annex A",
 
-    UNKNOWN_ELEMENT = "cia311/unknown-element", Warning;
+    "cia311/unknown-element" = UNKNOWN_ELEMENT, Warning;
     summary: "an element is not defined here in CiA 311",
     checks: "Whether CiA 311 defines each element in its place. Elements in a namespace of their own are a note. Unknown elements are preserved.",
     why: "Schema validation rejects the file, other tools ignore the element with its content.",
     example: r#"`<defaultvalue value="1"/>` in `allowedValues`"#,
     remedy: "Check the spelling and the place. Use `property` for manufacturer-specific data of a parameter.",
-    source: "CiA 311 annex A",
 
-    UNKNOWN_ATTRIBUTE = "cia311/unknown-attribute", Warning;
+    "cia311/unknown-attribute" = UNKNOWN_ATTRIBUTE, Warning;
     summary: "an attribute is not defined for its element",
     checks: "Whether CiA 311 defines each attribute of an element. Attributes with a prefix are not checked. Unknown attributes are preserved.",
     why: "Schema validation rejects the file, other tools ignore the attribute.",
     example: r#"`<CANopenObject index="1000" sub="0">`"#,
     remedy: "Check the spelling, or remove the attribute.",
-    source: "CiA 311 annex A",
 
-    MISSPELT_NAME = "cia311/misspelt-name", Warning;
+    "cia311/misspelt-name" = MISSPELT_NAME, Warning;
     summary: "a name differs from the standard in case",
     checks: "Whether unknown elements and attributes differ from a name of CiA 311 only in case. They are read as that name.",
     why: "XML is case-sensitive: other tools do not find the value. Some versions of CANopenEditor write `NodeID` for `nodeID`.",
     example: r#"`<deviceCommissioning NodeID="5">`"#,
     remedy: "Write the name as in the standard.",
-    source: "CiA 311 annex A",
 
-    WRONG_ORDER = "cia311/wrong-order", Warning;
+    "cia311/wrong-order" = WRONG_ORDER, Warning;
     summary: "elements are in the wrong order",
     checks: "Whether child elements are in the order of CiA 311. Only the first one out of order is reported.",
     why: "Schema validation rejects the file. Most tools still read it.",
     example: r#"`<defaultValue value="1"/>` before `<UINT/>`"#,
     remedy: "Move the element.",
-    source: "CiA 311 annex A",
 
-    REPEATED_ELEMENT = "cia311/repeated-element", Error;
+    "cia311/repeated-element" = REPEATED_ELEMENT, Error;
     summary: "an element is defined twice",
     checks: "Whether elements that may occur once, such as the data type of a parameter, occur once. The first one is used.",
     why: "Some tools use the first one, some the last one, some reject the file.",
     example: "`<UINT/>` and `<UDINT/>` in one parameter",
     remedy: "Keep one of them.",
-    source: "CiA 311 annex A",
 
-    STRAY_TEXT = "cia311/stray-text", Warning;
+    "cia311/stray-text" = STRAY_TEXT, Warning;
     summary: "there is text where only elements are allowed",
     checks: "Whether an element that takes no text contains text.",
     why: "Tools ignore the text. A tag around it may be missing, or it was meant as a comment.",
     example: r#"`<parameter uniqueID="P1">Speed<UINT/></parameter>`"#,
     remedy: "Move it into a `label` or `description`, or between `<!--` and `-->`.",
-    source: "CiA 311 annex A",
 
-    NEWER_VERSION = "cia311/newer-version", Warning;
+    "cia311/newer-version" = NEWER_VERSION, Warning;
     summary: "an element or attribute is not defined in version 1.0",
     checks: "Whether a file in the namespace of version 1.0 has elements or attributes that were added in version 1.1.",
     why: "Tools for version 1.0 ignore them, or reject the file.",
     example: "`<moduleManagement>` in `http://www.canopen.org/xml/1.0`",
     remedy: "Remove it, or change the namespace of the file to version 1.1.",
-    source: "CiA 311 annex A",
 }
 
 /// Reports an attribute that is not known; the known one whose name differs only in case is meant.

@@ -7,29 +7,28 @@ use super::number::Number;
 use super::walk::Walk;
 
 text_rules! {
-    DUPLICATE_ENUM_VALUE = "cia311/duplicate-enum-value", Warning;
+    source: "CiA 311 annex A";
+
+    "cia311/duplicate-enum-value" = DUPLICATE_ENUM_VALUE, Warning;
     summary: "two names of an enumeration have the same value",
     checks: "Whether the values of an `enum` are different; numbers are compared as numbers.",
     why: "Some tools show one name for the value, some the other.",
     example: r#"`<enumValue value="1">` and `<enumValue value="0x01">`"#,
     remedy: "Correct one of the values.",
-    source: "CiA 311 annex A",
 
-    WRONG_ENUM_SIZE = "cia311/wrong-enum-size", Warning;
+    "cia311/wrong-enum-size" = WRONG_ENUM_SIZE, Warning;
     summary: "the size of an enumeration is wrong",
     checks: "Whether `size` of an `enum` is the number of its `enumValue` elements.",
     why: "A value was added or removed without updating the size; a value may be missing.",
     example: r#"`<enum size="2" …>` with three values"#,
     remedy: "Write the right number, or remove `size`.",
-    source: "CiA 311 annex A",
 
-    EMPTY_SUBRANGE = "cia311/empty-subrange", Error;
+    "cia311/empty-subrange" = EMPTY_SUBRANGE, Error;
     summary: "an array has no elements",
     checks: "Whether `lowerLimit` of a `subrange` is not greater than `upperLimit`.",
     why: "No index is valid.",
     example: r#"`<subrange lowerLimit="8" upperLimit="1"/>`"#,
     remedy: "Swap the limits.",
-    source: "CiA 311 annex A",
 }
 
 /// All rules of this module.

@@ -3,8 +3,10 @@
 use crate::diagnostic::text_rules;
 
 text_rules! {
+    source: "XML 1.0 §2.1";
+
     // what is behind the element is read as a part of it, or not at all
-    UNCLOSED_ELEMENT = "xml/unclosed-element", Error, explains File [
+    "xml/unclosed-element" = UNCLOSED_ELEMENT, Error, explains File [
         "unknown-element", "missing-element", "stray-text", "missing-profile", "dangling-unique-id-ref",
         "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
         "no-baud-rate", "vendor-id-zero", "no-error-control", "missing-mandatory-object", "missing-object",
@@ -21,7 +23,7 @@ text_rules! {
     source: "XML 1.0 §3.1",
 
     // the same, if the start tag is missing
-    STRAY_END_TAG = "xml/stray-end-tag", Error, explains File [
+    "xml/stray-end-tag" = STRAY_END_TAG, Error, explains File [
         "unknown-element", "missing-element", "stray-text", "missing-profile", "dangling-unique-id-ref",
         "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
         "no-baud-rate", "vendor-id-zero", "no-error-control", "missing-mandatory-object", "missing-object",
@@ -37,31 +39,28 @@ text_rules! {
     remedy: "Write the name of the start tag, or remove the end tag.",
     source: "XML 1.0 §3, WFC: Element Type Match",
 
-    NO_ROOT = "xml/no-root", Error;
+    "xml/no-root" = NO_ROOT, Error;
     summary: "the file has no elements",
     checks: "Whether the file has at least one element.",
     why: "A file that has only white space or comments, or is not XML, does not describe a device.",
     example: "A text file with the extension `.xdd`.",
     remedy: "Use an XDD or XDC file.",
-    source: "XML 1.0 §2.1",
 
-    SECOND_ROOT = "xml/second-root", Error, stops "*";
+    "xml/second-root" = SECOND_ROOT, Error, stops "*";
     summary: "a second element follows the root",
     checks: "Whether only comments and processing instructions follow the root element. Elements after it are not read.",
     why: "XML parsers reject the file. Often two files were concatenated, or an end tag is too early.",
     example: "`</ISO15745ProfileContainer><ISO15745ProfileContainer>`",
     remedy: "Split the file, or move the element into the root.",
-    source: "XML 1.0 §2.1",
 
-    TEXT_OUTSIDE_ROOT = "xml/text-outside-root", Error;
+    "xml/text-outside-root" = TEXT_OUTSIDE_ROOT, Error;
     summary: "there is text before or after the root",
     checks: "Whether only white space, comments, processing instructions and the document type surround the root element.",
     why: "XML parsers reject the file. A NUL or a Ctrl-Z at the end comes from old tools, a line of text from a web page or a merge.",
     example: "`</ISO15745ProfileContainer>x`",
     remedy: "Remove the text.",
-    source: "XML 1.0 §2.1",
 
-    UNCLOSED_TAG = "xml/unclosed-tag", Error, stops "*";
+    "xml/unclosed-tag" = UNCLOSED_TAG, Error, stops "*";
     summary: "a tag has no `>`",
     checks: "Whether each tag has its `>` before the next `<`.",
     why: "XML parsers reject the file or read the following text as part of the tag.",
@@ -69,7 +68,7 @@ text_rules! {
     remedy: "Add the `>`.",
     source: "XML 1.0 §3.1",
 
-    UNCLOSED_MARKUP = "xml/unclosed-markup", Error, stops "*";
+    "xml/unclosed-markup" = UNCLOSED_MARKUP, Error, stops "*";
     summary: "a comment, a CDATA section or a processing instruction has no end",
     checks: "Whether each `<!--` has its `-->`, each `<![CDATA[` its `]]>`, each `<?` its `?>`. The text up to the next `<` is skipped.",
     why: "XML parsers reject the file. A comment without an end hides the rest of the device.",
@@ -77,7 +76,7 @@ text_rules! {
     remedy: "Add the end mark.",
     source: "XML 1.0 §2.5, §2.6, §2.7",
 
-    UNKNOWN_MARKUP = "xml/unknown-markup", Error;
+    "xml/unknown-markup" = UNKNOWN_MARKUP, Error;
     summary: "markup that starts with `<!` is not valid XML",
     checks: "Whether markup that starts with `<!` is a comment, a CDATA section or, before the root, a document type.",
     why: "XML parsers reject the file.",
@@ -85,7 +84,7 @@ text_rules! {
     remedy: "Remove the markup, or write a comment as `<!-- … -->`.",
     source: "XML 1.0 §2.1, §3.1",
 
-    LONE_LESS_THAN = "xml/lone-less-than", Error;
+    "xml/lone-less-than" = LONE_LESS_THAN, Error;
     summary: "a `<` does not start a tag",
     checks: "Whether each `<` in text is followed by a name, `/`, `!` or `?`. Any other `<` is read as a character.",
     why: "XML parsers reject the file.",
@@ -93,7 +92,7 @@ text_rules! {
     remedy: "Write `&lt;`.",
     source: "XML 1.0 §2.4",
 
-    DOUBLE_HYPHEN = "xml/double-hyphen", Error;
+    "xml/double-hyphen" = DOUBLE_HYPHEN, Error;
     summary: "a comment contains `--`",
     checks: "Whether there is a `--` between `<!--` and `-->`; `--->` contains one.",
     why: "XML parsers reject the file, although many editors show the comment as valid.",
@@ -101,7 +100,7 @@ text_rules! {
     remedy: "Write `==` or `- -`.",
     source: "XML 1.0 §2.5",
 
-    CDATA_END_IN_TEXT = "xml/cdata-end-in-text", Error;
+    "xml/cdata-end-in-text" = CDATA_END_IN_TEXT, Error;
     summary: "a text contains `]]>`",
     checks: "Whether `]]>` occurs outside CDATA sections.",
     why: "XML parsers reject the file.",
@@ -109,7 +108,7 @@ text_rules! {
     remedy: "Write `]]&gt;`.",
     source: "XML 1.0 §2.4",
 
-    MISPLACED_DECLARATION = "xml/misplaced-declaration", Error;
+    "xml/misplaced-declaration" = MISPLACED_DECLARATION, Error;
     summary: "the XML declaration is not at the start of the file",
     checks: "Whether `<?xml … ?>` is at the very start of the file.",
     why: "XML parsers reject the file: they read the declaration and its encoding only from the first bytes.",
@@ -117,7 +116,7 @@ text_rules! {
     remedy: "Remove the text before the declaration, or the second declaration.",
     source: "XML 1.0 §2.8",
 
-    BAD_DECLARATION = "xml/bad-declaration", Error;
+    "xml/bad-declaration" = BAD_DECLARATION, Error;
     summary: "the XML declaration is malformed",
     checks: "Whether the declaration has `version`, then `encoding`, then `standalone`, each with a valid value. Only `version` is mandatory.",
     why: "XML parsers reject the file.",
@@ -125,7 +124,7 @@ text_rules! {
     remedy: r#"Write `<?xml version="1.0" encoding="UTF-8"?>`."#,
     source: "XML 1.0 §2.8",
 
-    BAD_TARGET = "xml/bad-target", Error;
+    "xml/bad-target" = BAD_TARGET, Error;
     summary: "a processing instruction has an invalid target",
     checks: "Whether `<?` is followed by a name and white space, and the name is not `xml` in any case.",
     why: "XML parsers reject the file.",
@@ -133,7 +132,7 @@ text_rules! {
     remedy: "Write `<?xml` in lower case at the start of the file, or remove the instruction.",
     source: "XML 1.0 §2.6",
 
-    DOCUMENT_TYPE = "xml/document-type", Warning;
+    "xml/document-type" = DOCUMENT_TYPE, Warning;
     summary: "the file has a document type",
     checks: "Whether the file has a `<!DOCTYPE … >`. Entities that it declares as text are expanded, up to 1 MiB; external files are never read. A malformed document type is an error.",
     why: "No CANopen profile has one. Tools reject it for security: entities can read files of the user and exhaust memory.",
@@ -141,7 +140,7 @@ text_rules! {
     remedy: "Remove the document type, and replace its entities by their text.",
     source: "XML 1.0 §2.8; CiA 311",
 
-    ENCODING = "xml/encoding", Error;
+    "xml/encoding" = ENCODING, Error;
     summary: "the encoding of the file differs from the declared one",
     checks: "Whether `encoding` in the XML declaration matches the bytes of the file: a byte order mark, valid UTF-8, or neither. A file without a declaration is UTF-8.",
     why: "Parsers follow the declaration: they reject the file, or show `Â°` for `°`.",
@@ -149,7 +148,7 @@ text_rules! {
     remedy: "Declare the actual encoding, preferably UTF-8.",
     source: "XML 1.0 §4.3.3",
 
-    LIMIT = "xml/limit", Error, stops "*";
+    "xml/limit" = LIMIT, Error, stops "*";
     summary: "the file exceeds a limit of the reader",
     checks: "Whether elements are nested at most 256 deep, an element has at most 256 attributes, a name at most 32,000 bytes, the file at most 4 million elements and 1 MiB of text from its own entities. Anything beyond a limit is not read.",
     why: "No device needs as much; a file that does is designed to exhaust memory.",
