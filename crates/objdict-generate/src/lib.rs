@@ -338,11 +338,7 @@ impl Note {
     }
 }
 
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.place, self.message)
-    }
-}
+objdict_model::messages! { Note: { Self { place, message, .. } => "{place}: {message}"; } }
 
 /// Why nothing was generated.
 #[derive(Debug)]

@@ -4,20 +4,29 @@
 //! Value spelling (`literal`) is here because EDS, XDD, settings and the text of concise DCF share it;
 //! `canopennode` is here because the rules and the generator share it. No other crate is below all of these.
 
-/// Implements `Display` and `Error` for an error: the message of each pattern, and `From` for what a variant wraps.
+/// Implements `Display` by the message of each pattern, for one type or several: `Note: { Self { place } => "at {place}"; }`.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! error_messages {
-    ($error:ident: $($(#[$when:meta])* from $wrapped:ty as $variant:ident)* {
-        $($(#[$condition:meta])* $pattern:pat => $message:literal $(, $value:expr)*;)+
-    }) => {
-        impl ::std::fmt::Display for $error {
+macro_rules! messages {
+    ($($Type:ty: { $($(#[$condition:meta])* $pattern:pat => $message:literal $(, $value:expr)*;)+ })+) => {$(
+        impl ::std::fmt::Display for $Type {
             fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
                 match self {
                     $($(#[$condition])* $pattern => ::std::write!(f, $message $(, $value)*),)+
                 }
             }
         }
+    )+};
+}
+
+/// Implements `Display`, as [`messages!`] does, and `Error` for an error, and `From` for what a variant wraps.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! error_messages {
+    ($error:ident: $($(#[$when:meta])* from $wrapped:ty as $variant:ident)* {
+        $($(#[$condition:meta])* $pattern:pat => $message:literal $(, $value:expr)*;)+
+    }) => {
+        $crate::messages! { $error: { $($(#[$condition])* $pattern => $message $(, $value)*;)+ } }
 
         impl ::std::error::Error for $error {}
 

@@ -80,13 +80,9 @@ impl LinkEnd {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoLinkEnd;
 
-impl fmt::Display for NoLinkEnd {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("write the node and its entries: `left.6000:1-5`, `left.6041`, `left.Statusword`")
-    }
-}
-
-impl std::error::Error for NoLinkEnd {}
+objdict_model::error_messages! { NoLinkEnd: {
+    Self => "write the node and its entries: `left.6000:1-5`, `left.6041`, `left.Statusword`";
+} }
 
 /// The entries at an end of a link: `6000:1-5`, `6000:1`, `6041`, `Statusword`, `Read input:1-5`.
 #[derive(Clone, Debug, PartialEq)]

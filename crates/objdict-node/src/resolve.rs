@@ -1,6 +1,5 @@
 //! Lookup of objects and entries by name.
 
-use std::fmt;
 use std::str::FromStr;
 
 use crate::model::{Address, Device, NoAddress, PdoKind};
@@ -30,16 +29,12 @@ impl FromStr for ObjectName {
     }
 }
 
-/// As written; addresses as `1017` and `1800:2`.
-impl fmt::Display for ObjectName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Address(Address { index, sub: Some(sub) }) => write!(f, "{index:04X}:{sub:X}"),
-            Self::Address(Address { index, sub: None }) => write!(f, "{index:04X}"),
-            Self::Text(text) => f.write_str(text),
-        }
-    }
-}
+// As written; addresses as `1017` and `1800:2`.
+objdict_model::messages! { ObjectName: {
+    Self::Address(Address { index, sub: Some(sub) }) => "{index:04X}:{sub:X}";
+    Self::Address(Address { index, sub: None }) => "{index:04X}";
+    Self::Text(text) => "{text}";
+} }
 
 /// Finds the objects and entries that a text names: an address (`1018:1`), a PDO (`tpdo1`), an area
 /// (`communication`, `manufacturer`, `profile`), a pattern of indexes or names (`60*`, `*velocity*`), or a

@@ -1,7 +1,5 @@
 //! Why the manager did not boot a node.
 
-use std::fmt;
-
 use objdict_device::Abort;
 
 /// An error of the process "boot NMT slave" (CiA 302-2).
@@ -78,54 +76,36 @@ impl BootFailure {
     }
 }
 
-/// A sentence without its subject, the node: `has 1018:01 = 000003F9h, but …`.
-impl fmt::Display for BootFailure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoAnswer(Abort::Timeout) => f.write_str("does not answer"),
-            Self::NoAnswer(abort) => write!(f, "aborts the upload of 1000:00: {abort}"),
-            Self::Identity { index, sub, expected, found } => {
-                compared(f, (*index, *sub), *expected, *found, expecting(*index, *sub))
-            }
-            Self::NoState(time) => write!(
-                f,
-                "sends no heartbeat within {time} ms (1016h), so the manager does not know whether it is operational (1F81h bit 4)"
-            ),
-            Self::NoGuarding => f.write_str(
-                "does not answer to node guarding, so the manager does not know whether it is operational (1F81h bit 4)",
-            ),
-            Self::NoRestart => f.write_str("does not restart within 1 s"),
-            Self::NoSoftwareExpected => {
-                f.write_str("is to be checked for its software (1F81h bit 5), but 1F55h is 0")
-            }
-            Self::Software { expected, found } => compared(f, (0x1F56, 1), *expected, *found, 0x1F55),
-            Self::Restore(sub, abort) => write!(f, "refuses to restore its defaults, 1011:{sub:02X}: {abort}"),
-            Self::Configuration(reason) => write!(f, "has no valid configuration: {reason}"),
-            Self::Download { number, index, sub, abort } => {
-                write!(f, "refuses download {number}, {index:04X}:{sub:02X}: {abort}")
-            }
-            Self::NoHeartbeat(time) => write!(f, "sends no heartbeat within {time} ms (1016h)"),
-        }
-    }
-}
+// a sentence without its subject, the node: `has 1018:01 = 000003F9h, but …`
+objdict_model::messages! { BootFailure: {
+    Self::NoAnswer(Abort::Timeout) => "does not answer";
+    Self::NoAnswer(abort) => "aborts the upload of 1000:00: {abort}";
+    Self::Identity { index, sub, expected, found } =>
+        "{}", compared((*index, *sub), *expected, *found, expecting(*index, *sub));
+    Self::NoState(time) =>
+        "sends no heartbeat within {time} ms (1016h), so the manager does not know whether it is operational (1F81h bit 4)";
+    Self::NoGuarding =>
+        "does not answer to node guarding, so the manager does not know whether it is operational (1F81h bit 4)";
+    Self::NoRestart => "does not restart within 1 s";
+    Self::NoSoftwareExpected => "is to be checked for its software (1F81h bit 5), but 1F55h is 0";
+    Self::Software { expected, found } => "{}", compared((0x1F56, 1), *expected, *found, 0x1F55);
+    Self::Restore(sub, abort) => "refuses to restore its defaults, 1011:{sub:02X}: {abort}";
+    Self::Configuration(reason) => "has no valid configuration: {reason}";
+    Self::Download { number, index, sub, abort } =>
+        "refuses download {number}, {index:04X}:{sub:02X}: {abort}";
+    Self::NoHeartbeat(time) => "sends no heartbeat within {time} ms (1016h)";
+} }
 
 /// The object of the manager with the expected value.
 const fn expecting(index: u16, sub: u8) -> u16 {
     if index == 0x1000 { 0x1F84 } else { 0x1F84 + sub as u16 }
 }
 
-fn compared(
-    f: &mut fmt::Formatter<'_>,
-    (index, sub): (u16, u8),
-    expected: u32,
-    found: Result<u32, Abort>,
-    object: u16,
-) -> fmt::Result {
+fn compared((index, sub): (u16, u8), expected: u32, found: Result<u32, Abort>, object: u16) -> String {
     match found {
-        Ok(found) => write!(
-            f,
+        Ok(found) => format!(
             "has {index:04X}:{sub:02X} = {found:08X}h, but the manager expects {expected:08X}h ({object:04X}h)"
         ),
-        Err(abort) => write!(f, "aborts the upload of {index:04X}:{sub:02X}: {abort}"),
+        Err(abort) => format!("aborts the upload of {index:04X}:{sub:02X}: {abort}"),
     }
 }

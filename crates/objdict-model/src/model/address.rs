@@ -1,6 +1,5 @@
 //! Addresses of objects and entries.
 
-use std::fmt;
 use std::str::FromStr;
 
 /// An object or entry, in the notations that users write.
@@ -24,15 +23,9 @@ pub struct Address {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoAddress;
 
-impl fmt::Display for NoAddress {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "write the index in hex, and the sub-index in hex behind it: `1018`, `0x1018`, `1018:1`, `1018sub1`",
-        )
-    }
-}
-
-impl std::error::Error for NoAddress {}
+crate::error_messages! { NoAddress: {
+    Self => "write the index in hex, and the sub-index in hex behind it: `1018`, `0x1018`, `1018:1`, `1018sub1`";
+} }
 
 /// `1018`, `0x1018` or `1018h`, optionally followed by `:1`, `sub1`, `.1` or `/1`. All numbers are
 /// hexadecimal, as in the section names of an EDS.

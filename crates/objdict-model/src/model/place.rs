@@ -183,50 +183,42 @@ impl fmt::Display for Place {
     }
 }
 
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Device => f.write_str("device"),
-            Self::FileInfo => f.write_str("FileInfo"),
-            Self::DeviceInfo => f.write_str("DeviceInfo"),
-            Self::DummyUsage => f.write_str("DummyUsage"),
-            Self::Comments => f.write_str("Comments"),
-            Self::Commissioning => f.write_str("DeviceComissioning"),
-            Self::List(list) => write!(f, "{list}"),
-            Self::Object(index) => write!(f, "0x{index:04X}"),
-            Self::Entry(index, sub) => write!(f, "0x{index:04X}sub{sub:X}"),
-            Self::CompactNames(index) => write!(f, "0x{index:04X}Name"),
-            Self::CompactValues(index) => write!(f, "0x{index:04X}Value"),
-            Self::CompactDenotations(index) => write!(f, "0x{index:04X}Denotation"),
-            Self::Links(index) => write!(f, "0x{index:04X}ObjectLinks"),
-            Self::SupportedModules => f.write_str("SupportedModules"),
-            Self::ConnectedModules => f.write_str("ConnectedModules"),
-            Self::Module(number, part) => write!(f, "M{number}{part}"),
-            Self::DynamicChannels => f.write_str("DynamicChannels"),
-            Self::Tools => f.write_str("Tools"),
-            Self::Tool(number) => write!(f, "Tool{number}"),
-            Self::Headers => f.write_str("ProfileHeader"),
-            Self::Identity => f.write_str("DeviceIdentity"),
-            Self::NetworkIdentity => f.write_str("ApplicationLayers/identity"),
-            Self::Manager => f.write_str("DeviceManager"),
-            Self::Functions => f.write_str("DeviceFunction"),
-            Self::Application => f.write_str("ApplicationProcess"),
-            Self::ModuleObjects => f.write_str("ApplicationLayers/moduleManagement"),
-            Self::Section(name) => f.write_str(name),
-        }
-    }
-}
+crate::messages! { Part: {
+    Self::Device => "device";
+    Self::FileInfo => "FileInfo";
+    Self::DeviceInfo => "DeviceInfo";
+    Self::DummyUsage => "DummyUsage";
+    Self::Comments => "Comments";
+    Self::Commissioning => "DeviceComissioning";
+    Self::List(list) => "{list}";
+    Self::Object(index) => "0x{index:04X}";
+    Self::Entry(index, sub) => "0x{index:04X}sub{sub:X}";
+    Self::CompactNames(index) => "0x{index:04X}Name";
+    Self::CompactValues(index) => "0x{index:04X}Value";
+    Self::CompactDenotations(index) => "0x{index:04X}Denotation";
+    Self::Links(index) => "0x{index:04X}ObjectLinks";
+    Self::SupportedModules => "SupportedModules";
+    Self::ConnectedModules => "ConnectedModules";
+    Self::Module(number, part) => "M{number}{part}";
+    Self::DynamicChannels => "DynamicChannels";
+    Self::Tools => "Tools";
+    Self::Tool(number) => "Tool{number}";
+    Self::Headers => "ProfileHeader";
+    Self::Identity => "DeviceIdentity";
+    Self::NetworkIdentity => "ApplicationLayers/identity";
+    Self::Manager => "DeviceManager";
+    Self::Functions => "DeviceFunction";
+    Self::Application => "ApplicationProcess";
+    Self::ModuleObjects => "ApplicationLayers/moduleManagement";
+    Self::Section(name) => "{name}";
+} }
 
-impl fmt::Display for ModulePart {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Info => f.write_str("ModuleInfo"),
-            Self::Comments => f.write_str("Comments"),
-            Self::FixedObjects => f.write_str("FixedObjects"),
-            Self::Fixed(index) => write!(f, "Fixed{index:04X}"),
-            Self::FixedEntry(index, sub) => write!(f, "Fixed{index:04X}sub{sub:X}"),
-            Self::SubExtends => f.write_str("SubExtends"),
-            Self::SubExt(index) => write!(f, "SubExt{index:04X}"),
-        }
-    }
-}
+crate::messages! { ModulePart: {
+    Self::Info => "ModuleInfo";
+    Self::Comments => "Comments";
+    Self::FixedObjects => "FixedObjects";
+    Self::Fixed(index) => "Fixed{index:04X}";
+    Self::FixedEntry(index, sub) => "Fixed{index:04X}sub{sub:X}";
+    Self::SubExtends => "SubExtends";
+    Self::SubExt(index) => "SubExt{index:04X}";
+} }

@@ -148,12 +148,8 @@ impl End {
     }
 }
 
-/// `TPDO 1 of drive`.
-impl std::fmt::Display for End {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} of {}", self.service, self.node)
-    }
-}
+// `TPDO 1 of drive`.
+objdict_model::messages! { End: { Self { service, node, .. } => "{service} of {node}"; } }
 
 impl Overview {
     /// The tables of a network in English.

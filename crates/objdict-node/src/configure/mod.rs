@@ -34,7 +34,6 @@ mod setting;
 mod time;
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use crate::model::{Address, Assignment, Device, ExplicitDownload, Place, Value};
 use crate::resolve::ObjectName;
@@ -59,11 +58,7 @@ pub struct SettingProblem {
     pub place: Option<Place>,
 }
 
-impl fmt::Display for SettingProblem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}`: {}", self.setting, self.message)
-    }
-}
+objdict_model::messages! { SettingProblem: { Self { setting, message, .. } => "`{setting}`: {message}"; } }
 
 /// A problem not yet assigned to its setting.
 pub(crate) struct Wrong {

@@ -455,16 +455,12 @@ impl FromStr for CanId {
     }
 }
 
-impl fmt::Display for CanId {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number(number) => write!(f, "0x{number:X}"),
-            Self::PerNode(number) => write!(f, "$NODEID+0x{number:X}"),
-            Self::Off => f.write_str("off"),
-            Self::Auto => f.write_str("auto"),
-        }
-    }
-}
+objdict_model::messages! { CanId: {
+    Self::Number(number) => "0x{number:X}";
+    Self::PerNode(number) => "$NODEID+0x{number:X}";
+    Self::Off => "off";
+    Self::Auto => "auto";
+} }
 
 /// The syntax of the command-line option, for those about one service behind the name of the option.
 impl fmt::Display for Setting {

@@ -1,7 +1,5 @@
 //! Why modules cannot be connected.
 
-use std::fmt;
-
 /// Why modules cannot be connected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -54,35 +52,21 @@ pub enum ModuleProblem {
     },
 }
 
-impl fmt::Display for ModuleProblem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotModular => f.write_str("the description has no modules"),
-            Self::Unknown { number, known } => {
-                let known: Vec<String> = known.iter().map(u16::to_string).collect();
-                write!(f, "unknown module `{number}`; the modules are {}", known.join(", "))
-            }
-            Self::Taken { number, index } => {
-                write!(f, "module {number} adds the object `{index:04X}`, which the coupler already has")
-            }
-            Self::Conflict { numbers: (first, second), index } => {
-                write!(f, "the modules {first} and {second} describe the object `{index:04X}` differently")
-            }
-            Self::NotDescribed { number, index } => {
-                write!(f, "module {number} lists the object `{index:04X}` but does not describe it")
-            }
-            Self::Incomplete { number, index } => {
-                write!(
-                    f,
-                    "the extension of `{index:04X}` by module {number} is incomplete: `Count` or `DataType` is missing"
-                )
-            }
-            Self::NoRoom { number, index, next } => write!(
-                f,
-                "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is another object"
-            ),
-        }
-    }
-}
+objdict_model::error_messages! { ModuleProblem: {
+    Self::NotModular => "the description has no modules";
+    Self::Unknown { number, known } => "unknown module `{number}`; the modules are {}", listed(known);
+    Self::Taken { number, index } =>
+        "module {number} adds the object `{index:04X}`, which the coupler already has";
+    Self::Conflict { numbers: (first, second), index } =>
+        "the modules {first} and {second} describe the object `{index:04X}` differently";
+    Self::NotDescribed { number, index } =>
+        "module {number} lists the object `{index:04X}` but does not describe it";
+    Self::Incomplete { number, index } =>
+        "the extension of `{index:04X}` by module {number} is incomplete: `Count` or `DataType` is missing";
+    Self::NoRoom { number, index, next } =>
+        "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is another object";
+} }
 
-impl std::error::Error for ModuleProblem {}
+fn listed(numbers: &[u16]) -> String {
+    numbers.iter().map(u16::to_string).collect::<Vec<_>>().join(", ")
+}

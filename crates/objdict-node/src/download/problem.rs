@@ -134,54 +134,29 @@ impl fmt::Display for PlanError {
     }
 }
 
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}`: {}", self.place, self.kind)
+objdict_model::messages! {
+    Problem: { Self { place, kind } => "`{place}`: {kind}"; }
+    ProblemKind: {
+        Self::NeedsNodeId(value) => "`{value}` needs the node-ID";
+        Self::NotOfType { value, data_type } => "the value `{value}` does not fit {data_type}";
+        Self::BelowLimit { value, limit } => "the value `{value}` is below the low limit `{limit}`";
+        Self::AboveLimit { value, limit } => "the value `{value}` is above the high limit `{limit}`";
+        Self::Unreadable(text) => "the text `{text}` is not valid for its data type";
+        Self::UnknownType { value, data_type: Some(data_type) } =>
+            "the bytes of `{value}` are unknown because the data type {data_type} is";
+        Self::UnknownType { value, data_type: None } =>
+            "the bytes of `{value}` are unknown because the entry has no data type";
+        Self::NoCobId => "a change requires that the PDO is not valid, but its COB-ID is unknown";
     }
-}
-
-impl fmt::Display for ProblemKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NeedsNodeId(value) => write!(f, "`{value}` needs the node-ID"),
-            Self::NotOfType { value, data_type } => write!(f, "the value `{value}` does not fit {data_type}"),
-            Self::BelowLimit { value, limit } => {
-                write!(f, "the value `{value}` is below the low limit `{limit}`")
-            }
-            Self::AboveLimit { value, limit } => {
-                write!(f, "the value `{value}` is above the high limit `{limit}`")
-            }
-            Self::Unreadable(text) => write!(f, "the text `{text}` is not valid for its data type"),
-            Self::UnknownType { value, data_type: Some(data_type) } => {
-                write!(f, "the bytes of `{value}` are unknown because the data type {data_type} is")
-            }
-            Self::UnknownType { value, data_type: None } => {
-                write!(f, "the bytes of `{value}` are unknown because the entry has no data type")
-            }
-            Self::NoCobId => {
-                f.write_str("a change requires that the PDO is not valid, but its COB-ID is unknown")
-            }
-        }
-    }
-}
-
-impl fmt::Display for Skipped {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is not written: {}", self.place, self.reason)
-    }
-}
-
-impl fmt::Display for SkipReason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::NotWritable => "its access type does not allow a write",
-            Self::NoAccess => "it has no access type",
-            Self::RefusesWrite => "ObjFlags bit 0 forbids the download",
-            Self::Command => "it is a command",
-            Self::ClearsHistory => "a write clears the error history",
-            Self::Definition => "it defines a data type",
-            Self::Unused => "no object is mapped there",
-            Self::FixedMapping => "the mapping is fixed: its sub-index 0 cannot be written",
-        })
+    Skipped: { Self { place, reason } => "`{place}` is not written: {reason}"; }
+    SkipReason: {
+        Self::NotWritable => "its access type does not allow a write";
+        Self::NoAccess => "it has no access type";
+        Self::RefusesWrite => "ObjFlags bit 0 forbids the download";
+        Self::Command => "it is a command";
+        Self::ClearsHistory => "a write clears the error history";
+        Self::Definition => "it defines a data type";
+        Self::Unused => "no object is mapped there";
+        Self::FixedMapping => "the mapping is fixed: its sub-index 0 cannot be written";
     }
 }

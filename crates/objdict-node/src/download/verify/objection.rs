@@ -1,7 +1,5 @@
 //! Objections to a download.
 
-use std::fmt;
-
 use objdict_device::Abort;
 
 use crate::model::{DataType, MappedObject, PdoKind, Place, Value};
@@ -251,80 +249,43 @@ impl AbortCode {
     }
 }
 
-/// Format of CiA documents: `0609 0030h`.
-impl fmt::Display for AbortCode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:04X} {:04X}h", self.0 >> 16, self.0 & 0xFFFF)
-    }
-}
-
-/// `at byte 13: 0x1400sub1: …`.
-impl fmt::Display for Objection {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "at byte {}, download {}: {}: {}", self.offset, self.number, self.place, self.kind)
-    }
-}
-
-impl fmt::Display for ObjectionKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoObject => f.write_str("the dictionary has no such object"),
-            Self::NoSubIndex => f.write_str("the object has no such sub-index"),
-            Self::NotWritable => f.write_str("its access type does not allow a write"),
-            Self::RefusesDownload => f.write_str("ObjFlags bit 0 forbids the download"),
-            Self::Length { data_type, expected, found } => {
-                write!(f, "{} of data, but {data_type} has {expected}", bytes(*found))
-            }
-            Self::NoValue(data_type) => write!(f, "the bytes are not a valid {data_type}"),
-            Self::BelowLimit { value, limit } => write!(f, "`{value}` is below the low limit `{limit}`"),
-            Self::AboveLimit { value, limit } => write!(f, "`{value}` is above the high limit `{limit}`"),
-            Self::Undefined(what) => f.write_str(what),
-            Self::RestrictedCanId { can_id, owner } => {
-                write!(f, "the CAN-ID `0x{can_id:X}` is reserved: {owner}")
-            }
-            Self::InUse { present, .. } => {
-                write!(f, "the identifier changes while `0x{present:X}` is in use")
-            }
-            Self::RenamedWhileSwitchedOff { present } => write!(
-                f,
-                "the write that marks `0x{present:X}` not valid also changes its identifier, which some devices reject"
-            ),
-            Self::SharedWithSync { can_id } => {
-                write!(f, "the CAN-ID `0x{can_id:X}` would be that of SYNC and of a PDO")
-            }
-            Self::PdoIsValid(kind, number) | Self::MappingIsValid(kind, number) => {
-                write!(f, "{kind} {number} is valid, so this cannot change")
-            }
-            Self::MappingInUse => f.write_str("sub-index 0 of the mapping is not 0, so this cannot change"),
-            Self::NotMappable(mapped, kind) => {
-                write!(f, "no {kind} can carry `{mapped}`")
-            }
-            Self::MappedLength { mapped, bits } => write!(f, "`{mapped}` is mapped, but it has {bits}"),
-            Self::PdoTooLong { bits } => write!(f, "{bits} bits are mapped, but a PDO has 64"),
-            Self::NothingMapped { sub } => write!(f, "sub-index {sub:X}h maps nothing"),
-            Self::NoMappingEntry { sub } => write!(f, "the mapping has no sub-index {sub:X}h"),
-            Self::WatchedTwice { node_id, sub } => {
-                write!(f, "sub-index {sub:X}h already monitors node {node_id}")
-            }
-            Self::WatchesNobody { node_id: 0, time } => {
-                write!(f, "the entry has a time of {time} ms but no node-ID, so it is not in use")
-            }
-            Self::WatchesNobody { node_id, time } => {
-                write!(
-                    f,
-                    "the entry has a time of {time} ms, but `{node_id}` is not a node-ID, so it is not in use"
-                )
-            }
-            Self::PeriodRuns => {
-                f.write_str("the counter overflow cannot change while the period (1006h) is not 0")
-            }
-            Self::Signature { expected } => write!(f, "only the signature `{expected}` is valid"),
-            Self::TwoErrorControls => f.write_str("heartbeat and node guarding would both be active"),
-            Self::NotStored => f.write_str("the write follows 1010h, so it is not stored"),
-            Self::ClearsVerification => {
-                f.write_str("the write clears the verify configuration (1020h) written earlier")
-            }
-        }
+// an abort code as in documents of CiA: `0609 0030h`
+objdict_model::messages! {
+    AbortCode: { Self(code) => "{:04X} {:04X}h", code >> 16, code & 0xFFFF; }
+    Objection: { Self { offset, number, place, kind, .. } => "at byte {offset}, download {number}: {place}: {kind}"; }
+    ObjectionKind: {
+        Self::NoObject => "the dictionary has no such object";
+        Self::NoSubIndex => "the object has no such sub-index";
+        Self::NotWritable => "its access type does not allow a write";
+        Self::RefusesDownload => "ObjFlags bit 0 forbids the download";
+        Self::Length { data_type, expected, found } => "{} of data, but {data_type} has {expected}", bytes(*found);
+        Self::NoValue(data_type) => "the bytes are not a valid {data_type}";
+        Self::BelowLimit { value, limit } => "`{value}` is below the low limit `{limit}`";
+        Self::AboveLimit { value, limit } => "`{value}` is above the high limit `{limit}`";
+        Self::Undefined(what) => "{what}";
+        Self::RestrictedCanId { can_id, owner } => "the CAN-ID `0x{can_id:X}` is reserved: {owner}";
+        Self::InUse { present, .. } => "the identifier changes while `0x{present:X}` is in use";
+        Self::RenamedWhileSwitchedOff { present } =>
+            "the write that marks `0x{present:X}` not valid also changes its identifier, which some devices reject";
+        Self::SharedWithSync { can_id } => "the CAN-ID `0x{can_id:X}` would be that of SYNC and of a PDO";
+        Self::PdoIsValid(kind, number) | Self::MappingIsValid(kind, number) =>
+            "{kind} {number} is valid, so this cannot change";
+        Self::MappingInUse => "sub-index 0 of the mapping is not 0, so this cannot change";
+        Self::NotMappable(mapped, kind) => "no {kind} can carry `{mapped}`";
+        Self::MappedLength { mapped, bits } => "`{mapped}` is mapped, but it has {bits}";
+        Self::PdoTooLong { bits } => "{bits} bits are mapped, but a PDO has 64";
+        Self::NothingMapped { sub } => "sub-index {sub:X}h maps nothing";
+        Self::NoMappingEntry { sub } => "the mapping has no sub-index {sub:X}h";
+        Self::WatchedTwice { node_id, sub } => "sub-index {sub:X}h already monitors node {node_id}";
+        Self::WatchesNobody { node_id: 0, time } =>
+            "the entry has a time of {time} ms but no node-ID, so it is not in use";
+        Self::WatchesNobody { node_id, time } =>
+            "the entry has a time of {time} ms, but `{node_id}` is not a node-ID, so it is not in use";
+        Self::PeriodRuns => "the counter overflow cannot change while the period (1006h) is not 0";
+        Self::Signature { expected } => "only the signature `{expected}` is valid";
+        Self::TwoErrorControls => "heartbeat and node guarding would both be active";
+        Self::NotStored => "the write follows 1010h, so it is not stored";
+        Self::ClearsVerification => "the write clears the verify configuration (1020h) written earlier";
     }
 }
 
