@@ -110,32 +110,22 @@ pub struct Loss {
     pub reason: Option<String>,
 }
 
-/// What became of a datum that only the device or only the text has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Fate"))]
-#[serde(rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum LossKind {
-    /// It is gone.
-    Lost,
-    /// It belongs to a node, and the format describes a type of device; or the format is for other data.
-    LeftOut,
-    /// The text states it although the device does not, because the format demands it.
-    Invented,
-    /// objdict reads it from a comment line or property of its own; other tools do not see it.
-    #[serde(rename = "carried")]
-    Embedded,
-}
-
-impl LossKind {
-    /// In words.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Lost => "lost",
-            Self::LeftOut => "left out",
-            Self::Invented => "invented",
-            Self::Embedded => "embedded",
-        }
+objdict_model::named! {
+    /// What became of a datum that only the device or only the text has.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Fate"))]
+    #[serde(rename_all = "snake_case")]
+    #[non_exhaustive]
+    pub enum LossKind {
+        /// It is gone.
+        Lost = "lost",
+        /// It belongs to a node, and the format describes a type of device; or the format is for other data.
+        LeftOut = "left out",
+        /// The text states it although the device does not, because the format demands it.
+        Invented = "invented",
+        /// objdict reads it from a comment line or property of its own; other tools do not see it.
+        #[serde(rename = "carried")]
+        Embedded = "embedded",
     }
 }
 

@@ -219,18 +219,6 @@ impl<'a> EntryFacts<'a> {
     }
 }
 
-impl Mapping {
-    /// The name in a profile.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::No => "no",
-            Self::Tpdo => "tpdo",
-            Self::Rpdo => "rpdo",
-            Self::Any => "any",
-        }
-    }
-}
-
 impl<'a> BitFieldFacts<'a> {
     /// The value of its bits.
     pub fn of(&self, value: u64) -> u64 {

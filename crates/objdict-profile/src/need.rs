@@ -13,17 +13,19 @@ pub enum Need<'a> {
     When(&'a Condition),
 }
 
-/// The PDOs that may map an entry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mapping {
-    /// None.
-    No,
-    /// TPDOs.
-    Tpdo,
-    /// RPDOs.
-    Rpdo,
-    /// Both.
-    Any,
+objdict_model::named! {
+    /// The PDOs that may map an entry.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Mapping {
+        /// None.
+        No = "no",
+        /// TPDOs.
+        Tpdo = "tpdo",
+        /// RPDOs.
+        Rpdo = "rpdo",
+        /// Both.
+        Any = "any",
+    }
 }
 
 /// How sure a source is.

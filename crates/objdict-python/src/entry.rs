@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use objdict::describe::Decoder;
-use objdict::model::{self, DataType, PdoMapping, Value};
+use objdict::model::{self, DataType, Value};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -126,14 +126,8 @@ impl PythonEntry {
 
     /// Whether PDOs may carry it: `no`, `optional`, `default`, `tpdo` or `rpdo`.
     #[getter]
-    fn pdo_mapping(&self) -> &'static str {
-        match self.entry.pdo_mapping.unwrap_or_default() {
-            PdoMapping::No => "no",
-            PdoMapping::Optional => "optional",
-            PdoMapping::Default => "default",
-            PdoMapping::Tpdo => "tpdo",
-            PdoMapping::Rpdo => "rpdo",
-        }
+    fn pdo_mapping(&self) -> String {
+        self.entry.pdo_mapping.unwrap_or_default().name().to_ascii_lowercase()
     }
 
     /// What the description says of it.

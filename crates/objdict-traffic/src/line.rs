@@ -155,7 +155,7 @@ impl Bus<'_> {
             channel: &self.channel,
             can_id: frame.can_id,
             extended: frame.is_extended,
-            kind: decoded.kind.word(),
+            kind: decoded.kind.name(),
             node: decoded.node_id,
             service: decoded.service.map(|service| service.to_string()),
             data: digits(frame.data(), ""),

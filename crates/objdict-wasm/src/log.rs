@@ -51,7 +51,7 @@ pub(crate) struct Filter {
 impl Filter {
     fn passes(&self, row: &LogRow, text: &str) -> bool {
         (self.nodes.is_empty() || row.node.is_some_and(|node| self.nodes.contains(&node)))
-            && (self.kinds.is_empty() || self.kinds.iter().any(|kind| kind == row.kind.word()))
+            && (self.kinds.is_empty() || self.kinds.iter().any(|kind| kind == row.kind.name()))
             && (text.is_empty() || row.text.to_lowercase().contains(text))
     }
 }
@@ -153,7 +153,7 @@ impl Log {
         };
         let shown = passing.iter().skip(first).take(count).map(|&at| {
             let LogRow { line, node, kind, text } = &self.rows[at];
-            json!({ "line": line, "node": node, "kind": kind.word(), "cells": text.split('\t').collect::<Vec<_>>() })
+            json!({ "line": line, "node": node, "kind": kind.name(), "cells": text.split('\t').collect::<Vec<_>>() })
         });
         json!({ "total": passing.len(), "first": first, "rows": shown.collect::<Vec<_>>() })
     }

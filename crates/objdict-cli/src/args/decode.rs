@@ -186,7 +186,7 @@ fn points() -> impl TypedValueParser<Value = usize> {
 }
 
 fn kind() -> impl TypedValueParser<Value = FrameKind> {
-    let find = |word: String| FrameKind::ALL.into_iter().find(|kind| kind.word() == word);
-    PossibleValuesParser::new(FrameKind::ALL.map(FrameKind::word))
+    let find = |word: String| FrameKind::ALL.into_iter().find(|kind| kind.name() == word);
+    PossibleValuesParser::new(FrameKind::ALL.map(FrameKind::name))
         .map(move |word| find(word).unwrap_or(FrameKind::Unknown))
 }

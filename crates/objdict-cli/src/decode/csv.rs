@@ -45,7 +45,7 @@ impl FramePrinter for LongCsv {
         let ShownFrame { frame, decoded, bus, .. } = shown;
         let (time, id) = (frame.time.to_string(), id_of(frame));
         let node = decoded.node_id.map_or_else(String::new, |node_id| node_id.to_string());
-        let start = [&*time, &*bus.channel, &*id, decoded.kind.word(), &*node];
+        let start = [&*time, &*bus.channel, &*id, decoded.kind.name(), &*node];
         let address = |(index, sub): (u16, u8)| (format!("0x{index:04X}"), format!("0x{sub:02X}"));
         let frame_of_bus = raw(frame);
         let signals = match decoded.kind {

@@ -232,11 +232,8 @@ fn add_row(table: &mut ShownTable, which: [String; 4], entry: Option<(ValueReade
 
 fn pdo_mapping(entry: &Entry) -> &'static str {
     match entry.pdo_mapping.unwrap_or_default() {
-        PdoMapping::No => "no",
         PdoMapping::Optional => "yes",
-        PdoMapping::Default => "default",
-        PdoMapping::Tpdo => "TPDO",
-        PdoMapping::Rpdo => "RPDO",
+        mapping => mapping.name(),
     }
 }
 

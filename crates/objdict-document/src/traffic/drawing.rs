@@ -42,7 +42,7 @@ pub(super) struct BandWord {
 
 /// The class of a kind of frames; error frames have none.
 pub(super) fn class(kind: usize) -> &'static str {
-    FrameKind::ALL.get(kind).map_or("error", |kind| kind.word())
+    FrameKind::ALL.get(kind).map_or("error", |kind| kind.name())
 }
 
 /// The frames of a lane, a path for each kind. The height of a bin says how many they are, on a logarithmic scale.

@@ -325,9 +325,7 @@ sayable!(PdoMapping: |mapping| Argument::ValueOf(
     match mapping {
         PdoMapping::No => "0",
         PdoMapping::Optional => "1",
-        PdoMapping::Default => "default",
-        PdoMapping::Tpdo => "TPDO",
-        PdoMapping::Rpdo => "RPDO",
+        mapping => mapping.name(),
     }
     .into()
 ));

@@ -49,22 +49,25 @@ impl Access {
     }
 }
 
-/// Whether a PDO may carry an entry. An EDS has only [`No`](Self::No) and [`Optional`](Self::Optional).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum PdoMapping {
-    /// Never.
-    #[default]
-    No,
-    /// In each direction that the access type allows.
-    Optional,
-    /// Mapped by default.
-    Default,
-    /// Only in a TPDO.
-    Tpdo,
-    /// Only in an RPDO.
-    Rpdo,
+named! {
+    /// Whether a PDO may carry an entry. An EDS has only [`No`](Self::No) and [`Optional`](Self::Optional).
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+    pub enum PdoMapping {
+        /// Never.
+        #[default]
+        No = "no",
+        /// In each direction that the access type allows.
+        Optional = "optional",
+        /// Mapped by default.
+        Default = "default",
+        /// Only in a TPDO.
+        Tpdo = "TPDO",
+        /// Only in an RPDO.
+        Rpdo = "RPDO",
+    }
 }
 
 impl PdoMapping {

@@ -87,41 +87,25 @@ pub enum Setting {
     },
 }
 
-/// A parameter of a PDO, a sub-index of its communication parameter (CiA 301 §7.5.2.35, §7.5.2.37).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PdoParameter {
-    /// Transmission type.
-    Transmission,
-    /// Inhibit time, in multiples of 100 µs.
-    Inhibit,
-    /// Event timer in milliseconds.
-    EventTimer,
-    /// SYNC start value.
-    SyncStart,
+objdict_model::named! {
+    /// A parameter of a PDO, a sub-index of its communication parameter (CiA 301 §7.5.2.35, §7.5.2.37).
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum PdoParameter {
+        /// Transmission type.
+        Transmission (code 2) = "transmission",
+        /// Inhibit time, in multiples of 100 µs.
+        Inhibit (code 3) = "inhibit",
+        /// Event timer in milliseconds.
+        EventTimer (code 5) = "event-timer",
+        /// SYNC start value.
+        SyncStart (code 6) = "sync-start",
+    }
 }
 
 impl PdoParameter {
-    /// All parameters.
-    pub const ALL: [Self; 4] = [Self::Transmission, Self::Inhibit, Self::EventTimer, Self::SyncStart];
-
-    /// The name of its option and of its table in a settings file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Transmission => "transmission",
-            Self::Inhibit => "inhibit",
-            Self::EventTimer => "event-timer",
-            Self::SyncStart => "sync-start",
-        }
-    }
-
     /// Its sub-index in the communication parameter.
     pub const fn sub(self) -> u8 {
-        match self {
-            Self::Transmission => 2,
-            Self::Inhibit => 3,
-            Self::EventTimer => 5,
-            Self::SyncStart => 6,
-        }
+        self as u8
     }
 }
 

@@ -46,19 +46,21 @@ pub struct When {
     pub holds: fn(&Description, &Diagnostic) -> bool,
 }
 
-/// The effect of a finding on a tool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effect {
-    /// The tool refuses the file, or crashes.
-    Refused,
-    /// The tool misreads the file.
-    Wrong,
-    /// The tool ignores the content, or drops it when writing the file.
-    Dropped,
-    /// The tool reports an error.
-    Failed,
-    /// The tool reports a warning.
-    Warned,
+objdict_model::named! {
+    /// The effect of a finding on a tool.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Effect {
+        /// The tool refuses the file, or crashes.
+        Refused = "refused",
+        /// The tool misreads the file.
+        Wrong = "wrong",
+        /// The tool ignores the content, or drops it when writing the file.
+        Dropped = "dropped",
+        /// The tool reports an error.
+        Failed = "error",
+        /// The tool reports a warning.
+        Warned = "warning",
+    }
 }
 
 impl Effect {
@@ -68,17 +70,6 @@ impl Effect {
             Self::Refused | Self::Failed => Severity::Error,
             Self::Wrong | Self::Warned => Severity::Warning,
             Self::Dropped => Severity::Note,
-        }
-    }
-
-    /// The name of the effect.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Refused => "refused",
-            Self::Wrong => "wrong",
-            Self::Dropped => "dropped",
-            Self::Failed => "error",
-            Self::Warned => "warning",
         }
     }
 }

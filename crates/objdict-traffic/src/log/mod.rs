@@ -30,35 +30,23 @@ const MAX_LINE: usize = 4096;
 /// The most names of channels.
 const MAX_CHANNELS: usize = 256;
 
-/// The form of a log.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum LogForm {
-    /// candump of can-utils, as it prints or as it logs (`-l`, `-L`).
-    Candump,
-    /// ASC of Vector.
-    Asc,
-    /// TRC of PEAK, 1.0 to 2.1.
-    Trc,
-    /// CSV of python-can.
-    Csv,
-    /// pcap with frames of SocketCAN.
-    Pcap,
-    /// pcapng with frames of SocketCAN.
-    Pcapng,
-}
-
-impl LogForm {
-    /// What users call it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Candump => "candump log",
-            Self::Asc => "ASC",
-            Self::Trc => "TRC",
-            Self::Csv => "CSV of python-can",
-            Self::Pcap => "pcap",
-            Self::Pcapng => "pcapng",
-        }
+objdict_model::named! {
+    /// The form of a log.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum LogForm {
+        /// candump of can-utils, as it prints or as it logs (`-l`, `-L`).
+        Candump = "candump log",
+        /// ASC of Vector.
+        Asc = "ASC",
+        /// TRC of PEAK, 1.0 to 2.1.
+        Trc = "TRC",
+        /// CSV of python-can.
+        Csv = "CSV of python-can",
+        /// pcap with frames of SocketCAN.
+        Pcap = "pcap",
+        /// pcapng with frames of SocketCAN.
+        Pcapng = "pcapng",
     }
 }
 

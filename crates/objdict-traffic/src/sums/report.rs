@@ -170,7 +170,7 @@ impl BusSums {
         self.close(bus);
         let seconds = self.seconds();
         let kinds = FrameKind::ALL.iter().zip(self.kinds).filter(|(_, frames)| *frames > 0);
-        let kinds = kinds.map(|(kind, frames)| KindSums { kind: kind.word(), frames });
+        let kinds = kinds.map(|(kind, frames)| KindSums { kind: kind.name(), frames });
         let listed = [&self.lost, &self.aborts, &self.emergencies, &self.deviations];
         let further = listed.iter().map(|history| history.further()).sum();
         let nodes: Vec<NodeReport> =
@@ -320,7 +320,7 @@ impl MessageSums {
         MessageReport {
             can_id: self.can_id,
             extended: self.is_extended,
-            kind: self.kind.word(),
+            kind: self.kind.name(),
             node: self.node_id,
             name: name.trim_end().to_owned(),
             frames: self.cycle.frames,

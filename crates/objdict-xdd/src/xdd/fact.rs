@@ -174,7 +174,7 @@ words! {
     DeviceClass: UnknownWord, DeviceClass::from_name, |class| class.name().to_owned();
     // editors for CANopenNode wrote `cons`
     Access: UnknownWord, |word| Access::from_name(if word == "cons" { "const" } else { word }), |access| attribute_access(access).to_owned();
-    PdoMapping: UnknownWord, pdo_mapping, |mapping| mapping_word(mapping).to_owned();
+    PdoMapping: UnknownWord, pdo_mapping, |mapping| mapping.name().to_owned();
     ObjFlags: NotANumber, |text| hex(text, 8).map(ObjFlags), |flags| match flags.0 {
         flags @ 0..=0xFFFF => format!("{flags:04X}"),
         flags => format!("{flags:08X}"),
@@ -303,23 +303,11 @@ const fn attribute_access(access: Access) -> &'static str {
     }
 }
 
-const MAPPINGS: [(&str, PdoMapping); 5] = [
-    ("no", PdoMapping::No),
-    ("default", PdoMapping::Default),
-    ("optional", PdoMapping::Optional),
-    ("TPDO", PdoMapping::Tpdo),
-    ("RPDO", PdoMapping::Rpdo),
-];
-
-fn mapping_word(mapping: PdoMapping) -> &'static str {
-    MAPPINGS.iter().find(|(_, known)| *known == mapping).map_or("no", |(word, _)| word)
-}
-
 fn pdo_mapping(word: &str) -> Option<PdoMapping> {
-    let known = MAPPINGS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word));
+    let known = PdoMapping::ALL.into_iter().find(|mapping| mapping.name().eq_ignore_ascii_case(word));
     // the flag of an EDS
     let flag = || boolean(word).map(|yes| if yes { PdoMapping::Optional } else { PdoMapping::No });
-    known.map(|(_, mapping)| mapping).or_else(flag)
+    known.or_else(flag)
 }
 
 /// The part of a text that is the value: blanks at the ends are significant only in strings. `None` for an

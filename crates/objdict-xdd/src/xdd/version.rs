@@ -1,27 +1,18 @@
 //! The versions of CiA 311.
 
-/// A version of CiA 311, which a file states by the namespace of its elements.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum XddVersion {
-    /// 1.0: every element is in the namespace.
-    V1_0,
-    /// 1.1: local elements of the schema are in no namespace.
-    #[default]
-    V1_1,
+objdict_model::named! {
+    /// A version of CiA 311, which a file states by the namespace of its elements.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum XddVersion {
+        /// 1.0: every element is in the namespace.
+        V1_0 = "1.0",
+        /// 1.1: local elements of the schema are in no namespace.
+        #[default]
+        V1_1 = "1.1",
+    }
 }
 
 impl XddVersion {
-    /// All versions, the oldest first.
-    pub const ALL: [Self; 2] = [Self::V1_0, Self::V1_1];
-
-    /// `1.0` or `1.1`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::V1_0 => "1.0",
-            Self::V1_1 => "1.1",
-        }
-    }
-
     /// The version with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|version| version.name() == name)

@@ -15,64 +15,32 @@ pub struct RawFrame<'f> {
     pub data: &'f [u8],
 }
 
-/// What a frame is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum FrameKind {
-    /// A command of the NMT master.
-    Nmt,
-    /// SYNC.
-    Sync,
-    /// TIME.
-    Time,
-    /// EMCY.
-    Emcy,
-    /// A PDO, or the request of one.
-    Pdo,
-    /// An SDO.
-    Sdo,
-    /// A heartbeat.
-    Heartbeat,
-    /// The boot-up message.
-    BootUp,
-    /// Node guarding.
-    Guarding,
-    /// LSS (CiA 305).
-    Lss,
-    /// Of no service that is known.
-    Unknown,
-}
-
-impl FrameKind {
-    /// All of them.
-    pub const ALL: [Self; 11] = [
-        Self::Nmt,
-        Self::Sync,
-        Self::Time,
-        Self::Emcy,
-        Self::Pdo,
-        Self::Sdo,
-        Self::Heartbeat,
-        Self::BootUp,
-        Self::Guarding,
-        Self::Lss,
-        Self::Unknown,
-    ];
-
-    /// Its word: `boot-up`.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Nmt => "nmt",
-            Self::Sync => "sync",
-            Self::Time => "time",
-            Self::Emcy => "emcy",
-            Self::Pdo => "pdo",
-            Self::Sdo => "sdo",
-            Self::Heartbeat => "heartbeat",
-            Self::BootUp => "boot-up",
-            Self::Guarding => "guarding",
-            Self::Lss => "lss",
-            Self::Unknown => "unknown",
-        }
+objdict_model::named! {
+    /// What a frame is for.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum FrameKind {
+        /// A command of the NMT master.
+        Nmt = "nmt",
+        /// SYNC.
+        Sync = "sync",
+        /// TIME.
+        Time = "time",
+        /// EMCY.
+        Emcy = "emcy",
+        /// A PDO, or the request of one.
+        Pdo = "pdo",
+        /// An SDO.
+        Sdo = "sdo",
+        /// A heartbeat.
+        Heartbeat = "heartbeat",
+        /// The boot-up message.
+        BootUp = "boot-up",
+        /// Node guarding.
+        Guarding = "guarding",
+        /// LSS (CiA 305).
+        Lss = "lss",
+        /// Of no service that is known.
+        Unknown = "unknown",
     }
 }
 
