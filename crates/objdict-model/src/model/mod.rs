@@ -100,6 +100,8 @@ pub use field::Field;
 pub use file_info::FileInfo;
 pub use identity::Identity;
 pub use label::{Label, Labels, TextRef};
+#[doc(hidden)]
+pub use meaning::Definitions;
 pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue, Scaling};
 pub use module::{Extension, ExtensionCount, Module, Modules};
 pub use node_list::{NodeList, Topology, TopologyNode};

@@ -101,10 +101,9 @@ impl<'a> Meanings<'a> {
             Some((definition, TypeShape::Enum { values, .. })) if !values.is_empty() => {
                 Some(Enumeration::of_type(definition, values, data_type, self.language))
             }
-            _ => member
-                .allowed_values
-                .as_ref()
-                .and_then(|allowed| Enumeration::of_allowed(self.values(allowed), data_type, self.language)),
+            _ => member.allowed_values.as_ref().and_then(|allowed| {
+                Enumeration::of_allowed(self.definitions.allowed(allowed), data_type, self.language)
+            }),
         };
         BitField {
             name,
@@ -120,7 +119,8 @@ impl<'a> Meanings<'a> {
     fn form(&self, member: &VarDeclaration) -> Result<MemberForm, String> {
         let simple = match member.data_type.as_ref() {
             Some(DataTypeRef::Simple(simple)) => Some(*simple),
-            Some(reference) => match self.simple(reference) {
+            // the member defines the number of bits of an enumeration without a type
+            Some(reference) => match self.definitions.simple(reference, Some(SimpleType::Bitstring)) {
                 Some(simple) => Some(simple),
                 None => return Err("its type is not a simple type".to_owned()),
             },
@@ -150,25 +150,6 @@ impl<'a> Meanings<'a> {
             return Err("it is an array".to_owned());
         }
         Ok(MemberForm { bits: bits * size, is_signed: of_type })
-    }
-
-    /// The simple type behind a reference, through enumerations and aliases.
-    fn simple(&self, reference: &DataTypeRef) -> Option<SimpleType> {
-        let mut reference = reference;
-        for _ in 0..super::MAX_DERIVATIONS {
-            let id = match reference {
-                DataTypeRef::Simple(simple) => return Some(*simple),
-                DataTypeRef::Defined(id) => id,
-                DataTypeRef::Variables(_) => return None,
-            };
-            match &self.types.get(&**id)?.shape {
-                // the member defines the number of bits
-                TypeShape::Enum { base, .. } => return Some(base.unwrap_or(SimpleType::Bitstring)),
-                TypeShape::Derived { base, .. } => reference = base.as_ref()?,
-                TypeShape::Array { .. } | TypeShape::Struct { .. } => return None,
-            }
-        }
-        None
     }
 }
 

@@ -2,16 +2,19 @@
 //! bit fields.
 
 mod bit_struct;
+mod definitions;
 mod enumeration;
 
 use std::collections::HashMap;
 
 pub use bit_struct::{BitField, BitStruct};
+#[doc(hidden)] // for the reader of CiA 311
+pub use definitions::Definitions;
 pub use enumeration::{Enumeration, NamedValue};
 
 use super::{
-    AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, FunctionType, Parameter,
-    TypeDefinition, TypeShape, Unit, VarDeclaration,
+    AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Parameter, TypeDefinition,
+    TypeShape, Unit, VarDeclaration,
 };
 
 /// The maximum depth of derived types; a deeper chain is a cycle.
@@ -31,9 +34,7 @@ pub enum Meaning<'a> {
 pub struct Meanings<'a> {
     device: &'a Device,
     language: &'a str,
-    types: HashMap<&'a str, &'a TypeDefinition>,
-    templates: HashMap<&'a str, &'a Parameter>,
-    allowed: HashMap<&'a str, &'a AllowedValues>,
+    definitions: Definitions<'a>,
     /// Shared targets of entries: parameters, members of structs, variables of functions.
     shared: HashMap<&'a str, DescribedItem<'a>>,
 }
@@ -89,40 +90,19 @@ impl Device {
 
 impl<'a> Meanings<'a> {
     fn new(device: &'a Device, language: &'a str) -> Self {
-        let mut found = Self {
-            device,
-            language,
-            types: HashMap::new(),
-            templates: HashMap::new(),
-            allowed: HashMap::new(),
-            shared: HashMap::new(),
-        };
+        let definitions = Definitions::of(&device.application);
+        let mut found = Self { device, language, definitions, shared: HashMap::new() };
         device.application.iter().for_each(|process| found.add(process));
         found
     }
 
-    /// Adds an application process. Of two equal ids, the first counts.
+    /// Adds what entries can refer to in an application process. Of two equal ids, the first counts.
     fn add(&mut self, process: &'a ApplicationProcess) {
-        for definition in &process.data_types {
-            self.types.entry(&definition.unique_id).or_insert(definition);
-        }
-        for template in &process.parameter_templates {
-            self.templates.entry(&template.parameter.unique_id).or_insert(&template.parameter);
-        }
-        for template in &process.allowed_values_templates {
-            self.allowed.entry(&template.unique_id).or_insert(&template.allowed);
-        }
         for parameter in &process.parameters {
             let described = self.of_parameter(parameter);
             self.shared.entry(&parameter.unique_id).or_insert(described);
         }
-        let members = process.data_types.iter().filter_map(|definition| match &definition.shape {
-            TypeShape::Struct { members } => Some(members),
-            _ => None,
-        });
-        let of_function =
-            |function: &'a FunctionType| [&function.inputs, &function.outputs, &function.configuration];
-        for variable in members.chain(process.function_types.iter().flat_map(of_function)).flatten() {
+        for variable in Definitions::variables(std::slice::from_ref(process)) {
             self.shared.entry(&variable.unique_id).or_insert(DescribedItem::of_variable(variable));
         }
     }
@@ -148,7 +128,7 @@ impl<'a> Meanings<'a> {
         let definition =
             described.data_type.and_then(|reference| self.definition(reference)).or_else(of_element);
         self.of_type(definition, data_type).or_else(|| {
-            Enumeration::of_allowed(self.values(described.allowed?), data_type, self.language)
+            Enumeration::of_allowed(self.definitions.allowed(described.allowed?), data_type, self.language)
                 .map(Meaning::Enumeration)
         })
     }
@@ -167,11 +147,6 @@ impl<'a> Meanings<'a> {
         }
     }
 
-    /// The template of a parameter, for what the parameter does not define.
-    fn template_of(&self, parameter: &Parameter) -> Option<&'a Parameter> {
-        self.templates.get(parameter.template.as_deref()?).copied()
-    }
-
     /// The type that the application process defines for an entry or object, with aliases resolved.
     pub fn type_of(&self, entry: &'a Entry) -> Option<&'a TypeDefinition> {
         self.definition(self.described(entry).data_type?)
@@ -187,7 +162,7 @@ impl<'a> Meanings<'a> {
     where
         'a: 'p,
     {
-        let template = self.template_of(parameter).unwrap_or(parameter);
+        let template = self.definitions.template(parameter).unwrap_or(parameter);
         Scaling::new(
             parameter.unit.as_ref().or(template.unit.as_ref()),
             parameter.offset.as_deref().or(template.offset.as_deref()),
@@ -202,7 +177,7 @@ impl<'a> Meanings<'a> {
             _ => return None,
         };
         for _ in 0..MAX_DERIVATIONS {
-            let definition = *self.types.get(id)?;
+            let definition = *self.definitions.types.get(id)?;
             match &definition.shape {
                 TypeShape::Derived { base: Some(DataTypeRef::Defined(base)), .. } => id = base,
                 TypeShape::Derived { .. } => return None,
@@ -222,19 +197,12 @@ impl<'a> Meanings<'a> {
 
     /// The properties of a parameter, or else of its template.
     fn of_parameter(&self, parameter: &'a Parameter) -> DescribedItem<'a> {
-        let template = self.template_of(parameter).unwrap_or(parameter);
+        let template = self.definitions.template(parameter).unwrap_or(parameter);
         DescribedItem {
             data_type: parameter.data_type.as_ref().or(template.data_type.as_ref()),
             allowed: parameter.allowed_values.as_ref().or(template.allowed_values.as_ref()),
             scaling: self.scaling(parameter),
         }
-    }
-
-    /// The allowed values, or those of their template if they only refer to it.
-    fn values(&self, allowed: &'a AllowedValues) -> &'a AllowedValues {
-        let is_reference = allowed.values.is_empty() && allowed.ranges.is_empty();
-        let template = allowed.template.as_deref().filter(|_| is_reference);
-        template.and_then(|id| self.allowed.get(id).copied()).unwrap_or(allowed)
     }
 }
 

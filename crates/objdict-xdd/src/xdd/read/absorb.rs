@@ -1,11 +1,10 @@
 //! Moves the properties of an entry from its parameter to the entry; the rest stays in the parameter.
 
-use super::parameters::Definitions;
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
-    Access, AllowedValues, DataType, DataTypeRef, Entry, Field, Label, Labels, ObjectType, Parameter,
-    ParameterAccess, PdoMapping, Place, ScaledValue, ValueRange,
+    Access, AllowedValues, DataType, DataTypeRef, Definitions, Entry, Field, Label, Labels, ObjectType,
+    Parameter, ParameterAccess, PdoMapping, Place, ScaledValue, ValueRange,
 };
 use crate::xdd::counterparts::written_access;
 use crate::xdd::fact::{self, value_text};
@@ -56,7 +55,7 @@ pub(crate) fn data_type(entry: &mut Entry, parameter: &mut Parameter, definition
     let template = definitions.template(parameter);
     let stated = parameter.data_type.as_ref().or(template.and_then(|template| template.data_type.as_ref()));
     if entry.data_type.is_none() {
-        let simple = stated.and_then(|reference| definitions.simple(reference));
+        let simple = stated.and_then(|reference| definitions.simple(reference, None));
         entry.data_type = simple.map(|simple| types::data_type(simple, object_type));
     }
     let written = entry.data_type.map(types::simple_type).map(DataTypeRef::Simple);

@@ -3,12 +3,12 @@
 use super::XddReader;
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
-use super::parameters::{Definitions, ParameterSlot, Parameters, Reference, variables};
+use super::parameters::{ParameterSlot, Parameters, Reference};
 use super::project;
 use crate::diagnostic::Findings;
 use crate::model::{
-    Access, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues,
-    Object, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+    Access, ApplicationProcess, DataType, DataTypeRef, Definitions, Device, Entry, Field, InvalidValue,
+    InvalidValues, Object, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
 use crate::xdd::fact::{PlacedText, hex};
 use crate::xdd::leftovers::Leftovers;
@@ -25,7 +25,7 @@ impl<'a> XddReader<'a> {
         let mut entries = Entries {
             parameters: &mut parameters,
             definitions: &definitions,
-            variables: variables(application).collect(),
+            variables: Definitions::variables(application).collect(),
             findings: &mut self.findings,
             leftovers: &mut self.leftovers,
             is_project: self.layout.project().is_some(),

@@ -3,10 +3,7 @@
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
-use crate::model::{
-    AllowedValues, ApplicationProcess, DataTypeRef, FunctionType, Parameter, ParameterGroup, SimpleType,
-    TypeDefinition, TypeShape, VarDeclaration,
-};
+use crate::model::{ApplicationProcess, Definitions, Parameter, ParameterGroup};
 use crate::xdd::layout::{Layout, with_subs};
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::PARAMETER;
@@ -133,7 +130,7 @@ fn references(
             targets.entry(id).or_insert(Reference::Parameter(number));
         }
     }
-    for (number, variable) in (0..).zip(variables(application)) {
+    for (number, variable) in (0..).zip(Definitions::variables(application)) {
         targets.entry(Cow::Borrowed(&*variable.unique_id)).or_insert(Reference::Variable(number));
     }
     let reference = |element: Element<'_>| {
@@ -144,20 +141,6 @@ fn references(
         }
     };
     layout.objects().flat_map(with_subs).map(reference).collect()
-}
-
-/// The variables that objects may refer to: members of structs, and variables of functions.
-pub(crate) fn variables(application: &[ApplicationProcess]) -> impl Iterator<Item = &VarDeclaration> {
-    fn of_function(function: &FunctionType) -> impl Iterator<Item = &VarDeclaration> {
-        function.inputs.iter().chain(&function.outputs).chain(&function.configuration)
-    }
-    application.iter().flat_map(|process| {
-        let members = process.data_types.iter().filter_map(|definition| match &definition.shape {
-            TypeShape::Struct { members } => Some(members),
-            _ => None,
-        });
-        members.flatten().chain(process.function_types.iter().flat_map(of_function))
-    })
 }
 
 /// The ids of parameters that groups and conditions refer to.
@@ -171,7 +154,7 @@ fn named_ids(slots: &[ParameterSlot<'_>], application: &[ApplicationProcess]) ->
     let mut ids = HashSet::new();
     for process in application {
         of_groups(&process.groups, &mut ids);
-        for variable in variables(std::slice::from_ref(process)) {
+        for variable in Definitions::variables(std::slice::from_ref(process)) {
             ids.extend(variable.conditional_support.iter().cloned());
         }
     }
@@ -179,66 +162,4 @@ fn named_ids(slots: &[ParameterSlot<'_>], application: &[ApplicationProcess]) ->
     let named = conditions.filter_map(|condition| condition.attribute(n::paramIDRef));
     ids.extend(named.map(|id| id.value().into()));
     ids
-}
-
-/// The targets of references in parameters: types and templates, by id.
-pub(crate) struct Definitions<'a> {
-    types: HashMap<&'a str, &'a TypeDefinition>,
-    templates: HashMap<&'a str, &'a Parameter>,
-    allowed: HashMap<&'a str, &'a AllowedValues>,
-}
-
-/// The maximum depth of derived types; a deeper chain is a cycle.
-const MAX_DERIVATIONS: usize = 16;
-
-impl<'a> Definitions<'a> {
-    /// The types and templates of the application processes.
-    pub(crate) fn of(application: &'a [ApplicationProcess]) -> Self {
-        let mut found = Self { types: HashMap::new(), templates: HashMap::new(), allowed: HashMap::new() };
-        for process in application {
-            for definition in &process.data_types {
-                found.types.entry(&definition.unique_id).or_insert(definition);
-            }
-            for template in &process.parameter_templates {
-                found.templates.entry(&template.parameter.unique_id).or_insert(&template.parameter);
-            }
-            for template in &process.allowed_values_templates {
-                found.allowed.entry(&template.unique_id).or_insert(&template.allowed);
-            }
-        }
-        found
-    }
-
-    /// The simple type behind a reference; `None` for arrays, structs and dangling references.
-    pub(crate) fn simple(&self, reference: &DataTypeRef) -> Option<SimpleType> {
-        let mut reference = reference;
-        for _ in 0..MAX_DERIVATIONS {
-            let id = match reference {
-                DataTypeRef::Simple(simple) => return Some(*simple),
-                DataTypeRef::Defined(id) => id,
-                DataTypeRef::Variables(_) => return None,
-            };
-            match &self.types.get(&**id)?.shape {
-                TypeShape::Enum { base, .. } => return *base,
-                TypeShape::Derived { base, .. } => reference = base.as_ref()?,
-                TypeShape::Array { .. } | TypeShape::Struct { .. } => return None,
-            }
-        }
-        None
-    }
-
-    /// The template of a parameter.
-    pub(crate) fn template(&self, parameter: &Parameter) -> Option<&'a Parameter> {
-        self.templates.get(parameter.template.as_deref()?).copied()
-    }
-
-    /// The allowed values, or those of their template if they only refer to it.
-    pub(crate) fn allowed<'b>(&self, allowed: &'b AllowedValues) -> &'b AllowedValues
-    where
-        'a: 'b,
-    {
-        let is_reference = allowed.values.is_empty() && allowed.ranges.is_empty();
-        let template = allowed.template.as_deref().filter(|_| is_reference);
-        template.and_then(|id| self.allowed.get(id).copied()).unwrap_or(allowed)
-    }
 }
