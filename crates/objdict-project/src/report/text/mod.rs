@@ -147,10 +147,11 @@ pub fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
-/// A finding as miette asks for it.
+/// A finding, or a problem without a rule, as miette asks for it.
 #[derive(Debug)]
 struct Rendered<'a> {
-    finding: &'a Diagnostic,
+    code: Option<&'static str>,
+    severity: miette::Severity,
     message: String,
     help: Option<String>,
     excerpts: &'a Excerpts<'a>,
@@ -181,7 +182,13 @@ impl<'a> Rendered<'a> {
         }
         let others = others.into_values().collect();
         let help = finding.help.as_ref().map(|help| shown(&help.shown()));
-        Self { finding, message: shown(&finding.message.shown()), help, excerpts, labels, others }
+        let severity = match finding.severity {
+            Severity::Error => miette::Severity::Error,
+            Severity::Warning => miette::Severity::Warning,
+            Severity::Note => miette::Severity::Advice,
+        };
+        let message = shown(&finding.message.shown());
+        Self { code: Some(finding.rule.id), severity, message, help, excerpts, labels, others }
     }
 }
 
@@ -195,15 +202,11 @@ impl std::error::Error for Rendered<'_> {}
 
 impl miette::Diagnostic for Rendered<'_> {
     fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(self.finding.rule.id))
+        Some(Box::new(self.code?))
     }
 
     fn severity(&self) -> Option<miette::Severity> {
-        Some(match self.finding.severity {
-            Severity::Error => miette::Severity::Error,
-            Severity::Warning => miette::Severity::Warning,
-            Severity::Note => miette::Severity::Advice,
-        })
+        Some(self.severity)
     }
 
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
