@@ -1,7 +1,6 @@
 //! Severities that replace those of the rules.
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::str::FromStr;
 
 use crate::diagnostic::{Findings, RuleInfo, Selection, Severity};
@@ -29,11 +28,7 @@ impl Level {
     }
 }
 
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
+objdict_model::messages! { Level: { level => "{}", level.name(); } }
 
 impl FromStr for Level {
     type Err = UnknownLevel;

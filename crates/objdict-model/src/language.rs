@@ -1,7 +1,5 @@
 //! The languages of the documentation that objdict generates.
 
-use std::fmt;
-
 /// A language of headings and sentences. Texts of a description may be in any other language; see
 /// [`Labels::name_in`](crate::model::Labels::name_in).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,11 +38,7 @@ impl Language {
     }
 }
 
-impl fmt::Display for Language {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.tag())
-    }
-}
+crate::messages! { Language: { language => "{}", language.tag(); } }
 
 #[cfg(test)]
 mod tests {

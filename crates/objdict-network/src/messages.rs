@@ -106,12 +106,8 @@ impl Service {
     }
 }
 
-/// The name in English.
-impl std::fmt::Display for Service {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.name(Language::English))
-    }
-}
+// The name in English.
+objdict_model::messages! { Service: { service => "{}", service.name(Language::English); } }
 
 /// A node that sends or receives a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

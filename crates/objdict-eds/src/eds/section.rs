@@ -1,7 +1,5 @@
 //! Names of sections: their parts, and their spellings in real files.
 
-use std::fmt;
-
 use super::misspelt;
 use super::names::{FIXED, OF_MODULE, OF_OBJECT, OfIndex};
 use crate::diagnostic;
@@ -247,11 +245,7 @@ fn tool_part(name: &str) -> Option<Part> {
     number.parse().ok().map(Part::Tool)
 }
 
-impl fmt::Display for SectionName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&section_name(&self.part).unwrap_or_default())
-    }
-}
+objdict_model::messages! { SectionName: { Self { part, .. } => "{}", section_name(part).unwrap_or_default(); } }
 
 #[cfg(test)]
 mod tests {

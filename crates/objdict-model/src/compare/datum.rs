@@ -1,6 +1,5 @@
 //! A datum as JSON.
 
-use std::fmt;
 use std::io::{self, Write};
 
 use serde::de::IgnoredAny;
@@ -63,11 +62,7 @@ impl From<Value> for Datum {
     }
 }
 
-impl fmt::Display for Datum {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
+objdict_model::messages! { Datum: { Self(text) => "{text}"; } }
 
 impl Serialize for Datum {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

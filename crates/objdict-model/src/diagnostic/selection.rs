@@ -1,7 +1,5 @@
 //! Selection of rules by name.
 
-use std::fmt;
-
 use super::RuleInfo;
 
 /// The rules selected by a name: one rule, or all rules of a group.
@@ -31,8 +29,4 @@ impl Selection {
     }
 }
 
-impl fmt::Display for Selection {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
+crate::messages! { Selection: { selection => "{}", selection.name(); } }

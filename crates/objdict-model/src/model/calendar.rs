@@ -74,12 +74,8 @@ impl Date {
     }
 }
 
-/// The format of an EDS: `mm-dd-yyyy`.
-impl fmt::Display for Date {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:02}-{:02}-{:04}", self.month, self.day, self.year)
-    }
-}
+// The format of an EDS: `mm-dd-yyyy`.
+crate::messages! { Date: { Self { month, day, year, .. } => "{month:02}-{day:02}-{year:04}"; } }
 
 /// A time of day: to the minute in an EDS, to fractions of a second in CiA 311.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,8 +1,6 @@
 //! COB-IDs: a CAN-ID with flag bits (CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35), and the CAN-IDs
 //! that CiA 301 assigns to its services (§7.3.3, §7.3.5).
 
-use std::fmt;
-
 use super::Value;
 
 /// The COB-ID in a communication object: a number, or the node-ID plus a number.
@@ -110,16 +108,12 @@ impl CobId {
     }
 }
 
-/// The spelling of an EDS: `0x80000000`, `$NODEID+0x180`.
-impl fmt::Display for CobId {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.plus_node_id, self.number) {
-            (true, 0) => f.write_str("$NODEID"),
-            (true, number) => write!(f, "$NODEID+0x{number:X}"),
-            (false, number) => write!(f, "0x{number:X}"),
-        }
-    }
-}
+// The spelling of an EDS: `0x80000000`, `$NODEID+0x180`.
+crate::messages! { CobId: {
+    Self { plus_node_id: true, number: 0, .. } => "$NODEID";
+    Self { plus_node_id: true, number, .. } => "$NODEID+0x{number:X}";
+    Self { number, .. } => "0x{number:X}";
+} }
 
 /// CAN-IDs of the predefined connection set (CiA 301 §7.3.5), which a device uses until it is configured.
 pub mod predefined {

@@ -1,7 +1,6 @@
 //! The names of the fields of the model.
 
 use std::borrow::Cow;
-use std::fmt;
 
 macro_rules! fields {
     ($($name:ident $text:literal,)*) => {
@@ -135,8 +134,4 @@ impl Field {
     }
 }
 
-impl fmt::Display for Field {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.name())
-    }
-}
+crate::messages! { Field: { field => "{}", field.name(); } }

@@ -1,7 +1,6 @@
 //! PDOs: the communication parameter and the mapping parameter together (CiA 301 §7.5.2.35 to §7.5.2.38).
 
 use std::collections::BTreeSet;
-use std::fmt;
 
 use super::{CobId, Device, Object, PdoKind, Value};
 
@@ -53,13 +52,11 @@ impl MappedObject {
     }
 }
 
-/// The usual notation: `6041h:00, 16 bits`.
-impl fmt::Display for MappedObject {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let unit = if self.bits == 1 { "bit" } else { "bits" };
-        write!(f, "{:04X}h:{:02X}, {} {unit}", self.index, self.sub, self.bits)
-    }
-}
+// The usual notation: `6041h:00, 16 bits`.
+crate::messages! { MappedObject: {
+    Self { index, sub, bits: 1, .. } => "{index:04X}h:{sub:02X}, 1 bit";
+    Self { index, sub, bits, .. } => "{index:04X}h:{sub:02X}, {bits} bits";
+} }
 
 /// A described sub-index 1 to 64 of a mapping parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,12 +176,8 @@ impl<'a> Pdo<'a> {
     }
 }
 
-/// `RPDO 1`.
-impl fmt::Display for Pdo<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.kind, self.number)
-    }
-}
+// `RPDO 1`.
+crate::messages! { Pdo<'_>: { Self { kind, number, .. } => "{kind} {number}"; } }
 
 fn number_in<T: TryFrom<i128>>(object: Option<&Object>, sub: u8) -> Option<T> {
     object?.value(sub)?.as_integer().and_then(|number| T::try_from(number).ok())

@@ -108,18 +108,14 @@ impl Plain<'_> {
     }
 }
 
-/// As in JSON, but for escapes in texts.
-impl fmt::Display for Plain<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Boolean(value) => write!(f, "{value}"),
-            Self::Signed(value) => write!(f, "{value}"),
-            Self::Unsigned(value) => write!(f, "{value}"),
-            Self::Real(value) => write!(f, "{value:?}"),
-            Self::Text(text) => f.write_str(text),
-        }
-    }
-}
+// As in JSON, but for escapes in texts.
+crate::messages! { Plain<'_>: {
+    Self::Boolean(value) => "{value}";
+    Self::Signed(value) => "{value}";
+    Self::Unsigned(value) => "{value}";
+    Self::Real(value) => "{value:?}";
+    Self::Text(text) => "{text}";
+} }
 
 thread_local! {
     static HAS_PLAIN: Cell<bool> = const { Cell::new(false) };

@@ -405,11 +405,7 @@ impl FromStr for PdoName {
     }
 }
 
-impl fmt::Display for PdoName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}", self.kind.name().to_ascii_lowercase(), self.number)
-    }
-}
+objdict_model::messages! { PdoName: { Self { kind, number } => "{}{number}", kind.name().to_ascii_lowercase(); } }
 
 impl FromStr for CanId {
     type Err = ();

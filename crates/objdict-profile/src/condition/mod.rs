@@ -16,7 +16,6 @@
 mod words;
 
 use std::borrow::Cow;
-use std::fmt;
 use std::ops::RangeInclusive;
 
 use super::{device_type_index, index_in};
@@ -117,11 +116,7 @@ impl std::str::FromStr for Condition {
     }
 }
 
-impl fmt::Display for Condition {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
-    }
-}
+objdict_model::messages! { Condition: { Self { text, .. } => "{text}"; } }
 
 /// The index that a condition means in a logical device: 1000h is its device type.
 fn place_of(index: u16, device: &Device, block: u8) -> u16 {

@@ -1,7 +1,6 @@
 //! Identity of a finding when the file is edited around it: baselines and CI services match findings with it.
 
 use std::collections::HashMap;
-use std::fmt;
 
 use serde::{Serialize, Serializer};
 
@@ -44,12 +43,8 @@ impl Fingerprint {
     }
 }
 
-/// 16 hex digits.
-impl fmt::Display for Fingerprint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:016x}", self.0)
-    }
-}
+// 16 hex digits.
+objdict_model::messages! { Fingerprint: { Self(number) => "{number:016x}"; } }
 
 impl std::str::FromStr for Fingerprint {
     type Err = std::num::ParseIntError;
