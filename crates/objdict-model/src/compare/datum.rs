@@ -62,7 +62,7 @@ impl From<Value> for Datum {
     }
 }
 
-objdict_model::messages! { Datum: { Self(text) => "{text}"; } }
+messages! { Datum: { Self(text) => "{text}"; } }
 
 impl Serialize for Datum {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
