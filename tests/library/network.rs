@@ -234,10 +234,10 @@ fn the_schema_names_every_key() {
     for key in ["dcf", "node_id", "rpdo", "sdo", "scale_pos_to_dev"] {
         assert!(node[key].is_object(), "{key}");
     }
-    assert_eq!(
-        node["rpdo"]["patternProperties"]["^[1-9][0-9]{0,2}$"]["properties"]["cob_id"]["anyOf"][1]["const"],
-        "auto"
-    );
+    let patterns = node["rpdo"]["patternProperties"].as_object().unwrap();
+    let (pattern, pdo) = patterns.iter().next().unwrap();
+    assert_eq!(pattern, "^([1-9][0-9]{0}|[1-9][0-9]{1}|[1-4][0-9]{2}|5[0-0][0-9]{1}|51[0-1][0-9]{0}|512)$");
+    assert_eq!(pdo["properties"]["cob_id"]["anyOf"][1]["const"], "auto");
     let schema = schema::network_toml();
     let of = |key: &str| &schema["properties"][key]["additionalProperties"]["properties"];
     assert_eq!(of("type"), of("node"));

@@ -17,7 +17,12 @@ pub fn object(keys: &[Key]) -> Value {
         property["deprecated"] = true.into();
         properties.insert(former.to_owned(), property);
     }
-    json!({ "type": "object", "properties": properties, "additionalProperties": false })
+    let required: Vec<&str> = keys.iter().filter(|key| key.is_required).map(|key| key.name).collect();
+    let mut map = json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    if !required.is_empty() {
+        map["required"] = required.into();
+    }
+    map
 }
 
 fn property(key: &Key) -> Value {
@@ -32,7 +37,7 @@ fn shape(shape: &Shape) -> Value {
     match shape {
         Shape::Integer(low, high) => integer(*low, *high),
         Shape::Number => json!({ "type": "number", "exclusiveMinimum": 0 }),
-        Shape::Flag => json!({ "type": "boolean" }),
+        Shape::Flag => json!({ "anyOf": [{ "type": "boolean" }, { "enum": [0, 1] }] }),
         Shape::Text => json!({ "type": ["string", "number"] }),
         Shape::Word(words) => json!({ "enum": words }),
         Shape::IntegerOr(low, high, word) => {
@@ -69,10 +74,17 @@ fn integer(low: i128, high: i128) -> Value {
     json!({ "type": "integer", "minimum": i64::try_from(low).ok(), "maximum": i64::try_from(high).ok() })
 }
 
-/// A map by number. JSON has no keys but texts, so the range is that of their length.
+/// A map by number. JSON has no keys but texts, so the pattern has those of the range: shorter ones, those that are less at a
+/// digit, and the highest.
 fn by_number(low: i128, high: i128, values: &Value) -> Value {
-    let digits = high.to_string().len();
-    let first = if low > 0 { "[1-9]" } else { "[0-9]" };
-    let pattern = format!("^{first}[0-9]{{0,{}}}$", digits - 1);
+    let highest = high.to_string();
+    let mut numbers = if low == 0 { vec!["0".to_owned()] } else { Vec::new() };
+    numbers.extend((1..highest.len()).map(|digits| format!("[1-9][0-9]{{{}}}", digits - 1)));
+    for (at, digit) in highest.char_indices() {
+        let (first, behind) = (if at == 0 { '1' } else { '0' }, highest.len() - at - 1);
+        let less = (first..digit).last();
+        numbers.extend(less.map(|last| format!("{}[{first}-{last}][0-9]{{{behind}}}", &highest[..at])));
+    }
+    let pattern = format!("^({}|{highest})$", numbers.join("|"));
     json!({ "type": "object", "patternProperties": { pattern: values }, "additionalProperties": false })
 }

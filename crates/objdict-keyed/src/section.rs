@@ -17,11 +17,13 @@ pub struct Key {
     pub meaning: &'static str,
     /// A name that it had in this kind of file, which is still read.
     pub former: Option<&'static str>,
+    /// Whether no map can do without it.
+    pub is_required: bool,
 }
 
-/// A key without a former name.
+/// A key without a former name, which a map need not have.
 pub const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
-    Key { name, shape, meaning, former: None }
+    Key { name, shape, meaning, former: None, is_required: false }
 }
 
 impl Key {
@@ -29,6 +31,12 @@ impl Key {
     #[must_use]
     pub const fn formerly(self, former: &'static str) -> Self {
         Self { former: Some(former), ..self }
+    }
+
+    /// The key as one that each map must have.
+    #[must_use]
+    pub const fn required(self) -> Self {
+        Self { is_required: true, ..self }
     }
 }
 
@@ -203,7 +211,14 @@ impl<'t> KeyedTable<'t> {
         let tree = self.get(name)?;
         match &*tree.kind {
             Kind::Bool(flag) => Some(Said::new(*flag, tree.span)),
-            Kind::Integer(number) => Some(Said::new(*number != 0, tree.span)),
+            Kind::Integer(number) => {
+                if !matches!(number, 0 | 1) {
+                    let message = say!("`{}` is {}, which is read as true", name, number);
+                    let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
+                    findings.push(finding.severity(Severity::Warning).help("write `true` or `false`"));
+                }
+                Some(Said::new(*number != 0, tree.span))
+            }
             _ => {
                 let finding = wrong(name, tree, "true or false");
                 findings.push(
@@ -211,6 +226,58 @@ impl<'t> KeyedTable<'t> {
                 );
                 None
             }
+        }
+    }
+
+    fn check_value(&self, key: &Key, tree: &KeyedTree, findings: &mut Findings) {
+        let name = key.name;
+        let list = match &*tree.kind {
+            Kind::List(items) => Some(&items[..]),
+            _ => None,
+        };
+        match key.shape {
+            Shape::IntegerOr(_, _, word) if tree.text() == Some(word) => {}
+            Shape::Integer(low, high) | Shape::IntegerOr(low, high, _) => {
+                integer(name, tree, (low, high), findings);
+            }
+            Shape::Number => drop(self.number(name, findings)),
+            Shape::Flag => drop(self.flag(name, findings)),
+            Shape::Text => drop(self.text(name, findings)),
+            Shape::Word(_) => drop(self.word(name, findings)),
+            Shape::Time(..) => drop(self.time::<i128>(name, findings)),
+            Shape::Texts => drop(self.texts(name, findings)),
+            Shape::Numbers(..) => drop(self.numbers(name, findings)),
+            Shape::ValueOrList | Shape::ValuesOrList if list.is_some() => {
+                list.into_iter().flatten().for_each(|item| check_scalar(name, item, findings));
+            }
+            Shape::Value | Shape::ValueOrList => check_scalar(name, tree, findings),
+            Shape::Values | Shape::ValuesOrList => {
+                for Pair { key, value } in self.named(name, findings) {
+                    check_scalar(&key.spelled(), value, findings);
+                }
+            }
+            Shape::Numerals(low, high) => {
+                for item in self.list(name, findings).unwrap_or_default() {
+                    integer(name, item, (low, high), findings);
+                }
+            }
+            Shape::Map(keys) => check_map(name, tree, keys, findings),
+            Shape::Named(keys) => {
+                for Pair { key, value } in self.named(name, findings) {
+                    check_map(&key.spelled(), value, keys, findings);
+                }
+            }
+            Shape::List(keys) => {
+                for item in self.list(name, findings).unwrap_or_default() {
+                    check_map(name, item, keys, findings);
+                }
+            }
+            Shape::Numbered(_, _, keys) => {
+                for (_, item) in self.numbered(name, findings) {
+                    check_map(name, item.value, keys, findings);
+                }
+            }
+            Shape::Foreign => {}
         }
     }
 
@@ -359,6 +426,35 @@ impl<'t> KeyedTable<'t> {
             }
         }
         numbered
+    }
+}
+
+/// Reports what the table does not allow in a map and in the maps below it, at places without a finding so far: values that
+/// are read only sometimes, or in another form.
+pub fn check(name: &str, tree: &KeyedTree, keys: &'static [Key], findings: &mut Findings) {
+    let mut found = Findings::new();
+    check_map(name, tree, keys, &mut found);
+    let place = |finding: &Diagnostic| finding.labels.first().map(|label| label.at.clone());
+    let known: Vec<_> = findings.iter().map(place).collect();
+    for finding in found.into_vec().into_iter().filter(|finding| !known.contains(&place(finding))) {
+        findings.push(finding);
+    }
+}
+
+fn check_map(name: &str, tree: &KeyedTree, keys: &'static [Key], findings: &mut Findings) {
+    let Some(section) = KeyedTable::new(name, tree, keys, findings) else { return };
+    for key in keys {
+        match section.get(key.name) {
+            Some(tree) => section.check_value(key, tree, findings),
+            None if key.is_required => drop(section.required(name, key.name, findings)),
+            None => {}
+        }
+    }
+}
+
+fn check_scalar(name: &str, tree: &KeyedTree, findings: &mut Findings) {
+    if matches!(&*tree.kind, Kind::Null | Kind::List(_) | Kind::Map(_)) {
+        findings.push(wrong(name, tree, "a value").help("write a number or a text"));
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) const OPTIONS: &[Key] = &[
 ];
 
 pub(super) const MASTER: &[Key] = &[
-    key("node_id", NODE_ID, "The node-ID of the manager."),
+    key("node_id", NODE_ID, "The node-ID of the manager.").required(),
     key("baudrate", Shape::Integer(1, 1000), "The bit rate in kbit/s."),
     key("vendor_id", bits(32), "Vendor-ID (1018h:01)."),
     key("product_code", bits(32), "Product code (1018h:02)."),
@@ -119,13 +119,13 @@ pub(super) const PDO: &[Key] = &[
 ];
 
 pub(super) const MAPPING: &[Key] = &[
-    key("index", bits(16), "The index of the object."),
+    key("index", bits(16), "The index of the object.").required(),
     key("sub_index", SUB_INDEX, "The sub-index of the entry."),
     key("bits", bits(8), "Has no effect: the data type of the entry says the length."),
 ];
 
 pub(super) const SDO: &[Key] = &[
-    key("index", bits(16), "The index of the object."),
+    key("index", bits(16), "The index of the object.").required(),
     key("sub_index", SUB_INDEX, "The sub-index of the entry."),
     key("value", Shape::Value, "The value."),
 ];

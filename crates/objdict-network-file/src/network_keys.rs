@@ -159,8 +159,8 @@ pub(super) const PDO: &[Key] = &[
 ];
 
 pub(super) const SDO: &[Key] = &[
-    key("entry", Shape::Text, "The entry, by its address."),
-    key("value", Shape::ValueOrList, "The value, or several ones in order."),
+    key("entry", Shape::Text, "The entry, by its address.").required(),
+    key("value", Shape::ValueOrList, "The value, or several ones in order.").required(),
 ];
 
 pub(super) const LINK: &[Key] = &[
@@ -168,8 +168,10 @@ pub(super) const LINK: &[Key] = &[
         "from",
         Shape::Text,
         "The entries of the producer: `left.6000:1-5`, `left.Statusword`; only the name of a manager without a description.",
-    ),
-    key("to", Shape::Texts, "As many entries of one consumer, or of each in a list; a manager as in `from`."),
+    )
+    .required(),
+    key("to", Shape::Texts, "As many entries of one consumer, or of each in a list; a manager as in `from`.")
+        .required(),
     key("transmission", Shape::Text, TRANSMISSION).formerly("type"),
     key("inhibit", TENTHS, INHIBIT),
     key("event-timer", MILLISECONDS, EVENT_TIMER),

@@ -6,7 +6,7 @@ use super::rules::UNREADABLE_NODE;
 use super::types::with_type;
 use super::{NodeDescriptions, too_many};
 use objdict_keyed::rules::{MISSING_KEY, WRONG_TYPE};
-use objdict_keyed::section::{KeyedTable, integer, wrong};
+use objdict_keyed::section::{self, KeyedTable, integer, wrong};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
@@ -31,6 +31,7 @@ pub(super) fn read(
     let nodes = reader.nodes(&section)?;
     let mut network = Network { nodes, links: reader.links(&section), ..Network::default() };
     reader.bus(&section, &mut network);
+    section::check("the network", &tree, NETWORK, findings);
     Some(network)
 }
 

@@ -25,7 +25,7 @@ pub fn bus_yml() -> Value {
         "then": ros,
         "else": {
             "patternProperties": { "^\\.": true },
-            "additionalProperties": { "$ref": "#/$defs/node" },
+            "additionalProperties": { "$ref": "#/$defs/node", "required": ["dcf"] },
             "properties": { "options": true, "master": true },
         },
         "$defs": { "node": object(NODE) },
@@ -35,9 +35,13 @@ pub fn bus_yml() -> Value {
 /// The JSON Schema of `network.toml`.
 pub fn network_toml() -> Value {
     let mut schema = object(NETWORK);
+    // a node without a file has that of its type
+    schema["properties"]["node"]["additionalProperties"]["anyOf"] =
+        json!([{ "required": ["file"] }, { "required": ["use"] }]);
     if let Some(fields) = schema.as_object_mut() {
         fields.insert("$schema".to_owned(), DIALECT.into());
         fields.insert("title".to_owned(), "network.toml of objdict".into());
+        fields.insert("minProperties".to_owned(), 1.into());
     }
     schema
 }

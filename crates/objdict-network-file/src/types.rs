@@ -17,7 +17,7 @@ pub(super) fn with_type(node: &Pair, types: &[Pair], findings: &mut Findings) ->
     let mut used = node.value.get(USE);
     while let Some(tree) = used {
         let name = match &*tree.kind {
-            Kind::Text(_) | Kind::Integer(_) => tree.spelled(),
+            Kind::Text(_) | Kind::Integer(_) | Kind::Float(_) => tree.spelled(),
             _ => {
                 findings.push(wrong(USE, tree, "a text").help("write the name of a type in quotes"));
                 break;

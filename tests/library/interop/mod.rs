@@ -32,6 +32,7 @@ use crate::support;
 
 #[cfg(feature = "full")]
 mod dbc;
+mod edited;
 #[cfg(feature = "full")]
 mod logs;
 mod networks;

@@ -220,7 +220,7 @@ const WRONG_PATCHES: [&str; 6] = [
     "format = \"objdict-patch/1\"\n[[change]]\nat = \"2001\"\nset = { typ = \"u8\" }\n",
 ];
 
-const OF_SCHEMAS: [&str; 4] = ["missing-key", "out-of-range", "unknown-key", "wrong-type"];
+const OF_SCHEMAS: [&str; 5] = ["invalid-change", "missing-key", "out-of-range", "unknown-key", "wrong-type"];
 
 /// A file that is rejected has a finding of these rules, and each example of them is rejected.
 #[test]

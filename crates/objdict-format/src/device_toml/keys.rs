@@ -21,7 +21,8 @@ pub(super) fn root() -> &'static [Key] {
 
 static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let format =
-        key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file.");
+        key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file.")
+            .required();
     let extends = key(
         "extends",
         Shape::Text,
@@ -89,7 +90,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         ),
         key(
             "raw",
-            Shape::Values,
+            Shape::Foreign,
             "What has no key: values of the JSON of a device by JSON pointers; they replace what the other keys say.",
         ),
         key(
@@ -242,8 +243,8 @@ macro_rules! entry_keys {
             key("value", Shape::ValueOrList, "The configured value of a node; a list as in `default`."),
             key("flags", bits(32), "`ObjFlags`."),
             key("unit", Shape::Text, "The unit of the engineering value."),
-            key("factor", Shape::Value, "By what the value is multiplied to get the engineering value."),
-            key("offset", Shape::Value, "What is added to the value before that."),
+            key("factor", Shape::Text, "By what the value is multiplied to get the engineering value."),
+            key("offset", Shape::Text, "What is added to the value before that."),
             key("enum", Shape::Values, "The names of values by number."),
             key("bits", Shape::Values, "The names of bits, or of ranges of them (`4-7`)."),
             key("description", Shape::Text, "What it is for, in English."),

@@ -35,7 +35,7 @@ pub use self::start::new_device_toml;
 use crate::compare::each_difference;
 use crate::scaffold;
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::KeyedTable;
+use objdict_keyed::section::{self, KeyedTable};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
@@ -113,6 +113,7 @@ fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
     count_pdos(&root, &mut device);
     device.lists = read_lists(&root, &device, findings);
     raw::read(&root, &mut device, findings);
+    section::check("device.toml", &merged.tree, keys::root(), findings);
     device
 }
 

@@ -26,7 +26,11 @@ pub(super) fn read(root: &KeyedTable<'_>, device: &mut Device, findings: &mut Fi
     for entry in root.named("raw", findings) {
         change(entry.key.spelled(), Some(json(&entry.value)), entry.key.span);
     }
-    let refused = if changes.is_empty() { changes } else { overlay(device, changes) };
+    let (changes, mut refused): (Vec<_>, Vec<_>) =
+        changes.into_iter().partition(|change| change.path.starts_with('/'));
+    if !changes.is_empty() {
+        refused.extend(overlay(device, changes));
+    }
     for change in refused {
         let span = spans.iter().find(|(path, _)| *path == change.path).map(|(_, span)| *span);
         let message = say!("the JSON of a device has no such value at `{}`", change.path);

@@ -15,7 +15,6 @@ pub fn schema() -> Value {
     if let Some(fields) = schema.as_object_mut() {
         fields.insert("$schema".to_owned(), DIALECT.into());
         fields.insert("title".to_owned(), "device.toml of objdict".into());
-        fields.insert("required".to_owned(), json!(["format"]));
     }
     schema
 }
@@ -30,6 +29,7 @@ fn refine(properties: &mut Value) {
     );
     with_meaning(&mut properties["object"], by_hex("^[0-9A-Fa-f]{4}$", of_object));
     with_meaning(&mut properties["raw"], by_hex("^/", json!({})));
+    with_meaning(&mut properties["extra"], json!({ "type": ["object", "array"] }));
     let addresses = json!({ "type": "array", "items": { "type": "string" } });
     let reasons = json!({ "type": "object", "additionalProperties": { "type": "string" } });
     with_meaning(&mut properties["remove"], json!({ "anyOf": [addresses, reasons] }));

@@ -10,7 +10,7 @@ const REASON: &str = "Why: for readers, and for the vendor.";
 const SOURCE: &str = "Where it is said: a manual with its page, a measurement.";
 
 pub(super) const PATCH: &[Key] = &[
-    key("format", Shape::Word(&[FORMAT]), "What the file is; the first key."),
+    key("format", Shape::Word(&[FORMAT]), "What the file is; the first key.").required(),
     key("title", Shape::Text, "What the patch is for."),
     key("vendor-id", bits(32), "The vendor-ID (1018h:01, else `VendorNumber`) of the files that it is for."),
     key("product-code", bits(32), "Their product code (1018h:02, else `ProductNumber`)."),
@@ -25,7 +25,8 @@ pub(super) const PATCH: &[Key] = &[
 ];
 
 pub(super) const CHANGE: &[Key] = &[
-    key("at", Shape::Text, "An object (`2001`), an entry (`2001:3`), or `file`, `device`, `commissioning`."),
+    key("at", Shape::Text, "An object (`2001`), an entry (`2001:3`), or `file`, `device`, `commissioning`.")
+        .required(),
     key(
         "expect",
         Shape::Map(FIELDS),
@@ -42,7 +43,7 @@ pub(super) const CHANGE: &[Key] = &[
 ];
 
 pub(super) const RAW: &[Key] = &[
-    key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/json.md)."),
+    key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/json.md).").required(),
     key(
         "expect",
         Shape::Text,

@@ -8,7 +8,7 @@ use super::rules::INVALID_CHANGE;
 use super::{ChangeWords, ChangedPart, Patch, PatchChange, Selector, Worded, no_part};
 use crate::compare::{Datum, DatumChange};
 use crate::patch::words::{FACTS, FIELDS, word_of};
-use objdict_keyed::section::KeyedTable;
+use objdict_keyed::section::{self, KeyedTable};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
@@ -38,6 +38,7 @@ pub(super) fn read(source: SourceFile) -> Patch {
         let changes = changes.iter().filter_map(|tree| change(tree, &mut findings));
         patch.changes = changes.collect();
         patch.changes.extend(raws.iter().filter_map(|tree| raw(tree, &mut findings)));
+        section::check("the patch", &tree, PATCH, &mut findings);
     }
     patch.findings = findings;
     patch
