@@ -110,6 +110,8 @@ impl ObjectMaker<'_> {
         let range =
             facts.iter().find(|facts| facts.first <= sub && sub <= facts.last && facts.last > facts.first);
         let name = facts.iter().map(|facts| facts.name).find(|name| !name.is_empty());
+        // version 1 of the profiles named the number of errors so, and a version always makes the same device
+        let name = name.filter(|_| (index, sub) != (0x1003, 0));
         let name = match (name, range) {
             (Some(name), Some(_)) => format!("{name} {sub}"),
             (Some(name), None) => name.to_owned(),

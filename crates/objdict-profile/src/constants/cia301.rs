@@ -39,134 +39,134 @@ static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_type
     (4096, 4096, SubList(43, 11), SubList(0, 1), Mandatory, None, SubList(0, 0), SubList(0, 1), SubList(0, 0), SubList(54, 98), High) // 1000h Device type
     (4097, 4097, SubList(253, 14), SubList(0, 1), Mandatory, None, SubList(0, 0), SubList(1, 1), SubList(0, 0), SubList(267, 96), High) // 1001h Error register
     (4098, 4098, SubList(363, 28), SubList(0, 1), Optional, None, SubList(0, 0), SubList(2, 1), SubList(0, 0), SubList(391, 45), High) // 1002h Manufacturer status register
-    (4099, 4099, SubList(493, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(3, 2), SubList(0, 0), SubList(516, 106), High) // 1003h Pre-defined error field
-    (4101, 4101, SubList(709, 19), SubList(0, 1), Optional, None, SubList(0, 0), SubList(5, 1), SubList(0, 0), SubList(728, 55), High) // 1005h COB-ID SYNC message
-    (4102, 4102, SubList(786, 26), SubList(0, 1), Optional, None, SubList(0, 0), SubList(6, 1), SubList(0, 0), SubList(812, 62), High) // 1006h Communication cycle period
-    (4103, 4103, SubList(874, 25), SubList(0, 1), Optional, None, SubList(0, 0), SubList(6, 1), SubList(0, 0), SubList(899, 73), High) // 1007h Synchronous window length
-    (4104, 4104, SubList(972, 24), SubList(0, 1), Optional, None, SubList(0, 0), SubList(7, 1), SubList(0, 0), SubList(996, 46), High) // 1008h Manufacturer device name
-    (4105, 4105, SubList(1042, 29), SubList(0, 1), Optional, None, SubList(0, 0), SubList(7, 1), SubList(0, 0), SubList(1071, 28), High) // 1009h Manufacturer hardware version
-    (4106, 4106, SubList(1099, 29), SubList(0, 1), Optional, None, SubList(0, 0), SubList(7, 1), SubList(0, 0), SubList(1128, 28), High) // 100Ah Manufacturer software version
-    (4108, 4108, SubList(1158, 10), SubList(0, 1), Optional, None, SubList(0, 0), SubList(8, 1), SubList(0, 0), SubList(1168, 103), High) // 100Ch Guard time
-    (4109, 4109, SubList(1271, 16), SubList(0, 1), Optional, None, SubList(0, 0), SubList(9, 1), SubList(0, 0), SubList(1287, 118), High) // 100Dh Life time factor
-    (4112, 4112, SubList(1549, 16), SubList(1, 2), Optional, None, SubList(0, 0), SubList(10, 5), SubList(0, 0), SubList(1565, 125), High) // 1010h Store parameters
-    (4113, 4113, SubList(1873, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(15, 5), SubList(0, 0), SubList(1899, 93), High) // 1011h Restore default parameters
-    (4114, 4114, SubList(2068, 24), SubList(0, 1), Optional, None, SubList(0, 0), SubList(20, 1), SubList(0, 0), SubList(2092, 67), High) // 1012h COB-ID time stamp object
-    (4115, 4115, SubList(2159, 26), SubList(0, 1), Optional, None, SubList(0, 0), SubList(21, 1), SubList(0, 0), SubList(2185, 64), High) // 1013h High resolution time stamp
-    (4116, 4116, SubList(2271, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(22, 1), SubList(0, 0), SubList(2282, 54), High) // 1014h COB-ID EMCY
-    (4117, 4117, SubList(2343, 17), SubList(0, 1), Optional, None, SubList(0, 0), SubList(23, 1), SubList(0, 0), SubList(2360, 58), High) // 1015h Inhibit time EMCY
-    (4118, 4118, SubList(2445, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(24, 3), SubList(0, 0), SubList(2468, 98), High) // 1016h Consumer heartbeat time
-    (4119, 4119, SubList(2566, 23), SubList(0, 1), Optional, None, SubList(0, 0), SubList(8, 1), SubList(0, 0), SubList(2589, 76), High) // 1017h Producer heartbeat time
-    (4120, 4120, SubList(2742, 15), SubList(3, 2), Mandatory, None, SubList(0, 0), SubList(27, 5), SubList(0, 0), SubList(2757, 103), High) // 1018h Identity object
-    (4121, 4121, SubList(2860, 34), SubList(0, 1), Optional, None, SubList(0, 0), SubList(9, 1), SubList(0, 0), SubList(2894, 93), High) // 1019h Synchronous counter overflow value
-    (4128, 4128, SubList(3023, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(32, 3), SubList(0, 0), SubList(3043, 110), High) // 1020h Verify configuration
-    (4129, 4129, SubList(3153, 9), SubList(5, 1), Optional, None, SubList(0, 0), SubList(35, 1), SubList(0, 0), SubList(3162, 51), High) // 1021h Store EDS
-    (4130, 4130, SubList(3213, 12), SubList(0, 1), Optional, None, SubList(0, 0), SubList(36, 1), SubList(0, 0), SubList(3225, 31), High) // 1022h Store format
-    (4131, 4131, SubList(3274, 10), SubList(6, 1), Optional, None, SubList(0, 0), SubList(37, 4), SubList(0, 0), SubList(3284, 82), High) // 1023h OS command
-    (4132, 4132, SubList(3366, 15), SubList(0, 1), Optional, None, SubList(0, 0), SubList(41, 1), SubList(0, 0), SubList(3381, 72), High) // 1024h OS command mode
-    (4133, 4133, SubList(3453, 21), SubList(6, 1), Optional, None, SubList(0, 0), SubList(37, 4), SubList(0, 0), SubList(3474, 79), High) // 1025h OS debugger interface
-    (4134, 4134, SubList(3570, 9), SubList(1, 2), Optional, None, SubList(0, 0), SubList(42, 4), SubList(0, 0), SubList(3579, 77), High) // 1026h OS prompt
-    (4135, 4135, SubList(3662, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(46, 2), SubList(0, 0), SubList(3673, 57), High) // 1027h Module list
-    (4136, 4136, SubList(3748, 25), SubList(1, 2), Optional, None, SubList(0, 0), SubList(48, 2), SubList(0, 0), SubList(3773, 104), High) // 1028h Emergency consumer object
-    (4137, 4137, SubList(3992, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(50, 3), SubList(0, 0), SubList(4013, 96), High) // 1029h Error behavior object
-    (4608, 4608, SubList(4203, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(53, 4), SubList(0, 0), SubList(4223, 86), High) // 1200h SDO server parameter
-    (4609, 4735, SubList(4203, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(57, 4), SubList(0, 0), SubList(4309, 66), High) // 1201h SDO server parameter
-    (4736, 4863, SubList(4400, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(61, 4), SubList(0, 0), SubList(4420, 90), High) // 1280h SDO client parameter
-    (5120, 5631, SubList(4726, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(65, 7), SubList(0, 0), SubList(4754, 77), High) // 1400h RPDO communication parameter
-    (5632, 6143, SubList(4921, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(72, 2), SubList(0, 0), SubList(4943, 81), High) // 1600h RPDO mapping parameter
-    (6144, 6655, SubList(5165, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(74, 7), SubList(0, 0), SubList(5193, 52), High) // 1800h TPDO communication parameter
-    (6656, 7167, SubList(5289, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(81, 2), SubList(0, 0), SubList(5311, 59), High) // 1A00h TPDO mapping parameter
-    (8096, 8143, SubList(5395, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(83, 2), SubList(0, 0), SubList(5414, 74), High) // 1FA0h Object scanner list
-    (8144, 8191, SubList(5496, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(85, 2), SubList(0, 0), SubList(5519, 83), High) // 1FD0h Object dispatching list
+    (4099, 4099, SubList(482, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(3, 2), SubList(0, 0), SubList(505, 106), High) // 1003h Pre-defined error field
+    (4101, 4101, SubList(698, 19), SubList(0, 1), Optional, None, SubList(0, 0), SubList(5, 1), SubList(0, 0), SubList(717, 55), High) // 1005h COB-ID SYNC message
+    (4102, 4102, SubList(775, 26), SubList(0, 1), Optional, None, SubList(0, 0), SubList(6, 1), SubList(0, 0), SubList(801, 62), High) // 1006h Communication cycle period
+    (4103, 4103, SubList(863, 25), SubList(0, 1), Optional, None, SubList(0, 0), SubList(6, 1), SubList(0, 0), SubList(888, 73), High) // 1007h Synchronous window length
+    (4104, 4104, SubList(961, 24), SubList(0, 1), Optional, None, SubList(0, 0), SubList(7, 1), SubList(0, 0), SubList(985, 46), High) // 1008h Manufacturer device name
+    (4105, 4105, SubList(1031, 29), SubList(0, 1), Optional, None, SubList(0, 0), SubList(7, 1), SubList(0, 0), SubList(1060, 28), High) // 1009h Manufacturer hardware version
+    (4106, 4106, SubList(1088, 29), SubList(0, 1), Optional, None, SubList(0, 0), SubList(7, 1), SubList(0, 0), SubList(1117, 28), High) // 100Ah Manufacturer software version
+    (4108, 4108, SubList(1147, 10), SubList(0, 1), Optional, None, SubList(0, 0), SubList(8, 1), SubList(0, 0), SubList(1157, 103), High) // 100Ch Guard time
+    (4109, 4109, SubList(1260, 16), SubList(0, 1), Optional, None, SubList(0, 0), SubList(9, 1), SubList(0, 0), SubList(1276, 118), High) // 100Dh Life time factor
+    (4112, 4112, SubList(1565, 16), SubList(1, 2), Optional, None, SubList(0, 0), SubList(10, 5), SubList(0, 0), SubList(1581, 125), High) // 1010h Store parameters
+    (4113, 4113, SubList(1889, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(15, 5), SubList(0, 0), SubList(1915, 93), High) // 1011h Restore default parameters
+    (4114, 4114, SubList(2084, 24), SubList(0, 1), Optional, None, SubList(0, 0), SubList(20, 1), SubList(0, 0), SubList(2108, 67), High) // 1012h COB-ID time stamp object
+    (4115, 4115, SubList(2175, 26), SubList(0, 1), Optional, None, SubList(0, 0), SubList(21, 1), SubList(0, 0), SubList(2201, 64), High) // 1013h High resolution time stamp
+    (4116, 4116, SubList(2287, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(22, 1), SubList(0, 0), SubList(2298, 54), High) // 1014h COB-ID EMCY
+    (4117, 4117, SubList(2359, 17), SubList(0, 1), Optional, None, SubList(0, 0), SubList(23, 1), SubList(0, 0), SubList(2376, 58), High) // 1015h Inhibit time EMCY
+    (4118, 4118, SubList(2461, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(24, 3), SubList(0, 0), SubList(2484, 98), High) // 1016h Consumer heartbeat time
+    (4119, 4119, SubList(2582, 23), SubList(0, 1), Optional, None, SubList(0, 0), SubList(8, 1), SubList(0, 0), SubList(2605, 76), High) // 1017h Producer heartbeat time
+    (4120, 4120, SubList(2758, 15), SubList(3, 2), Mandatory, None, SubList(0, 0), SubList(27, 5), SubList(0, 0), SubList(2773, 103), High) // 1018h Identity object
+    (4121, 4121, SubList(2876, 34), SubList(0, 1), Optional, None, SubList(0, 0), SubList(9, 1), SubList(0, 0), SubList(2910, 93), High) // 1019h Synchronous counter overflow value
+    (4128, 4128, SubList(3039, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(32, 3), SubList(0, 0), SubList(3059, 110), High) // 1020h Verify configuration
+    (4129, 4129, SubList(3169, 9), SubList(5, 1), Optional, None, SubList(0, 0), SubList(35, 1), SubList(0, 0), SubList(3178, 51), High) // 1021h Store EDS
+    (4130, 4130, SubList(3229, 12), SubList(0, 1), Optional, None, SubList(0, 0), SubList(36, 1), SubList(0, 0), SubList(3241, 31), High) // 1022h Store format
+    (4131, 4131, SubList(3290, 10), SubList(6, 1), Optional, None, SubList(0, 0), SubList(37, 4), SubList(0, 0), SubList(3300, 82), High) // 1023h OS command
+    (4132, 4132, SubList(3382, 15), SubList(0, 1), Optional, None, SubList(0, 0), SubList(41, 1), SubList(0, 0), SubList(3397, 72), High) // 1024h OS command mode
+    (4133, 4133, SubList(3469, 21), SubList(6, 1), Optional, None, SubList(0, 0), SubList(37, 4), SubList(0, 0), SubList(3490, 79), High) // 1025h OS debugger interface
+    (4134, 4134, SubList(3586, 9), SubList(1, 2), Optional, None, SubList(0, 0), SubList(42, 4), SubList(0, 0), SubList(3595, 77), High) // 1026h OS prompt
+    (4135, 4135, SubList(3678, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(46, 2), SubList(0, 0), SubList(3689, 57), High) // 1027h Module list
+    (4136, 4136, SubList(3764, 25), SubList(1, 2), Optional, None, SubList(0, 0), SubList(48, 2), SubList(0, 0), SubList(3789, 104), High) // 1028h Emergency consumer object
+    (4137, 4137, SubList(4008, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(50, 3), SubList(0, 0), SubList(4029, 96), High) // 1029h Error behavior object
+    (4608, 4608, SubList(4219, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(53, 4), SubList(0, 0), SubList(4239, 86), High) // 1200h SDO server parameter
+    (4609, 4735, SubList(4219, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(57, 4), SubList(0, 0), SubList(4325, 66), High) // 1201h SDO server parameter
+    (4736, 4863, SubList(4416, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(61, 4), SubList(0, 0), SubList(4436, 90), High) // 1280h SDO client parameter
+    (5120, 5631, SubList(4742, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(65, 7), SubList(0, 0), SubList(4770, 77), High) // 1400h RPDO communication parameter
+    (5632, 6143, SubList(4937, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(72, 2), SubList(0, 0), SubList(4959, 81), High) // 1600h RPDO mapping parameter
+    (6144, 6655, SubList(5181, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(74, 7), SubList(0, 0), SubList(5209, 52), High) // 1800h TPDO communication parameter
+    (6656, 7167, SubList(5305, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(81, 2), SubList(0, 0), SubList(5327, 59), High) // 1A00h TPDO mapping parameter
+    (8096, 8143, SubList(5411, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(83, 2), SubList(0, 0), SubList(5430, 74), High) // 1FA0h Object scanner list
+    (8144, 8191, SubList(5512, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(85, 2), SubList(0, 0), SubList(5535, 83), High) // 1FD0h Object dispatching list
 );
 
 static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
     (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 2))
     (0, 0, Some(Any), Mandatory, SubList(0, 0), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(2, 7))
     (0, 0, Some(Any), Mandatory, SubList(0, 0), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(1, 2), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(473, 20), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(9, 2)) // Standard error field
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(11, 3))
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(783, 3), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(436, 16), SubList(1, 1), SubList(1, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Number of errors
+    (1, 254, Some(No), Optional, SubList(462, 20), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(9, 2)) // Standard error field
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(11, 3))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(772, 3), SubList(0, 0))
     (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(3, 1), SubList(1, 2), SubList(0, 0), None, SubList(1156, 2), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(1438, 19), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save all parameters
-    (2, 2, Some(No), Optional, SubList(1457, 29), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save communication parameters
-    (3, 3, Some(No), Optional, SubList(1486, 27), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save application parameters
-    (4, 127, Some(No), Optional, SubList(1513, 36), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save manufacturer-defined parameters
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(1718, 30), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore all default parameters
-    (2, 2, Some(No), Optional, SubList(1748, 40), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore communication default parameters
-    (3, 3, Some(No), Optional, SubList(1788, 38), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore application default parameters
-    (4, 127, Some(No), Optional, SubList(1826, 47), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore manufacturer-defined default parameters
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(17, 4))
-    (0, 0, Some(Any), Mandatory, SubList(0, 0), SubList(0, 1), SubList(4, 3), SubList(0, 0), None, SubList(783, 3), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3))
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(3, 1), SubList(3, 1), SubList(0, 0), None, SubList(2336, 7), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2445, 23), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(24, 2)) // Consumer heartbeat time
-    (2, 127, Some(No), Optional, SubList(2445, 23), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(24, 2)) // Consumer heartbeat time
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2665, 9), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Vendor-ID
-    (2, 2, Some(No), Optional, SubList(2674, 12), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Product code
-    (3, 3, Some(No), Optional, SubList(2714, 15), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(26, 2)) // Revision number
-    (4, 4, Some(No), Optional, SubList(2729, 13), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Serial number
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2987, 18), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configuration date
-    (2, 2, Some(No), Mandatory, SubList(3005, 18), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configuration time
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(1454, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save all parameters
+    (2, 2, Some(No), Optional, SubList(1473, 29), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save communication parameters
+    (3, 3, Some(No), Optional, SubList(1502, 27), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save application parameters
+    (4, 127, Some(No), Optional, SubList(1529, 36), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(14, 2)) // Save manufacturer-defined parameters
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(1734, 30), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore all default parameters
+    (2, 2, Some(No), Optional, SubList(1764, 40), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore communication default parameters
+    (3, 3, Some(No), Optional, SubList(1804, 38), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore application default parameters
+    (4, 127, Some(No), Optional, SubList(1842, 47), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(16, 1)) // Restore manufacturer-defined default parameters
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(17, 4))
+    (0, 0, Some(Any), Mandatory, SubList(0, 0), SubList(0, 1), SubList(4, 3), SubList(0, 0), None, SubList(772, 3), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(3, 1), SubList(1, 1), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(2461, 23), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(24, 2)) // Consumer heartbeat time
+    (2, 127, Some(No), Optional, SubList(2461, 23), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(24, 2)) // Consumer heartbeat time
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(2681, 9), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Vendor-ID
+    (2, 2, Some(No), Optional, SubList(2690, 12), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Product code
+    (3, 3, Some(No), Optional, SubList(2730, 15), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(26, 2)) // Revision number
+    (4, 4, Some(No), Optional, SubList(2745, 13), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Serial number
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(3003, 18), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configuration date
+    (2, 2, Some(No), Mandatory, SubList(3021, 18), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configuration time
     (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(4, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
     (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(5, 2), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(3256, 7), SubList(7, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Command
-    (2, 2, Some(No), Mandatory, SubList(3263, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Status
-    (3, 3, Some(No), Mandatory, SubList(3269, 5), SubList(7, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reply
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(3272, 7), SubList(7, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Command
+    (2, 2, Some(No), Mandatory, SubList(3279, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Status
+    (3, 3, Some(No), Mandatory, SubList(3285, 5), SubList(7, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reply
     (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(9, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(3553, 5), SubList(1, 1), SubList(9, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdIn
-    (2, 2, Some(Any), Mandatory, SubList(3558, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdOut
-    (3, 3, Some(Any), Optional, SubList(3564, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdErr
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(3656, 6), SubList(3, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Module
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Optional, SubList(3730, 18), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // Emergency consumer
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(3934, 19), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Communication error
-    (2, 254, Some(No), Optional, SubList(3953, 39), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Profile- or manufacturer-specific error
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(4132, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
-    (2, 2, Some(Any), Mandatory, SubList(4155, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
-    (3, 3, Some(No), Optional, SubList(4178, 25), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(4132, 23), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
-    (2, 2, Some(Any), Mandatory, SubList(4155, 23), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
-    (3, 3, Some(No), Optional, SubList(4178, 25), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(4132, 23), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
-    (2, 2, Some(Any), Mandatory, SubList(4155, 23), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
-    (3, 3, Some(No), Mandatory, SubList(4375, 25), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO server
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(4510, 19), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // COB-ID used by RPDO
-    (2, 2, Some(No), Mandatory, SubList(4662, 17), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(33, 1)) // Transmission type
-    (3, 3, Some(No), Optional, SubList(4679, 12), SubList(3, 1), SubList(1, 2), SubList(0, 0), None, SubList(2336, 7), SubList(0, 0)) // Inhibit time
-    (4, 4, Some(No), Optional, SubList(4691, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
-    (5, 5, Some(No), Optional, SubList(4699, 11), SubList(3, 1), SubList(1, 2), SubList(0, 0), None, SubList(1156, 2), SubList(0, 0)) // Event timer
-    (6, 6, Some(No), Optional, SubList(4710, 16), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
-    (0, 0, Some(No), Mandatory, SubList(4831, 44), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in RPDO
-    (1, 64, Some(No), Optional, SubList(4903, 18), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(5055, 19), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(37, 4)) // COB-ID used by TPDO
-    (2, 2, Some(No), Mandatory, SubList(4662, 17), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(41, 1)) // Transmission type
-    (3, 3, Some(No), Optional, SubList(4679, 12), SubList(3, 1), SubList(1, 2), SubList(0, 0), None, SubList(2336, 7), SubList(0, 0)) // Inhibit time
-    (4, 4, Some(No), Optional, SubList(4691, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
-    (5, 5, Some(No), Optional, SubList(4699, 11), SubList(3, 1), SubList(1, 2), SubList(0, 0), None, SubList(1156, 2), SubList(0, 0)) // Event timer
-    (6, 6, Some(No), Optional, SubList(4710, 16), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
-    (0, 0, Some(No), Mandatory, SubList(5245, 44), SubList(1, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in TPDO
-    (1, 64, Some(No), Optional, SubList(4903, 18), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(5391, 4), SubList(0, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(42, 3)) // Scan
-    (0, 0, Some(No), Mandatory, SubList(436, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(5488, 8), SubList(8, 1), SubList(1, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Dispatch
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, SubList(3569, 5), SubList(1, 1), SubList(9, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdIn
+    (2, 2, Some(Any), Mandatory, SubList(3574, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdOut
+    (3, 3, Some(Any), Optional, SubList(3580, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdErr
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 254, Some(No), Optional, SubList(3672, 6), SubList(3, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Module
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Optional, SubList(3746, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // Emergency consumer
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(3950, 19), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Communication error
+    (2, 254, Some(No), Optional, SubList(3969, 39), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Profile- or manufacturer-specific error
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, SubList(4148, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
+    (2, 2, Some(Any), Mandatory, SubList(4171, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
+    (3, 3, Some(No), Optional, SubList(4194, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, SubList(4148, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
+    (2, 2, Some(Any), Mandatory, SubList(4171, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
+    (3, 3, Some(No), Optional, SubList(4194, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, SubList(4148, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
+    (2, 2, Some(Any), Mandatory, SubList(4171, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
+    (3, 3, Some(No), Mandatory, SubList(4391, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO server
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(4526, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // COB-ID used by RPDO
+    (2, 2, Some(No), Mandatory, SubList(4678, 17), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(33, 1)) // Transmission type
+    (3, 3, Some(No), Optional, SubList(4695, 12), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0)) // Inhibit time
+    (4, 4, Some(No), Optional, SubList(4707, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
+    (5, 5, Some(No), Optional, SubList(4715, 11), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0)) // Event timer
+    (6, 6, Some(No), Optional, SubList(4726, 16), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
+    (0, 0, Some(No), Mandatory, SubList(4847, 44), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in RPDO
+    (1, 64, Some(No), Optional, SubList(4919, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(5071, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(37, 4)) // COB-ID used by TPDO
+    (2, 2, Some(No), Mandatory, SubList(4678, 17), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(41, 1)) // Transmission type
+    (3, 3, Some(No), Optional, SubList(4695, 12), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0)) // Inhibit time
+    (4, 4, Some(No), Optional, SubList(4707, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
+    (5, 5, Some(No), Optional, SubList(4715, 11), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0)) // Event timer
+    (6, 6, Some(No), Optional, SubList(4726, 16), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
+    (0, 0, Some(No), Mandatory, SubList(5261, 44), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in TPDO
+    (1, 64, Some(No), Optional, SubList(4919, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 254, Some(No), Optional, SubList(5407, 4), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(42, 3)) // Scan
+    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 254, Some(No), Optional, SubList(5504, 8), SubList(8, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Dispatch
 );
 
 static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
@@ -179,71 +179,71 @@ static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
     (4, 4, SubList(190, 19), SubList(0, 0)) // communication error
     (5, 5, SubList(209, 23), SubList(0, 0)) // device profile-specific
     (7, 7, SubList(232, 21), SubList(0, 0)) // manufacturer-specific
-    (0, 15, SubList(463, 10), SubList(0, 0)) // error code
+    (0, 15, SubList(452, 10), SubList(0, 0)) // error code
     (16, 31, SubList(21, 22), SubList(0, 0)) // additional information
-    (0, 28, SubList(622, 6), SubList(0, 0)) // CAN-ID
-    (29, 29, SubList(628, 5), SubList(0, 2)) // frame
-    (30, 30, SubList(667, 8), SubList(2, 2)) // producer
-    (0, 0, SubList(1405, 17), SubList(0, 0)) // stores on command
-    (1, 1, SubList(1422, 16), SubList(0, 0)) // stores by itself
-    (0, 0, SubList(1690, 28), SubList(0, 0)) // restores defaults on command
-    (0, 28, SubList(622, 6), SubList(0, 0)) // CAN-ID
-    (29, 29, SubList(628, 5), SubList(0, 2)) // frame
-    (30, 30, SubList(667, 8), SubList(4, 2)) // producer
-    (31, 31, SubList(2026, 8), SubList(6, 2)) // consumer
-    (0, 28, SubList(622, 6), SubList(0, 0)) // CAN-ID
-    (29, 29, SubList(628, 5), SubList(0, 2)) // frame
-    (31, 31, SubList(2249, 8), SubList(8, 2)) // validity
-    (0, 15, SubList(2418, 20), SubList(0, 0)) // heartbeat time in ms
-    (16, 23, SubList(2438, 7), SubList(0, 0)) // node-ID
-    (0, 15, SubList(2686, 14), SubList(0, 0)) // minor revision
-    (16, 31, SubList(2700, 14), SubList(0, 0)) // major revision
-    (0, 7, SubList(3877, 8), SubList(10, 3)) // reaction
-    (0, 28, SubList(622, 6), SubList(0, 0)) // CAN-ID
-    (29, 29, SubList(628, 5), SubList(0, 2)) // frame
-    (30, 30, SubList(4109, 10), SubList(13, 2)) // assignment
-    (31, 31, SubList(2249, 8), SubList(8, 2)) // validity
-    (0, 7, SubList(4529, 17), SubList(15, 3)) // transmission type
-    (0, 7, SubList(4875, 14), SubList(0, 0)) // length in bits
-    (8, 15, SubList(4889, 9), SubList(0, 0)) // sub-index
-    (16, 31, SubList(4898, 5), SubList(0, 0)) // index
-    (0, 28, SubList(622, 6), SubList(0, 0)) // CAN-ID
-    (29, 29, SubList(628, 5), SubList(0, 2)) // frame
-    (30, 30, SubList(5024, 13), SubList(18, 2)) // remote frames
-    (31, 31, SubList(2249, 8), SubList(8, 2)) // validity
-    (0, 7, SubList(4529, 17), SubList(20, 6)) // transmission type
-    (0, 7, SubList(4889, 9), SubList(0, 0)) // sub-index
-    (8, 23, SubList(4898, 5), SubList(0, 0)) // index
-    (24, 31, SubList(5370, 21), SubList(0, 0)) // number of sub-indexes
+    (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
+    (29, 29, SubList(617, 5), SubList(0, 2)) // frame
+    (30, 30, SubList(656, 8), SubList(2, 2)) // producer
+    (0, 0, SubList(1421, 17), SubList(0, 0)) // stores on command
+    (1, 1, SubList(1438, 16), SubList(0, 0)) // stores by itself
+    (0, 0, SubList(1706, 28), SubList(0, 0)) // restores defaults on command
+    (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
+    (29, 29, SubList(617, 5), SubList(0, 2)) // frame
+    (30, 30, SubList(656, 8), SubList(4, 2)) // producer
+    (31, 31, SubList(2042, 8), SubList(6, 2)) // consumer
+    (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
+    (29, 29, SubList(617, 5), SubList(0, 2)) // frame
+    (31, 31, SubList(2265, 8), SubList(8, 2)) // validity
+    (0, 15, SubList(2434, 20), SubList(0, 0)) // heartbeat time in ms
+    (16, 23, SubList(2454, 7), SubList(0, 0)) // node-ID
+    (0, 15, SubList(2702, 14), SubList(0, 0)) // minor revision
+    (16, 31, SubList(2716, 14), SubList(0, 0)) // major revision
+    (0, 7, SubList(3893, 8), SubList(10, 3)) // reaction
+    (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
+    (29, 29, SubList(617, 5), SubList(0, 2)) // frame
+    (30, 30, SubList(4125, 10), SubList(13, 2)) // assignment
+    (31, 31, SubList(2265, 8), SubList(8, 2)) // validity
+    (0, 7, SubList(4545, 17), SubList(15, 3)) // transmission type
+    (0, 7, SubList(4891, 14), SubList(0, 0)) // length in bits
+    (8, 15, SubList(4905, 9), SubList(0, 0)) // sub-index
+    (16, 31, SubList(4914, 5), SubList(0, 0)) // index
+    (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
+    (29, 29, SubList(617, 5), SubList(0, 2)) // frame
+    (30, 30, SubList(5040, 13), SubList(18, 2)) // remote frames
+    (31, 31, SubList(2265, 8), SubList(8, 2)) // validity
+    (0, 7, SubList(4545, 17), SubList(20, 6)) // transmission type
+    (0, 7, SubList(4905, 9), SubList(0, 0)) // sub-index
+    (8, 23, SubList(4914, 5), SubList(0, 0)) // index
+    (24, 31, SubList(5386, 21), SubList(0, 0)) // number of sub-indexes
 );
 
 static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
-    (0, 0, SubList(633, 17)) // CAN-ID of 11 bits
-    (1, 1, SubList(650, 17)) // CAN-ID of 29 bits
-    (0, 0, SubList(675, 21)) // does not produce SYNC
-    (1, 1, SubList(696, 13)) // produces SYNC
-    (0, 0, SubList(1992, 21)) // does not produce TIME
-    (1, 1, SubList(2013, 13)) // produces TIME
-    (0, 0, SubList(2034, 21)) // does not consume TIME
-    (1, 1, SubList(2055, 13)) // consumes TIME
-    (0, 0, SubList(2257, 5)) // valid
-    (1, 1, SubList(2262, 9)) // not valid
-    (0, 0, SubList(3885, 33)) // pre-operational, from operational
-    (1, 1, SubList(3918, 9)) // no change
-    (2, 2, SubList(3927, 7)) // stopped
-    (0, 0, SubList(4119, 6)) // static
-    (1, 1, SubList(4125, 7)) // dynamic
-    (0, 240, SubList(4546, 38)) // synchronous: counts with the next SYNC
-    (254, 254, SubList(4584, 35)) // event-driven, as the vendor defines
-    (255, 255, SubList(4619, 43)) // event-driven, as the device profile defines
-    (0, 0, SubList(5037, 7)) // allowed
-    (1, 1, SubList(5044, 11)) // not allowed
-    (0, 0, SubList(5074, 27)) // synchronous, after an event
-    (1, 240, SubList(5101, 27)) // synchronous, every nth SYNC
-    (252, 252, SubList(5128, 27)) // on request, sampled at SYNC
-    (253, 253, SubList(5155, 10)) // on request
-    (254, 254, SubList(4584, 35)) // event-driven, as the vendor defines
-    (255, 255, SubList(4619, 43)) // event-driven, as the device profile defines
+    (0, 0, SubList(622, 17)) // CAN-ID of 11 bits
+    (1, 1, SubList(639, 17)) // CAN-ID of 29 bits
+    (0, 0, SubList(664, 21)) // does not produce SYNC
+    (1, 1, SubList(685, 13)) // produces SYNC
+    (0, 0, SubList(2008, 21)) // does not produce TIME
+    (1, 1, SubList(2029, 13)) // produces TIME
+    (0, 0, SubList(2050, 21)) // does not consume TIME
+    (1, 1, SubList(2071, 13)) // consumes TIME
+    (0, 0, SubList(2273, 5)) // valid
+    (1, 1, SubList(2278, 9)) // not valid
+    (0, 0, SubList(3901, 33)) // pre-operational, from operational
+    (1, 1, SubList(3934, 9)) // no change
+    (2, 2, SubList(3943, 7)) // stopped
+    (0, 0, SubList(4135, 6)) // static
+    (1, 1, SubList(4141, 7)) // dynamic
+    (0, 240, SubList(4562, 38)) // synchronous: counts with the next SYNC
+    (254, 254, SubList(4600, 35)) // event-driven, as the vendor defines
+    (255, 255, SubList(4635, 43)) // event-driven, as the device profile defines
+    (0, 0, SubList(5053, 7)) // allowed
+    (1, 1, SubList(5060, 11)) // not allowed
+    (0, 0, SubList(5090, 27)) // synchronous, after an event
+    (1, 240, SubList(5117, 27)) // synchronous, every nth SYNC
+    (252, 252, SubList(5144, 27)) // on request, sampled at SYNC
+    (253, 253, SubList(5171, 10)) // on request
+    (254, 254, SubList(4600, 35)) // event-driven, as the vendor defines
+    (255, 255, SubList(4635, 43)) // event-driven, as the device profile defines
 );
 
 static COMMANDS: &[CommandRow] = &[];
@@ -257,7 +257,7 @@ static OBJECT_TYPES: &[ObjectType] = &[Var, Array, Record, Record, Array, Domain
 
 static DATA_TYPES: &[DataType] = &[DataType(7), DataType(5), DataType(9), DataType(6), DataType(15), DataType(5), DataType(6), DataType(10), DataType(27)];
 
-static ACCESS: &[Access] = &[Ro, Rw, Const, Rw, Rw, Ro, Wo, Rw, Wo, Wo];
+static ACCESS: &[Access] = &[Ro, Rw, Rw, Const, Rw, Ro, Wo, Rw, Wo, Wo];
 
 static VALUES: &[std::ops::RangeInclusive<i128>] = &[0..=254, 1..=127, 1..=4, 2..=2, 3..=3, 2..=3, 1..=254, 2..=6];
 
@@ -271,8 +271,8 @@ static TEXTS: &str = concat!(
     "generic error", "current", "voltage", "temperature", "communication error", "device profile-specific",
     "manufacturer-specific", "Error register",
     "Sums up the errors that are present now, one bit per error class; every EMCY message carries it.",
-    "Manufacturer status register", "Status bits whose meaning the vendor defines.",
-    "Highest sub-index supported", "error code", "Standard error field", "Pre-defined error field",
+    "Manufacturer status register", "Status bits whose meaning the vendor defines.", "Number of errors",
+    "error code", "Standard error field", "Pre-defined error field",
     "Lists the errors that were reported with EMCY, the latest first; writing 0 to sub-index 0 clears the list.",
     "CAN-ID", "frame", "CAN-ID of 11 bits", "CAN-ID of 29 bits", "producer", "does not produce SYNC",
     "produces SYNC", "COB-ID SYNC message", "The CAN-ID of SYNC, and whether the device produces it.", "µs",
@@ -284,8 +284,9 @@ static TEXTS: &str = concat!(
     "The period in which the NMT master asks for the state of the device (node guarding); 0 switches it off.",
     "Life time factor",
     "The number of guard times without a request after which the device reports a life guarding event; 0 switches that off.",
-    "stores on command", "stores by itself", "Save all parameters", "Save communication parameters",
-    "Save application parameters", "Save manufacturer-defined parameters", "Store parameters",
+    "Highest sub-index supported", "stores on command", "stores by itself", "Save all parameters",
+    "Save communication parameters", "Save application parameters", "Save manufacturer-defined parameters",
+    "Store parameters",
     "Stores parameters in non-volatile memory when `save` (65766173h) is written; read, it says whether and how the device stores.",
     "restores defaults on command", "Restore all default parameters", "Restore communication default parameters",
     "Restore application default parameters", "Restore manufacturer-defined default parameters",
