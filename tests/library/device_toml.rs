@@ -49,9 +49,7 @@ fn comes_back(files: &[PathBuf]) {
         // what is as wrong in the file that it comes from
         let is_inherited = |finding: &&Diagnostic| {
             let message = finding.message.to_string();
-            finding.severity == Severity::Warning
-                && (message.starts_with("`factor` is")
-                    || message.contains("characters, but its type has room for "))
+            finding.severity == Severity::Warning && message.starts_with("`factor` is")
         };
         let own = again.findings().iter().filter(|finding| !is_inherited(finding)).count();
         assert_eq!(own, 0, "{}: {:?}\n{text}", file.display(), again.findings());

@@ -258,7 +258,7 @@ impl ObjectWriter<'_> {
             pairs.push(("name".to_owned(), quoted(&entry.name)));
         }
         if entry.data_type != implied.data_type {
-            let length = entry.stack.as_ref().and_then(|stack| stack.min_string_length);
+            let length = room(entry);
             let object_type = entry.object_type.filter(|of| *of == ObjectType::Domain);
             let said = TypeSaid { object_type, data_type: entry.data_type, length, count: None };
             let word = said.word().or_else(|| entry.data_type.map(type_word));
@@ -341,6 +341,14 @@ fn stated_value(value: &Value, data_type: Option<DataType>, hex: bool) -> Option
     }
 }
 
+/// For how many characters a text has room, unless its default is longer: a type that says so would be wrong.
+fn room(entry: &Entry) -> Option<u32> {
+    let length = entry.stack.as_ref()?.min_string_length?;
+    let is_enough = |text: &str| text.chars().nth(length as usize).is_none();
+    let default = entry.default.as_ref();
+    Some(length).filter(|_| !matches!(default, Some(Value::Text(text)) if !is_enough(text)))
+}
+
 /// What `type` says of an object.
 fn said_of(object: &Object) -> TypeSaid {
     let main = &object.main;
@@ -351,7 +359,7 @@ fn said_of(object: &Object) -> TypeSaid {
         Some(_) => Some(ObjectType::Array),
         None => main.object_type.filter(is_word),
     };
-    let length = main.stack.as_ref().and_then(|stack| stack.min_string_length);
+    let length = room(main);
     TypeSaid { object_type, data_type: main.data_type, count, length }
 }
 
