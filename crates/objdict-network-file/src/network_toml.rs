@@ -425,8 +425,6 @@ impl NetworkReader<'_, '_> {
 
     fn link(&mut self, item: &KeyedTree) -> Option<Link> {
         let section = KeyedTable::new("link", item, LINK, self.findings)?;
-        section.required("link", "from", self.findings);
-        section.required("link", "to", self.findings);
         let from = section.text("from", self.findings);
         let from = from.and_then(|from| self.link_end(&from.value, from.at));
         let to = section.texts("to", self.findings).into_iter();

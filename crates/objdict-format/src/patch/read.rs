@@ -29,8 +29,6 @@ pub(super) fn read(source: SourceFile) -> Patch {
     if let Some(tree) = toml::read(patch.source.text(), &mut findings)
         && let Some(section) = KeyedTable::new("the patch", &tree, PATCH, &mut findings)
     {
-        section.required("the patch", "format", &mut findings);
-        section.word("format", &mut findings);
         patch.title = section.text("title", &mut findings).map(|title| title.value);
         patch.selector = selector(&section, &mut findings);
         let mut list = |name| section.list(name, &mut findings).filter(|_| section.get(name).is_some());
@@ -170,7 +168,6 @@ fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<S
 /// A change without words.
 fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     let section = KeyedTable::new("raw", tree, RAW, findings)?;
-    section.required("raw", "path", findings)?;
     let path = section.text("path", findings)?;
     let mut datum = |name: &str| match section.text(name, findings) {
         None => Some(None),
