@@ -6,6 +6,7 @@ mod asc;
 mod candump;
 mod csv;
 mod frame;
+mod pasted;
 mod pcap;
 mod text;
 mod time;
@@ -43,6 +44,12 @@ objdict_model::named! {
         Trc = "TRC",
         /// CSV of python-can.
         Csv = "CSV of python-can",
+        /// CSV of SavvyCAN.
+        Savvy = "CSV of SavvyCAN",
+        /// Messages as python-can prints them.
+        Message = "messages of python-can",
+        /// Time, CAN-ID and bytes.
+        Words = "frames in words",
         /// pcap with frames of SocketCAN.
         Pcap = "pcap",
         /// pcapng with frames of SocketCAN.

@@ -30,6 +30,52 @@ fn read_in(log: &[u8], buffer: usize) -> Vec<String> {
 }
 
 #[test]
+fn what_people_paste() {
+    let messages = b"Timestamp: 1699584944.440580    ID: 0701    S Rx                DL:  1    00                          Channel: can0\n\
+        Timestamp: 1699584944.440581    ID: 18eff105    X Tx E R            DL:  8    Channel: can1\n\
+        Timestamp: 1699584944.440582    ID: 0fff    S Rx                DL:  1    00\n\
+        Timestamp: 1699584944.440583    ID: 0185    S Rx                DL:  2    00\n";
+    let expected = [
+        "1699584944.440580 can0 701 received 00",
+        "1699584944.440581 can1 18EFF105 remote error sent ",
+        "line 3: the CAN-ID is not valid",
+        "line 4: a byte of the data is missing or not a number",
+    ];
+    assert_eq!(read(messages), expected);
+    let words = b"132.000074  60C  40 02 65 00 00 00 00 00\n\
+        132.000419  58C  43 02 65 00 25 02 00 00  node 12: 6502:00 = 25h\n\
+        132.000420  can1  080                           SYNC\n\
+        132.000421  can1  00000185  01  ab ad\n\
+        132.000422  185  01 x\n\
+        132.000423  185  01 02 03 04 05 06 07 08 09\n\
+        later  185  01\n";
+    let expected = [
+        "132.000074  60C 4002650000000000",
+        "132.000419  58C 4302650025020000",
+        "132.000420 can1 080 ",
+        "132.000421 can1 00000185 01",
+        "line 5: the data are not bytes in hexadecimal digits",
+        "line 6: there are more data than a frame has",
+        "line 7: the time is not a number",
+    ];
+    assert_eq!(read(words), expected);
+    let rows = b"Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n\
+        166064000,00000701,false,Rx,0,1,00,,,,,,,\n\
+        166064001,18EFF105,true,Tx,1,2,01,FF,,,,,,\n\
+        166064002,00000701,false,Rx,0,2,00,,,,,,,\n\
+        166064003,18EFF105,false,Rx,0,0,,,,,,,,\n";
+    let expected = [
+        "166.064000 0 701 received 00",
+        "166.064001 1 18EFF105 sent 01FF",
+        "line 4: a byte of the data is missing or not a number",
+        "line 5: the CAN-ID is not valid",
+    ];
+    assert_eq!(read(rows), expected);
+    let former = b"Time Stamp,ID,Extended,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n5,00000701,false,0,1,00,,,,,,,\n";
+    assert_eq!(read(former), ["0.000005 0 701 00"]);
+}
+
+#[test]
 fn what_candump_logs() {
     let log = b"(1436509052.249713) can0 18B#0102040811\n\
         (1436509052.249714) can1 00000185#01 R\r\n\

@@ -1,5 +1,6 @@
 //! Logs in lines of text: which form they have.
 
+use super::pasted::Pasted;
 use super::{LogForm, LogLine, LogState, LoggedFrame, MAX_LINE};
 use super::{asc, candump, csv, trc};
 
@@ -12,6 +13,7 @@ pub(super) enum TextLog {
     Asc(asc::Asc),
     Trc(trc::Trc),
     Csv(csv::Csv),
+    Pasted(Pasted),
 }
 
 impl TextLog {
@@ -22,6 +24,9 @@ impl TextLog {
             Self::Asc(_) => Some(LogForm::Asc),
             Self::Trc(_) => Some(LogForm::Trc),
             Self::Csv(_) => Some(LogForm::Csv),
+            Self::Pasted(Pasted::Message) => Some(LogForm::Message),
+            Self::Pasted(Pasted::Words) => Some(LogForm::Words),
+            Self::Pasted(Pasted::Savvy(_)) => Some(LogForm::Savvy),
         }
     }
 
@@ -36,6 +41,7 @@ impl TextLog {
             Self::Asc(log) => log.line(line, state),
             Self::Trc(log) => log.line(line, state),
             Self::Csv(log) => log.line(line, state),
+            Self::Pasted(log) => log.line(line, state),
             Self::Unknown => self.first(line, next, state),
         }
     }
@@ -54,6 +60,8 @@ impl TextLog {
             Self::Asc(asc::Asc::default())
         } else if candump::begins(text) {
             Self::Candump(candump::Candump::new(text, next, state.options.has_distances))
+        } else if let Some(log) = Pasted::of(text) {
+            Self::Pasted(log)
         } else {
             return LogLine::Bad("the form of the log is not known");
         };
