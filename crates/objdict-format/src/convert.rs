@@ -57,6 +57,9 @@ pub fn unread(description: &Description) -> Vec<Loss> {
             reason: Some(format!("line {line}: {}", finding.message)),
         }
     };
+    if description.format().syntax() != Syntax::Ini {
+        return Vec::new();
+    }
     let of_lines = description.text_findings();
     of_lines.iter().chain(description.findings()).filter(is_unread).map(loss).collect()
 }

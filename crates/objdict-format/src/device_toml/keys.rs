@@ -19,6 +19,19 @@ pub(super) fn root() -> &'static [Key] {
     &ROOT
 }
 
+/// The same for a device without the variants beside it, which are read by themselves.
+pub(super) fn of_one_device() -> &'static [Key] {
+    &OF_ONE_DEVICE
+}
+
+static OF_ONE_DEVICE: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let of_device = |key: &Key| match key.name {
+        "variant" => self::key("variant", Shape::Foreign, ""),
+        _ => *key,
+    };
+    root().iter().map(of_device).collect()
+});
+
 static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let format =
         key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file.")

@@ -113,7 +113,7 @@ fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
     count_pdos(&root, &mut device);
     device.lists = read_lists(&root, &device, findings);
     raw::read(&root, &mut device, findings);
-    section::check("device.toml", &merged.tree, keys::root(), findings);
+    section::check("device.toml", &merged.tree, keys::of_one_device(), findings);
     device
 }
 
