@@ -1,8 +1,5 @@
 //! Names that contradict the standard.
 
-use std::cell::LazyCell;
-use std::collections::HashMap;
-
 use crate::demands::{self, Against};
 use crate::diagnostic::{Findings, say, sub_index};
 use crate::model::{Field, PdoKind, Place};
@@ -35,10 +32,9 @@ const RESERVED_NAME: &str = "Reserved";
 fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
     let mut wrong = Vec::new();
     for one in demands::applied(facts.device, facts.options) {
-        let objects = one.profile.objects().map(|object| (object.name, (object.first, object.last)));
-        let named = LazyCell::new(|| places_of(objects));
+        let objects = || one.profile.objects().map(|object| (object.name, (object.first, object.last)));
         for against in demands::against(facts.device, &one).filter(|against| !against.object.orphan) {
-            if let Some((other, _)) = place_of_other(&named, against.object.name(), against.facts.name) {
+            if let Some((other, _)) = place_of_other(objects(), against.object.name(), against.facts.name) {
                 let place = Place::object(against.index);
                 let other = index_in(one.block, other);
                 wrong.push((
@@ -64,12 +60,11 @@ fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
 
 /// Adds the entries of an object that have the name of another one of its entries.
 fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Text)>) {
-    let names = against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last)));
-    let named = LazyCell::new(|| places_of(names));
+    let entries = || against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last)));
     for at in against.entries() {
         // another rule reports reserved sub-indexes
         let Some(sub) = at.sub.filter(|_| at.facts.name != RESERVED_NAME) else { continue };
-        if let Some((other, _)) = place_of_other(&named, &at.entry.name, at.facts.name) {
+        if let Some((other, _)) = place_of_other(entries(), &at.entry.name, at.facts.name) {
             let message =
                 say!("{} has the name of sub-index {}, `{}`", at, sub_index(other), &*at.entry.name);
             wrong.push((Place::entry(against.index, sub), message));
@@ -77,33 +72,28 @@ fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, crate
     }
 }
 
-/// The place with a name that is not the `own` one. Most names are, and then the others are not asked for.
-fn place_of_other<T: Copy>(
-    named: &LazyCell<NamedPlaces<T>, impl FnOnce() -> NamedPlaces<T>>,
+/// The first and the last number of the only one with a name that is not the `own` one.
+fn place_of_other<'a, T: PartialEq>(
+    named: impl Iterator<Item = (&'a str, (T, T))>,
     name: &str,
     own: &str,
-) -> Option<T> {
-    if name == own || plain_name(name) == plain_name(own) {
+) -> Option<(T, T)> {
+    if is_alike(name, own) {
         return None;
     }
-    named.get(&plain_name(name)).copied().flatten()
+    let mut alike = named.filter(|(other, _)| !matches!(*other, "" | RESERVED_NAME) && is_alike(name, other));
+    let (_, place) = alike.next()?;
+    (alike.next().is_none() && place.0 == place.1).then_some(place)
 }
 
-type NamedPlaces<T> = HashMap<String, Option<T>>;
-
-/// The first and the last number with each name; `None` for a name of several objects.
-fn places_of<'a, T: Copy + PartialEq>(named: impl Iterator<Item = (&'a str, (T, T))>) -> NamedPlaces<(T, T)> {
-    let mut places = HashMap::new();
-    for (name, place) in named.filter(|(name, _)| !matches!(*name, "" | RESERVED_NAME)) {
-        let is_one = place.0 == place.1;
-        places.entry(plain_name(name)).and_modify(|known| *known = None).or_insert(is_one.then_some(place));
-    }
-    places
+/// Whether names are the same but for blanks, case and signs. The asterisk of values in increments counts (CiA 402).
+fn is_alike(name: &str, other: &str) -> bool {
+    name == other || plain(name).eq(plain(other))
 }
 
-/// A name without blanks, case and signs, but the asterisk of values in increments (CiA 402).
-fn plain_name(name: &str) -> String {
-    name.chars().filter(|&char| char.is_alphanumeric() || char == '*').flat_map(char::to_lowercase).collect()
+fn plain(name: &str) -> impl Iterator<Item = char> {
+    let named = name.chars().filter(|&char| char.is_alphanumeric() || char == '*');
+    named.flat_map(char::to_lowercase)
 }
 
 const RECEIVE_WORDS: [&str; 3] = ["rpdo", "receive", "rxpdo"];
