@@ -156,7 +156,7 @@ export function addDialog(store: Store): HTMLDialogElement {
   const own = async (event: Event) => {
     event.preventDefault();
     const digits = index.value.replace(/^0x|h$/gi, "").toUpperCase();
-    const patch = patchOf({ at: digits, add: { name: name.value, "object-type": "VAR", type: type.value, access: access.value } });
+    const patch = patchOf({ at: digits, add: { name: name.value, "object-type": "var", type: type.value, access: access.value } });
     const done = await store.change({ do: "patch", document: store.current!.id, patch });
     dialog.close();
     if (done) store.select(parseInt(digits, 16));

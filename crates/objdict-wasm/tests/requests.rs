@@ -160,7 +160,7 @@ fn objects_come_from_profiles_and_patches() {
     let form = ok(&mut workbench, json!({ "do": "form", "document": 0, "index": index }));
     assert_ne!(form["parts"][0]["fields"][0]["text"], Value::Null);
 
-    let patch = "format = \"objdict-patch/1\"\n[[change]]\nat = \"2FFF\"\nadd = { name = \"Own\", object-type = \"VAR\", type = \"u8\", access = \"rw\" }\n";
+    let patch = "format = \"objdict-patch/1\"\n[[change]]\nat = \"2FFF\"\nadd = { name = \"Own\", object-type = \"var\", type = \"u8\", access = \"rw\" }\n";
     ok(&mut workbench, json!({ "do": "patch", "document": 0, "patch": patch }));
     assert!(text(&mut workbench).contains("[2FFF]"));
 }
