@@ -124,6 +124,16 @@ fn what_is_added_before_moves_nothing() {
     assert!(kept > 100, "{kept}");
 }
 
+/// A CAN-ID that no PDO may have comes from an editor, not from a build.
+#[test]
+fn a_restricted_can_id_is_not_kept() {
+    let text = text(&[1, 2], &[(1, 1, None)]);
+    let (mut lock, ..) = built(&text, &NetworkLock::default());
+    let expected = lock.clone();
+    lock.0.values_mut().for_each(|locked| locked.can_id = 0x601);
+    assert_eq!(built(&text, &lock).0, expected);
+}
+
 #[test]
 fn a_lock_with_errors_has_findings() {
     for text in [

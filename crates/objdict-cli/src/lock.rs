@@ -5,8 +5,8 @@ use std::path::Path;
 use super::ending::{Failure, note};
 use super::input::name_of;
 use super::written_files::save_in_place;
-use objdict_model::diagnostic::{Findings, Severity, plural};
-use objdict_model::source::{SourceFile, SourceOptions};
+use objdict_model::diagnostic::{At, Findings, Severity, plural};
+use objdict_model::source::{SourceFile, SourceOptions, Span};
 use objdict_network::NetworkLock;
 use objdict_network_file::{read_lock, write_lock};
 
@@ -21,17 +21,25 @@ pub(crate) fn read(path: &Path) -> Result<NetworkLock, Failure> {
     let errors: Vec<String> = findings
         .iter()
         .filter(|finding| finding.severity == Severity::Error)
-        .map(|finding| finding.line(&source, |_| Default::default()))
+        .map(|finding| finding.line(&source, span_of))
         .collect();
     if errors.is_empty() {
         return Ok(lock);
     }
     let message = format!("`{}` is not a valid lock\n{}", name_of(path), errors.join("\n"));
-    let help = "restore it, or remove it to assign CAN-IDs and PDOs anew";
+    let help = "restore it, or remove it to assign all CAN-IDs and PDOs again";
     Err(Failure::of_lines(message.lines()).help(help))
 }
 
-/// Writes a lock, and says what it does not keep; `old` is `None` for a new one.
+/// Where the text of a lock has what a finding is about.
+fn span_of(at: &At) -> Span {
+    match at {
+        At::Span(span) => *span,
+        _ => Span::default(),
+    }
+}
+
+/// Writes a lock, and reports what it does not keep; `old` is `None` for a new one.
 pub(crate) fn update(path: &Path, old: Option<&NetworkLock>, new: &NetworkLock) -> Result<(), Failure> {
     let name = name_of(path);
     match old {

@@ -111,7 +111,7 @@ impl NetworkInputArgs {
 }
 
 impl NetworkInputArgs {
-    /// The same for a network whose PDOs are assigned anew.
+    /// The same for a network that is built for the first time.
     pub(crate) fn without_lock(&self) -> Self {
         Self { paths: NetworkPathArgs { lock: None, ..self.paths.clone() }, ..self.clone() }
     }

@@ -66,9 +66,10 @@ impl CanIds {
         }
     }
 
-    /// The CAN-ID that the sender had in an earlier build, unless another one sends it or a link demands it.
+    /// The CAN-ID that the sender had in an earlier build, unless another one sends it, a link demands it, or no PDO may have it.
     pub(super) fn keep(&self, locked: Option<u32>) -> Option<u32> {
-        locked.filter(|id| !self.demanded.contains(id) && self.sender(*id).is_none())
+        let is_possible = |id: &u32| restricted(*id).is_none() && !self.demanded.contains(id);
+        locked.filter(|id| is_possible(id) && self.sender(*id).is_none())
     }
 
     /// The predefined CAN-ID of a sender unless another one sends it, else the first of these CAN-IDs that is free, else one of the
