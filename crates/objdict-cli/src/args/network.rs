@@ -76,7 +76,7 @@ pub(crate) struct NetworkPathArgs {
     /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
     pub define: Vec<(String, String)>,
-    /// Keep the CAN-IDs and PDO numbers in this file, which `network build` creates and updates
+    /// Use the CAN-IDs and PDO numbers in this file, which `network build` creates and updates
     #[arg(long, value_name = "FILE")]
     pub lock: Option<PathBuf>,
     #[command(flatten)]
