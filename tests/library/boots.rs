@@ -111,7 +111,7 @@ fn errors_of_dcfs(file: &NetworkFile, build: &Build<'_>) -> Option<String> {
         };
         let source = SourceFile::from_bytes(&built.name, built.bytes, &SourceOptions::default()).unwrap();
         let found = objdict::check(&format::read(source, Format::Dcf));
-        let own = node.and_then(|node| file.description(node)).map(objdict::check).unwrap_or_default();
+        let own = file.description(node).map(objdict::check).unwrap_or_default();
         if !rules(&found).is_subset(&rules(&own)) {
             return Some(format!("{}: {:?}", built.name, errors(&found)));
         }
@@ -322,8 +322,7 @@ fn two_pdos_of_an_undescribed_manager_need_two_can_ids() {
     let node = |name: &str, id: u8| format!("{name}:\n  node_id: {id}\n  dcf: servo.eds\n  {rpdo}\n");
     let text = format!("master:\n  node_id: 1\n{}{}", node("a", 5), node("b", 6));
     let file = read(&text, &fixtures().join("network/bus.yml"));
-    let expected =
-        "duplicate-can-id: two PDOs of `master` send 205h: for RPDO 1 of `a` and for RPDO 1 of `b`";
+    let expected = "duplicate-can-id: TPDO 1 of `master` and TPDO 2 of `master` both send 205h";
     assert_eq!(found(&file, Severity::Error), [expected]);
 }
 

@@ -46,7 +46,7 @@ fn a_network_file() {
         device: &node.device,
         node_id: node.node_id,
         name: Some(&node.name),
-        is_counterpart: node.node.is_none(),
+        is_counterpart: node.is_made,
     });
     let text = shown(&bus.collect::<Vec<_>>(), DbcOptions::default());
     let is_shown = |line: &&str| {

@@ -310,8 +310,8 @@ fn nodes_are_variants() {
         let errors = findings.iter().filter(|finding| finding.severity == Severity::Error);
         let errors: Vec<String> = errors.map(|finding| finding.message.to_string()).collect();
         assert!(errors.is_empty(), "{name}: {errors:?}");
-        let nodes = &network.network().unwrap().nodes;
-        let codes: Vec<_> = nodes.iter().map(|node| product(&node.device).0).collect();
+        let nodes = network.network().unwrap().slaves();
+        let codes: Vec<_> = nodes.map(|(_, node)| product(&node.device).0).collect();
         assert_eq!(codes, [Some(0x1610), Some(0x1608), Some(0x1618)], "{name}");
     }
     fs::write(folder.join("network.toml"), "[node.a]\nfile = \"family.toml#io9\"\nid = 1\n").unwrap();

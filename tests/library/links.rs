@@ -23,8 +23,7 @@ fn chapter_4() -> String {
 /// The PDOs of a network, a line each: CAN-ID, sender and receivers.
 fn pdos(file: &NetworkFile) -> Vec<String> {
     let network = file.network().unwrap();
-    let named =
-        |party: &Party| format!("{} {}", network.nodes[party.node.unwrap()].name.value, party.service);
+    let named = |party: &Party| format!("{} {}", network.nodes[party.node].name.value, party.service);
     let is_pdo = |party: &&Party| party.service.to_string().contains("PDO");
     let messages = Messages::new(network, file.compiled().unwrap()).0;
     let lines = messages.iter().filter_map(|(can_id, message)| {

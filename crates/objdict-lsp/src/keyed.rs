@@ -223,7 +223,10 @@ impl KeyWriter<'_> {
                 .map(|name| item(self.file, span, name, name.clone(), CompletionItemKind::MODULE))
                 .collect();
         };
-        let Some(node) = named(network, name) else { return Vec::new() };
+        // a link names a manager that the file does not describe without entries
+        let is_named =
+            |(position, node): &(usize, &Node)| node.name.value == name && !network.is_made(*position);
+        let Some((_, node)) = network.nodes.iter().enumerate().find(is_named) else { return Vec::new() };
         let kind = if key == "from" { PdoKind::Tpdo } else { PdoKind::Rpdo };
         let mut items = Vec::new();
         for (address, title) in entries(&node.device, Some(kind)) {

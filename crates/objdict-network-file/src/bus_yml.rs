@@ -138,6 +138,7 @@ impl BusReader<'_, '_> {
             name: Said::new("master".to_owned(), section.span()),
             node_id: section.integer("node_id", findings),
             node: None,
+            is_made: false,
             identity: ["vendor_id", "product_code", "revision_number"].map(|name| number(name, findings)),
             serial_number: number("serial_number", findings),
             sync_period: section.integer("sync_period", findings).unwrap_or_default(),

@@ -13,7 +13,8 @@ pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findi
     let options = lint::Options::default();
     let is_reported =
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
-    for slave in compiled.nodes() {
+    // a description that is made has the values that the rules about networks check
+    for slave in compiled.nodes().filter(|slave| !network.is_made(slave.node)) {
         let found = lint::without_disabled(&slave.device, lint::check(&slave.device, &options));
         let node = &network.nodes[slave.node];
         // of a DCF for another node, what fits that node only

@@ -34,10 +34,11 @@ pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, Configurat
 use self::rules::UNREADABLE_NODE;
 pub use self::stored::unreadable_configurations;
 pub use self::topology::location;
-use objdict_format::Description;
+use objdict_format as format;
 use objdict_format::identify::{ContentKind, identify_source};
 use objdict_format::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
 use objdict_format::patch::Patch;
+use objdict_format::{Description, Format};
 use objdict_keyed as keyed;
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::tree::{KeyedTree, Kind};
@@ -138,7 +139,7 @@ impl NetworkFile {
             let mut network = if is_made { network.as_described() } else { network };
             network.lock.clone_from(&options.lock);
             stored::read(&mut network, &mut findings);
-            resolve(network, &mut findings)
+            resolve(network, made_device, &mut findings)
         });
         let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions
@@ -189,6 +190,11 @@ impl NetworkFile {
         });
         self.with_places(findings)
     }
+}
+
+/// The device of a description that is made.
+fn made_device(text: String) -> Device {
+    format::read(SourceFile::from_text("master.dcf", text), Format::Dcf).device().clone()
 }
 
 /// The finding about more nodes than a network can have: none of them is read.

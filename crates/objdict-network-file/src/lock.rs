@@ -30,7 +30,7 @@ pub(super) fn locked(network: &Network, compiled: &Compiled) -> NetworkLock {
     let numbers =
         [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| mirrored_numbers(network, &compiled.slaves, kind));
     let numbers: BTreeMap<_, _> =
-        numbers.into_iter().flatten().map(|(name, pdo, number)| ((name, pdo), number)).collect();
+        numbers.into_iter().flatten().map(|(slave, pdo, number)| ((slave.node, pdo), number)).collect();
     let pdos = compiled.nodes().flat_map(|slave| {
         let name = &network.nodes[slave.node].name.value;
         let active = slave.pdos.iter().filter(|state| state.is_active());
@@ -38,7 +38,7 @@ pub(super) fn locked(network: &Network, compiled: &Compiled) -> NetworkLock {
             let locked = LockedPdo {
                 can_id: state.can_id().number,
                 mapping: state.mapping.values().copied().collect(),
-                manager: numbers.get(&(name.as_str(), state.pdo)).copied(),
+                manager: numbers.get(&(slave.node, state.pdo)).copied(),
             };
             ((name.clone(), state.pdo), locked)
         })

@@ -2,32 +2,30 @@
 
 use std::collections::HashSet;
 
-use crate::network::Network;
+use crate::network::{Network, Node};
 
 impl Network {
-    /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes), and a manager
-    /// without a description at the end. It is the name of the node; of names that are one on systems which do not distinguish
-    /// upper and lower case, the later ones get the node-ID (`plc-5`).
+    /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes). It is the name of
+    /// the node; of names that are one on systems which do not distinguish upper and lower case, the later ones get the node-ID
+    /// (`plc-5`).
     pub fn file_stems(&self) -> Vec<String> {
-        let nodes = self.nodes.iter().map(|node| (&node.name.value, node.node_id));
-        let manager = self.manager.iter().filter(|manager| manager.node.is_none());
-        let manager = manager.map(|manager| (&manager.name.value, manager.node_id));
         let mut taken: HashSet<String> = HashSet::new();
-        let stem = |(name, node_id): (&String, Option<crate::Said<u8>>)| {
-            let numbered = node_id.map(|node_id| format!("{name}-{}", node_id.value));
+        let stem = |node: &Node| {
+            let name = &node.name.value;
+            let numbered = node.node_id.map(|node_id| format!("{name}-{}", node_id.value));
             let further = (2..).map(|number| format!("{name}-{number}"));
             let mut stems = std::iter::once(name.clone()).chain(numbered).chain(further);
             // one of the endless names is free
             stems.find(|stem| taken.insert(stem.to_lowercase())).unwrap_or_default()
         };
-        nodes.chain(manager).map(stem).collect()
+        self.nodes.iter().map(stem).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::network::{Node, Said};
+    use crate::network::Said;
     use crate::source::Span;
 
     #[test]

@@ -142,7 +142,7 @@ pub fn dot(overview: &Overview) -> String {
 fn drawn(overview: &Overview) -> impl Iterator<Item = &MessageRow> {
     overview.messages.iter().filter(|message| match main_service(message) {
         Some(Service::SdoRequest | Service::SdoResponse) | None => false,
-        Some(Service::Pdo(_) | Service::MirroredPdo) => true,
+        Some(Service::Pdo(_)) => true,
         Some(_) => !message.senders.is_empty() && !message.receivers.is_empty(),
     })
 }
@@ -152,12 +152,9 @@ fn main_service(message: &MessageRow) -> Option<Service> {
     message.senders.iter().chain(&message.receivers).next().map(|end| end.service)
 }
 
-/// `TPDO 1`; that of the receivers if the manager has the other side without a number.
+/// `TPDO 1`: the service of the sender, else of a receiver.
 fn service(overview: &Overview, message: &MessageRow) -> String {
-    let ends = message.senders.iter().chain(&message.receivers);
-    let numbered = ends.clone().find(|end| end.service != Service::MirroredPdo);
-    let shown = numbered.or(ends.into_iter().next());
-    shown.map_or_else(String::new, |end| end.service.name(overview.language).into_owned())
+    main_service(message).map_or_else(String::new, |service| service.name(overview.language).into_owned())
 }
 
 fn position(overview: &Overview, end: &End) -> Option<usize> {
@@ -212,7 +209,7 @@ impl DiagramRow {
             title: cut(&format!("{can_id} {} → {}", words(&message.senders), words(&message.receivers)), 240),
             can_id,
             class: match main_service(message) {
-                Some(Service::Pdo(_) | Service::MirroredPdo) => "pdo",
+                Some(Service::Pdo(_)) => "pdo",
                 _ => "other",
             },
             path: line(&senders, &receivers, y),

@@ -37,7 +37,6 @@ pub use identity_level::IdentityLevel;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master, mirrored_numbers};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
 pub use lock::{LockedPdo, NetworkLock};
-pub use manager::expected;
 pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use names::named_manager;
 pub use network::*;

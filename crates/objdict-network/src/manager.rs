@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use crate::compiled::{Compiled, DcfgenMode, Slave};
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, say};
 use crate::download::Order;
 use crate::identity::number;
 use crate::model::{
@@ -169,8 +169,9 @@ impl NodeListObject {
 
 /// Gives a described manager the values that follow from the nodes. Those that its own DCF has remain in a network that is as
 /// its descriptions say.
-pub(crate) fn complete(network: &Network, slaves: &[Slave], own: &mut Slave, findings: &mut Findings) {
-    let Some(manager) = &network.manager else { return };
+pub(crate) fn complete(network: &Network, compiled: &mut Compiled) {
+    let Compiled { slaves, manager: own, findings } = compiled;
+    let Some((manager, own)) = network.manager.as_ref().zip(own.as_mut()) else { return };
     let knowledge = Knowledge { network, manager, slaves, mode: DcfgenMode::Corrected };
     for known in knowledge.objects() {
         let index = known.index;
@@ -207,26 +208,9 @@ pub(crate) fn complete(network: &Network, slaves: &[Slave], own: &mut Slave, fin
     }
 }
 
-/// The values of the objects of a manager without a description.
-pub fn expected(network: &Network, slaves: &[Slave]) -> Vec<Assignment> {
-    let Some(manager) = &network.manager else { return Vec::new() };
-    let knowledge = Knowledge { network, manager, slaves, mode: DcfgenMode::Corrected };
-    let values = |known: NodeListObject| {
-        let index = known.index;
-        let value = |number: u32| Value::Unsigned(number.into());
-        known.values.into_iter().map(move |(sub, number)| Assignment { index, sub, value: value(number) })
-    };
-    knowledge.objects().into_iter().flat_map(values).collect()
-}
-
-/// What the objects of the manager about the nodes have: those of its effective dictionary, or of a manager without a
-/// description.
-pub(crate) fn numbers(network: &Network, compiled: &Compiled) -> BTreeMap<(u16, u8), u32> {
-    let Some(own) = &compiled.manager else {
-        let known = expected(network, &compiled.slaves).into_iter();
-        let number = |known: &Assignment| u32::try_from(known.value.as_integer()?).ok();
-        return known.filter_map(|known| Some(((known.index, known.sub), number(&known)?))).collect();
-    };
+/// What the objects of the manager about the nodes have.
+pub(crate) fn numbers(compiled: &Compiled) -> BTreeMap<(u16, u8), u32> {
+    let Some(own) = &compiled.manager else { return BTreeMap::new() };
     let entries = [CONSUMERS, 0x1F55].into_iter().chain(0x1F80..=0x1F8A);
     let entries = entries.flat_map(|index| (0..=NODES).map(move |sub| (index, sub)));
     entries.filter_map(|at| Some((at, number(&own.device, at.0, at.1, own.node_id)?))).collect()

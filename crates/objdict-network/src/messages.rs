@@ -74,8 +74,6 @@ pub enum Service {
     Emcy,
     /// A PDO of the node.
     Pdo(PdoName),
-    /// A PDO that the manager has the other side of, without a number that anybody has to know.
-    MirroredPdo,
     /// The request of an SDO channel.
     SdoRequest,
     /// The response of an SDO channel.
@@ -98,7 +96,6 @@ impl Service {
             Self::Sync => "SYNC",
             Self::Time => "TIME",
             Self::Emcy => "EMCY",
-            Self::MirroredPdo => "PDO",
             Self::SdoRequest => language.pick("SDO request", "SDO-Anfrage"),
             Self::SdoResponse => language.pick("SDO response", "SDO-Antwort"),
             Self::ErrorControl => language.pick("heartbeat", "Heartbeat"),
@@ -112,8 +109,8 @@ objdict_model::messages! { Service: { service => "{}", service.name(Language::En
 /// A node that sends or receives a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Party {
-    /// Its position in [`Network::nodes`]; `None` for a manager without a description.
-    pub node: Option<usize>,
+    /// Its position in [`Network::nodes`].
+    pub node: usize,
     /// With which of its services.
     pub service: Service,
     /// Where the network file says so, at least the name of the node.
@@ -156,7 +153,7 @@ impl Messages {
             let own = slave.sync_can_id().filter(|own| own.number != 0 && !sent.contains(own));
             let Some(own) = own else { continue };
             let at = slave.said(0x1005, 0).unwrap_or(network.nodes[slave.node].name.at);
-            self.receive(own, Party { node: Some(slave.node), service: Service::Sync, at });
+            self.receive(own, Party { node: slave.node, service: Service::Sync, at });
         }
     }
 
@@ -171,7 +168,7 @@ impl Messages {
     fn node(&mut self, network: &Network, slave: &Slave) {
         let node = &network.nodes[slave.node];
         let at = node.node_id.map_or(node.name.at, |node_id| node_id.at);
-        let party = |service| Party { node: Some(slave.node), service, at };
+        let party = |service| Party { node: slave.node, service, at };
         for state in slave.pdos.iter().filter(|state| state.is_active()) {
             let said = node.pdos.iter().find(|request| request.pdo == state.pdo);
             let requested = || said.map(|request| request.cob_id.map_or(request.at, |cob_id| cob_id.at));
@@ -185,7 +182,7 @@ impl Messages {
         self.services(slave, &party);
     }
 
-    /// SYNC, TIME, EMCY, SDO and error control of a described node.
+    /// SYNC, TIME, EMCY, SDO and error control of a node.
     fn services(&mut self, slave: &Slave, party: &dyn Fn(Service) -> Party) {
         let services = slave.device.services();
         let number = |cob_id: CobId| cob_id.on_node(slave.node_id);
@@ -236,54 +233,14 @@ impl Messages {
         }
     }
 
-    /// The other side of the manager: it configures the nodes and, without a description, has all of their PDOs.
+    /// The manager configures the nodes, with the default SDO of each.
     fn manager(&mut self, manager: &Manager, compiled: &Compiled) {
-        let party = |service| Party { node: manager.node, service, at: manager.name.at };
+        let Some(node) = manager.node else { return };
+        let party = |service| Party { node, service, at: manager.name.at };
         for slave in &compiled.slaves {
             let of_node = |base: u16| MessageId::base(u32::from(base) + u32::from(slave.node_id));
             self.send(of_node(predefined::SDO_REQUEST), party(Service::SdoRequest));
             self.receive(of_node(predefined::SDO_RESPONSE), party(Service::SdoResponse));
-            // a described manager has 1016h and 1028h
-            if manager.node.is_some() {
-                continue;
-            }
-            if manager.monitors_nodes() && slave.heartbeat != 0 {
-                self.receive(of_node(predefined::ERROR_CONTROL), party(Service::ErrorControl));
-            }
-            if let Some(emcy) = slave.emcy {
-                self.receive(MessageId::of(emcy), party(Service::Emcy));
-            }
-        }
-        if manager.node.is_some() {
-            return;
-        }
-        if manager.sync_period.value != 0 {
-            let party = Party { at: manager.sync_period.at, ..party(Service::Sync) };
-            self.send(MessageId::base(predefined::SYNC.into()), party);
-        }
-        if let Some(time) = manager.time_cob_id.filter(|time| time.value & CobId::BIT_30 != 0) {
-            self.send(MessageId::of(time.value), Party { at: time.at, ..party(Service::Time) });
-        }
-        if let Some(node_id) = manager.node_id {
-            let own = |base: u16| MessageId::base(u32::from(base) + u32::from(node_id.value));
-            let party = |service| Party { at: node_id.at, ..party(service) };
-            self.send(own(predefined::EMCY), party(Service::Emcy));
-            self.send(own(predefined::ERROR_CONTROL), party(Service::ErrorControl));
-        }
-        // a CAN-ID that a node sends goes from node to node, and the manager listens
-        let pdos = |message: &Message| {
-            let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
-            (
-                message.senders.iter().any(|party| is_pdo(&party)),
-                message.receivers.iter().any(|party| is_pdo(&party)),
-            )
-        };
-        for message in self.0.values_mut() {
-            match pdos(message) {
-                (true, _) => message.receivers.push(party(Service::MirroredPdo)),
-                (false, true) => message.senders.push(party(Service::MirroredPdo)),
-                (false, false) => {}
-            }
         }
     }
 }
@@ -357,7 +314,7 @@ impl Compiled {
     /// The PDO that a party sends or receives.
     pub(crate) fn pdo(&self, party: &Party) -> Option<&PdoState> {
         let Service::Pdo(pdo) = party.service else { return None };
-        let slave = self.nodes().find(|slave| Some(slave.node) == party.node)?;
+        let slave = self.nodes().find(|slave| slave.node == party.node)?;
         slave.pdos.iter().find(|state| state.pdo == pdo)
     }
 }

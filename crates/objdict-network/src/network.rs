@@ -21,7 +21,8 @@ pub struct Network {
     pub bit_rate: Option<Said<u16>>,
     /// The manager, which configures and starts the other nodes (CiA 302-2).
     pub manager: Option<Manager>,
-    /// The described nodes, in the order of the file; the manager among them, if it has a description.
+    /// The nodes, in the order of the file. A manager that the file does not describe is the last one once the network is
+    /// resolved.
     pub nodes: Vec<Node>,
     /// Which entries go where, in the order of the file.
     pub links: Vec<Link>,
@@ -287,8 +288,10 @@ pub struct Manager {
     pub name: Said<String>,
     /// Its node-ID.
     pub node_id: Option<Said<u8>>,
-    /// Its position in [`Network::nodes`]; `None` without a description.
+    /// Its position in [`Network::nodes`]; `None` if the file does not describe it and the network is not resolved yet.
     pub node: Option<usize>,
+    /// Whether the file does not describe it, so its description is made of what the network needs.
+    pub is_made: bool,
     /// Vendor-ID, product code and revision number (1018h).
     pub identity: [u32; 3],
     /// Serial number (1018h:04).
@@ -390,6 +393,11 @@ impl Network {
     pub(crate) fn switches_off(&self, node: usize) -> Option<Span> {
         let said = self.nodes[node].unused_pdos.or(self.unused_pdos);
         said.filter(|said| said.value == UnusedPdos::Off).map(|said| said.at)
+    }
+
+    /// Whether a node is the manager with a [made](Manager::is_made) description.
+    pub fn is_made(&self, node: usize) -> bool {
+        self.manager.as_ref().is_some_and(|manager| manager.is_made && manager.node == Some(node))
     }
 
     /// The nodes that the manager boots: all but itself.

@@ -4,11 +4,13 @@
 //! both sides, so all formats lead to the same findings. A finding that leaves no doubt about the result is
 //! `understood`: `--strict-dcfgen` builds in spite of it.
 
-use crate::compile::compile;
-use crate::compiled::{Compiled, DcfgenMode};
-use crate::configure::Setting;
+use crate::compile::{compile, compile_manager};
+use crate::compiled::{Compiled, DcfgenMode, Origins, indexes};
+use crate::configure::{PdoName, Setting};
 use crate::connect::connect;
 use crate::diagnostic::Findings;
+use crate::lely::{LelyOptions, lely_master, mirrored_numbers};
+use crate::model::{Assignment, Device, DeviceKind, PdoKind, Value};
 use crate::network::{Manager, Network, Node, Said};
 use crate::watch::watch;
 
@@ -32,9 +34,14 @@ impl Resolved {
     }
 }
 
-/// Settles what follows from a network as its file says it: settings of a described manager, watched nodes, the PDOs of links
-/// and the bit rate. What cannot be settled is a finding.
-pub fn resolve(mut network: Network, findings: &mut Findings) -> Resolved {
+/// Settles what follows from a network as its file says it: settings of a described manager, watched nodes, the PDOs of links,
+/// the bit rate, and the description of a manager that the file does not describe, which `read` reads from the text of its DCF.
+/// What cannot be settled is a finding.
+pub fn resolve(
+    mut network: Network,
+    read: impl FnOnce(String) -> Device,
+    findings: &mut Findings,
+) -> Resolved {
     if let Some(manager) = &network.manager
         && let Some(node) = manager.node
     {
@@ -43,8 +50,62 @@ pub fn resolve(mut network: Network, findings: &mut Findings) -> Resolved {
     watch(&mut network, findings);
     connect(&mut network, findings);
     network.settle_bit_rate();
-    let compiled = compile(&network, DcfgenMode::Corrected);
+    let mut compiled = compile(&network, DcfgenMode::Corrected);
+    make_manager(&mut network, &mut compiled, read);
     Resolved { network, compiled }
+}
+
+/// Makes a manager that the file does not describe a node like any other: that of Lely's master, with a PDO for each PDO of a
+/// node. Its values come from where the file has those of its keys and of the other sides.
+fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnce(String) -> Device) {
+    if network.manager.as_ref().is_none_or(|manager| manager.node.is_some()) {
+        return;
+    }
+    let Some(master) = lely_master(network, &compiled.slaves, &LelyOptions::default()) else { return };
+    let Some(manager) = &mut network.manager else { return };
+    manager.node = Some(network.nodes.len());
+    manager.is_made = true;
+    let mut device = read(master.dcf);
+    device.kind = DeviceKind::Node;
+    // the number of the network is that of none of its nodes
+    device.commissioning.get_or_insert_default().net_number = None;
+    if manager.serial_number != 0 {
+        // Lely's master gets it by a download of its own
+        let value = Value::Unsigned(manager.serial_number.into());
+        device.assign(&[Assignment { index: 0x1018, sub: 4, value }]);
+    }
+    let (name, node_id) = (manager.name.clone(), manager.node_id);
+    let mut origins = own_origins(manager);
+    network.nodes.push(Node { name, node_id, device, ..Node::default() });
+    for kind in PdoKind::ALL {
+        for (slave, pdo, number) in mirrored_numbers(network, &compiled.slaves, kind) {
+            let other = PdoName { kind: kind.other(), number };
+            let (communication, mapping) = indexes(other);
+            let entries = (1..=6).map(|sub| (communication, sub)).chain([(mapping, 0)]);
+            let said = slave.stated(network, pdo).into_iter();
+            origins.extend(said.flat_map(|at| entries.clone().map(move |entry| (entry, at))));
+        }
+    }
+    compile_manager(network, compiled);
+    if let Some(own) = &mut compiled.manager {
+        own.origins.extend(origins);
+    }
+}
+
+/// Where the keys of the manager have the values of its objects.
+fn own_origins(manager: &Manager) -> Origins {
+    let sync = Some(manager.sync_period.at);
+    let keys = [
+        (0x1005, sync),
+        (0x1006, sync),
+        (0x1007, Some(manager.sync_window.at)),
+        (0x1012, manager.time_cob_id.map(|time| time.at)),
+        (0x1014, manager.node_id.map(|node_id| node_id.at)),
+        (0x1017, manager.heartbeat.producer.map(|time| time.at)),
+        (0x1019, Some(manager.sync_overflow.at)),
+    ];
+    let said = keys.into_iter().filter_map(|(index, at)| Some((index, at?)));
+    said.filter(|(_, at)| !at.is_empty()).map(|(index, at)| ((index, 0), at)).collect()
 }
 
 /// What `bus` and `manager` say, as settings of the described manager.

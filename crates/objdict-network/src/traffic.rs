@@ -22,7 +22,7 @@ pub(crate) struct Sync {
     pub(crate) overflow: u8,
     pub(crate) bytes: u64,
     pub(crate) at: Span,
-    pub(crate) node: Option<usize>,
+    pub(crate) node: usize,
 }
 
 /// Messages without a rhythm, which the load of the bus does not count.
@@ -71,23 +71,14 @@ impl<'n> Traffic<'n> {
             let party = message.senders.iter().find(|party| party.service == Service::Sync)?;
             Some((*can_id, party))
         })?;
-        let (period, window, overflow) = match party.node {
-            None => {
-                let manager = self.network.manager.as_ref()?;
-                (manager.sync_period.value, manager.sync_window, manager.sync_overflow.value)
-            }
-            Some(position) => {
-                let slave = self.compiled.nodes().find(|slave| slave.node == position)?;
-                let services = slave.device.services();
-                let at = slave.said(0x1007, 0).unwrap_or(party.at);
-                let window = Said::new(services.synchronous_window.unwrap_or(0), at);
-                (services.communication_cycle_period?, window, services.sync_counter_overflow.unwrap_or(0))
-            }
-        };
+        let slave = self.compiled.nodes().find(|slave| slave.node == party.node)?;
+        let services = slave.device.services();
+        let overflow = services.sync_counter_overflow.unwrap_or(0);
+        let at = slave.said(0x1007, 0).unwrap_or(party.at);
         Some(Sync {
             can_id,
-            period: period.into(),
-            window: Said::new(window.value.into(), window.at),
+            period: services.communication_cycle_period?.into(),
+            window: Said::new(services.synchronous_window.unwrap_or(0).into(), at),
             overflow,
             bytes: u64::from(overflow > 1),
             at: party.at,

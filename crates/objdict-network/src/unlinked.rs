@@ -35,12 +35,12 @@ impl UnlinkedPdos {
                 continue;
             };
             for party in parties {
-                let (Service::Pdo(pdo), Some(node)) = (party.service, party.node) else { continue };
+                let Service::Pdo(pdo) = party.service else { continue };
                 let found = UnlinkedPdo { can_id: *can_id, pdo, party: *party };
-                let slave = compiled.nodes().find(|slave| slave.node == node);
+                let slave = compiled.nodes().find(|slave| slave.node == party.node);
                 match slave.is_some_and(|slave| slave.configures(network, pdo)) {
                     true => unlinked.configured.push(found),
-                    false => unlinked.default.entry((node, pdo.kind)).or_default().push(found),
+                    false => unlinked.default.entry((party.node, pdo.kind)).or_default().push(found),
                 }
             }
         }

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use objdict_model::model::Device;
-use objdict_network::DcfgenMode;
 use objdict_network_file::NetworkFile;
 
 /// A description of a node.
@@ -35,25 +34,19 @@ impl Descriptions {
     pub fn add_network(&mut self, file: &NetworkFile) {
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else { return };
         self.bit_rate = self.bit_rate.or(network.bit_rate.as_ref().map(|rate| rate.value));
-        let described = |name: &str, node_id, device| DescribedNode {
-            name: name.to_owned(),
-            node_id: Some(node_id),
-            device,
-            file: file.source.name().to_owned(),
-            is_configured: true,
-        };
-        let nodes = compiled.nodes();
-        self.nodes.extend(nodes.map(|slave| {
-            described(&network.nodes[slave.node].name.value, slave.node_id, slave.device.clone())
-        }));
-        // one without a description has the objects that the network gives it
-        let manager = network.manager.as_ref().filter(|manager| manager.node.is_none());
-        let made = || file.build(DcfgenMode::Corrected).ok()?.made_manager().ok();
-        let made = manager.and_then(|manager| Some((manager, manager.node_id?.value, made()?)));
-        self.nodes.extend(made.map(|(manager, node_id, mut device)| {
-            // its PDOs carry the entries of the nodes, whose meanings the nodes know
-            device.objects.retain(|index, _| !matches!(index, 0x1400..=0x1BFF | 0x2000..));
-            described(&manager.name.value, node_id, device)
+        self.nodes.extend(compiled.nodes().map(|slave| {
+            let mut device = slave.device.clone();
+            if network.is_made(slave.node) {
+                // its PDOs carry the entries of the nodes, whose meanings the nodes know
+                device.objects.retain(|index, _| !matches!(index, 0x1400..=0x1BFF | 0x2000..));
+            }
+            DescribedNode {
+                name: network.nodes[slave.node].name.value.clone(),
+                node_id: Some(slave.node_id),
+                device,
+                file: file.source.name().to_owned(),
+                is_configured: true,
+            }
         }));
     }
 

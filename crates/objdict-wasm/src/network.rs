@@ -93,20 +93,20 @@ pub(crate) fn view(file: &NetworkFile) -> Answer {
 /// What each node can send and receive.
 fn sides(file: &NetworkFile) -> Value {
     let Some(network) = file.network() else { return Value::Null };
-    let manager = network.manager.as_ref().filter(|manager| manager.node.is_none());
-    let manager = manager.map(|manager| {
-        json!({ "node": manager.name.value, "node_id": manager.node_id.map(|id| id.value), "is_manager": true, "entries": [] })
-    });
-    let nodes = network.nodes.iter().map(|node| {
+    // a link names a manager that the file does not describe without entries, and the lists have it first
+    let mut nodes: Vec<_> = network.nodes.iter().enumerate().collect();
+    nodes.sort_by_key(|(position, _)| !network.is_made(*position));
+    let nodes = nodes.into_iter().map(|(position, node)| {
+        let is_manager = network.is_made(position);
         json!({
             "node": node.name.value,
             "node_id": node.node_id.map(|id| id.value),
             "file": node.file.value,
-            "is_manager": false,
-            "entries": mappable(&node.device),
+            "is_manager": is_manager,
+            "entries": if is_manager { json!([]) } else { json!(mappable(&node.device)) },
         })
     });
-    manager.into_iter().chain(nodes).collect()
+    nodes.collect()
 }
 
 /// The links as the text has them.

@@ -21,7 +21,7 @@ fn site(file: &NetworkFile, form: Form, options: &Options) -> Vec<SiteFile> {
     let mut files = Vec::new();
     for (position, dcf) in build.each_dcf() {
         // a name with a line end is not that of a DCF
-        let (Some(position), Ok(dcf)) = (position, dcf) else { continue };
+        let Ok(dcf) = dcf else { continue };
         let source = SourceFile::from_bytes(&dcf.name, dcf.bytes, &Default::default()).unwrap();
         let description = format::read(source, Format::Dcf);
         let (device, identifiers) = (description.device(), Default::default());

@@ -39,7 +39,7 @@ impl Cases {
     /// The DBC of a network.
     fn add_network(&mut self, name: &str, options: DbcOptions) {
         let nodes = open(name).build(DcfgenMode::Corrected).unwrap().configured_nodes().unwrap();
-        let counterpart = nodes.iter().position(|node| node.node.is_none());
+        let counterpart = nodes.iter().position(|node| node.is_made);
         let devices: Vec<_> = nodes.into_iter().map(|node| (node.device, node.node_id)).collect();
         self.add_with(&devices, options, counterpart);
     }

@@ -159,7 +159,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<DbcNode>, Failu
         Failure::new(format_args!("`{name}`: {error}")).help(help)
     })?;
     let node = |node: ConfiguredNode| {
-        let description = node.node.and_then(|position| file.description(position));
+        let description = file.description(node.node);
         let input = description.map_or_else(|| job.input.clone(), |of| of.source().name().into());
         DbcNode {
             job: Job { input, ..job.clone() },
@@ -167,7 +167,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<DbcNode>, Failu
             device: node.device,
             node_id: Some(node.node_id),
             name: Some(node.name),
-            is_counterpart: node.node.is_none(),
+            is_counterpart: node.is_made,
         }
     };
     Ok(nodes.into_iter().map(node).collect())

@@ -57,7 +57,7 @@ impl DocumentedNetwork {
         let mut nodes: Vec<Option<Documented>> = Vec::new();
         nodes.resize_with(opened.network().map_or(0, |network| network.nodes.len()), || None);
         for (position, dcf) in build.each_dcf().filter(|_| has_pages) {
-            let Some(node) = position.and_then(|position| nodes.get_mut(position)) else { continue };
+            let Some(node) = nodes.get_mut(position) else { continue };
             match dcf.map_err(Failure::new).and_then(|dcf| page(args, &options, dcf)) {
                 Ok(page) => *node = page,
                 Err(failure) => {

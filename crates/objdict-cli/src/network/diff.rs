@@ -112,16 +112,15 @@ impl<'f> ComparedNetwork<'f> {
         let node_id = row.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string());
         let manager = if row.is_manager { ", manager" } else { "" };
         // the name of the file may differ
-        let file = row.position.map(|position| &self.network.nodes[position].file.value);
-        let description = if file == Some(&row.description) { "" } else { &row.description };
+        let file = &self.network.nodes[row.position].file.value;
+        let description = if *file == row.description { "" } else { &row.description };
         format!("{node_id} {}: {description}{manager}", row.name)
     }
 
     fn messages(&self) -> impl Iterator<Item = String> {
         self.overview.messages.iter().flat_map(|message| {
             // what other services send is of a fixed length
-            let has_length =
-                |end: &End| matches!(end.service, Service::Pdo(_) | Service::MirroredPdo | Service::Sync);
+            let has_length = |end: &End| matches!(end.service, Service::Pdo(_) | Service::Sync);
             let ends = || message.senders.iter().chain(&message.receivers);
             let length = match (message.bytes.filter(|_| ends().any(has_length)), message.lengths.as_slice())
             {
@@ -130,7 +129,7 @@ impl<'f> ComparedNetwork<'f> {
                 (Some(_), _) => format!(", {} bytes", message.length()),
             };
             // the period of a PDO follows from its trigger
-            let is_cyclic = |end: &End| !matches!(end.service, Service::Pdo(_) | Service::MirroredPdo);
+            let is_cyclic = |end: &End| !matches!(end.service, Service::Pdo(_));
             let period = message.period.filter(|_| message.senders.iter().all(is_cyclic));
             let period = period.map(|period| format!(", every {}", show::period(period))).unwrap_or_default();
             let line = move |verb: &str, end: &End| {
@@ -146,8 +145,9 @@ impl<'f> ComparedNetwork<'f> {
         })
     }
 
+    /// A node with its downloads; a manager that is made is not configured.
     fn slave(&self, node: &ConfiguredNode) -> Option<&Slave> {
-        self.compiled.nodes().find(|slave| Some(slave.node) == node.node)
+        self.compiled.nodes().find(|slave| slave.node == node.node && !node.is_made)
     }
 
     /// Prints the downloads of a node that differ.

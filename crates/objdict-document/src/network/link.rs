@@ -26,12 +26,12 @@ impl<'a> PdoLink<'a> {
 
     /// The node that sends it.
     pub(super) fn sender(&self) -> Option<usize> {
-        self.row.sender.as_ref()?.position
+        self.row.sender.as_ref().map(|end| end.position)
     }
 
     /// The node that receives it.
     pub(super) fn receiver(&self) -> Option<usize> {
-        self.row.receiver.as_ref()?.position
+        self.row.receiver.as_ref().map(|end| end.position)
     }
 
     /// The lines of the link in a table.

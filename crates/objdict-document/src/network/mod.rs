@@ -161,12 +161,12 @@ impl<'a> NetworkView<'a> {
     }
 
     /// The URL of the page of a node; `None` without one.
-    fn page(&self, position: Option<usize>) -> Option<&str> {
-        self.pages.get(position?)?.as_deref()
+    fn page(&self, position: usize) -> Option<&str> {
+        self.pages.get(position)?.as_deref()
     }
 
     /// `5 pump`.
-    fn label(&self, position: Option<usize>) -> String {
+    fn label(&self, position: usize) -> String {
         let node = self.overview.nodes.iter().find(|node| node.position == position);
         node.map_or_else(String::new, called)
     }
@@ -174,14 +174,14 @@ impl<'a> NetworkView<'a> {
     /// The URL of an entry of a node; `None` without a page or for a dummy.
     fn entry_page(&self, position: Option<usize>, entry: &MappedEntry) -> Option<String> {
         let Address { index, sub } = entry.address?;
-        Some(format!("{}#{}", self.page(position)?, Anchor { index, sub }))
+        Some(format!("{}#{}", self.page(position?)?, Anchor { index, sub }))
     }
 
     /// The nodes that downloads configure, with their numbers in the table of nodes, and their positions in the network.
     fn configured(&self) -> Vec<(usize, Option<usize>, &NodeRow)> {
         let nodes = self.overview.nodes.iter().enumerate();
         let configured = nodes.filter(|(_, node)| !node.configuration.is_empty());
-        configured.map(|(number, node)| (number, node.position, node)).collect()
+        configured.map(|(number, node)| (number, Some(node.position), node)).collect()
     }
 
     /// What goes from one node to another, with the numbers of the links.

@@ -12,6 +12,15 @@ named! {
 }
 
 impl PdoKind {
+    /// The direction of the other side.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Rpdo => Self::Tpdo,
+            Self::Tpdo => Self::Rpdo,
+        }
+    }
+
     /// The maximum number of PDOs of a direction.
     pub const MAX: u16 = 512;
 

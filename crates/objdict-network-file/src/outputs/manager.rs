@@ -1,33 +1,21 @@
 //! The manager as a device: what it expects of the nodes, and their configurations.
 
-use super::{Build, BuildError, BuiltFile, written};
-use objdict_format as format;
-use objdict_format::Format;
+use super::{Build, BuildError, BuiltFile};
 use objdict_model::model::{
-    Access, Assignment, Compact, DataType, Device, DeviceKind, Entry, Object, ObjectList, ObjectType, Subs,
-    Value,
+    Access, Assignment, Compact, DataType, Device, Entry, Object, ObjectList, ObjectType, Subs, Value,
 };
-use objdict_model::source::SourceFile;
-use objdict_network::{LelyOptions, Slave, expected, lely_master};
+use objdict_network::Slave;
 
 const CONCISE_DCF: u16 = 0x1F22;
 
 impl Build<'_> {
-    /// The DCF of the manager, with the concise DCF of each node in 1F22h: of its description, to which missing objects are
-    /// added, or else of a manager with a PDO for each PDO of a node.
+    /// The DCF of the manager, with the concise DCF of each node in 1F22h. Objects that its description does not have are added.
     ///
     /// # Errors
     /// When there is no manager, or the configuration of a node cannot be sent.
     pub fn manager(&self) -> Result<BuiltFile, BuildError> {
-        let device = self.manager_device()?;
-        if let Some(manager) = &self.compiled.manager {
-            return self.dcf(manager, &device);
-        }
-        let manager = self.network.manager.as_ref().ok_or(BuildError::NoManager)?;
-        let node_id = manager.node_id.ok_or(BuildError::NoManager)?;
-        let commissioning = self.commissioning(&manager.name.value, node_id.value, &device, true);
-        let stem = self.stems.last().unwrap_or(&manager.name.value);
-        written(&manager.name.value, stem, device, commissioning)
+        let manager = self.compiled.manager.as_ref().ok_or(BuildError::NoManager)?;
+        self.dcf(manager, &self.manager_device()?)
     }
 
     /// The manager with its values.
@@ -35,31 +23,12 @@ impl Build<'_> {
     /// # Errors
     /// When there is none, or the configuration of a node cannot be sent.
     pub fn manager_device(&self) -> Result<Device, BuildError> {
-        let mut device = match &self.compiled.manager {
-            Some(manager) => manager.described(),
-            None => self.made_manager()?,
-        };
+        let mut device = self.compiled.manager.as_ref().ok_or(BuildError::NoManager)?.described();
         self.configure(&mut device)?;
         if let Some(time) = self.configured_at {
             self.expect(&mut device, 0x1F26, "Expected configuration date", time.days);
             self.expect(&mut device, 0x1F27, "Expected configuration time", time.milliseconds);
         }
-        Ok(device)
-    }
-
-    /// The device of a manager without a description: what Lely's master has, with a PDO for each PDO of a node.
-    ///
-    /// # Errors
-    /// When there is no manager.
-    pub fn made_manager(&self) -> Result<Device, BuildError> {
-        let options = LelyOptions::default();
-        let master =
-            lely_master(self.network, &self.compiled.slaves, &options).ok_or(BuildError::NoManager)?;
-        let description = format::read(SourceFile::from_text("master.dcf", master.dcf), Format::Dcf);
-        let mut device = description.device().clone();
-        device.kind = DeviceKind::Node;
-        // for the others Lely's master has downloads of its own
-        device.assign(&expected(self.network, &self.compiled.slaves));
         Ok(device)
     }
 

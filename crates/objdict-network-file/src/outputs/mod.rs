@@ -77,9 +77,10 @@ pub struct Build<'a> {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct ConfiguredNode {
-    /// Its position in [`Network::nodes`]; `None` for a manager without a description, whose PDOs are the other sides of those
-    /// of the nodes.
-    pub node: Option<usize>,
+    /// Its position in [`Network::nodes`].
+    pub node: usize,
+    /// Whether it is a manager that the file does not describe: its PDOs are the other sides of those of the nodes.
+    pub is_made: bool,
     /// Its name.
     pub name: String,
     /// Its node-ID.
@@ -179,11 +180,11 @@ impl Build<'_> {
         self.each_dcf().map(|(_, dcf)| dcf).collect()
     }
 
-    /// The same, each with the position of its node in [`Network::nodes`]: `None` for a manager without a description.
-    pub fn each_dcf(&self) -> impl Iterator<Item = (Option<usize>, Result<BuiltFile, BuildError>)> {
+    /// The same, each with the position of its node in [`Network::nodes`].
+    pub fn each_dcf(&self) -> impl Iterator<Item = (usize, Result<BuiltFile, BuildError>)> {
         let nodes = self.compiled.slaves.iter();
-        let nodes = nodes.map(|slave| (Some(slave.node), self.dcf(slave, &self.described(slave))));
-        nodes.chain(self.network.manager.iter().map(|manager| (manager.node, self.manager())))
+        let nodes = nodes.map(|slave| (slave.node, self.dcf(slave, &self.described(slave))));
+        nodes.chain(self.compiled.manager.iter().map(|manager| (manager.node, self.manager())))
     }
 
     /// The nodes as their DCFs describe them, the manager last.
@@ -191,25 +192,17 @@ impl Build<'_> {
     /// # Errors
     /// When the configuration of a node cannot be sent.
     pub fn configured_nodes(&self) -> Result<Vec<ConfiguredNode>, BuildError> {
-        let configured = |node, name: &str, node_id, mut device: Device, is_manager| {
+        let configured = |slave: &Slave, mut device: Device, is_manager| {
+            let (name, node_id) = (self.name(slave), slave.node_id);
             device.commissioning = Some(self.commissioning(name, node_id, &device, is_manager));
-            ConfiguredNode { node, name: name.to_owned(), node_id, device }
+            let is_made = self.network.is_made(slave.node);
+            ConfiguredNode { node: slave.node, is_made, name: name.to_owned(), node_id, device }
         };
         let slaves = self.compiled.slaves.iter();
-        let mut nodes: Vec<_> = slaves
-            .map(|slave| {
-                let device = self.described(slave);
-                configured(Some(slave.node), self.name(slave), slave.node_id, device, false)
-            })
-            .collect();
-        let Some(manager) = &self.network.manager else { return Ok(nodes) };
-        let compiled = self.compiled.manager.as_ref().map(|slave| slave.node_id);
-        let stated = manager.node_id.filter(|_| manager.node.is_none()).map(|node_id| node_id.value);
-        if let Some(node_id) = compiled.or(stated) {
-            let name = manager.node.map_or(&manager.name.value, |node| &self.network.nodes[node].name.value);
-            nodes.push(configured(manager.node, name, node_id, self.manager_device()?, true));
-        }
-        Ok(nodes)
+        let slaves = slaves.map(|slave| Ok(configured(slave, self.described(slave), false)));
+        let manager = self.compiled.manager.iter();
+        let manager = manager.map(|slave| Ok(configured(slave, self.manager_device()?, true)));
+        slaves.chain(manager).collect()
     }
 
     /// The network in tables, in a language.
@@ -228,14 +221,9 @@ impl Build<'_> {
     /// When a DCF cannot be written.
     pub fn node_list(&self) -> Result<Vec<BuiltFile>, BuildError> {
         let mut files = self.dcfs()?;
-        let manager = self.network.manager.as_ref();
-        let manager = manager.and_then(|manager| Some((manager.node_id?.value, manager.name.value.as_str())));
-        let nodes = self.compiled.slaves.iter().map(|slave| (slave.node_id, self.name(slave)));
-        let mut nodes: Vec<(u8, &str, &str)> = nodes
-            .chain(manager)
-            .zip(&files)
-            .map(|((node_id, name), file)| (node_id, name, file.name.as_str()))
-            .collect();
+        let nodes = self.compiled.nodes().zip(&files);
+        let mut nodes: Vec<(u8, &str, &str)> =
+            nodes.map(|(slave, file)| (slave.node_id, self.name(slave), file.name.as_str())).collect();
         nodes.sort_unstable();
         let mut text = format!(
             "[Topology]\r\nNetName={}\r\nNodes=0x{:02X}\r\n",

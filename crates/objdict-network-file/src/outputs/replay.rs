@@ -131,9 +131,7 @@ impl Build<'_> {
         let manager = self.network.manager.as_ref();
         let own = || {
             let device = self.manager_device().ok()?;
-            let node_id = self.compiled.manager.as_ref().map(|slave| slave.node_id);
-            let node_id = node_id.or_else(|| Some(manager?.node_id?.value))?;
-            Some((device, node_id))
+            Some((device, self.compiled.manager.as_ref()?.node_id))
         };
         let found = built.map(|built| (built.device, built.node_id)).or_else(own);
         let manager = manager.zip(found).map(|(manager, (device, node_id))| {

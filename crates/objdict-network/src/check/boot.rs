@@ -71,7 +71,7 @@ impl NetworkCheck<'_, '_> {
     /// 1F55h against 1F56h of the nodes whose software the manager checks (1F81h bit 5).
     pub(super) fn software(&mut self) {
         const CHECKED: u32 = 1 << 5;
-        let numbers = numbers(self.network, self.compiled);
+        let numbers = numbers(self.compiled);
         for slave in &self.compiled.slaves {
             let node = &self.network.nodes[slave.node];
             let known = |index| numbers.get(&(index, slave.node_id)).copied().unwrap_or(0);

@@ -7,7 +7,7 @@ use crate::compiled::{PdoState, indexes};
 use crate::connect::NodePdos;
 use crate::diagnostic::{At, Diagnostic, say, series};
 use crate::messages::{Message, MessageId, Party, Service};
-use crate::model::{BaudRates, Field, Part, PdoKind, Place, restricted};
+use crate::model::{BaudRates, Field, Part, Place, restricted};
 use crate::network::{Node, Said};
 use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
@@ -69,10 +69,8 @@ impl<'n> NetworkCheck<'n, '_> {
     fn node_ids(&mut self) {
         let described = self.network.nodes.iter().enumerate();
         let described = described.map(|(at, node)| (&node.name.value, node.node_id, node.node_id_origin(at)));
-        let manager = self.network.manager.iter().filter(|manager| manager.node.is_none());
-        let all = manager.map(|manager| (&manager.name.value, manager.node_id, None)).chain(described);
         let mut known: BTreeMap<u8, (Said<&str>, Option<At>)> = BTreeMap::new();
-        for (name, node_id, origin) in all {
+        for (name, node_id, origin) in described {
             let Some(Said { value: node_id, at }) = node_id else { continue };
             let Some((first, first_origin)) = known.get(&node_id) else {
                 known.insert(node_id, (Said::new(name, at), origin));
@@ -89,9 +87,12 @@ impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn can_ids(&mut self) {
         for (can_id, message) in &self.messages.0 {
             self.senders(*can_id, message);
-            self.counterparts(*can_id, message);
             let parties = message.senders.iter().chain(&message.receivers);
-            for party in parties.filter(|party| matches!(party.service, Service::Pdo(_))) {
+            // a manager that is made has those of the nodes
+            let is_own = |party: &&Party| {
+                matches!(party.service, Service::Pdo(_)) && !self.network.is_made(party.node)
+            };
+            for party in parties.filter(is_own) {
                 let Some(owner) = restricted(can_id.number).filter(|_| !can_id.is_extended) else { continue };
                 let message = format!(
                     "{} has the CAN-ID {can_id}, which is restricted: {owner}",
@@ -112,13 +113,16 @@ impl<'n> NetworkCheck<'n, '_> {
             let is_general = |service| matches!(service, Service::Sync | Service::Time);
             let is_same_service = other.service == first.service && is_general(first.service);
             if self.node_id(first) == self.node_id(other)
-                && (first.node != other.node || first.service == other.service)
+                && (first.node != other.node
+                    || first.service == other.service
+                    || self.have_one_node_id(&message.receivers))
             {
                 continue;
             }
             let are_clients = (first.service, other.service) == (Service::SdoRequest, Service::SdoRequest);
             // the manager is the client by rule
-            let is_manager = self.network.manager.as_ref().is_some_and(|manager| manager.node == other.node);
+            let is_manager =
+                self.network.manager.as_ref().is_some_and(|manager| manager.node == Some(other.node));
             let (first, other) = if are_clients && is_manager { (other, first) } else { (first, other) };
             let rule = if is_same_service { &DUPLICATE_SYNC_SENDER } else { &DUPLICATE_CAN_ID };
             let message =
@@ -133,46 +137,26 @@ impl<'n> NetworkCheck<'n, '_> {
                     self.can_id_origin(can_id, first),
                     say!("the CAN-ID of {}", first.service.to_string()),
                 );
-            let help = match are_clients {
-                true => {
-                    "give one of the clients a channel of its own (1280h), which the node has in 1201h too"
-                }
-                false => "give one of them another CAN-ID, or switch it off",
+            let help = if are_clients {
+                "give one of the clients a channel of its own (1280h), which the node has in 1201h too"
+            } else if self.network.is_made(first.node) && first.node == other.node {
+                "give each RPDO that receives it a CAN-ID of its own"
+            } else {
+                "give one of them another CAN-ID, or switch it off"
             };
             findings.push(finding.help(help).understood());
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 
-    fn node_id(&self, party: &Party) -> Option<u8> {
-        let manager = || self.network.manager.as_ref()?.node_id;
-        let of_node = |node: usize| self.network.nodes[node].node_id;
-        party.node.map_or_else(manager, of_node).map(|node_id| node_id.value)
+    /// Whether several nodes among these have the same node-ID.
+    fn have_one_node_id(&self, parties: &[Party]) -> bool {
+        let Some((first, others)) = parties.split_first() else { return false };
+        others.iter().any(|other| other.node != first.node && self.node_id(other) == self.node_id(first))
     }
 
-    /// A manager without a description has a PDO for each RPDO that no node sends, so each needs a CAN-ID of its own.
-    fn counterparts(&mut self, can_id: MessageId, message: &Message) {
-        let is_rpdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
-        let mut received = message.receivers.iter().filter(is_rpdo);
-        let mut mirrored = message.senders.iter().filter(|sender| sender.service == Service::MirroredPdo);
-        let (Some(manager), Some(first), Some(second)) = (mirrored.next(), received.next(), received.next())
-        else {
-            return;
-        };
-        if first.node != second.node && self.node_id(first) == self.node_id(second) {
-            return;
-        }
-        let message = format!(
-            "two PDOs of `{}` send {can_id}: for {} and for {}",
-            self.name(manager),
-            self.described(first),
-            self.described(second)
-        );
-        let finding = Diagnostic::new(&DUPLICATE_CAN_ID, second.at, message)
-            .label(first.at, "the other receiver")
-            .label_each(self.can_id_origin(can_id, second), "the CAN-ID")
-            .label_each(self.can_id_origin(can_id, first), "the CAN-ID");
-        self.findings.push(finding.help("give each RPDO a CAN-ID of its own").understood());
+    fn node_id(&self, party: &Party) -> Option<u8> {
+        self.network.nodes[party.node].node_id.map(|node_id| node_id.value)
     }
 
     /// The PDO of a party.
@@ -183,13 +167,13 @@ impl<'n> NetworkCheck<'n, '_> {
     /// Where a description has the mapping of the PDO of a party.
     fn mapping_origin(&self, party: &Party) -> Option<At> {
         let Service::Pdo(pdo) = party.service else { return None };
-        self.slave(party.node?)?.origin(self.network, indexes(pdo).1, 0)
+        self.slave(party.node)?.origin(self.network, indexes(pdo).1, 0)
     }
 
     /// What can be done for a receiver that takes less than is sent.
     fn remedy(&self, receiver: &Party, received: &PdoState, sent: &PdoState) -> &'static str {
-        let node = receiver.node.map(|node| NodePdos::of(&self.network.nodes[node], self.slave(node)));
-        match node.is_some_and(|node| node.has_room(received.pdo, sent.bits() - received.bits())) {
+        let node = NodePdos::of(&self.network.nodes[receiver.node], self.slave(receiver.node));
+        match node.has_room(received.pdo, sent.bits() - received.bits()) {
             true => "fill the rest with dummies",
             false => "send fewer entries: the RPDO has no room for dummies",
         }
@@ -199,10 +183,9 @@ impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn pdo_lengths(&mut self) {
         let mut findings = Vec::new();
         for message in self.messages.0.values() {
-            let sender = message.senders.iter().find_map(|party| Some((party, self.state(party)?)));
-            let Some((sender, sent)) = sender.filter(|(_, sent)| sent.pdo.kind == PdoKind::Tpdo) else {
-                continue;
-            };
+            // several senders are an error
+            let [sender] = message.senders.as_slice() else { continue };
+            let Some(sent) = self.state(sender) else { continue };
             for receiver in &message.receivers {
                 let Some(received) = self.state(receiver).filter(|state| state.bits() != sent.bits()) else {
                     continue;

@@ -155,25 +155,6 @@ impl<'n> NetworkCheck<'n, '_> {
                 });
             }
         }
-        let manager = self.network.manager.as_ref();
-        // a described one has 1016h
-        if let Some(manager) = manager.filter(|manager| manager.node.is_none() && manager.monitors_nodes()) {
-            for slave in self.compiled.slaves.iter().filter(|slave| slave.heartbeat != 0) {
-                let node = &self.network.nodes[slave.node];
-                let at = node.heartbeat.producer.map_or(node.name.at, |producer| producer.at);
-                let time = node.heartbeat.consumer_time(slave.heartbeat);
-                consumers.extend(time.map(|milliseconds| Consumer {
-                    name: &manager.name.value,
-                    own: None,
-                    is_said: false,
-                    at,
-                    origin: None,
-                    node_id: slave.node_id,
-                    milliseconds,
-                    is_manager: true,
-                }));
-            }
-        }
         consumers
     }
 }

@@ -60,11 +60,7 @@ struct NetworkCheck<'n, 'f> {
 impl<'n> NetworkCheck<'n, '_> {
     /// The name of who sends or receives.
     fn name(&self, party: &Party) -> &'n str {
-        match (party.node, &self.network.manager) {
-            (Some(node), _) => &self.network.nodes[node].name.value,
-            (None, Some(manager)) => &manager.name.value,
-            (None, None) => "",
-        }
+        &self.network.nodes[party.node].name.value
     }
 
     /// `TPDO 1 of drive`.
@@ -92,17 +88,13 @@ impl<'n> NetworkCheck<'n, '_> {
 
     /// Where a description has the CAN-ID of a party.
     fn can_id_origin(&self, can_id: MessageId, party: &Party) -> Option<At> {
-        self.slave(party.node?)?.can_id_origin(self.network, can_id, party.service)
+        self.slave(party.node)?.can_id_origin(self.network, can_id, party.service)
     }
 
     /// Who a node-ID belongs to: its name, its producer heartbeat time, and where its description has that.
     fn producer(&self, node_id: u8) -> Option<(&'n str, u16, Option<At>)> {
-        if let Some(slave) = self.compiled.nodes().find(|slave| slave.node_id == node_id) {
-            let name = &self.network.nodes[slave.node].name.value;
-            return Some((name, slave.heartbeat, slave.origin(self.network, 0x1017, 0)));
-        }
-        let manager = self.network.manager.as_ref()?;
-        manager.node_id.filter(|own| own.value == node_id)?;
-        Some((&manager.name.value, manager.heartbeat.producer.map_or(0, |time| time.value), None))
+        let slave = self.compiled.nodes().find(|slave| slave.node_id == node_id)?;
+        let name = &self.network.nodes[slave.node].name.value;
+        Some((name, slave.heartbeat, slave.origin(self.network, 0x1017, 0)))
     }
 }

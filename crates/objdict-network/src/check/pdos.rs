@@ -29,9 +29,9 @@ impl NetworkCheck<'_, '_> {
     fn alone(&self, UnlinkedPdo { can_id, pdo, party }: &UnlinkedPdo) -> Diagnostic {
         let described = self.described(party);
         // without a COB-ID the network file may state other parameters
-        let name = party.node.map(|node| self.network.nodes[node].name.at);
-        let stated = || self.slave(party.node?)?.stated(self.network, *pdo);
-        let at = if name == Some(party.at) { stated().unwrap_or(party.at) } else { party.at };
+        let name = self.network.nodes[party.node].name.at;
+        let stated = || self.slave(party.node)?.stated(self.network, *pdo);
+        let at = if name == party.at { stated().unwrap_or(party.at) } else { party.at };
         let finding = match pdo.kind {
             PdoKind::Rpdo => {
                 let message = format!("no node sends {can_id}, which {described} receives");

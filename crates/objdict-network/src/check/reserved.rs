@@ -19,17 +19,11 @@ const fn is_reserved_type(state: &PdoState) -> bool {
 impl NetworkCheck<'_, '_> {
     pub(super) fn reserved(&mut self) {
         let compiled = self.compiled;
-        let undescribed = self.network.manager.as_ref().filter(|manager| manager.node.is_none());
-        let overflow = undescribed.map(|manager| (&manager.name.value, manager.sync_overflow));
-        if let Some((name, overflow)) = overflow.filter(|(_, said)| is_reserved_overflow(said.value)) {
-            let message = say!("1019h of `{}` is {}, which CiA 301 reserves", name, overflow.value);
-            self.findings.push(self::overflow(Diagnostic::new(&INVALID_VALUE, overflow.at, message)));
-        }
         for slave in compiled.nodes() {
             let overflow = slave.device.services().sync_counter_overflow;
             if let Some(overflow) = overflow.filter(|overflow| is_reserved_overflow(*overflow)) {
                 let finding = self.reserved_value(slave, (0x1019, 0), overflow);
-                self.findings.push(self::overflow(finding));
+                self.findings.push(finding.help("write 0 for SYNC without a counter, or 2 to 240"));
             }
             let mut seen = Vec::new();
             let valid = slave.pdos.iter().filter(|state| state.cob_id & CobId::BIT_31 == 0);
@@ -63,8 +57,4 @@ impl NetworkCheck<'_, '_> {
             .label_each(slave.origin(self.network, index, sub), "in the description")
             .understood()
     }
-}
-
-fn overflow(finding: Diagnostic) -> Diagnostic {
-    finding.help("write 0 for SYNC without a counter, or 2 to 240").understood()
 }

@@ -21,9 +21,6 @@ impl<'n> NetworkCheck<'n, '_> {
         let mut users: Vec<&Slave> = synchronous.iter().map(|(slave, _)| *slave).collect();
         users.dedup_by_key(|slave| slave.node);
         self.counters(&sync);
-        if synchronous.iter().any(|(_, state)| state.pdo.kind == PdoKind::Tpdo) {
-            self.counter_of_manager(&sync);
-        }
         if !self.windows(&sync, &users) {
             self.burst(&sync);
         }
@@ -50,7 +47,8 @@ impl<'n> NetworkCheck<'n, '_> {
             let other = senders.first().zip(own.filter(|own| own.number != 0 || !waiting.is_empty()));
             let finding = match other {
                 Some((sender, own)) => self.other_can_id(slave, &waiting, own, *sender),
-                None if waiting.is_empty() => continue,
+                // that its PDOs wait is said of the nodes that have the other sides
+                None if waiting.is_empty() || self.network.is_made(slave.node) => continue,
                 None => self.no_sync(slave, &waiting),
             };
             let types =
@@ -80,7 +78,7 @@ impl<'n> NetworkCheck<'n, '_> {
             PdoKind::Tpdo => &message.receivers,
             PdoKind::Rpdo => &message.senders,
         };
-        others.iter().any(|party| party.node != Some(slave.node) && matches!(party.service, Service::Pdo(_)))
+        others.iter().any(|party| party.node != slave.node && matches!(party.service, Service::Pdo(_)))
     }
 
     fn no_sync(&self, slave: &Slave, waiting: &[&PdoState]) -> Diagnostic {
@@ -128,9 +126,8 @@ impl<'n> NetworkCheck<'n, '_> {
     /// 1019h of the nodes that hear SYNC: one of another length is an EMCY also where no PDO waits for it.
     fn counters(&mut self, sync: &Sync) {
         let compiled = self.compiled;
-        let sender = sync.node.and_then(|node| self.slave(node));
-        let is_hearing =
-            |slave: &&Slave| Some(slave.node) != sync.node && slave.sync_can_id() == Some(sync.can_id);
+        let sender = self.slave(sync.node);
+        let is_hearing = |slave: &&Slave| slave.node != sync.node && slave.sync_can_id() == Some(sync.can_id);
         for slave in compiled.nodes().filter(is_hearing) {
             // a node without 1019h expects no counter
             let overflow = slave.device.services().sync_counter_overflow.unwrap_or(0);
@@ -160,32 +157,6 @@ impl<'n> NetworkCheck<'n, '_> {
         }
     }
 
-    /// 1019h of a manager without a description, which receives the PDOs of the nodes.
-    fn counter_of_manager(&mut self, sync: &Sync) {
-        let manager = self.network.manager.as_ref().filter(|manager| manager.node.is_none());
-        let Some(manager) = manager.filter(|_| sync.node.is_some()) else { return };
-        let overflow = manager.sync_overflow;
-        if overflow.value == sync.overflow
-            || [overflow.value, sync.overflow].map(is_reserved_overflow).contains(&true)
-        {
-            return;
-        }
-        let message = say!(
-            "`{}` expects SYNC with the counter overflow {}, but it is {}",
-            manager.name.value,
-            overflow.value,
-            sync.overflow
-        );
-        let at = if overflow.at.is_empty() { manager.name.at } else { overflow.at };
-        let of_sender = sync.node.and_then(|node| self.slave(node));
-        let of_sender = of_sender.and_then(|sender| sender.origin(self.network, 0x1019, 0));
-        let finding = Diagnostic::new(&SYNC_COUNTER, at, message)
-            .label(sync.at, "who sends SYNC")
-            .label_each(of_sender, "the overflow value of the sender");
-        let help = say!("set the overflow value of the manager (1019h) to {}", sync.overflow);
-        self.findings.push(finding.help(help).understood());
-    }
-
     /// Windows that are longer than the period of SYNC; whether that of the sender is.
     fn windows(&mut self, sync: &Sync, users: &[&Slave]) -> bool {
         let message = |window: u64, name: &str| -> Text {
@@ -202,7 +173,7 @@ impl<'n> NetworkCheck<'n, '_> {
         if is_too_long {
             let finding =
                 Diagnostic::new(&SYNC_WINDOW, sync.window.at, message(sync.window.value, self.name(&sender)));
-            let origins = sync.node.and_then(|node| self.slave(node)).map(|sender| {
+            let origins = self.slave(sync.node).map(|sender| {
                 [0x1007, 0x1006].map(|index| sender.origin(self.network, index, 0)).into_iter().flatten()
             });
             findings.push(
@@ -212,7 +183,7 @@ impl<'n> NetworkCheck<'n, '_> {
                     .label_each(origins.into_iter().flatten(), "in the description"),
             );
         }
-        for slave in users.iter().filter(|slave| Some(slave.node) != sync.node) {
+        for slave in users.iter().filter(|slave| slave.node != sync.node) {
             let window = slave.device.services().synchronous_window.unwrap_or(0).into();
             // a long default is as good as none
             if window <= sync.period || !slave.is_configured(self.network, 0x1007, 0) {
@@ -246,7 +217,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 what,
                 limit
             );
-            let sender = sync.node.and_then(|node| self.slave(node));
+            let sender = self.slave(sync.node);
             let origin = sender.and_then(|sender| sender.origin(self.network, index, 0));
             let finding = Diagnostic::new(&SYNC_WINDOW, at, message).label_each(origin, say!("the {}", what));
             self.findings.push(finding.help("lengthen it, or send PDOs less often"));

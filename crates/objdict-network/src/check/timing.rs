@@ -18,11 +18,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let mut findings = Vec::new();
         for (slave, state) in self.traffic().sent() {
             let node = &self.network.nodes[slave.node];
-            let at = node
-                .pdos
-                .iter()
-                .find(|request| request.pdo == state.pdo)
-                .map_or(node.name.at, |request| request.at);
+            let at = slave.stated(self.network, state.pdo).unwrap_or(node.name.at);
             let (communication, _) = indexes(state.pdo);
             let (inhibit, timer) = (u32::from(state.inhibit_time), u32::from(state.event_timer) * 10);
             if state.pdo.kind == PdoKind::Tpdo && timer != 0 && timer < inhibit {
@@ -40,24 +36,6 @@ impl<'n> NetworkCheck<'n, '_> {
                 findings.push(finding.help("lengthen the event timer"));
             }
             let message = self.messages.0.get(&state.can_id());
-            // the deadline of a manager without a description; other receivers have their own
-            let is_for_manager =
-                message.is_some_and(|message| message.receivers.iter().all(|party| party.node.is_none()));
-            let is_missed = state.deadline != 0 && state.event_timer >= state.deadline;
-            if state.pdo.kind == PdoKind::Tpdo && is_missed && is_for_manager {
-                let message = say!(
-                    "the manager misses {} {} of `{}` after {} ms, but it is sent each {} ms",
-                    state.pdo.kind,
-                    state.pdo.number,
-                    node.name.value,
-                    state.deadline,
-                    state.event_timer
-                );
-                let finding = Diagnostic::new(&PDO_TIMES, at, message)
-                    .label_each(slave.origin(self.network, communication, 5), "the event timer");
-                let finding = finding.help("lengthen the deadline");
-                findings.push(finding.severity(Severity::Error).understood());
-            }
             let sender = message.and_then(|message| self.sender_of(message));
             let Some((sender, sent)) =
                 sender.filter(|_| state.pdo.kind == PdoKind::Rpdo && state.deadline != 0)
@@ -85,7 +63,7 @@ impl<'n> NetworkCheck<'n, '_> {
     }
 
     fn sender_of(&self, message: &Message) -> Option<(&'n Slave, &'n PdoState)> {
-        message.senders.iter().find_map(|party| Some((self.slave(party.node?)?, self.state(party)?)))
+        message.senders.iter().find_map(|party| Some((self.slave(party.node)?, self.state(party)?)))
     }
 
     /// The share of the bit rate that is used all the time.

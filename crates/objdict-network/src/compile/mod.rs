@@ -32,30 +32,50 @@ pub fn compile(network: &Network, mode: DcfgenMode) -> Compiled {
     let locked: BTreeSet<u32> = network.lock.can_ids().collect();
     let mut pool = POOL.filter(|id| !locked.contains(id));
     let mut compiled = Compiled::default();
-    let own = network.manager.as_ref().and_then(|manager| manager.node);
-    for (position, node) in network.nodes.iter().enumerate() {
-        let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
-            let message = say!("the node-ID of `{}` is not known", node.name.value);
-            let place = Place::of(DevicePart::Commissioning).field(Field::NodeId);
-            let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message)
-                .label(At::Node(position, place), "no node-ID");
-            compiled.findings.push(finding.help("add the node-ID, or use a DCF that states it"));
-            continue;
-        };
-        let mut compiler = Compiler::new((position, node), node_id.value, mode, &mut compiled.findings);
-        let is_manager = own == Some(position);
-        let manager = network.manager.as_ref().filter(|_| !is_manager);
-        let slave = slave(network, &mut compiler, manager, &mut pool);
-        if is_manager {
-            compiled.manager = Some(slave);
-        } else {
-            compiled.slaves.push(slave);
-        }
+    for position in 0..network.nodes.len() {
+        compile_node(network, position, mode, &mut pool, &mut compiled);
     }
-    if let Some(manager) = compiled.manager.as_mut().filter(|_| mode == DcfgenMode::Corrected) {
-        complete(network, &compiled.slaves, manager, &mut compiled.findings);
+    if mode == DcfgenMode::Corrected {
+        complete(network, &mut compiled);
     }
     compiled
+}
+
+/// Adds the manager to a network that was compiled without a description of it.
+pub(crate) fn compile_manager(network: &Network, compiled: &mut Compiled) {
+    let Some(manager) = network.manager.as_ref() else { return };
+    let Some(node) = manager.node else { return };
+    compile_node(network, node, DcfgenMode::Corrected, &mut std::iter::empty(), compiled);
+    complete(network, compiled);
+}
+
+fn compile_node(
+    network: &Network,
+    position: usize,
+    mode: DcfgenMode,
+    pool: &mut dyn Iterator<Item = u32>,
+    compiled: &mut Compiled,
+) {
+    let node = &network.nodes[position];
+    let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
+        // the key of the manager that is missing was reported
+        if network.is_made(position) {
+            return;
+        }
+        let message = say!("the node-ID of `{}` is not known", node.name.value);
+        let place = Place::of(DevicePart::Commissioning).field(Field::NodeId);
+        let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message)
+            .label(At::Node(position, place), "no node-ID");
+        compiled.findings.push(finding.help("add the node-ID, or use a DCF that states it"));
+        return;
+    };
+    let mut compiler = Compiler::new((position, node), node_id.value, mode, &mut compiled.findings);
+    let other = network.manager.as_ref().filter(|manager| manager.node != Some(position));
+    let slave = slave(network, &mut compiler, other, pool);
+    match other.is_none() && network.manager.is_some() {
+        true => compiled.manager = Some(slave),
+        false => compiled.slaves.push(slave),
+    }
 }
 
 fn slave(

@@ -40,13 +40,17 @@ impl CanIds {
         }
         for (can_id, message) in &Messages::new(network, compiled).0 {
             for party in message.senders.iter().chain(&message.receivers) {
-                if !matches!(party.service, Service::Pdo(_) | Service::MirroredPdo) {
+                if !matches!(party.service, Service::Pdo(_)) {
                     ids.add(can_id.number, User::Service);
                 }
             }
         }
-        let manager = network.manager.iter().filter_map(|manager| manager.node_id);
-        let nodes = network.nodes.iter().filter_map(|node| node.node_id).chain(manager);
+        let manager = network.manager.as_ref();
+        if let Some(time) = manager.and_then(|manager| manager.time_cob_id) {
+            ids.add(plain(time.value), User::Service);
+        }
+        let own = manager.and_then(|manager| manager.node_id);
+        let nodes = network.nodes.iter().filter_map(|node| node.node_id).chain(own);
         let nodes: HashSet<u32> = nodes.map(|said| said.value.into()).collect();
         // numbers of nodes that may come later are the last resort
         let unused = (0x181..=0x57F).rev().filter(|id| !nodes.contains(&(id & 0x7F)));

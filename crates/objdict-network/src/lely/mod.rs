@@ -66,18 +66,18 @@ fn bin(network: &Network, manager: &Manager, slaves: &[Slave]) -> ConciseDcf {
     ConciseDcf(downloads)
 }
 
-/// The PDOs of the nodes in a direction, with the numbers that their other sides have in a manager without a description.
+/// The PDOs of the nodes in a direction, with the numbers that their other sides have in a manager whose description is
+/// [made](Manager::is_made).
 pub fn mirrored_numbers<'a>(
     network: &'a Network,
     slaves: &'a [Slave],
     kind: PdoKind,
-) -> Vec<(&'a str, PdoName, u16)> {
-    let manager = network.manager.as_ref().filter(|manager| manager.node.is_none());
-    let Some(manager) = manager else { return Vec::new() };
+) -> Vec<(&'a Slave, PdoName, u16)> {
+    let Some(manager) = network.manager.as_ref().filter(|manager| manager.is_made) else { return Vec::new() };
     let options = &LelyOptions { mode: DcfgenMode::Corrected, remote_pdos: false };
     let writer = LelyWriter { network, manager, slaves, options, out: MasterText::default() };
     let mirrored = writer.mirrored(kind).into_iter();
-    mirrored.map(|pdo| (pdo.node.name.value.as_str(), pdo.state.pdo, pdo.number)).collect()
+    mirrored.map(|pdo| (pdo.slave, pdo.state.pdo, pdo.number)).collect()
 }
 
 /// A PDO of a node, which the master has the other side of.

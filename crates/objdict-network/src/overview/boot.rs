@@ -41,11 +41,11 @@ pub struct BootStep {
 impl BootPlan {
     pub(super) fn new(manager: &Manager, view: ConfiguredNetwork<'_>, rows: &[NodeRow]) -> Self {
         let booted = rows.iter().filter(|row| !row.is_manager);
-        let objects = ManagerObjects(numbers(view.network, view.compiled));
+        let objects = ManagerObjects(numbers(view.compiled));
         let startup = objects.number(0x1F80, 0);
         let words = LanguageWords(view.language);
         let step = |row: &NodeRow| {
-            let position = row.position?;
+            let position = row.position;
             let node = &view.network.nodes[position];
             Some(words.step(&objects, node, view.slave(position)?, row.downloads))
         };

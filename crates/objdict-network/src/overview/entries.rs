@@ -70,7 +70,7 @@ objdict_model::inline_schemas! {
 impl ConfiguredNetwork<'_> {
     /// The links of a message; none if it is no PDO.
     pub(super) fn links(self, can_id: MessageId, message: &Message) -> Vec<LinkRow> {
-        let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_) | Service::MirroredPdo);
+        let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
         let of = |parties: &[Party]| -> Vec<Option<Party>> {
             let parties: Vec<_> = parties.iter().filter(is_pdo).map(|party| Some(*party)).collect();
             if parties.is_empty() { vec![None] } else { parties }
@@ -89,8 +89,8 @@ impl ConfiguredNetwork<'_> {
 
     fn linked(self, sender: Option<Party>, receiver: Option<Party>) -> Vec<CarriedEntry> {
         let parts = |party: Option<Party>| -> Vec<CarriedBits> {
-            let state = party.and_then(|party| Some((self.state(&party)?, party.node?)));
-            state.map_or_else(Vec::new, |(state, node)| self.parts(state, &self.network.nodes[node].device))
+            let state = party.and_then(|party| Some((self.state(&party)?, party.node)));
+            state.map_or_else(Vec::new, |(state, node)| self.parts(state, node))
         };
         let (sent, received) = (parts(sender), parts(receiver));
         let is_same = |one: &CarriedBits, other: &CarriedBits| (one.bit, one.bits) == (other.bit, other.bits);
@@ -107,12 +107,15 @@ impl ConfiguredNetwork<'_> {
         entries
     }
 
-    fn parts(self, pdo: &PdoState, device: &Device) -> Vec<CarriedBits> {
+    fn parts(self, pdo: &PdoState, node: usize) -> Vec<CarriedBits> {
         let placed = MappedObject::placed(pdo.mapping.values(), |object| object.bits);
-        let part = |(bit, object): (u32, &MappedObject)| CarriedBits {
-            bit,
-            bits: object.bits.into(),
-            entry: self.named(device, *object),
+        let part = |(bit, object): (u32, &MappedObject)| {
+            let mut entry = self.named(&self.network.nodes[node].device, *object);
+            // those of a description that is made say which entry of which node they are
+            if let Some((_, name)) = entry.name.split_once(" / ").filter(|_| self.network.is_made(node)) {
+                entry.name = name.to_owned();
+            }
+            CarriedBits { bit, bits: object.bits.into(), entry }
         };
         placed.map(part).collect()
     }

@@ -65,9 +65,9 @@ pub struct NodeRow {
     pub bytes: usize,
     /// These downloads, in the order in which they are sent.
     pub configuration: Vec<DownloadRow>,
-    /// The position in [`Network::nodes`]; `None` for a manager without a description.
+    /// The position in [`Network::nodes`].
     #[serde(skip)]
-    pub position: Option<usize>,
+    pub position: usize,
 }
 
 /// The PDOs of a node that are as its description has them by default, and that no other node sends or receives.
@@ -130,21 +130,20 @@ impl MessageRow {
 pub struct End {
     /// The name of the node.
     pub node: String,
-    /// The position in [`Network::nodes`]; `None` for a manager without a description.
+    /// The position in [`Network::nodes`].
     #[serde(skip)]
-    pub position: Option<usize>,
+    pub position: usize,
     /// With which of its services: `TPDO 1`, `SYNC`.
     pub service: Service,
 }
 
 impl End {
     pub(crate) fn new(network: &Network, party: &Party) -> Self {
-        let manager = || network.manager.as_ref().map(|manager| manager.name.value.clone());
-        let node = match party.node {
-            Some(position) => network.nodes[position].name.value.clone(),
-            None => manager().unwrap_or_default(),
-        };
-        Self { node, position: party.node, service: party.service }
+        Self {
+            node: network.nodes[party.node].name.value.clone(),
+            position: party.node,
+            service: party.service,
+        }
     }
 }
 
@@ -186,7 +185,7 @@ impl Overview {
     /// Whether an end without another one is one of the [`unlinked`](Self::unlinked) PDOs.
     pub fn is_unlinked(&self, can_id: MessageId, end: &End) -> bool {
         let pdo = UnlinkedEnd { can_id, service: end.service };
-        self.unlinked.iter().any(|row| Some(row.position) == end.position && row.pdos.contains(&pdo))
+        self.unlinked.iter().any(|row| row.position == end.position && row.pdos.contains(&pdo))
     }
 }
 
@@ -204,21 +203,10 @@ struct ConfiguredNetwork<'n> {
 impl<'n> ConfiguredNetwork<'n> {
     fn nodes(self) -> Vec<NodeRow> {
         let manager = self.network.manager.as_ref();
-        let undescribed = manager.filter(|manager| manager.node.is_none()).map(|manager| NodeRow {
-            node_id: manager.node_id.map(|node_id| node_id.value),
-            name: manager.name.value.clone(),
-            description: String::new(),
-            is_manager: true,
-            heartbeat: manager.heartbeat.producer.map_or(0, |time| time.value),
-            guard_time: 0,
-            downloads: 0,
-            bytes: 0,
-            configuration: Vec::new(),
-            position: None,
-        });
-        let described = self.network.nodes.iter().enumerate().map(|(position, node)| {
+        let rows = self.network.nodes.iter().enumerate().map(|(position, node)| {
             let slave = self.slave(position);
-            let sent = slave.map(Slave::arranged_or_stated).filter(|sent| !sent.0.is_empty());
+            let configured = slave.filter(|_| !self.network.is_made(position));
+            let sent = configured.map(Slave::arranged_or_stated).filter(|sent| !sent.0.is_empty());
             NodeRow {
                 node_id: node.node_id.map(|node_id| node_id.value),
                 name: node.name.value.clone(),
@@ -231,10 +219,10 @@ impl<'n> ConfiguredNetwork<'n> {
                 configuration: slave
                     .zip(sent)
                     .map_or_else(Vec::new, |(slave, sent)| self.downloads(&slave.device, sent)),
-                position: Some(position),
+                position,
             }
         });
-        let mut rows: Vec<NodeRow> = undescribed.into_iter().chain(described).collect();
+        let mut rows: Vec<NodeRow> = rows.collect();
         rows.sort_by_key(|row| row.node_id.unwrap_or(u8::MAX));
         rows
     }
@@ -270,7 +258,6 @@ impl<'n> ConfiguredNetwork<'n> {
     fn message(self, can_id: MessageId, message: &Message, sync: Option<&Sync>) -> MessageRow {
         let ends = |parties: &[Party]| parties.iter().map(|party| self.end(party)).collect();
         let mut parties = message.senders.iter().chain(&message.receivers);
-        // the manager has the other side of PDOs without parameters of its own
         let pdo = parties.clone().find_map(|party| self.state(party));
         let (bytes, trigger, period) = match (pdo, parties.next()) {
             (Some(pdo), _) => (u8::try_from(pdo.bytes()).ok(), self.triggered(pdo), pdo.period(sync)),
@@ -297,8 +284,8 @@ impl<'n> ConfiguredNetwork<'n> {
     fn nmt(self) -> Option<MessageRow> {
         let manager = self.network.manager.as_ref()?;
         let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
-        let receivers = self.network.slaves().map(|(position, _)| party(Some(position))).collect();
-        let message = Message { senders: vec![party(manager.node)], receivers };
+        let receivers = self.network.slaves().map(|(position, _)| party(position)).collect();
+        let message = Message { senders: vec![party(manager.node?)], receivers };
         Some(self.message(MessageId::base(predefined::NMT.into()), &message, None))
     }
 
@@ -322,21 +309,14 @@ impl<'n> ConfiguredNetwork<'n> {
                 (Some(8), said("an SDO transfer", "ein SDO-Transfer"), None)
             }
             Service::ErrorControl => self.error_control(message),
-            Service::Pdo(_) | Service::MirroredPdo => (None, String::new(), None),
+            Service::Pdo(_) => (None, String::new(), None),
         }
     }
 
     fn error_control(self, message: &Message) -> (Option<u8>, String, Option<u64>) {
-        let sender = message.senders.first();
-        let slave = sender.and_then(|party| self.slave(party.node?));
-        let own = || self.network.manager.as_ref()?.heartbeat.producer;
-        let is_manager = sender.is_some_and(|party| party.node.is_none());
-        let heartbeat = match slave {
-            Some(slave) => slave.heartbeat,
-            None => own().filter(|_| is_manager).map_or(0, |time| time.value),
-        };
-        let guard_time = slave.map_or(0, |slave| slave.guard_time);
-        let (trigger, time) = match (heartbeat, guard_time) {
+        let slave = message.senders.first().and_then(|party| self.slave(party.node));
+        let times = slave.map(|slave| (slave.heartbeat, slave.guard_time));
+        let (trigger, time) = match times.unwrap_or_default() {
             (0, 0) => return (Some(1), self.language.pick("boot-up", "Boot-up").to_owned(), None),
             (0, time) => (self.language.pick("guarding", "Guarding"), time),
             (time, _) => (self.language.pick("cyclic", "zyklisch"), time),

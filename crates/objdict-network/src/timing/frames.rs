@@ -159,8 +159,8 @@ impl<'n> Traffic<'n> {
         let manager = self.network.manager.as_ref()?;
         let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
         let id = MessageId::base(predefined::NMT.into());
-        let frame = TimedFrame::new(id, TrafficKind::Nmt, 2, Rhythm::Rare, party(manager.node));
-        let receivers = self.network.slaves().map(|(position, _)| party(Some(position)));
+        let frame = TimedFrame::new(id, TrafficKind::Nmt, 2, Rhythm::Rare, party(manager.node?));
+        let receivers = self.network.slaves().map(|(position, _)| party(position));
         Some(TimedFrame { receivers: receivers.collect(), ..frame })
     }
 
@@ -192,41 +192,29 @@ impl<'n> Traffic<'n> {
                 vec![TimedFrame::new(id, TrafficKind::Sync, sync.bytes, rhythm, sender)]
             }
             Service::ErrorControl => self.error_control(id, sender),
-            Service::Pdo(_) | Service::MirroredPdo => {
-                self.pdo(id, message, sender, sync).into_iter().collect()
-            }
+            Service::Pdo(_) => self.pdo(id, message, sender, sync).into_iter().collect(),
         }
     }
 
     fn emcy_inhibit_time(self, sender: Party) -> u64 {
-        let tenths = match (self.slave(sender), &self.network.manager) {
-            (Some(slave), _) => slave.device.services().emcy_inhibit_time.unwrap_or(0),
-            (None, Some(manager)) => manager.emcy_inhibit_time,
-            (None, None) => 0,
-        };
-        u64::from(tenths) * 100 * MICROSECOND
+        let tenths = self.slave(sender).and_then(|slave| slave.device.services().emcy_inhibit_time);
+        u64::from(tenths.unwrap_or(0)) * 100 * MICROSECOND
     }
 
     pub(crate) fn slave(self, party: Party) -> Option<&'n Slave> {
-        self.compiled.nodes().find(|slave| Some(slave.node) == party.node)
+        self.compiled.nodes().find(|slave| slave.node == party.node)
     }
 
     /// Heartbeat, or guarding, or boot-up alone.
     fn error_control(self, id: MessageId, sender: Party) -> Vec<TimedFrame> {
-        let slave = self.slave(sender);
-        let of_manager = || self.network.manager.as_ref()?.heartbeat.producer;
-        let heartbeat = match slave {
-            Some(slave) => slave.heartbeat,
-            None => of_manager().map_or(0, |time| time.value),
-        };
-        let guard_time = slave.map_or(0, |slave| slave.guard_time);
+        let times = self.slave(sender).map(|slave| (slave.heartbeat, slave.guard_time));
         let every = |time: u16| Rhythm::Cyclic(u64::from(time) * MILLISECOND);
         let frame = |kind, bytes, rhythm| TimedFrame::new(id, kind, bytes, rhythm, sender);
-        match (heartbeat, guard_time) {
+        match times.unwrap_or_default() {
             (0, 0) => vec![frame(TrafficKind::Heartbeat, 1, Rhythm::Rare)],
             (0, time) => {
-                let asker =
-                    Party { node: self.network.manager.as_ref().and_then(|manager| manager.node), ..sender };
+                let manager = self.network.manager.as_ref().and_then(|manager| manager.node);
+                let asker = Party { node: manager.unwrap_or(sender.node), ..sender };
                 let request = TimedFrame {
                     is_remote: true,
                     sender: asker,
@@ -248,19 +236,9 @@ impl<'n> Traffic<'n> {
             return Vec::new();
         };
         let consumers = self.compiled.nodes().flat_map(|slave| slave.device.services().heartbeat_consumers);
-        let described =
-            consumers.filter(|consumer| u32::from(consumer.node_id) == node_id).map(|consumer| consumer.time);
-        let manager = self.network.manager.as_ref();
-        let monitors = manager.is_some_and(|manager| manager.node.is_none() && manager.monitors_nodes());
-        let slaves =
-            self.compiled.slaves.iter().filter(|slave| monitors && u32::from(slave.node_id) == node_id);
-        let of_manager = slaves
-            .filter_map(|slave| self.network.nodes[slave.node].heartbeat.consumer_time(slave.heartbeat));
-        described
-            .chain(of_manager)
-            .filter(|time| *time != 0)
-            .map(|time| u64::from(time) * MILLISECOND)
-            .collect()
+        let of_node = consumers.filter(|consumer| u32::from(consumer.node_id) == node_id);
+        let times = of_node.map(|consumer| u64::from(consumer.time) * MILLISECOND);
+        times.filter(|time| *time != 0).collect()
     }
 
     /// A PDO with the parameters of its sender, else of a receiver; `None` if it waits for a SYNC that no node sends.

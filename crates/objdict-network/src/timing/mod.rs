@@ -20,7 +20,7 @@ use self::analysis::{Arrival, Background, ResponseTime, Stream, Streams, WaitCau
 use self::frames::{Rhythm, TimedFrame};
 use crate::Language;
 use crate::compiled::Compiled;
-use crate::messages::{MessageId, Messages, Service};
+use crate::messages::{MessageId, Messages};
 use crate::network::Network;
 use crate::overview::End;
 use crate::traffic::{Traffic, frame_bits};
@@ -441,11 +441,7 @@ impl TimedFrame {
                 language.pick("guarding request", "Guarding-Anfrage").to_owned()
             }
             (TrafficKind::Guarding, ..) => language.pick("guarding", "Guarding").to_owned(),
-            _ => {
-                // the manager has the other side of PDOs without numbers
-                let numbered = self.receivers.iter().find(|_| self.sender.service == Service::MirroredPdo);
-                numbered.unwrap_or(&self.sender).service.name(language).into_owned()
-            }
+            _ => self.sender.service.name(language).into_owned(),
         }
     }
 }

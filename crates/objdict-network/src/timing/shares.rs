@@ -19,7 +19,7 @@ pub struct LoadShare<T> {
 
 impl Schedule {
     pub(super) fn by_node(&self, network: &Network) -> Vec<LoadShare<End>> {
-        let mut shares: BTreeMap<Option<usize>, (Party, Vec<&TimedFrame>)> = BTreeMap::new();
+        let mut shares: BTreeMap<usize, (Party, Vec<&TimedFrame>)> = BTreeMap::new();
         for frame in &self.frames {
             shares.entry(frame.sender.node).or_insert((frame.sender, Vec::new())).1.push(frame);
         }

@@ -56,9 +56,9 @@ fn frame(id: u32, kind: TrafficKind, bytes: u64, period: u64) -> TimedFrame {
         TrafficKind::Sync => Service::Sync,
         TrafficKind::Sdo => Service::SdoRequest,
         TrafficKind::Heartbeat => Service::ErrorControl,
-        _ => Service::MirroredPdo,
+        _ => Service::pdo(crate::model::PdoKind::Tpdo, 1),
     };
-    let sender = Party { node: None, service, at: Span::empty(0) };
+    let sender = Party { node: 0, service, at: Span::empty(0) };
     let rhythm = if period == 0 { Rhythm::Rare } else { Rhythm::Cyclic(period * MILLISECOND) };
     TimedFrame::new(MessageId { is_extended: id > 0x7FF, number: id }, kind, bytes, rhythm, sender)
 }
