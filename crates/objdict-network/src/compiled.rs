@@ -11,7 +11,7 @@ use std::cell::OnceCell;
 use crate::configure::PdoName;
 use crate::diagnostic::Findings;
 use crate::download::{ConciseDcf, PlanError};
-use crate::model::{Device, MappedObject};
+use crate::model::{Device, MappedObject, Services};
 use crate::source::Span;
 
 /// A node with its configuration.
@@ -24,6 +24,8 @@ pub struct Slave {
     /// The effective dictionary: the description, its configured values, then every download in order. All that is said and
     /// written about the node comes from it.
     pub device: Device,
+    /// Its services, once they were asked for.
+    pub(crate) services: OnceCell<Services>,
     /// Where the network file has the final values of entries.
     pub(crate) origins: Origins,
     /// The downloads that configure it.
@@ -67,8 +69,15 @@ pub struct Compiled {
     pub findings: Findings,
 }
 
+impl Slave {
+    /// The services of the node after its configuration.
+    pub fn services(&self) -> &Services {
+        self.services.get_or_init(|| self.device.services())
+    }
+}
+
 impl Compiled {
-    /// All nodes that have a description.
+    /// All nodes with a node-ID.
     pub fn nodes(&self) -> impl Iterator<Item = &Slave> {
         self.slaves.iter().chain(&self.manager)
     }

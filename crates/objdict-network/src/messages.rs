@@ -184,7 +184,7 @@ impl Messages {
 
     /// SYNC, TIME, EMCY, SDO and error control of a node.
     fn services(&mut self, slave: &Slave, party: &dyn Fn(Service) -> Party) {
-        let services = slave.device.services();
+        let services = slave.services();
         let number = |cob_id: CobId| cob_id.on_node(slave.node_id);
         let stated = |service, (index, sub)| {
             let party = party(service);
@@ -219,7 +219,7 @@ impl Messages {
             }
         }
         self.send(of_node(predefined::ERROR_CONTROL), party(Service::ErrorControl));
-        for consumer in services.heartbeat_consumers {
+        for consumer in &services.heartbeat_consumers {
             let watched = u32::from(predefined::ERROR_CONTROL) + u32::from(consumer.node_id);
             self.receive(MessageId::base(watched), party(Service::ErrorControl));
         }
@@ -264,7 +264,7 @@ pub(crate) struct SdoCanId {
 impl Slave {
     /// The CAN-ID of SYNC (1005h).
     pub(crate) fn sync_can_id(&self) -> Option<MessageId> {
-        Some(MessageId::of(self.device.services().sync?.on_node(self.node_id)))
+        Some(MessageId::of(self.services().sync?.on_node(self.node_id)))
     }
 
     /// The valid SDO channels of the node, without the one that each node has by default.
@@ -273,7 +273,7 @@ impl Slave {
             let cob_id = cob_id.filter(|cob_id| cob_id.is_valid())?;
             Some(MessageId::of(cob_id.on_node(self.node_id))).filter(|can_id| can_id.number != 0)
         };
-        let services = self.device.services();
+        let services = self.services();
         let servers = services.sdo_servers.iter().filter(|server| server.number > 1);
         let channels = servers.map(|server| (server, false));
         let channels = channels.chain(services.sdo_clients.iter().map(|client| (client, true)));

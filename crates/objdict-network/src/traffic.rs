@@ -72,7 +72,7 @@ impl<'n> Traffic<'n> {
             Some((*can_id, party))
         })?;
         let slave = self.compiled.nodes().find(|slave| slave.node == party.node)?;
-        let services = slave.device.services();
+        let services = slave.services();
         let overflow = services.sync_counter_overflow.unwrap_or(0);
         let at = slave.said(0x1007, 0).unwrap_or(party.at);
         Some(Sync {

@@ -153,7 +153,7 @@ impl Build<'_> {
             files.push(BuiltFile { name: "master.bin".to_owned(), bytes: master.bin.write()? });
         }
         for slave in &self.compiled.slaves {
-            let Some(name) = configuration_file(self.network, slave) else { continue };
+            let Some(name) = configuration_file(self.network, &self.stems, slave) else { continue };
             let downloads = slave.sent(self.network.order).map_err(|error| self.unplanned(slave, error))?;
             files.push(BuiltFile { name, bytes: downloads.write()? });
         }

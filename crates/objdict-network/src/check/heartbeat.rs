@@ -31,7 +31,7 @@ impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn monitored_twice(&mut self) {
         let manager = self.network.manager.as_ref();
         for slave in self.compiled.nodes() {
-            let consumers = slave.device.services().heartbeat_consumers;
+            let consumers = &slave.services().heartbeat_consumers;
             let name = &self.network.nodes[slave.node].name;
             let mut has_twice = false;
             for (position, second) in consumers.iter().enumerate() {
@@ -141,7 +141,7 @@ impl<'n> NetworkCheck<'n, '_> {
         for slave in self.compiled.nodes() {
             let node = &self.network.nodes[slave.node];
             let request = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
-            for consumer in slave.device.services().heartbeat_consumers {
+            for consumer in &slave.services().heartbeat_consumers {
                 let said = slave.said(0x1016, consumer.sub);
                 consumers.push(Consumer {
                     name: &node.name.value,

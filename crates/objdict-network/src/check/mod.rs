@@ -23,7 +23,10 @@ use crate::traffic::Traffic;
 pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     findings.append(compiled.findings.clone());
     let messages = Messages::new(network, compiled);
-    let mut check = NetworkCheck { network, compiled, messages: &messages, findings };
+    let traffic = Traffic { network, compiled, messages: &messages };
+    let schedule = Schedule::new(traffic, TimingOptions::default());
+    let mut check =
+        NetworkCheck { network, compiled, traffic, schedule: &schedule, messages: &messages, findings };
     check.nodes();
     check.can_ids();
     check.unlinked();
@@ -53,6 +56,8 @@ pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
 struct NetworkCheck<'n, 'f> {
     network: &'n Network,
     compiled: &'n Compiled,
+    traffic: Traffic<'n>,
+    schedule: &'n Schedule,
     messages: &'n Messages,
     findings: &'f mut Findings,
 }
@@ -71,14 +76,6 @@ impl<'n> NetworkCheck<'n, '_> {
     /// The bit rate in kbit/s; without one, the fastest, with which checks of time find least.
     fn bit_rate(&self) -> u16 {
         self.network.bit_rate.map_or(1000, |rate| rate.value.max(1))
-    }
-
-    fn schedule(&self) -> Schedule {
-        Schedule::new(self.traffic(), TimingOptions::default())
-    }
-
-    fn traffic(&self) -> Traffic<'n> {
-        Traffic { network: self.network, compiled: self.compiled, messages: self.messages }
     }
 
     /// The node of a position.

@@ -20,7 +20,7 @@ impl NetworkCheck<'_, '_> {
     pub(super) fn reserved(&mut self) {
         let compiled = self.compiled;
         for slave in compiled.nodes() {
-            let overflow = slave.device.services().sync_counter_overflow;
+            let overflow = slave.services().sync_counter_overflow;
             if let Some(overflow) = overflow.filter(|overflow| is_reserved_overflow(*overflow)) {
                 let finding = self.reserved_value(slave, (0x1019, 0), overflow);
                 self.findings.push(finding.help("write 0 for SYNC without a counter, or 2 to 240"));

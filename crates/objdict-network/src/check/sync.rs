@@ -15,8 +15,8 @@ const MAX_NAMED: usize = 4;
 impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn sync(&mut self) {
         self.waiting();
-        let Some(sync) = self.traffic().sync() else { return };
-        let pdos = self.traffic().sent();
+        let Some(sync) = self.traffic.sync() else { return };
+        let pdos = self.traffic.sent();
         let synchronous: Vec<_> = pdos.into_iter().filter(|(_, state)| state.is_synchronous()).collect();
         let mut users: Vec<&Slave> = synchronous.iter().map(|(slave, _)| *slave).collect();
         users.dedup_by_key(|slave| slave.node);
@@ -130,7 +130,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let is_hearing = |slave: &&Slave| slave.node != sync.node && slave.sync_can_id() == Some(sync.can_id);
         for slave in compiled.nodes().filter(is_hearing) {
             // a node without 1019h expects no counter
-            let overflow = slave.device.services().sync_counter_overflow.unwrap_or(0);
+            let overflow = slave.services().sync_counter_overflow.unwrap_or(0);
             if overflow == sync.overflow
                 || is_reserved_overflow(overflow)
                 || is_reserved_overflow(sync.overflow)
@@ -184,7 +184,7 @@ impl<'n> NetworkCheck<'n, '_> {
             );
         }
         for slave in users.iter().filter(|slave| slave.node != sync.node) {
-            let window = slave.device.services().synchronous_window.unwrap_or(0).into();
+            let window = slave.services().synchronous_window.unwrap_or(0).into();
             // a long default is as good as none
             if window <= sync.period || !slave.is_configured(self.network, 0x1007, 0) {
                 continue;
@@ -205,7 +205,7 @@ impl<'n> NetworkCheck<'n, '_> {
     /// Whether SYNC and what it triggers fit into the window or the period.
     fn burst(&mut self, sync: &Sync) {
         // with types above 1 PDOs may still meet in one cycle
-        let time = (self.schedule().bits_of_cycle() * 1000).div_ceil(self.bit_rate().into());
+        let time = (self.schedule.bits_of_cycle() * 1000).div_ceil(self.bit_rate().into());
         let (limit, what, at, index) = match sync.window.value {
             0 => (sync.period, "communication cycle period", sync.at, 0x1006),
             window => (window, "synchronous window length", sync.window.at, 0x1007),

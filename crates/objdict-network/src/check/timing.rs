@@ -16,7 +16,7 @@ impl<'n> NetworkCheck<'n, '_> {
     /// Inhibit time, event timer and deadline.
     pub(super) fn times(&mut self) {
         let mut findings = Vec::new();
-        for (slave, state) in self.traffic().sent() {
+        for (slave, state) in self.traffic.sent() {
             let node = &self.network.nodes[slave.node];
             let at = slave.stated(self.network, state.pdo).unwrap_or(node.name.at);
             let (communication, _) = indexes(state.pdo);
@@ -72,7 +72,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let manager = self.network.manager.as_ref();
         let fastest = manager.map(|manager| Said::new(FASTEST, manager.name.at));
         let Some(rate) = self.network.bit_rate.or(fastest) else { return };
-        let percent = self.traffic().load_at(rate.value) / 10;
+        let percent = self.schedule.load_at(rate.value) / 10;
         if percent > if self.network.bit_rate.is_some() { 80 } else { 100 } {
             let severity = if percent > 100 { Severity::Error } else { Severity::Warning };
             let message = say!("cyclic messages take {} % of {} kbit/s", percent, rate.value);
@@ -83,9 +83,8 @@ impl<'n> NetworkCheck<'n, '_> {
     /// Messages that other ones delay beyond their deadlines.
     pub(super) fn deadlines(&mut self) {
         let Some(rate) = self.network.bit_rate else { return };
-        let schedule = self.schedule();
         // that the synchronous PDOs do not fit into their time is reported once
-        let late = schedule.late(rate.value.max(1)).into_iter();
+        let late = self.schedule.late(rate.value.max(1)).into_iter();
         let late = late.filter_map(|(frame, response)| match (frame.kind, frame.deadline?) {
             (TrafficKind::SynchronousPdo, (_, DeadlineKind::SyncWindow | DeadlineKind::Period)) => None,
             (_, (deadline, _)) => Some((frame, response.div_ceil(1000), deadline / 1000)),

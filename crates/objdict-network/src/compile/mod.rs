@@ -129,6 +129,7 @@ fn slave(
         node: compiler.position,
         node_id: compiler.node_id,
         downloads: ConciseDcf(std::mem::take(&mut compiler.downloads)),
+        services: OnceCell::new(),
         arranged: OnceCell::new(),
         unconditional: own - conditional,
         has_only_consumers,

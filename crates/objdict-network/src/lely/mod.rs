@@ -12,6 +12,7 @@ use crate::compiled::{DcfgenMode, PdoState, Slave};
 use crate::configure::PdoName;
 use crate::download::{ConciseDcf, Download};
 use crate::manager::Knowledge;
+use crate::messages::MessageId;
 use crate::model::{BaudRates, PdoKind};
 use crate::network::{Manager, Network, Node};
 
@@ -34,16 +35,17 @@ pub struct LelyMaster {
     pub bin: ConciseDcf,
 }
 
-/// The name of the file with the configuration of a node; `None` for one without downloads.
-pub fn configuration_file(network: &Network, slave: &Slave) -> Option<String> {
+/// The name of the file with the configuration of a node; `None` for one without downloads. `stems` are those of
+/// [`Network::file_stems`].
+pub fn configuration_file(network: &Network, stems: &[String], slave: &Slave) -> Option<String> {
     let is_empty = slave.sent(network.order).is_ok_and(|downloads| downloads.0.is_empty());
-    (!is_empty).then(|| format!("{}.bin", network.file_stems()[slave.node]))
+    (!is_empty).then(|| format!("{}.bin", stems[slave.node]))
 }
 
 /// The files of the master; `None` for a network without one.
 pub fn lely_master(network: &Network, slaves: &[Slave], options: &LelyOptions) -> Option<LelyMaster> {
     let manager = network.manager.as_ref()?;
-    let writer = LelyWriter { network, manager, slaves, options, out: MasterText::default() };
+    let writer = LelyWriter::new(network, manager, slaves, options);
     Some(LelyMaster { dcf: writer.dcf(), bin: bin(network, manager, slaves) })
 }
 
@@ -75,7 +77,7 @@ pub fn mirrored_numbers<'a>(
 ) -> Vec<(&'a Slave, PdoName, u16)> {
     let Some(manager) = network.manager.as_ref().filter(|manager| manager.is_made) else { return Vec::new() };
     let options = &LelyOptions { mode: DcfgenMode::Corrected, remote_pdos: false };
-    let writer = LelyWriter { network, manager, slaves, options, out: MasterText::default() };
+    let writer = LelyWriter::new(network, manager, slaves, options);
     let mirrored = writer.mirrored(kind).into_iter();
     mirrored.map(|pdo| (pdo.slave, pdo.state.pdo, pdo.number)).collect()
 }
@@ -102,10 +104,20 @@ struct LelyWriter<'a> {
     manager: &'a Manager,
     slaves: &'a [Slave],
     options: &'a LelyOptions,
+    stems: Vec<String>,
     out: MasterText,
 }
 
 impl<'a> LelyWriter<'a> {
+    fn new(
+        network: &'a Network,
+        manager: &'a Manager,
+        slaves: &'a [Slave],
+        options: &'a LelyOptions,
+    ) -> Self {
+        Self { network, manager, slaves, options, stems: network.file_stems(), out: MasterText::default() }
+    }
+
     fn is_strict(&self) -> bool {
         self.options.mode == DcfgenMode::Exact
     }
@@ -121,12 +133,18 @@ impl<'a> LelyWriter<'a> {
 
     /// The PDOs of the nodes in a direction, by node and number. dcfgen takes those that end switched off too.
     fn mirrored(&self, kind: PdoKind) -> Vec<Mirrored<'a>> {
+        let pdos = self.slaves.iter().flat_map(|slave| &slave.pdos);
+        let sent = pdos.filter(|state| state.pdo.kind == PdoKind::Tpdo && state.is_active());
+        let sent: BTreeSet<MessageId> = sent.map(PdoState::can_id).collect();
+        // a manager that sent what a node sends to another one would be a second sender
+        let is_between_nodes =
+            |state: &PdoState| state.pdo.kind == PdoKind::Rpdo && sent.contains(&state.can_id());
         let is_used = |state: &&PdoState| {
             state.pdo.kind == kind
                 && state.cob_id >> 31 == 0
                 && !state.mapping.is_empty()
                 && (state.is_enabled || self.is_strict())
-                && (self.is_strict() || !self.is_between_nodes(state))
+                && (self.is_strict() || !is_between_nodes(state))
         };
         let of_slave = |slave: &'a Slave| {
             let node = self.node(slave);
@@ -147,18 +165,9 @@ impl<'a> LelyWriter<'a> {
         mirrored
     }
 
-    /// Whether a node receives what another one sends: a manager that sent it too would be a second sender.
-    fn is_between_nodes(&self, state: &PdoState) -> bool {
-        let mut pdos = self.slaves.iter().flat_map(|slave| &slave.pdos);
-        let is_sent = |other: &PdoState| {
-            other.pdo.kind == PdoKind::Tpdo && other.is_active() && other.can_id() == state.can_id()
-        };
-        state.pdo.kind == PdoKind::Rpdo && pdos.any(is_sent)
-    }
-
     /// The path of the configuration of a node for 1F22h. dcfgen forgets one that is about 1016h alone.
     fn upload(&self, slave: &Slave) -> Option<String> {
-        let file = configuration_file(self.network, slave)
+        let file = configuration_file(self.network, &self.stems, slave)
             .filter(|_| !self.is_strict() || !slave.has_only_consumers)?;
         let folder = self.node(slave).run_time_folder.as_deref().unwrap_or(&self.network.run_time_folder);
         let between = if folder.is_empty() || folder.ends_with('/') { "" } else { "/" };

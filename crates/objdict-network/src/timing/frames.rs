@@ -197,7 +197,7 @@ impl<'n> Traffic<'n> {
     }
 
     fn emcy_inhibit_time(self, sender: Party) -> u64 {
-        let tenths = self.slave(sender).and_then(|slave| slave.device.services().emcy_inhibit_time);
+        let tenths = self.slave(sender).and_then(|slave| slave.services().emcy_inhibit_time);
         u64::from(tenths.unwrap_or(0)) * 100 * MICROSECOND
     }
 
@@ -235,7 +235,7 @@ impl<'n> Traffic<'n> {
         let Some(node_id) = id.number.checked_sub(predefined::ERROR_CONTROL.into()) else {
             return Vec::new();
         };
-        let consumers = self.compiled.nodes().flat_map(|slave| slave.device.services().heartbeat_consumers);
+        let consumers = self.compiled.nodes().flat_map(|slave| &slave.services().heartbeat_consumers);
         let of_node = consumers.filter(|consumer| u32::from(consumer.node_id) == node_id);
         let times = of_node.map(|consumer| u64::from(consumer.time) * MILLISECOND);
         times.filter(|time| *time != 0).collect()

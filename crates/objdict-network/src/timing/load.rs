@@ -1,8 +1,7 @@
 //! How much of the bus is used.
 
-use super::TrafficKind;
 use super::frames::TimedFrame;
-use crate::traffic::Traffic;
+use super::{Schedule, TrafficKind};
 
 /// How many bits are sent, in thousandths of a bit each second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,14 +54,9 @@ impl TimedFrame {
     }
 }
 
-impl Traffic<'_> {
-    /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
-    pub(crate) fn load(self) -> Option<u64> {
-        Some(self.load_at(self.network.bit_rate?.value))
-    }
-
-    /// The same at a bit rate in kbit/s.
-    pub(crate) fn load_at(self, bit_rate: u16) -> u64 {
-        Load::of(&self.frames()).worst / (u64::from(bit_rate) * 1000).max(1)
+impl Schedule {
+    /// The share of a bit rate in kbit/s that is used all the time, in thousandths.
+    pub(crate) fn load_at(&self, bit_rate: u16) -> u64 {
+        Load::of(&self.frames).worst / (u64::from(bit_rate) * 1000).max(1)
     }
 }
