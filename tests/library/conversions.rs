@@ -306,18 +306,18 @@ fn a_listed_object_without_a_section_stays_listed() {
     assert!(paths(&written, LossKind::Lost).contains(&"/lists/manufacturer"), "{:?}", written.losses);
 }
 
-/// What the reader passes over cannot be in a new text.
+/// What the reader passes over cannot be in a new text. Comments are no data of a device, so they are not listed.
 #[test]
 fn what_is_not_read_is_listed() {
-    let text = "[1000]\nParameterName=Type\nParameterName=Type\nDataType=7\nDataType=5\nno key\n[1000]\nParameterName=Other\n";
+    let text = "; a comment\n[1000]\nParameterName=Type\nParameterName=Type\nDataType=7\nDataType=5\nno key\n[1000]\nParameterName=Other\n";
     let unread = format::unread(&read(text, Format::Eds));
     let said: Vec<String> = unread.iter().map(ToString::to_string).collect();
     assert_eq!(
         said,
         [
-            "lost: device: line 6: `no key` is not a section, key or comment",
-            "lost: device: line 5: `DataType` is defined twice, as `7` and `5`; the first one is read",
-            "lost: device: line 7: section `[1000]` is defined twice; the first one is read",
+            "lost: device: line 7: `no key` is not a section, key or comment",
+            "lost: device: line 6: `DataType` is defined twice, as `7` and `5`; the first one is read",
+            "lost: device: line 8: section `[1000]` is defined twice; the first one is read",
         ]
     );
 }

@@ -19,7 +19,7 @@ pub use conformance::{Conformance, ConformanceCheck, Verdict, conformance, confo
 pub use dictionary::{LiveDictionary, PowerOn};
 pub use frame::{BusFrame, classical_bits};
 pub use manager::{BootFailure, Configurations, Milestone};
-pub use objdict_device::{Abort, Dictionary, NmtState};
+pub use objdict_device::{Abort, Dictionary, NmtState, crc};
 pub use run::{Cut, Event, EventKind, NodeRun, Run};
 pub use simulation::{Conditions, Plant, PlantNode, boot};
 

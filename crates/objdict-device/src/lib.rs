@@ -42,6 +42,7 @@ pub use pdo::{Pdo, Pdos, Reception};
 #[cfg(feature = "embedded-storage")]
 pub use program::{ProgramRequest, ProgramState, WithProgram};
 pub use rules::{Refusal, check_write};
+pub use sdo::crc::crc;
 pub use sdo::{SdoClient, SdoData, SdoServer, SdoStep};
 #[cfg(feature = "critical-section")]
 pub use shared::Shared;

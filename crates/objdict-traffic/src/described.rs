@@ -27,12 +27,15 @@ pub struct Descriptions {
     pub nodes: Vec<DescribedNode>,
     /// The bit rate in kbit/s, if a network or a DCF states it.
     pub bit_rate: Option<u16>,
+    /// Whether they are the nodes of a network, which has no others.
+    pub is_network: bool,
 }
 
 impl Descriptions {
     /// Adds the nodes of a network, as they are after their configuration.
     pub fn add_network(&mut self, file: &NetworkFile) {
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else { return };
+        self.is_network = true;
         self.bit_rate = self.bit_rate.or(network.bit_rate.as_ref().map(|rate| rate.value));
         self.nodes.extend(compiled.nodes().map(|slave| {
             let mut device = slave.device.clone();

@@ -127,7 +127,7 @@ fn each_rule_has_a_log_that_is_against_it() {
     const SYNC: &str = "(0.0) can0 605#23071000D0070000\n(0.1) can0 585#6007100000000000\n\
         (0.2) can0 605#2F00180201000000\n(0.3) can0 585#6000180200000000\n(1.0) can0 080#\n";
     let after_sync = |pdo: &str| &*Box::leak(format!("{SYNC}{pdo}").into_boxed_str());
-    let cases: [(&str, &str, &str); 8] = [
+    let cases: [(&str, &str, &str); 19] = [
         ("traffic/pdo-length", "(1.0) can0 185#3702\n", "(1.0) can0 185#370201\n"),
         (
             "traffic/inhibit-time",
@@ -167,8 +167,78 @@ fn each_rule_has_a_log_that_is_against_it() {
             "(1.0) can0 605#4081600000000000\n(1.1) can0 585#4381600020A10700\n",
             "(1.0) can0 605#4081600000000000\n(1.1) can0 585#43816000E8030000\n",
         ),
+        (
+            "traffic/event-timer",
+            "(0.0) can0 605#2B00180564000000\n(0.1) can0 585#6000180500000000\n\
+             (1.0) can0 185#370201\n(1.151) can0 185#370201\n",
+            // the node is stopped for a while
+            "(0.0) can0 605#2B00180564000000\n(0.1) can0 585#6000180500000000\n\
+             (1.0) can0 185#370201\n(1.1) can0 000#0205\n(1.2) can0 000#0105\n(1.21) can0 185#370201\n",
+        ),
+        (
+            "traffic/repeated-pdo",
+            after_sync("(1.001) can0 185#370201\n(1.0015) can0 185#370201\n"),
+            after_sync("(1.001) can0 185#370201\n(1.02) can0 080#\n(1.0205) can0 185#370201\n"),
+        ),
+        (
+            "traffic/sync-cycle",
+            "(0.0) can0 605#23061000204E0000\n(0.1) can0 585#6006100000000000\n(1.0) can0 080#\n(1.031) can0 080#\n",
+            "(0.0) can0 605#23061000204E0000\n(0.1) can0 585#6006100000000000\n(1.0) can0 080#\n(1.029) can0 080#\n",
+        ),
+        (
+            "traffic/not-operational",
+            "(1.0) can0 000#0106\n(1.1) can0 705#00\n(1.2) can0 185#370201\n(1.3) can0 185#370201\n",
+            // the log has no commands: it may lack that one
+            "(1.1) can0 705#00\n(1.2) can0 185#370201\n",
+        ),
+        (
+            "traffic/not-operational",
+            "(1.0) can0 000#0105\n(1.1) can0 705#7F\n(1.2) can0 185#370201\n",
+            // what was to be sent when the node was stopped
+            "(1.0) can0 000#0105\n(1.1) can0 000#8005\n(1.101) can0 185#370201\n",
+        ),
+        (
+            "traffic/unexpected-boot-up",
+            "(1.0) can0 000#0100\n(1.2) can0 705#00\n",
+            "(1.0) can0 000#0100\n(1.1) can0 000#8105\n(1.2) can0 705#00\n",
+        ),
+        (
+            "traffic/unanswered-request",
+            "(0.9) can0 705#7F\n(1.0) can0 605#4018100100000000\n(1.1) can0 605#4018100100000000\n(1.2) can0 585#4318100102040000\n",
+            // the log has requests alone
+            "(0.9) can0 705#7F\n(1.0) can0 605#4018100100000000\n(1.1) can0 605#4018100100000000\n",
+        ),
+        (
+            "traffic/unanswered-request",
+            "(0.9) can0 705#7F\n(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n(1.2) can0 605#4018100200000000\n(3.0) can0 080#\n",
+            // the log ends before the answer; a scan asks for nodes that are not there
+            "(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n(1.2) can0 608#4018100200000000\n\
+             (1.3) can0 608#4018100200000000\n(3.0) can0 605#4018100200000000\n",
+        ),
+        (
+            "traffic/broken-transfer",
+            "(1.0) can0 605#4008100000000000\n(1.1) can0 585#4108100009000000\n(1.2) can0 605#6000000000000000\n\
+             (1.3) can0 585#0053657276203132\n(1.4) can0 605#6000000000000000\n(1.5) can0 585#1B33340000000000\n",
+            "(1.0) can0 605#4008100000000000\n(1.1) can0 585#4108100009000000\n(1.2) can0 605#6000000000000000\n\
+             (1.3) can0 585#0053657276203132\n(1.4) can0 605#7000000000000000\n(1.5) can0 585#1B33340000000000\n",
+        ),
+        (
+            // a block of three bytes with a checksum
+            "traffic/broken-transfer",
+            "(1.0) can0 605#C610210003000000\n(1.1) can0 585#A410210002000000\n(1.2) can0 605#8131323300000000\n\
+             (1.3) can0 585#A201020000000000\n(1.4) can0 605#D1B3960000000000\n(1.5) can0 585#A100000000000000\n",
+            "(1.0) can0 605#C610210003000000\n(1.1) can0 585#A410210002000000\n(1.2) can0 605#8131323300000000\n\
+             (1.3) can0 585#A201020000000000\n(1.4) can0 605#D152970000000000\n(1.5) can0 585#A100000000000000\n",
+        ),
+        (
+            "traffic/sdo-length",
+            "(1.0) can0 605#40181001\n(1.1) can0 585#4318100102040000\n",
+            "(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n",
+        ),
     ];
-    assert!(RULES.iter().all(|rule| cases.iter().any(|case| case.0 == rule.id)));
+    // that of a network is in a test of its own
+    let has_case = |id: &str| id == "traffic/unknown-node" || cases.iter().any(|case| case.0 == id);
+    assert!(RULES.iter().all(|rule| has_case(rule.id)));
     for (rule, bad, good) in cases {
         // the drive has no window
         let drives = usize::from(rule != "traffic/sync-window");
@@ -178,12 +248,28 @@ fn each_rule_has_a_log_that_is_against_it() {
     }
 }
 
+/// What a network does not describe is not in it; of single descriptions nothing follows.
+#[test]
+fn nodes_that_a_network_does_not_have() {
+    const LOG: &str = "(1.0) can0 1A3#0102\n(1.1) can0 1A3#0102\n(1.2) can0 60A#4018100100000000\n";
+    let mut network = drives(1);
+    network.nodes[0].node_id = Some(5);
+    let rules = |descriptions: &Descriptions| {
+        let events = report(descriptions, LOG).deviations;
+        events.into_iter().map(|event| event.text).collect::<Vec<_>>()
+    };
+    assert_eq!(rules(&network), [""; 0]);
+    network.is_network = true;
+    assert_eq!(rules(&network), ["node 35 is not in the network, but sends frames"]);
+}
+
 #[test]
 fn findings_are_bounded_and_counted() {
-    let log: String = (0..250).map(|at| format!("({at}.5) can0 185#3702\n")).collect();
+    let log: String =
+        (0..250).map(|at| format!("({}.{:02}) can0 185#3702\n", at / 20, at % 20 * 5)).collect();
     let found = against(1, log.leak());
     assert_eq!(found.len(), 100);
-    assert_eq!(found[0].1, "0.5: drive-402 TPDO 1 has 2 bytes, 3 are mapped");
-    let last = "99.5: drive-402 TPDO 1 has 2 bytes, 3 are mapped (the rule finds 150 more of this node)";
+    assert_eq!(found[0].1, "0.00: drive-402 TPDO 1 has 2 bytes, 3 are mapped");
+    let last = "4.95: drive-402 TPDO 1 has 2 bytes, 3 are mapped (the rule finds 150 more of this node)";
     assert_eq!(found[99].1, last);
 }

@@ -1,7 +1,7 @@
 //! The CRC of block transfers.
 
 /// The CRC-16 of block transfers (CiA 301 §7.2.4.3.16) of the bytes so far and these: polynomial 1021h, initially 0.
-pub(crate) fn crc(so_far: u16, bytes: &[u8]) -> u16 {
+pub fn crc(so_far: u16, bytes: &[u8]) -> u16 {
     bytes.iter().fold(so_far, |crc, &byte| {
         // by arithmetic rather than a table of 512 bytes
         let mut x = (crc >> 8) as u8 ^ byte;

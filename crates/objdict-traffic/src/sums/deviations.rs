@@ -21,8 +21,23 @@ pub(super) struct ExpectedFrames {
     bytes: Option<usize>,
     /// The inhibit time in nanoseconds.
     inhibit: Option<i64>,
+    /// The event timer in nanoseconds.
+    timer: Option<i64>,
+    /// Whether SYNC triggers it.
+    is_synchronous: bool,
     /// The synchronous window length in nanoseconds.
     window: Option<i64>,
+}
+
+/// What came before a frame, in nanoseconds.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Before {
+    /// The frame before with this CAN-ID.
+    pub(super) frame: Option<i64>,
+    /// The last SYNC.
+    pub(super) sync: Option<i64>,
+    /// The last change of the state of the node.
+    pub(super) state: Option<i64>,
 }
 
 impl ExpectedFrames {
@@ -39,8 +54,9 @@ impl ExpectedFrames {
             }
             _ => None,
         };
-        let inhibit = pdo.as_ref().filter(|pdo| pdo.transmission_type.is_some_and(|kind| kind >= 254));
-        let inhibit = inhibit.and_then(|pdo| pdo.inhibit_time).filter(|time| *time != 0);
+        let by_event = pdo.as_ref().filter(|pdo| pdo.transmission_type.is_some_and(|kind| kind >= 254));
+        let inhibit = by_event.and_then(|pdo| pdo.inhibit_time).filter(|time| *time != 0);
+        let timer = by_event.and_then(|pdo| pdo.event_timer).filter(|time| *time != 0);
         let is_synchronous = pdo.is_some_and(|pdo| matches!(pdo.transmission_type, Some(1..=240)));
         let window =
             device.filter(|_| is_synchronous).and_then(|device| device.services().synchronous_window);
@@ -48,18 +64,19 @@ impl ExpectedFrames {
             changes,
             bytes,
             inhibit: inhibit.map(|time| i64::from(time) * 100_000),
+            timer: timer.map(|time| i64::from(time) * 1_000_000),
+            is_synchronous,
             window: window.filter(|window| *window != 0).map(|window| i64::from(window) * 1000),
         }
     }
 
-    /// What is not as described in a frame; `last` is the time of the frame before, `sync` that of the last SYNC.
+    /// What is not as described in a frame.
     pub(super) fn deviations(
         &mut self,
         decoded: &DecodedFrame,
         frame: &LoggedFrame,
         bus: &Bus<'_>,
-        last: Option<i64>,
-        sync: Option<i64>,
+        before: Before,
     ) -> impl Iterator<Item = Deviation> + use<> {
         if self.changes != Some(bus.reader.changes().pdos) {
             *self = Self::of(decoded, frame, bus);
@@ -67,12 +84,19 @@ impl ExpectedFrames {
         let now = frame.time.nanoseconds();
         let count = frame.data().len();
         let length = self.bytes.filter(|bytes| *bytes != count);
-        let distance = self.inhibit.zip(last).map(|(inhibit, last)| (inhibit, now.saturating_sub(last)));
+        let distance =
+            self.inhibit.zip(before.frame).map(|(inhibit, last)| (inhibit, now.saturating_sub(last)));
         // 5 % are the tolerance of clocks
         let early = distance.filter(|(inhibit, distance)| *distance < inhibit / 100 * 95);
-        let after = self.window.zip(sync).map(|(window, sync)| (window, now.saturating_sub(sync)));
+        let after = self.window.zip(before.sync).map(|(window, sync)| (window, now.saturating_sub(sync)));
         let late = after.filter(|(window, after)| after > window);
-        let is_none = length.is_none() && early.is_none() && late.is_none();
+        // a node may be silent when it is stopped
+        let last = before.frame.filter(|last| before.state.is_none_or(|state| state <= *last));
+        let gap = self.timer.zip(last).map(|(timer, last)| (timer, now.saturating_sub(last)));
+        let overdue = gap.filter(|(timer, gap)| *gap > timer / 2 * 3);
+        let last = before.frame.zip(before.sync).filter(|_| self.is_synchronous);
+        let is_again = last.is_some_and(|(last, sync)| last >= sync);
+        let is_none = length.is_none() && early.is_none() && late.is_none() && overdue.is_none() && !is_again;
         let name = if is_none { String::new() } else { name(decoded, bus) };
         let texts = [
             length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes, {bytes} are mapped"))),
@@ -89,12 +113,20 @@ impl ExpectedFrames {
                     format!("{name} comes {after} ms after SYNC, the synchronous window is {window} ms");
                 (&rules::SYNC_WINDOW, text)
             }),
+            overdue.map(|(timer, gap)| {
+                let [gap, timer] = [gap, timer].map(milliseconds);
+                let text =
+                    format!("{name} comes {gap} ms after the one before, its event timer is {timer} ms");
+                (&rules::EVENT_TIMER, text)
+            }),
+            is_again
+                .then(|| (&rules::REPEATED_PDO, format!("{name} comes a second time after the same SYNC"))),
         ];
         texts.into_iter().flatten()
     }
 }
 
-fn name(decoded: &DecodedFrame, bus: &Bus<'_>) -> String {
+pub(super) fn name(decoded: &DecodedFrame, bus: &Bus<'_>) -> String {
     let service = decoded.service.map_or_else(String::new, |service| service.to_string());
     format!("{} {service}", bus.reader.name(decoded.node_id.unwrap_or(0)))
 }

@@ -1,5 +1,6 @@
 //! Sums over the frames of a bus, in memory that does not grow with their number.
 
+mod conduct;
 mod cycle;
 mod deviations;
 mod history;
@@ -7,12 +8,14 @@ mod report;
 
 use std::collections::BTreeMap;
 
+use self::conduct::Conduct;
 use self::cycle::Cycle;
-use self::deviations::{ExpectedFrames, of_transfer};
+use self::deviations::{Before, ExpectedFrames, of_transfer};
 use self::history::History;
 pub use self::history::NodeEvent;
 pub(crate) use self::history::Seen;
 pub use self::report::BusReport;
+use self::report::sync_period;
 use super::{Bus, Origin, PRE_OPERATIONAL};
 use crate::log::{LogTime, LoggedFrame};
 use objdict_bus::classical_bits;
@@ -76,7 +79,7 @@ pub struct BusSums {
     extended: BTreeMap<u32, usize>,
     messages: Vec<MessageSums>,
     nodes: Vec<NodeSums>,
-    /// How often nodes had changed when the limits of heartbeats were found.
+    /// How often nodes had changed when the limits of heartbeats and the period of SYNC were found.
     changes: Option<u64>,
     emergencies: History,
     aborts: History,
@@ -85,7 +88,10 @@ pub struct BusSums {
     deviations: History,
     starts: History,
     bus_errors: History,
+    conduct: Conduct,
     last_sync: Option<i64>,
+    /// The period of SYNC in nanoseconds, where a description states it.
+    sync_period: Option<i64>,
     /// The last value that a node has accepted.
     written: BTreeMap<(u8, u16, u8), Vec<u8>>,
     is_written_cut: bool,
@@ -112,7 +118,9 @@ impl BusSums {
             deviations: History::default(),
             starts: History::default(),
             bus_errors: History::default(),
+            conduct: Conduct::default(),
             last_sync: None,
+            sync_period: None,
             written: BTreeMap::new(),
             is_written_cut: false,
         }
@@ -136,10 +144,11 @@ impl BusSums {
         };
         self.bits += bits;
         self.kinds[decoded.kind as usize] += 1;
-        let changes = Some(bus.reader.changes().heartbeats);
+        let changes = Some(bus.reader.changes().cycles);
         if self.changes != changes {
             self.changes = changes;
             self.find_limits(bus);
+            self.sync_period = sync_period(bus).map(|period| i64::from(period) * 1000);
         }
         // a request is sent by another node, which no frame names
         let is_sent = match decoded.sdo {
@@ -151,9 +160,12 @@ impl BusSums {
         self.nodes[sender].frames += 1;
         self.nodes[sender].bits += bits;
         if decoded.kind == FrameKind::Sync && !frame.is_remote {
-            self.last_sync = Some(frame.time.nanoseconds());
+            self.sync(node_id as u8, frame, origin);
         }
         self.message(decoded, frame, origin, bus);
+        for (rule, text) in self.conduct.frame(decoded, frame, origin, bus) {
+            self.deviations.add(Seen::of(frame, origin), node_id as u8, Some(rule), || text);
+        }
         self.event(decoded, frame, origin, bus);
     }
 
@@ -186,14 +198,30 @@ impl BusSums {
             message.kind = decoded.kind;
         }
         if decoded.kind == FrameKind::Pdo && !frame.is_remote {
-            let last = message.cycle.last;
-            for (rule, text) in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
-                let node_id = decoded.node_id.unwrap_or(0);
+            let node_id = decoded.node_id.unwrap_or(0);
+            let before = Before {
+                frame: message.cycle.last,
+                sync: self.last_sync,
+                state: self.conduct.changed(node_id),
+            };
+            for (rule, text) in message.expected.deviations(decoded, frame, bus, before) {
                 self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
             }
         }
         // a boot-up is not a part of the cycle of heartbeats
         message.cycle.add(frame.time, decoded.kind != FrameKind::BootUp && !frame.is_remote);
+    }
+
+    /// SYNC out of its cycle: half a period more or less is more than a busy bus explains.
+    fn sync(&mut self, node_id: u8, frame: &LoggedFrame, origin: Origin<'_>) {
+        let now = frame.time.nanoseconds();
+        let Some((last, period)) = self.last_sync.replace(now).zip(self.sync_period) else { return };
+        let gap = now.saturating_sub(last);
+        if gap < period / 2 || gap > period / 2 * 3 {
+            let [gap, period] = [gap, period].map(milliseconds);
+            let text = || format!("SYNC comes {gap} ms after the one before, its period is {period} ms");
+            self.deviations.add(Seen::of(frame, origin), node_id, Some(&rules::SYNC_CYCLE), text);
+        }
     }
 
     /// What is more than a frame.

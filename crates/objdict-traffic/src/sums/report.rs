@@ -42,8 +42,8 @@ pub struct BusReport {
     pub aborted_transfers: Vec<NodeEvent>,
     /// The first emergencies.
     pub emergencies: Vec<NodeEvent>,
-    /// The first frames that are not as the descriptions say: length of a PDO, inhibit time, synchronous window, and type, access and limits of
-    /// entries in SDO transfers.
+    /// The first frames that are not as the descriptions say (times and lengths of PDOs, the cycle of SYNC, type, access and limits of entries
+    /// in SDO transfers), or not in their order (states of nodes, transfers, requests without an answer).
     pub deviations: Vec<NodeEvent>,
     /// How many of these events there are beyond those that are listed.
     pub further_events: u64,
@@ -178,6 +178,9 @@ impl BusSums {
         let undescribed = nodes.iter().map(|node| node.node);
         let undescribed = undescribed.filter(|node| *node != 0 && !bus.reader.is_described(*node)).collect();
         let (from, to) = self.span.unwrap_or_default();
+        let mut deviations = self.deviations.take();
+        deviations.extend(self.conduct.unanswered(to.nanoseconds(), bus));
+        deviations.sort_by_key(|event| event.moment.time);
         BusReport {
             channel: bus.channel.clone(),
             from: from.to_string(),
@@ -194,7 +197,7 @@ impl BusSums {
             lost_heartbeats: self.lost.take(),
             aborted_transfers: self.aborts.take(),
             emergencies: self.emergencies.take(),
-            deviations: self.deviations.take(),
+            deviations,
             starts: self.starts.take(),
             bus_errors: self.bus_errors.take(),
             further_events: further,
@@ -376,7 +379,7 @@ fn described_cycle(pdo: &Pdo<'_>, sync: Option<u32>) -> Option<String> {
 }
 
 /// The period of SYNC in microseconds: that of the node that produces it.
-fn sync_period(bus: &Bus<'_>) -> Option<u32> {
+pub(super) fn sync_period(bus: &Bus<'_>) -> Option<u32> {
     let services = bus.reader.node_ids().filter_map(|node_id| Some(bus.reader.device(node_id)?.services()));
     let periods = services.filter_map(|services| {
         let is_producer = services.sync.is_some_and(CobId::bit_30);

@@ -49,8 +49,8 @@ pub struct FrameReader<'a> {
 /// How often nodes have changed, by what depends on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
-    /// What heartbeats depend on: their producers and consumers.
-    pub heartbeats: u64,
+    /// What cycles depend on: the producers and consumers of heartbeats, and the period of SYNC.
+    pub cycles: u64,
     /// What PDOs depend on: their parameters and the synchronous window length.
     pub pdos: u64,
 }
@@ -105,7 +105,7 @@ impl<'a> FrameReader<'a> {
     /// All values of a node may be others.
     fn note_other_values(&mut self, node_id: u8) {
         self.stale.insert((node_id, Stale::All));
-        self.changes.heartbeats += 1;
+        self.changes.cycles += 1;
         self.changes.pdos += 1;
     }
 
@@ -113,7 +113,7 @@ impl<'a> FrameReader<'a> {
     fn note_change(&mut self, node_id: u8, index: u16) {
         let stale = Stale::of(index);
         self.stale.extend(stale.map(|stale| (node_id, stale)));
-        self.changes.heartbeats += u64::from(matches!(index, 0x1016 | 0x1017));
+        self.changes.cycles += u64::from(matches!(index, 0x1005 | 0x1006 | 0x1016 | 0x1017));
         self.changes.pdos += u64::from(matches!(stale, Some(Stale::Pdo(..))) || index == 0x1007);
     }
 
