@@ -48,6 +48,7 @@ impl SectionLocator {
         found.append(&mut misspelt);
         // sections are usually in order already
         found.sort_by_key(|(number, _)| *number);
+        found.shrink_to_fit();
         Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
     }
 

@@ -22,7 +22,7 @@ fn line_ends(document: &Document, edits: &mut Edits<'_>) {
     let count = |line_end: &str| spans().filter(|span| span.of(text) == line_end).count();
     let most = if count("\n") > count("\r\n") { "\n" } else { "\r\n" };
     for span in spans().filter(|span| !span.is_empty() && span.of(text) != most) {
-        edits.replace(span, most);
+        edits.append(span, most);
     }
 }
 
@@ -38,9 +38,9 @@ fn comments(document: &Document, edits: &mut Edits<'_>) {
         let mark = if comment[start..].starts_with("//") { 2 } else { 1 };
         let behind = &comment[start + mark..];
         // prevents that a tool reads the comment as a setting
-        let blank = if behind.starts_with(['S', 'C']) { " " } else { "" };
+        let is_setting = behind.starts_with(['S', 'C']);
         let span = Span::new(line.span.start, line.span.start + (start + mark) as u32);
-        edits.replace(span, format!(";{blank}"));
+        edits.append(span, [";", "; "][usize::from(is_setting)]);
     }
 }
 
@@ -50,12 +50,12 @@ fn keys(document: &Document, edits: &mut Edits<'_>) {
     for line in document.lines() {
         let LineKind::Entry { key, .. } = line.kind else { continue };
         if key.start > line.span.start {
-            edits.replace(Span::new(line.span.start, key.start), "");
+            edits.append(Span::new(line.span.start, key.start), "");
         }
         let behind = bytes.get(key.end as usize..line.span.end as usize).unwrap_or_default();
         let blanks = behind.iter().take_while(|&&byte| byte != b'=').count() as u32;
         if blanks > 0 {
-            edits.replace(Span::new(key.end, key.end + blanks), "");
+            edits.append(Span::new(key.end, key.end + blanks), "");
         }
     }
 }
@@ -63,7 +63,7 @@ fn keys(document: &Document, edits: &mut Edits<'_>) {
 /// Replaces all other characters by those of ISO 646.
 fn iso646(document: &Document, edits: &mut Edits<'_>) -> Option<()> {
     for (at, c) in document.text().char_indices().filter(|(_, c)| !c.is_ascii()) {
-        edits.replace(Span::new(at as u32, (at + c.len_utf8()) as u32), transliterate(c)?);
+        edits.append(Span::new(at as u32, (at + c.len_utf8()) as u32), transliterate(c)?);
     }
     Some(())
 }

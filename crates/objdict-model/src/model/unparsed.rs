@@ -63,31 +63,30 @@ impl<'a> FromIterator<(&'a str, &'a str)> for Extra {
     }
 }
 
-/// An unknown section. Name and keys are one text, because a file may have a million such sections.
+/// An unknown section. Name and keys are one text, because a file may have a million such sections: the name, and behind a line end
+/// the keys, where there are some.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(from = "super::flat::SectionForm", into = "super::flat::SectionForm"))]
-pub struct ExtraSection {
-    text: Box<str>,
-    /// The length of the name at the start of the text.
-    name: usize,
-}
+pub struct ExtraSection(Box<str>);
 
 impl ExtraSection {
-    /// A section with a name without brackets.
+    /// A section with a name without brackets; line feeds in it become blanks.
     pub fn new(name: &str, entries: &Extra) -> Self {
-        Self { text: [name, entries.text()].concat().into(), name: name.len() }
+        let name = name.replace('\n', " ");
+        let end = if entries.is_empty() { "" } else { "\n" };
+        Self([&name, end, entries.text()].concat().into())
     }
 
     /// The name, without brackets.
     pub fn name(&self) -> &str {
-        &self.text[..self.name]
+        self.0.split('\n').next().unwrap_or_default()
     }
 
     /// The keys with their values.
     pub fn entries(&self) -> impl Iterator<Item = (&str, &str)> {
-        entries(&self.text[self.name..])
+        entries(self.0.split_once('\n').map_or("", |(_, entries)| entries))
     }
 }
 

@@ -2,6 +2,9 @@
 
 use super::{SourceFile, Span, Unencodable};
 
+/// The maximum number of changes that are kept apart, of those that can be in every line or character.
+const MAX_EDITS: usize = 50_000;
+
 /// Changes of one source, in any order. The editors of the formats determine their places.
 #[derive(Clone, Debug)]
 pub struct Edits<'a> {
@@ -75,6 +78,20 @@ impl<'a> Edits<'a> {
     /// Replaces `span` by `text`; an empty span is an insertion point.
     pub fn replace(&mut self, span: Span, text: impl Into<String>) {
         self.changes.push(SpanEdit { span, text: text.into() });
+    }
+
+    /// Replaces `span`, which is behind all changes made so far, by `text`. Beyond [`MAX_EDITS`], the last change also covers it with what
+    /// is between them: a file that is all such spans would take a hundred times its size.
+    pub fn append(&mut self, span: Span, text: &str) {
+        let is_full = self.changes.len() >= MAX_EDITS;
+        match self.changes.last_mut() {
+            Some(last) if is_full => {
+                last.text.push_str(Span::new(last.span.end, span.start).of(self.source.text()));
+                last.text.push_str(text);
+                last.span.end = span.end;
+            }
+            _ => self.replace(span, text),
+        }
     }
 
     /// The changes in the order of the text; changes at one offset are merged.

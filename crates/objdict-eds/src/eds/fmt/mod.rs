@@ -10,33 +10,51 @@ use self::text::ArrangedText;
 pub use self::text::Extent;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
-use crate::ini::{Document, Line, LineKind};
+use crate::ini::{Document, Line, LineKind, Lines};
 use crate::model::{Device, Part};
 
-/// The rearranged text of a document from which `device` was read.
+/// The rearranged text of a document from which `device` was read. Only one section is in memory at a time.
 pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
-    let mut layout = DocumentLayout::of(document);
-    layout.blocks.sort_by_key(|block| block.rank);
+    let mut starts = starts(document);
+    let last = starts.last().map_or(0, |(_, start)| *start);
+    starts.sort_unstable();
     let line_end = document.line_end();
     let mut text = ArrangedText { text: String::with_capacity(document.text().len()), line_end };
-    text.paragraphs(&layout.start);
-    for block in &layout.blocks {
-        text.paragraph();
-        block.write(device, extent, &mut text);
+    text.paragraphs(&Stretch::of(document, 0).start);
+    for (_, start) in starts {
+        if let Some(mut block) = Stretch::of(document, start).block {
+            text.paragraph();
+            block.write(document.text(), device, extent, &mut text);
+        }
     }
-    for paragraph in &layout.end {
+    for paragraph in &Stretch::of(document, last).end {
         text.paragraph();
         text.lines(paragraph);
     }
     text.text
 }
 
-/// A document as blocks that are moved as a whole.
+/// Where the lines start that a section may take with it: behind the last header or key before it.
+fn starts(document: &Document) -> Vec<(Rank, u32)> {
+    let (mut starts, mut start) = (Vec::new(), 0);
+    for line in document.lines() {
+        if let LineKind::Section { name } = line.kind {
+            starts.push((Rank::of(&SectionName::parse(name.of(document.text())).part), start));
+        }
+        if let LineKind::Section { .. } | LineKind::Entry { .. } = line.kind {
+            // of keys without a section, the first section takes the lines that it has as the start of the text
+            start = if starts.is_empty() { 0 } else { line.next };
+        }
+    }
+    starts
+}
+
+/// A section as a block that is moved as a whole, and what is beside it in the text.
 #[derive(Default)]
-struct DocumentLayout<'a> {
+struct Stretch<'a> {
     /// The lines before the first section.
     start: Vec<Vec<&'a str>>,
-    blocks: Vec<SectionBlock<'a>>,
+    block: Option<SectionBlock<'a>>,
     /// The lines after the last section, separated from it by an empty line.
     end: Vec<Vec<&'a str>>,
 }
@@ -92,12 +110,14 @@ fn is_setting(line: &str) -> bool {
     (line.starts_with(";S") || line.starts_with(";C")) && line.contains('=')
 }
 
-impl<'a> DocumentLayout<'a> {
-    fn of(document: &'a Document) -> Self {
+impl<'a> Stretch<'a> {
+    /// The section behind the first header from an offset on.
+    fn of(document: &'a Document, offset: u32) -> Self {
         let text = document.text();
-        let mut layout = Self::default();
+        let mut stretch = Self::default();
         let mut notes = Notes::default();
-        for line in document.lines() {
+        let mut above = offset;
+        for line in Lines::from(text, offset) {
             match line.kind {
                 LineKind::Blank => notes.blank(),
                 LineKind::Comment | LineKind::Junk => match line.span.of(text).trim_end() {
@@ -106,45 +126,46 @@ impl<'a> DocumentLayout<'a> {
                     line => notes.line(line),
                 },
                 LineKind::Section { name } => {
-                    layout.end_section(&mut notes, false);
-                    let notes = std::mem::take(&mut notes);
-                    let (name, header) = (name.of(text), &line);
-                    layout.blocks.push(block(name, header, text, notes));
+                    stretch.end_section(&mut notes, offset == 0, false);
+                    if stretch.block.is_some() {
+                        return stretch;
+                    }
+                    stretch.block = Some(block(name.of(text), &line, text, std::mem::take(&mut notes)));
                 }
-                LineKind::Entry { key, value } => {
-                    let entry = section::KeyBlock {
-                        notes: std::mem::take(&mut notes).all(),
-                        key: key.of(text),
-                        value: value.of(text),
-                    };
-                    match layout.blocks.last_mut() {
-                        Some(block) => block.entries.push(entry),
+                LineKind::Entry { key, .. } => {
+                    let notes = std::mem::take(&mut notes);
+                    match &mut stretch.block {
+                        Some(block) => block.entries.push((block.rank_of(key.of(text)), above)),
                         // lines without a section keep their place
-                        None => layout.before_sections(&entry, line.span.of(text).trim()),
+                        None => stretch.before_sections(notes.all(), line.span.of(text).trim()),
                     }
                 }
             }
+            if let LineKind::Section { .. } | LineKind::Entry { .. } = line.kind {
+                above = line.next;
+            }
         }
-        layout.end_section(&mut notes, true);
-        layout.end = notes.paragraphs;
-        layout
+        stretch.end_section(&mut notes, offset == 0, true);
+        stretch.end = notes.paragraphs;
+        stretch
     }
 
     /// Keeps the place of a key without a section.
-    fn before_sections(&mut self, entry: &section::KeyBlock<'a>, line: &'a str) {
+    fn before_sections(&mut self, notes: Vec<&'a str>, line: &'a str) {
         if self.start.is_empty() {
             self.start.push(Vec::new());
         }
         if let Some(paragraph) = self.start.last_mut() {
-            paragraph.extend(&entry.notes);
+            paragraph.extend(notes);
             paragraph.push(line);
         }
     }
 
     /// Adds notes that belong to the section before, or to the start of the text.
-    fn end_section(&mut self, notes: &mut Notes<'a>, is_end: bool) {
-        match self.blocks.last_mut() {
+    fn end_section(&mut self, notes: &mut Notes<'a>, is_start: bool, is_end: bool) {
+        match &mut self.block {
             Some(block) => block.behind = notes.split_behind(is_end),
+            None if !is_start => drop(notes.split_behind(is_end)),
             None => {
                 let is_above = !notes.is_open && !is_end;
                 let above = if is_above { notes.paragraphs.pop() } else { None };
@@ -162,7 +183,6 @@ fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> S
     let behind = line.find(']').map_or("", |close| line[close + 1..].trim());
     let remark = behind.trim_start_matches([';', '#', '/']).trim_start();
     SectionBlock {
-        rank: Rank::of(&part),
         name: match part {
             Part::Section(_) => name.to_owned(),
             _ => section_name(&part).unwrap_or_else(|| name.to_owned()),

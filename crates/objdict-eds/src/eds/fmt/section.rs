@@ -5,12 +5,12 @@ use std::borrow::Cow;
 use super::spell;
 use super::text::{ArrangedText, Extent};
 use crate::eds::keys::FieldKey;
-use crate::eds::order::{COUNTERS, Rank, key_rank};
+use crate::eds::order::{COUNTERS, key_rank};
+use crate::ini::{LineKind, Lines};
 use crate::model::{Device, ModulePart, Part};
 
 /// A section and the lines that move with it.
 pub(super) struct SectionBlock<'a> {
-    pub(super) rank: Rank,
     pub(super) part: Part,
     pub(super) name: String,
     /// The paragraphs above the header.
@@ -19,20 +19,14 @@ pub(super) struct SectionBlock<'a> {
     pub(super) is_above: bool,
     /// The text after the header on its line.
     pub(super) remark: Option<&'a str>,
-    pub(super) entries: Vec<KeyBlock<'a>>,
+    /// The rank of each key, and where the lines above it start.
+    pub(super) entries: Vec<(u32, u32)>,
     /// The lines after the last key.
     pub(super) behind: Vec<&'a str>,
 }
 
-/// A key with the lines above it.
-pub(super) struct KeyBlock<'a> {
-    pub(super) notes: Vec<&'a str>,
-    pub(super) key: &'a str,
-    pub(super) value: &'a str,
-}
-
 impl SectionBlock<'_> {
-    pub(super) fn write(&self, device: &Device, extent: Extent, text: &mut ArrangedText) {
+    pub(super) fn write(&mut self, source: &str, device: &Device, extent: Extent, text: &mut ArrangedText) {
         for (number, paragraph) in self.above.iter().enumerate() {
             text.lines(paragraph);
             if number + 1 < self.above.len() || !self.is_above {
@@ -43,25 +37,33 @@ impl SectionBlock<'_> {
             text.line(&format!("; {remark}"));
         }
         text.line(&format!("[{}]", self.name));
-        let mut entries: Vec<&KeyBlock<'_>> = self.entries.iter().collect();
         if extent.keys {
-            entries.sort_by_key(|entry| self.rank_of(entry.key));
+            self.entries.sort_unstable();
         }
-        for entry in entries {
-            text.lines(&entry.notes);
-            let value = match extent.values {
-                true => spell::value(device, &self.part, entry.key, entry.value),
-                false => Cow::Borrowed(entry.value),
-            };
-            let key = if extent.names { self.key(entry.key) } else { Cow::Borrowed(entry.key) };
-            text.line(&format!("{key}={value}"));
+        for &(_, start) in &self.entries {
+            for line in Lines::from(source, start) {
+                if let LineKind::Entry { key, value } = line.kind {
+                    let (key, value) = (key.of(source), value.of(source));
+                    let value = match extent.values {
+                        true => spell::value(device, &self.part, key, value),
+                        false => Cow::Borrowed(value),
+                    };
+                    let key = if extent.names { self.key(key) } else { Cow::Borrowed(key) };
+                    text.line(&format!("{key}={value}"));
+                    break;
+                }
+                let above = line.span.of(source).trim_end();
+                if !above.is_empty() {
+                    text.line(above);
+                }
+            }
         }
         text.lines(&self.behind);
     }
 
     /// The rank of a key. In a list only the count has one, because the items are read in the order of the
     /// text; unknown keys come last.
-    fn rank_of(&self, key: &str) -> u32 {
+    pub(super) fn rank_of(&self, key: &str) -> u32 {
         let has_order = matches!(
             self.part,
             Part::FileInfo

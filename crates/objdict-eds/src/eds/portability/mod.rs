@@ -10,7 +10,7 @@ mod values;
 
 use super::keys::FieldKey;
 use super::section::{NameSpelling, SectionName, section_name};
-use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
+use crate::diagnostic::{Diagnostic, Findings, Fix, MAX_FIX_LINES, Text, say};
 use crate::ini::{self, Document};
 use crate::model::{Device, Entry, Field, Part};
 pub use crate::source::Span;
@@ -119,8 +119,11 @@ impl Together {
         }
     }
 
+    /// A text for one of the places; no fix has more than [`MAX_FIX_LINES`].
     fn fix(&mut self, at: Span, text: impl Into<String>) {
-        self.edits.push((at, text.into()));
+        if self.edits.len() <= MAX_FIX_LINES {
+            self.edits.push((at, text.into()));
+        }
     }
 
     /// The finding for all places; `title` is the title of its fix.
@@ -139,7 +142,7 @@ impl Together {
             }
         };
         let mut finding = Diagnostic::new(rule, at, message).help(help);
-        if !self.edits.is_empty() {
+        if (1..=MAX_FIX_LINES).contains(&self.edits.len()) {
             let fix = Fix::safe(title);
             finding.fix = Some(self.edits.into_iter().fold(fix, |fix, (at, text)| fix.replace(at, text)));
         }

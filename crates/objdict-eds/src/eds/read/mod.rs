@@ -201,6 +201,7 @@ impl<'a> EdsReader<'a> {
         self.misspelt_sections();
         self.apply_compact();
         self.device.objects = self.objects.into_objects();
+        self.device.extra.shrink_to_fit();
         directions::unite(&mut self.device, &mut self.findings);
         self.device.kind = match self.device.commissioning {
             Some(_) => DeviceKind::Node,

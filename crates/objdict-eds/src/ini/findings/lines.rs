@@ -65,7 +65,6 @@ fn check_characters(document: &Document, findings: &mut Findings) {
                 .fix(Fix::risky("write 7-bit characters").with(Change::Tidy(Tidy::Iso646))),
         );
     }
-    let is_control = |byte: &u8| *byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r') || *byte == 0x7F;
     // without an early exit, the compiler vectorises the loop over a chunk
     let has_control = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_control(byte));
     if text.as_bytes().chunks(4096).any(has_control) {
@@ -75,23 +74,26 @@ fn check_characters(document: &Document, findings: &mut Findings) {
                 let start = line.span.start + at as u32;
                 let message = say!("control character {:02X}h", bytes[at]);
                 let finding = Diagnostic::new(&CONTROL_CHARACTER, Span::new(start, start + 1), message);
-                findings.push(finding.help("remove the character").fix(without(&line, bytes, is_control)));
+                findings.push(finding.help("remove the character").fix(without_controls(&line, text)));
             }
         }
     }
 }
 
-/// Removes some bytes from a line. In an otherwise blank line this is safe.
-fn without(line: &Line, bytes: &[u8], is_bad: impl Fn(&u8) -> bool) -> Fix {
+/// Removes the control characters from a line, in one edit however many there are. In an otherwise blank line this is safe.
+fn without_controls(line: &Line, text: &str) -> Fix {
     let title = "remove the control characters from the line";
-    let mut fix = if line.kind == LineKind::Blank { Fix::safe(title) } else { Fix::risky(title) };
-    let mut at = 0;
-    while let Some(start) = bytes[at..].iter().position(&is_bad).map(|length| at + length) {
-        let length = bytes[start..].iter().take_while(|byte| is_bad(byte)).count();
-        at = start + length;
-        fix = fix.replace(Span::new(line.span.start + start as u32, line.span.start + at as u32), "");
-    }
-    fix
+    let fix = if line.kind == LineKind::Blank { Fix::safe(title) } else { Fix::risky(title) };
+    let bytes = line.span.of(text).as_bytes();
+    let first = bytes.iter().position(is_control).unwrap_or_default() as u32;
+    let end = bytes.iter().rposition(is_control).map_or(first, |last| last as u32 + 1);
+    let span = Span::new(line.span.start + first, line.span.start + end);
+    let rest = span.of(text).chars().filter(|c| !u8::try_from(*c).is_ok_and(|byte| is_control(&byte)));
+    fix.replace(span, rest.collect::<String>())
+}
+
+fn is_control(byte: &u8) -> bool {
+    *byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r') || *byte == 0x7F
 }
 
 /// Style findings that may affect every line are reported once, at the first line, with the number of lines.
