@@ -14,14 +14,22 @@ use objdict_model::diagnostic::{Applicability, At, Diagnostic, Findings, Severit
 use objdict_model::model::Part;
 use objdict_model::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
-/// So many texts are read and checked; the fixes that need more than that are left ([`Fixed::is_unfinished`]).
-const MAX_TRIALS: u32 = 1000;
+/// Texts of so many bytes together are read and checked to fix a file, which takes a few seconds, but at least [`MIN_TRIALS`]. The fixes
+/// that need more are left ([`Fixed::is_unfinished`]).
+const MAX_FIX_BYTES: usize = 64 << 20;
+const MIN_TRIALS: usize = 8;
 
-/// Texts of so many bytes together are read and checked to find the fixes that a report offers, but at least [`MIN_OFFER_TRIALS`].
+/// The same to find the fixes that a report offers. Those of a larger file are not: two descriptions of it would be in memory.
 const MAX_OFFER_BYTES: usize = 8 << 20;
 
-/// One for all fixes, and one without those that did harm.
-const MIN_OFFER_TRIALS: usize = 2;
+/// So many texts are read and checked, however small they are.
+const MAX_TRIALS: usize = 1000;
+
+/// How many texts of the size of a description are tried.
+fn trials(description: &Description, bytes: usize, least: usize) -> u32 {
+    let affordable = bytes / description.source().text().len().max(1);
+    affordable.clamp(least, MAX_TRIALS) as u32
+}
 
 /// The rules that find what a fix of another rule leaves open: a new section lacks what only its author knows.
 const LEFT_OPEN: [&str; 4] = [
@@ -46,7 +54,7 @@ pub struct Fixed {
     pub applied: Vec<AppliedFix>,
     /// The fixes that cannot be made, for their finding would still be there, or another one would have come.
     pub skipped: Vec<AppliedFix>,
-    /// Whether fixes are left because a thousand texts were tried; fixing the result again goes on.
+    /// Whether fixes are left because enough texts were tried; fixing the result again goes on.
     pub is_unfinished: bool,
 }
 
@@ -78,9 +86,9 @@ pub fn fix(
     check: impl Fn(&Description) -> Findings,
 ) -> Fixed {
     let findings = check(&description);
+    let mut left = trials(&description, MAX_FIX_BYTES, MIN_TRIALS);
     let (applied, skipped) = (Vec::new(), Vec::new());
     let mut fixed = Fixed { description, findings, applied, skipped, is_unfinished: false };
-    let mut left = MAX_TRIALS;
     // by the numbers of their findings; it holds for this text alone
     let mut refused: BTreeMap<usize, AppliedFix> = BTreeMap::new();
     loop {
@@ -134,9 +142,9 @@ pub fn with_sound_fixes(
     check: impl Fn(&Description) -> Findings,
 ) -> Findings {
     let candidates = candidates(description, &findings, Applicability::Unsafe, &BTreeMap::new());
-    let affordable = MAX_OFFER_BYTES / description.source().text().len().max(1);
-    let trials = affordable.clamp(MIN_OFFER_TRIALS, MAX_TRIALS as usize);
-    let mut trials = Trials::new(description, &findings, &candidates, &check, trials as u32);
+    let trials = trials(description, MAX_OFFER_BYTES, 0);
+    let mut trials =
+        Trials { is_offer: true, ..Trials::new(description, &findings, &candidates, &check, trials) };
     let offers: BTreeSet<_> = trials.run().into_iter().map(|number| candidates[number].finding).collect();
     findings.rearrange(|mut kept| {
         for (number, finding) in kept.iter_mut().enumerate() {
@@ -196,6 +204,8 @@ struct Trials<'a, F> {
     before: Counts,
     /// How many more texts may be tried.
     left: u32,
+    /// Whether only the numbers are asked for: then no text is kept.
+    is_offer: bool,
     /// What came of the last text that was better than the one before.
     best: Option<(Description, Findings)>,
     harmful: Vec<usize>,
@@ -213,7 +223,8 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let source = description.source();
         let is_encoding_given = Encoding::detect(&source.to_bytes()) != source.encoding();
         let (best, harmful) = (None, Vec::new());
-        Self { description, is_encoding_given, candidates, check, before, left, best, harmful }
+        let is_offer = false;
+        Self { description, is_encoding_given, candidates, check, before, left, is_offer, best, harmful }
     }
 
     /// The fixes that are made in this round, in the order of their findings. Safe ones are tried first, because they must
@@ -239,7 +250,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         all.extend(numbers);
         let harm = match self.attempt(&all) {
             Ok(outcome) => {
-                self.best = Some(outcome);
+                self.best = Some(outcome).filter(|_| !self.is_offer);
                 return all;
             }
             Err(harm) => harm,
