@@ -33,13 +33,8 @@ static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
 
 /// What is repeated in a file, in bytes. Of four times as much, quadratic growth makes 16 times the allocations, where 6 times are
 /// allowed, so small files show it; `OBJDICT_SAMPLE=all` doubles them.
-fn sizes(name: &str) -> [usize; 2] {
-    match name {
-        // with less, the limit of entries is not reached, and 50 KB expand to 170 MB
-        "compact.eds" => [200_000, 800_000],
-        _ if samples_all() => [100_000, 400_000],
-        _ => [50_000, 200_000],
-    }
+fn sizes() -> [usize; 2] {
+    if samples_all() { [100_000, 400_000] } else { [50_000, 200_000] }
 }
 
 /// What a process takes beside its allocations: the program, its stack, and the gaps between allocations.
@@ -80,7 +75,7 @@ fn memory_and_time_are_in_proportion_to_the_file() {
 
 /// How a bomb breaks the promise.
 fn failure(name: &str) -> Option<String> {
-    let sizes = sizes(name);
+    let sizes = sizes();
     let [one, two] = sizes.map(|size| usage(name, size));
     println!("{name:24} {one:?} {two:?}");
     let is_small = |usage: Usage| usage.peak + PROCESS <= 20 * usage.text + 50_000_000;

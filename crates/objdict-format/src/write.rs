@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::complete;
 use super::device_toml;
 use super::embedded::{self, Carrier};
-use super::input::DEFAULT_MAX_ENTRIES;
+use super::input::{DEFAULT_MAX_ENTRIES, VALUES_PER_ENTRY};
 use super::{Dialect, EditError, Format, Style, Syntax, XddVersion};
 use crate::compare::{Datum, DatumChange, DatumDifference, TooMany, each_difference};
 use objdict_eds::eds;
@@ -41,8 +41,8 @@ pub struct WriteOptions {
 }
 
 /// The limit of values that a text does not give back: each takes up to 1 kB while it is embedded.
-const DEFAULT_MAX_LOSSES: usize = DEFAULT_MAX_ENTRIES / ENTRIES_PER_LOSS;
-const ENTRIES_PER_LOSS: usize = 4;
+const DEFAULT_MAX_LOSSES: usize = WriteOptions::max_losses_of(0, DEFAULT_MAX_ENTRIES);
+const VALUES_PER_LOSS: usize = 4;
 
 /// What is left out is only reported, so there may be so many times more of it.
 const LEFT_OUT: usize = 8;
@@ -63,7 +63,7 @@ impl WriteOptions {
     /// The limit for the text of a description, which is higher for a large one, where it may have so many
     /// [entries](super::input::Reading::max_entries).
     pub const fn max_losses_of(bytes: usize, max_entries: usize) -> usize {
-        max_entries / ENTRIES_PER_LOSS + bytes / BYTES_PER_LOSS
+        max_entries.saturating_mul(VALUES_PER_ENTRY) / VALUES_PER_LOSS + bytes / BYTES_PER_LOSS
     }
 }
 

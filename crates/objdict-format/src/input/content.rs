@@ -46,7 +46,7 @@ impl Reading {
     /// Refuses a document of many short values: each takes more memory than its text.
     fn limited_values(&self, source: &SourceFile) -> Result<(), ReadError> {
         let count = memchr::memchr3_iter(b',', b'[', b'{', source.text().as_bytes()).count();
-        let limit = self.max_entries + source.text().len() / BYTES_PER_VALUE;
+        let limit = self.max_values() + source.text().len() / BYTES_PER_VALUE;
         let name = source.name().to_owned();
         if count > limit {
             Err(ReadError::TooManyParts { name, what: "values", count, limit })

@@ -166,12 +166,15 @@ pub enum Input {
 }
 
 /// The default limit of entries in compact storage: a conversion takes 1.5 kB for each, real devices have a few thousand.
-pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
+pub const DEFAULT_MAX_ENTRIES: usize = 25_000;
 
-/// A text may have a section or element for so many bytes, and one for so many entries that are
+/// A text may have an entry in compact storage, a section or an element for so many bytes beside those that are
 /// [allowed](Reading::max_entries): those of real descriptions are longer.
 const BYTES_PER_PART: usize = 64;
-const ENTRIES_PER_PART: usize = 16;
+const VALUES_PER_PART: usize = 16;
+
+/// How many values go with an entry that is allowed, for the limits of what takes less memory.
+pub(crate) const VALUES_PER_ENTRY: usize = 10;
 
 /// A file with several devices is a network, and a node-ID is one of 127.
 pub const MAX_DEVICES: usize = 127;
@@ -187,9 +190,9 @@ pub struct Reading {
     pub encoding: Option<Encoding>,
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
-    /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
-    /// A text may have a sixteenth as many sections or elements, and one more for each 64 bytes; JSON may have as many
-    /// values, and one more for each 16 bytes.
+    /// How many entries objects in compact storage (`CompactSubObj`) may have in all, and one more for each 64 bytes: what is made of
+    /// the device has each. JSON may have ten times as many values, and one more for each 16 bytes; a text may have a sixteenth of
+    /// that as sections or elements, and one more for each 64 bytes.
     pub max_entries: usize,
     /// Whether a device as JSON keeps the objects that are disabled, for what writes it again.
     pub keep_disabled: bool,
@@ -293,20 +296,24 @@ impl Reading {
         count: usize,
         bytes: usize,
     ) -> Result<(), ReadError> {
-        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + bytes / BYTES_PER_PART);
+        let (name, limit) = (name.to_owned(), self.max_values() / VALUES_PER_PART + bytes / BYTES_PER_PART);
         if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
+    }
+
+    const fn max_values(&self) -> usize {
+        self.max_entries.saturating_mul(VALUES_PER_ENTRY)
     }
 
     /// Refuses a device that would take too much memory expanded.
     fn limited(&self, name: &str, input: &Input) -> Result<(), ReadError> {
-        let device = match input {
-            Input::Description(description) => description.device(),
-            Input::Device(device) => device,
+        let (device, bytes) = match input {
+            Input::Description(description) => (description.device(), description.source().text().len()),
+            Input::Device(device) => (&**device, 0),
             #[cfg(feature = "full")]
             _ => return Ok(()),
         };
         let count = device.compact_entries();
-        let (name, limit) = (name.to_owned(), self.max_entries);
+        let (name, limit) = (name.to_owned(), self.max_entries.saturating_add(bytes / BYTES_PER_PART));
         if count > limit { Err(ReadError::TooManyEntries { name, count, limit }) } else { Ok(()) }
     }
 
