@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Instant;
 
@@ -125,6 +125,32 @@ fn a_killed_run_leaves_no_mixture() {
         assert!(built(folder.path()) == new);
         run(folder.path(), "network verify built", 0);
         assert!(others(folder.path()).iter().all(|name| !name.starts_with(".built")), "nothing is left");
+    }
+}
+
+/// What a folder gets is there as a whole, or as it was, also where the disk is full; here no file may be larger than 24 KB.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_leaves_all_files_as_they_were() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    for (from, to) in [("eds/minimal.eds", "small.eds"), ("eds/drive-402.eds", "large.eds")] {
+        fs::copy(Path::new("fixtures").join(from), path.join(to)).unwrap();
+    }
+    let all = || -> BTreeMap<PathBuf, Vec<u8>> {
+        let paths = fs::read_dir(path.join("built")).unwrap().map(|entry| entry.unwrap().path());
+        paths.map(|path| (path.clone(), fs::read(path).unwrap())).collect()
+    };
+    for line in ["generate DEVICE --target c,rust -o built/", "docs small.eds DEVICE -o built/"] {
+        let _ = fs::remove_dir_all(path.join("built"));
+        run(path, &line.replace("small.eds DEVICE", "small.eds").replace("DEVICE", "small.eds"), 0);
+        let before = all();
+        let line = line.replace("DEVICE", "large.eds");
+        let script = format!("ulimit -f 24 && exec \"$0\" {line} --overwrite");
+        let mut command = Command::new("sh");
+        let output = command.args(["-c", &script, crate::program()]).current_dir(path).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(all(), before, "{line}");
     }
 }
 

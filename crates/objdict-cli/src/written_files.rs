@@ -41,9 +41,15 @@ pub(super) fn save_in_place(path: &Path, contents: &[u8]) -> Result<Saved, Failu
         .map_err(|error| OutputError::Unwritable { path: path.to_owned(), error }.into())
 }
 
-/// Leaves no temporary file when the command is interrupted.
+/// Leaves no temporary file when the command is interrupted, or reaches the limit of the system for the size of a file.
 fn end_well() {
     static SIGNALS: Once = Once::new();
+    #[cfg(unix)]
+    {
+        use nix::sys::signal::{SigSet, Signal};
+        // of this thread, which writes: it gets an error instead
+        let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
+    }
     SIGNALS.call_once(|| {
         let _ = ctrlc::set_handler(|| pipeline::abandon(|| std::process::exit(130)));
     });
@@ -88,9 +94,9 @@ impl SaveFolder {
         with_used(|used| self.0.replace(files, used))
     }
 
-    /// Notes which files were written.
+    /// Puts all files in their places, or none.
     pub(super) fn finish(self) -> Result<(), Failure> {
-        Ok(self.0.finish()?)
+        with_used(|used| self.0.finish(used))
     }
 }
 

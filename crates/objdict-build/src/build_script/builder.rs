@@ -127,7 +127,7 @@ impl Builder {
     }
 
     /// How many entries the description may have in compact storage; without it,
-    /// [250,000](objdict_format::input::DEFAULT_MAX_ENTRIES).
+    /// [25,000](objdict_format::input::DEFAULT_MAX_ENTRIES).
     pub fn max_entries(mut self, count: usize) -> Self {
         self.request.reading.max_entries = count;
         self
@@ -362,7 +362,7 @@ fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) ->
         folder.save(&file.path, &file.contents, &mut used)?;
         built.files.push(folder.join(&file.path));
     }
-    folder.finish()?;
+    folder.finish(&mut used)?;
     for conversion in &generation.conversions {
         used.save(&conversion.path, &conversion.bytes)?;
         built.files.push(conversion.path.clone());

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::error::OutputError;
 use super::manifest::{Hash, Manifest, NAME, WriteLog};
 use super::names::require_portable;
-use super::save::{Saved, save};
+use super::save::{NewFile, Prepared, Saved, prepare, put};
 use super::used::Used;
 use objdict_model::source::read;
 
@@ -29,7 +29,9 @@ pub struct OutputFolder {
     pub(super) manifest: Manifest,
     /// The files of this run that are in the list.
     listed: BTreeMap<String, Hash>,
-    log: Option<WriteLog>,
+    /// The files of this run: their contents, until all get them, and where they are.
+    new: Vec<NewFile>,
+    saved: Vec<PathBuf>,
     /// The names that this run has written to, as a system sees them that does not distinguish upper and lower case.
     pub(super) taken: HashSet<String>,
 }
@@ -56,7 +58,8 @@ impl OutputFolder {
             overwrite,
             manifest: manifest.unwrap_or_default(),
             listed: BTreeMap::new(),
-            log: None,
+            new: Vec::new(),
+            saved: Vec::new(),
             taken: HashSet::new(),
         })
     }
@@ -99,55 +102,60 @@ impl OutputFolder {
         }
     }
 
-    /// Gives a file in the folder its contents.
+    /// Gives a file in the folder its contents, which it has with all others once [`finish`](Self::finish) was called.
     ///
     /// # Errors
-    /// As [`admit`](Self::admit), and when the file or the list cannot be written.
+    /// As [`admit`](Self::admit), and when the contents cannot be written.
     pub fn save(&mut self, name: &str, contents: &[u8], used: &mut Used) -> Result<Saved, OutputError> {
         let found = self.find(name, contents, used)?;
         let path = self.join(name);
         let is_marked = contents.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
         let is_listed = found == FoundFile::Same && self.manifest.has(name, contents);
         if !is_marked && !is_listed {
-            self.list(name, Hash::of(contents)).map_err(OutputError::unwritable(self.path.join(NAME)))?;
+            self.listed.insert(name.to_owned(), Hash::of(contents));
         }
-        let saved = match found {
-            FoundFile::Same => Saved::Unchanged,
-            FoundFile::Replaceable => save(&path, contents).map_err(OutputError::unwritable(&path))?,
+        self.taken.insert(name.to_lowercase());
+        let prepared = match found {
+            FoundFile::Same => Prepared::Done(Saved::Unchanged),
+            FoundFile::Replaceable => prepare(&path, contents).map_err(OutputError::unwritable(&path))?,
         };
         used.add(&path);
-        self.taken.insert(name.to_lowercase());
-        Ok(saved)
+        self.saved.push(path);
+        Ok(match prepared {
+            Prepared::Done(saved) => saved,
+            Prepared::New(file) => {
+                self.new.push(file);
+                Saved::Written
+            }
+        })
     }
 
-    /// Notes that a file is written, before it is: a run that is killed then leaves no file that the next one does not know.
-    fn list(&mut self, name: &str, hash: Hash) -> io::Result<()> {
-        let log = match &mut self.log {
-            Some(log) => log,
-            log => log.insert(WriteLog::open(&self.path, &self.origin)?),
-        };
-        self.listed.insert(name.to_owned(), hash);
-        log.add(name, hash)
-    }
-
-    /// Writes the list, if there are files in it that are new or have changed.
+    /// Puts all files in their places, or none, with the list, if there are files in it that are new or have changed.
     ///
     /// # Errors
-    /// When it cannot be written.
-    pub fn finish(mut self) -> Result<(), OutputError> {
-        // Windows does not replace a file that is open
-        self.log = None;
-        if self.listed.is_empty() {
-            return Ok(());
+    /// When one of them cannot be written.
+    pub fn finish(mut self, used: &mut Used) -> Result<(), OutputError> {
+        self.put_all().map_err(OutputError::unwritable(&self.path))?;
+        self.saved.iter().for_each(|path| used.add(path));
+        Ok(())
+    }
+
+    fn put_all(&mut self) -> io::Result<()> {
+        let new = std::mem::take(&mut self.new);
+        let mut list = Vec::new();
+        if !self.listed.is_empty() {
+            // another run may have written to the folder
+            let mut manifest = Manifest::open(&self.path)?.unwrap_or_default();
+            self.listed.iter().for_each(|(name, hash)| manifest.set(name, *hash, &self.origin));
+            if let Prepared::New(file) = prepare(&self.path.join(NAME), manifest.text().as_bytes())? {
+                // a run that is killed leaves no file that the next one does not know
+                let mut log = WriteLog::open(&self.path, &self.origin)?;
+                self.listed.iter().try_for_each(|(name, hash)| log.add(name, *hash))?;
+                list.push(file);
+            }
         }
-        let path = self.path.join(NAME);
-        // another run may have written to the folder
-        let mut manifest =
-            Manifest::open(&self.path).map_err(OutputError::unwritable(&path))?.unwrap_or_default();
-        for (name, hash) in &self.listed {
-            manifest.set(name, *hash, &self.origin);
-        }
-        save(&path, manifest.text().as_bytes()).map_err(OutputError::unwritable(&path)).map(|_| ())
+        put(new)?;
+        put(list)
     }
 }
 

@@ -16,5 +16,7 @@ mod used;
 pub use self::error::OutputError;
 pub use self::folder::OutputFolder;
 pub use self::manifest::{FileState, Hash, Manifest};
+#[cfg(feature = "command")]
+pub use self::save::PrivateFile;
 pub use self::save::{Saved, abandon, save};
 pub use self::used::Used;

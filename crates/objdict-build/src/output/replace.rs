@@ -14,7 +14,7 @@ use super::error::OutputError;
 use super::folder::{FoundFile, OutputFolder};
 use super::manifest::{Hash, Manifest, NAME, WriteLog};
 use super::names::require_portable;
-use super::save::{ENDING, Temporary, pending};
+use super::save::{ENDING, NewFile, Temporary, pending, put};
 use super::used::Used;
 
 /// A file that is to be in the folder.
@@ -149,52 +149,20 @@ impl FolderReplacement<'_> {
 
     /// Moves the old files away and the new ones in. The list has the contents of both in the meantime.
     fn in_place(&self, origin: &str) -> io::Result<()> {
-        let beside = |path: &Path, contents: &[u8]| {
-            let (_, new) = Temporary::beside(path)?;
-            write(&new.0, contents, path).map(|()| new)
+        let beside = |path: PathBuf, contents: &[u8]| {
+            let (_, new) = Temporary::beside(&path)?;
+            write(&new.0, contents, &path).map(|()| NewFile { path, new, backup: None })
         };
         let changed = || self.wanted.iter().filter(|file| file.found != FoundFile::Same);
-        let new = changed().map(|file| beside(&self.folder.join(file.name), file.contents));
-        let new: Vec<Temporary> = new.collect::<io::Result<_>>()?;
-        let list = self.folder.join(NAME);
-        let new_list = beside(&list, self.manifest.text().as_bytes())?;
+        let new = changed().map(|file| beside(self.folder.join(file.name), file.contents));
+        let new = new.collect::<io::Result<_>>()?;
+        let list = beside(self.folder.join(NAME), self.manifest.text().as_bytes())?;
         let mut log = WriteLog::open(self.folder, origin)?;
         changed().try_for_each(|file| log.add(file.name, Hash::of(file.contents)))?;
         // Windows does not replace a file that is open
         drop(log);
-        let replaced = changed().map(|file| self.folder.join(file.name)).filter(|path| path.exists());
-        let replaced: Vec<(PathBuf, PathBuf)> =
-            replaced.map(|path| (path.clone(), Temporary::name_beside(&path))).collect();
-        let _pending = pending();
-        let mut moves = Moves::default();
-        replaced.iter().try_for_each(|(path, away)| moves.rename(path, away))?;
-        changed().zip(&new).try_for_each(|(file, new)| moves.rename(&new.0, &self.folder.join(file.name)))?;
-        moves.rename(&new_list.0, &list)?;
-        moves.done.clear();
-        replaced.iter().for_each(|(_, away)| _ = fs::remove_file(away));
-        Ok(())
-    }
-}
-
-/// Files that were renamed; they get their former names when one cannot be.
-#[derive(Default)]
-struct Moves {
-    done: Vec<(PathBuf, PathBuf)>,
-}
-
-impl Moves {
-    fn rename(&mut self, from: &Path, to: &Path) -> io::Result<()> {
-        fs::rename(from, to)?;
-        self.done.push((from.to_owned(), to.to_owned()));
-        Ok(())
-    }
-}
-
-impl Drop for Moves {
-    fn drop(&mut self) {
-        for (from, to) in self.done.drain(..).rev() {
-            let _ = fs::rename(to, from);
-        }
+        put(new)?;
+        put(vec![list])
     }
 }
 

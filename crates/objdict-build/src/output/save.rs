@@ -26,19 +26,47 @@ static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// keeps its permissions, its owner and its other names; one that is read-only is left alone. A pipe or a device is
 /// written to.
 pub fn save(path: &Path, contents: &[u8]) -> io::Result<Saved> {
-    let to_device =
-        || OpenOptions::new().append(true).open(path)?.write_all(contents).map(|()| Saved::Written);
+    match prepare(path, contents)? {
+        Prepared::Done(saved) => Ok(saved),
+        Prepared::New(file) => put(vec![file]).map(|()| Saved::Written),
+    }
+}
+
+/// What is done for a file before it gets its contents.
+pub(super) enum Prepared {
+    /// There is nothing to replace.
+    Done(Saved),
+    New(NewFile),
+}
+
+/// Contents that are on the disk, beside the file that gets them.
+#[derive(Debug)]
+pub(super) struct NewFile {
+    pub(super) path: PathBuf,
+    pub(super) new: Temporary,
+    /// The former contents of a file that has other names or another owner: it is written into.
+    pub(super) backup: Option<Temporary>,
+}
+
+/// Writes the contents of a file beside it.
+pub(super) fn prepare(path: &Path, contents: &[u8]) -> io::Result<Prepared> {
+    let to_device = || {
+        OpenOptions::new().append(true).open(path)?.write_all(contents)?;
+        Ok(Prepared::Done(Saved::Written))
+    };
     // of `NUL` Windows knows nothing else
     if cfg!(windows) && path.file_name().and_then(OsStr::to_str).is_some_and(is_device) {
         return to_device();
     }
-    let Ok(found) = fs::metadata(path) else { return replace(path, None, contents) };
+    let Ok(found) = fs::metadata(path) else { return beside(path, None, contents) };
     match () {
         () if found.is_dir() => Err(io::Error::other("it is a directory")),
         () if !found.is_file() || is_of_system(path) => to_device(),
-        () if found.len() == contents.len() as u64 && fs::read(path)? == contents => Ok(Saved::Unchanged),
+        () if found.len() == contents.len() as u64 && fs::read(path)? == contents => {
+            Ok(Prepared::Done(Saved::Unchanged))
+        }
         () if found.permissions().readonly() => Err(io::Error::other("it is read-only")),
-        () => replace(path, Some(&found), contents),
+        () => beside(path, Some(&found), contents),
     }
 }
 
@@ -47,24 +75,67 @@ fn is_of_system(path: &Path) -> bool {
     path.starts_with("/dev") || path.starts_with("/proc")
 }
 
-fn replace(path: &Path, found: Option<&Metadata>, contents: &[u8]) -> io::Result<Saved> {
+fn beside(path: &Path, found: Option<&Metadata>, contents: &[u8]) -> io::Result<Prepared> {
     // behind a link, the file that it names is replaced and not the link
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         fs::create_dir_all(folder)?;
     }
-    let (mut file, temporary) = Temporary::beside(&path)?;
-    if found.is_some_and(|found| !can_be_renamed(&file, &path, found)) {
-        overwrite(&path, file, temporary, contents)?;
-    } else {
-        file.write_all(contents)?;
-        file.sync_data()?;
-        if let Some(found) = found {
-            file.set_permissions(found.permissions())?;
+    let (mut file, new) = Temporary::beside(&path)?;
+    file.write_all(contents)?;
+    file.sync_data()?;
+    let mut backup = None;
+    match found {
+        Some(found) if can_be_renamed(&file, &path, found) => file.set_permissions(found.permissions())?,
+        Some(_) => {
+            let (mut copy, kept) = Temporary::beside(&path)?;
+            io::copy(&mut File::open(&path)?, &mut copy)?;
+            copy.sync_data()?;
+            backup = Some(kept);
         }
-        fs::rename(&temporary.0, &path)?;
+        None => {}
     }
-    Ok(Saved::Written)
+    Ok(Prepared::New(NewFile { path, new, backup }))
+}
+
+/// Puts new files in their places: all of them or, when something fails, none. The former files of several leave first, so that a run
+/// that is killed leaves none of them beside new ones.
+pub(super) fn put(mut files: Vec<NewFile>) -> io::Result<()> {
+    let renamed = || files.iter().filter(|file| file.backup.is_none());
+    let leaving = renamed().filter(|file| files.len() > 1 && file.path.exists());
+    let leaving: Vec<_> =
+        leaving.map(|file| (file.path.clone(), Temporary::name_beside(&file.path))).collect();
+    // no signal ends the process before this is done
+    let mut pending = pending();
+    let mut moves = Moves::default();
+    leaving.iter().try_for_each(|(path, away)| moves.rename(path, away))?;
+    renamed().try_for_each(|file| moves.rename(&file.new.0, &file.path))?;
+    files.iter_mut().try_for_each(|file| overwrite(file, &mut pending))?;
+    moves.done.clear();
+    leaving.iter().for_each(|(_, away)| _ = fs::remove_file(away));
+    Ok(())
+}
+
+/// Files that were renamed; they get their former names when one cannot be.
+#[derive(Default)]
+struct Moves {
+    done: Vec<(PathBuf, PathBuf)>,
+}
+
+impl Moves {
+    fn rename(&mut self, from: &Path, to: &Path) -> io::Result<()> {
+        fs::rename(from, to)?;
+        self.done.push((from.to_owned(), to.to_owned()));
+        Ok(())
+    }
+}
+
+impl Drop for Moves {
+    fn drop(&mut self) {
+        for (from, to) in self.done.drain(..).rev() {
+            let _ = fs::rename(to, from);
+        }
+    }
 }
 
 /// Whether a new file may take the place of one: not if that has other names, or another owner.
@@ -91,20 +162,24 @@ pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information>
     winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
 }
 
-/// Writes into a file, which has its former contents again if that fails.
-fn overwrite(path: &Path, mut backup: File, temporary: Temporary, contents: &[u8]) -> io::Result<()> {
-    let mut file = OpenOptions::new().read(true).write(true).open(path)?;
-    io::copy(&mut file, &mut backup)?;
-    backup.sync_data()?;
-    // no signal ends the process before this is done
-    let mut pending = pending();
-    let Err(error) = fs::write(path, contents).and_then(|()| file.sync_data()) else { return Ok(()) };
-    if fs::copy(&temporary.0, path).is_ok() {
+/// Writes into a file that keeps its other names; it has its former contents again if that fails.
+fn overwrite(file: &mut NewFile, pending: &mut Vec<PathBuf>) -> io::Result<()> {
+    let Some(backup) = file.backup.take() else { return Ok(()) };
+    let copy = |from: &Temporary| {
+        fs::write(&file.path, fs::read(&from.0)?)?;
+        OpenOptions::new().write(true).open(&file.path)?.sync_data()
+    };
+    let Err(error) = copy(&file.new) else {
+        file.backup = Some(backup);
+        return Ok(());
+    };
+    if copy(&backup).is_ok() {
+        file.backup = Some(backup);
         return Err(error);
     }
-    let error = io::Error::other(format!("{error}; its former contents are in `{}`", shown(&temporary.0)));
-    pending.retain(|path| *path != temporary.0);
-    std::mem::forget(temporary);
+    let error = io::Error::other(format!("{error}; its former contents are in `{}`", shown(&backup.0)));
+    pending.retain(|path| *path != backup.0);
+    std::mem::forget(backup);
     Err(error)
 }
 
@@ -160,6 +235,33 @@ impl Drop for Temporary {
 
 pub(super) fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A file that no other user can read, in a folder of its own. Both are removed when it is dropped, and when the command is interrupted.
+#[cfg(feature = "command")]
+#[derive(Debug)]
+pub struct PrivateFile {
+    _folder: Temporary,
+    /// Where it is.
+    pub path: PathBuf,
+}
+
+#[cfg(feature = "command")]
+impl PrivateFile {
+    /// A file of this name in the folder for temporary files.
+    pub fn new(name: &str, contents: &[u8]) -> io::Result<Self> {
+        let mut folder = fs::DirBuilder::new();
+        #[cfg(unix)]
+        std::os::unix::fs::DirBuilderExt::mode(&mut folder, 0o700);
+        let beside = std::env::temp_dir().join("objdict");
+        let ((), folder) = Temporary::make(&beside, |path| folder.create(path))?;
+        let path = folder.0.join(name);
+        let mut options = OpenOptions::new();
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+        options.write(true).create_new(true).open(&path)?.write_all(contents)?;
+        Ok(Self { _folder: folder, path })
+    }
 }
 
 /// Removes all temporary files and runs `end`, before which no other one is made.

@@ -15,6 +15,8 @@ use std::path::{Path, PathBuf};
 
 pub use self::depfile::depfile;
 pub use self::error::{Error, placed, report_lines};
+#[cfg(feature = "command")]
+pub use crate::output::PrivateFile;
 pub use crate::output::{FileState, Hash, Manifest, OutputError, OutputFolder, Saved, Used, abandon, save};
 use objdict_format::input::{Input, Reading};
 use objdict_format::{Description, Format};
