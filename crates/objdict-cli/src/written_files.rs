@@ -34,6 +34,12 @@ pub(super) fn save(path: &Path, contents: &[u8]) -> Result<Saved, Failure> {
     with_used(|used| used.save(path, contents))
 }
 
+/// A file with what only the user may know, as long as it is needed.
+pub(super) fn private(name: &str, contents: &[u8]) -> std::io::Result<pipeline::PrivateFile> {
+    end_well();
+    pipeline::PrivateFile::new(name, contents)
+}
+
 /// The same for a file that is changed by what is read from it.
 pub(super) fn save_in_place(path: &Path, contents: &[u8]) -> Result<Saved, Failure> {
     end_well();

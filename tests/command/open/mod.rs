@@ -3,10 +3,10 @@
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
@@ -327,8 +327,12 @@ fn of_several_writers_one_is_first() {
 fn connections_that_say_nothing_keep_no_one_out() {
     let server = Server::start("--no-browser drive.eds", |_| {});
     let connect = |_| TcpStream::connect(("127.0.0.1", server.port)).unwrap();
-    let mut idle: Vec<TcpStream> = (0..40).map(connect).collect();
-    // one more than are served at a time is closed at once, and all of them after a time
+    let mut idle: Vec<TcpStream> = (0..100).map(connect).collect();
+    idle.iter_mut().for_each(|stream| _ = stream.write_all(b"GET /"));
+    let start = Instant::now();
+    assert_eq!(server.get("files").status, 200);
+    assert!(start.elapsed() < Duration::from_secs(8), "heads may take ten seconds");
+    // the oldest are closed when others come, and all of them after a time
     for stream in &mut idle {
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         assert!(matches!(stream.read(&mut [0]), Ok(0) | Err(_)));
@@ -384,15 +388,28 @@ fn a_browser_is_started_and_a_signal_ends_it() {
     let mut address = String::new();
     BufReader::new(process.stdout.take().unwrap()).read_line(&mut address).unwrap();
     let started = folder.path().join("started");
-    (0..600)
-        .find(|_| {
-            started.exists() || {
-                thread::sleep(Duration::from_millis(100));
-                false
-            }
-        })
-        .unwrap();
-    assert_eq!(fs::read_to_string(started).unwrap(), address.trim());
+    wait_until(|| started.exists());
+    // every user can read the arguments, and nobody else the file
+    let page = PathBuf::from(fs::read_to_string(&started).unwrap());
+    assert!(fs::read_to_string(&page).unwrap().contains(&format!("url={}\"", address.trim())));
+    let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+    assert_eq!((mode(&page), mode(page.parent().unwrap())), (0o600, 0o700));
+    let (host, path) = address.trim().strip_prefix("http://").unwrap().split_once('/').unwrap();
+    let mut stream = TcpStream::connect(host).unwrap();
+    write!(stream, "GET /{path} HTTP/1.1\r\nHost: {host}\r\n\r\n").unwrap();
+    stream.read_to_end(&mut Vec::new()).unwrap();
+    wait_until(|| !page.parent().unwrap().exists());
     assert!(Command::new("kill").args(["-TERM", &process.id().to_string()]).status().unwrap().success());
     assert!(!process.wait().unwrap().success());
+}
+
+#[cfg(unix)]
+fn wait_until(holds: impl Fn() -> bool) {
+    let wait = |_: &i32| {
+        holds() || {
+            thread::sleep(Duration::from_millis(100));
+            false
+        }
+    };
+    (0..600).find(wait).unwrap();
 }

@@ -5,14 +5,15 @@
 //! SHA-256 under a lock before it is written; only a different program could change it in between.
 
 use std::borrow::Cow;
+use std::collections::VecDeque;
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::process::{Command, Stdio};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::files::ServedFiles;
 use super::http::{HttpRefusal, HttpRequest, HttpResponse};
@@ -20,17 +21,28 @@ use crate::Texts;
 use crate::args::OpenArgs;
 use crate::ending::{Failure, Outcome, note};
 use crate::stdout::Output;
+use crate::written_files::private;
 use objdict_model::diagnostic::plural;
 
-/// So many connections are served at a time.
-const MAX_CONNECTIONS: usize = 32;
+/// So many requests with the token are served at a time.
+const MAX_REQUESTS: usize = 32;
+
+/// So many connections may have shown no token yet. One more ends the oldest, so none of them keeps a request out.
+const MAX_WAITING: usize = 64;
+
+/// How long a browser may take until it has read the file that leads to the page.
+const BROWSER_TIME: Duration = Duration::from_secs(60);
 
 struct PageServer {
     files: ServedFiles,
     page: String,
     port: u16,
     token: String,
-    connections: AtomicUsize,
+    requests: AtomicUsize,
+    /// The connections that have shown no token yet, the oldest first.
+    waiting: Mutex<VecDeque<(u64, TcpStream)>>,
+    /// Whether the page was asked for.
+    is_open: AtomicBool,
 }
 
 pub(crate) fn run(args: &OpenArgs, texts: &Texts, out: &mut Output) -> Result<Outcome, Failure> {
@@ -40,16 +52,17 @@ pub(crate) fn run(args: &OpenArgs, texts: &Texts, out: &mut Output) -> Result<Ou
         Failure::new(message).help("choose another one with `--port`, or leave it out")
     })?;
     let port = listener.local_addr()?.port();
-    let server =
-        PageServer { files, page: page(texts)?, port, token: token()?, connections: AtomicUsize::new(0) };
+    let (page, token) = (page(texts)?, token()?);
+    let (requests, waiting, is_open) = (AtomicUsize::new(0), Mutex::default(), AtomicBool::new(false));
+    let server = Arc::new(PageServer { files, page, port, token, requests, waiting, is_open });
     let address = format!("http://127.0.0.1:{port}/{}/", server.token);
     writeln!(out, "{address}")?;
     out.finish()?;
     note(&format!("serving {} to this computer until Ctrl-C\n", plural(server.files.count(), "file")));
     if !args.no_browser {
-        start_browser(address);
+        start_browser(address, &server);
     }
-    serve(&listener, &Arc::new(server))
+    serve(&listener, &server)
 }
 
 /// The page with what the single file on disk does without: the place of the files, and the permission to ask for them. It is the file that
@@ -84,59 +97,104 @@ fn token() -> Result<String, Failure> {
     }))
 }
 
-fn start_browser(address: String) {
+/// Opens a file that leads to the page: the arguments of a program, unlike the file, can be read by every user, and the address has
+/// the token.
+fn start_browser(address: String, server: &Arc<PageServer>) {
     let (program, arguments): (_, &[&str]) = match std::env::consts::OS {
         "windows" => ("cmd", &["/C", "start", ""]),
         "macos" => ("open", &[]),
         _ => ("xdg-open", &[]),
     };
-    // it may run as long as the browser
+    let server = Arc::clone(server);
+    // the program may run as long as the browser
     let _ = thread::Builder::new().spawn(move || {
+        let page = format!("<!DOCTYPE html><meta http-equiv=\"refresh\" content=\"0;url={address}\">\n");
         let mut command = Command::new(program);
-        command.args(arguments).arg(address);
-        let started = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
-        if !started.is_ok_and(|status| status.success()) {
+        command.args(arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        let started = private("workbench.html", page.as_bytes())
+            .and_then(|file| Ok((command.arg(&file.path).spawn()?, file)));
+        let is_started = started.is_ok_and(|(mut process, _file)| {
+            let until = Instant::now() + BROWSER_TIME;
+            while !server.is_open.load(Ordering::SeqCst) && Instant::now() < until {
+                if matches!(process.try_wait(), Ok(Some(status)) if !status.success()) {
+                    return false;
+                }
+                thread::sleep(Duration::from_millis(100));
+            }
+            server.is_open.load(Ordering::SeqCst)
+        });
+        if !is_started {
             note(&format!("note: `{program}` did not start a browser: open the address in one\n"));
         }
     });
 }
 
 fn serve(listener: &TcpListener, server: &Arc<PageServer>) -> Result<Outcome, Failure> {
-    loop {
-        let Ok((stream, _)) = listener.accept() else {
+    for number in 0.. {
+        let accepted = listener.accept().and_then(|(stream, _)| Ok((stream.try_clone()?, stream)));
+        let Ok((waiting, stream)) = accepted else {
             // as with too many open files, which are fewer later
             thread::sleep(Duration::from_millis(100));
             continue;
         };
-        if server.connections.fetch_add(1, Ordering::SeqCst) >= MAX_CONNECTIONS {
-            server.connections.fetch_sub(1, Ordering::SeqCst);
-            continue;
-        }
+        server.wait(number, waiting);
         let of_thread = Arc::clone(server);
         let started = thread::Builder::new().spawn(move || {
-            of_thread.converse(stream);
-            of_thread.connections.fetch_sub(1, Ordering::SeqCst);
+            of_thread.converse(number, stream);
+            of_thread.leave(number);
         });
         if started.is_err() {
-            server.connections.fetch_sub(1, Ordering::SeqCst);
+            server.leave(number);
         }
     }
+    Ok(Outcome::Clean)
 }
 
 impl PageServer {
-    fn converse(&self, stream: TcpStream) {
-        let Ok(answers) = stream.try_clone() else { return };
-        let Some(request) = HttpRequest::read(stream) else { return };
-        let response = request.and_then(|mut request| self.answer(&mut request));
-        // a page that was closed meanwhile needs no answer
-        let _ = response.unwrap_or_else(HttpResponse::from).send(&answers);
+    /// Adds a connection that has shown no token yet.
+    fn wait(&self, number: u64, stream: TcpStream) {
+        let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        waiting.push_back((number, stream));
+        if waiting.len() > MAX_WAITING
+            && let Some((_, oldest)) = waiting.pop_front()
+        {
+            // its thread reads no more, and ends
+            let _ = oldest.shutdown(Shutdown::Both);
+        }
     }
 
-    fn answer(&self, request: &mut HttpRequest) -> Result<HttpResponse<'_>, HttpRefusal> {
-        let path = self.admit(request)?;
+    fn leave(&self, number: u64) {
+        let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        waiting.retain(|(other, _)| *other != number);
+    }
+
+    fn converse(&self, number: u64, stream: TcpStream) {
+        let Ok(answers) = stream.try_clone() else { return };
+        let Some(request) = HttpRequest::read(stream) else { return };
+        let mut has_token = false;
+        let response = request.and_then(|mut request| {
+            let path = self.admit(&request)?;
+            has_token = true;
+            if self.requests.fetch_add(1, Ordering::SeqCst) >= MAX_REQUESTS {
+                return Err(HttpRefusal::new(503, "too many requests are served already"));
+            }
+            self.leave(number);
+            self.answer(&mut request, &path)
+        });
+        // a page that was closed meanwhile needs no answer
+        let _ = response.unwrap_or_else(HttpResponse::from).send(&answers);
+        if has_token {
+            self.requests.fetch_sub(1, Ordering::SeqCst);
+        }
+    }
+
+    fn answer(&self, request: &mut HttpRequest, path: &str) -> Result<HttpResponse<'_>, HttpRefusal> {
         let ok = |kind, etag, body| HttpResponse { status: 200, kind, etag, body };
-        match (&*request.method, &*path) {
-            ("GET", "") => Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into())),
+        match (&*request.method, path) {
+            ("GET", "") => {
+                self.is_open.store(true, Ordering::SeqCst);
+                Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into()))
+            }
             ("GET", "files") => {
                 let list = self.files.list().map_err(|failure| HttpRefusal(500, failure))?;
                 Ok(ok("application/json", None, list.into()))
