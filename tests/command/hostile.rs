@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use objdict::format::{self, json};
@@ -103,6 +103,7 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "convert @.eds -o @-new.xdd"),
     (Text, "convert @.eds @.dcf -o @-out/ --to json --loss-report -"),
     (Text, "convert @.dcf -o @.dbc"),
+    (Text, "convert @.eds -o @-device.toml"),
     (Text, "convert @.eds --to json"),
     (Text, "convert @.eds @.dcf -o @-other"),
     (Text, "convert @.eds -o @"),
@@ -237,14 +238,18 @@ fn objdict(folder: &Path, arguments: &[&str]) -> (String, String, Option<i32>) {
     (out, err, output.status.code())
 }
 
-/// The first line of an output that steers something.
-fn danger(line: &str, output: &str) -> Option<String> {
-    let output = if line.contains("--color always") { without_colours(output) } else { output.to_owned() };
-    let steers = |character: char| match character {
+/// Whether a character steers a terminal or the direction of a text.
+fn steers(character: char) -> bool {
+    match character {
         '\t' => false,
         '\u{200E}' | '\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}' => true,
         _ => character.is_control(),
-    };
+    }
+}
+
+/// The first line of an output that steers something.
+fn danger(line: &str, output: &str) -> Option<String> {
+    let output = if line.contains("--color always") { without_colours(output) } else { output.to_owned() };
     let annotations = ["::error file=", "::warning file=", "::notice file=", "::error title="];
     let is_ours = |start: &str| {
         line.contains("--format github") && annotations.iter().any(|annotation| start.starts_with(annotation))
@@ -312,9 +317,33 @@ fn json_has_names_as_they_are() {
     }
 }
 
+/// The files of a folder and of those in it.
+#[cfg(unix)]
+fn files_in(folder: &Path) -> BTreeSet<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files_in(&path) } else { BTreeSet::from([path]) }).collect()
+}
+
+/// What steers something in the files that commands wrote, but in descriptions, which have the content as it is.
+#[cfg(unix)]
+fn dangers_in(folder: &Path, given: &BTreeSet<PathBuf>) -> Vec<String> {
+    const WRITTEN: [&str; 12] =
+        ["c", "csv", "dot", "h", "html", "json", "md", "py", "rs", "svg", "toml", "txt"];
+    let mut found = Vec::new();
+    for path in files_in(folder).difference(given) {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
+        let is_text = ending.is_some_and(|ending| WRITTEN.contains(&&*ending));
+        let text = if is_text { fs::read_to_string(path).unwrap() } else { String::new() };
+        let line = text.lines().find(|line| line.contains(steers));
+        found.extend(line.map(|line| format!("{path:?}\n    {line:?}")));
+    }
+    found
+}
+
 #[cfg(unix)]
 fn run_all(name: &str, text: Option<&str>) {
     let folder = folder(name, text);
+    let given = files_in(folder.path());
     let mut found = Vec::new();
     for (kind, line) in LINES {
         let arguments: Vec<String> = line.split(' ').map(|word| word.replace('@', name)).collect();
@@ -327,5 +356,6 @@ fn run_all(name: &str, text: Option<&str>) {
             found.extend(danger(line, &output).map(|danger| format!("{line}\n    {danger:?}")));
         }
     }
+    found.extend(dangers_in(folder.path(), &given));
     assert!(found.is_empty(), "{}", found.join("\n"));
 }

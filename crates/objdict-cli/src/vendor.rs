@@ -8,7 +8,7 @@ use super::written_files::save;
 use objdict_format::Description;
 use objdict_format::patch::make;
 use objdict_lint::{Options, PORTABILITY};
-use objdict_model::diagnostic::{Applicability, Diagnostic, Severity, Tool, counted};
+use objdict_model::diagnostic::{Applicability, Diagnostic, Severity, Tool, counted, printable_lines};
 use objdict_project::compat::{Effect, REACTIONS};
 use objdict_project::report::{Location, Subject, grouped};
 
@@ -176,7 +176,7 @@ fn corrections(text: &mut String, description: &Description, options: &Options) 
     for patch in patches {
         text.push_str("## Corrections\n\nEach change has the address, what the file says and what it should say. `objdict patch apply` makes them.\n\n");
         let fence = "`".repeat(patch.split(|c| c != '`').map(str::len).max().unwrap_or(0).max(2) + 1);
-        text.push_str(&format!("{fence}toml\n{}\n{fence}\n", patch.trim_end()));
+        text.push_str(&format!("{fence}toml\n{}\n{fence}\n", printable_lines(patch.trim_end())));
     }
 }
 

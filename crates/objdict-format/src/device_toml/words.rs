@@ -3,6 +3,7 @@
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_keyed::types;
 use objdict_keyed::types::TYPES;
+pub(super) use objdict_model::json::quoted;
 use objdict_model::literal;
 use objdict_model::model::{DataType, ObjectType, TypeKind, Value};
 
@@ -130,25 +131,6 @@ pub(super) fn spelled(value: &Value, hex: bool) -> Option<String> {
         Value::NodeId(_) => quoted(&value.to_string()),
         Value::Real32(_) | Value::Real64(_) | Value::Time(_) => return None,
     })
-}
-
-/// A text in quotes.
-pub(super) fn quoted(text: &str) -> String {
-    let mut quoted = String::with_capacity(text.len() + 2);
-    quoted.push('"');
-    for c in text.chars() {
-        match c {
-            '"' => quoted.push_str("\\\""),
-            '\\' => quoted.push_str("\\\\"),
-            '\n' => quoted.push_str("\\n"),
-            '\r' => quoted.push_str("\\r"),
-            '\t' => quoted.push_str("\\t"),
-            c if c.is_control() => quoted.push_str(&format!("\\u{:04X}", c as u32)),
-            c => quoted.push(c),
-        }
-    }
-    quoted.push('"');
-    quoted
 }
 
 /// A key, in quotes where it needs them.

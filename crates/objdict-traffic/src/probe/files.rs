@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::expectation::{Expectation, hex};
 use super::plan::{Attempt, ProbePlan, Question};
+use objdict_document::csv_field;
 
 /// The script without its data.
 const SCRIPT: &str = include_str!("probe.py");
@@ -41,7 +42,7 @@ impl ProbePlan {
                 step.attempt.sent(),
                 step.expected(),
             ];
-            let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
+            let cells: Vec<String> = cells.iter().map(|cell| csv_field(cell).into_owned()).collect();
             let _ = writeln!(table, "{}", cells.join(","));
         }
         table
@@ -119,11 +120,4 @@ impl Attempt {
             Self::Other(values) => values.iter().map(|value| hex(value)).collect::<Vec<_>>().join(" or "),
         }
     }
-}
-
-/// A cell of CSV (RFC 4180); what a spreadsheet would take for a formula stays a text.
-fn quoted(cell: &str) -> String {
-    let is_formula = cell.starts_with(['=', '+', '-', '@']);
-    let cell = if is_formula { format!("'{cell}") } else { cell.to_owned() };
-    if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell }
 }
