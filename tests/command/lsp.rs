@@ -148,3 +148,32 @@ fn a_client_that_is_gone_ends_the_server() {
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.stdout.is_empty() && said.starts_with("error: "), "{said}");
 }
+
+#[test]
+fn what_is_no_message_is_refused_and_the_next_one_is_answered() {
+    let mut session = Session::start();
+    session.ask(1, "initialize", &json!({ "capabilities": {}, "processId": null, "rootUri": null }));
+    session.note("initialized", &json!({}));
+    let deep =
+        format!(r#"{{"jsonrpc":"2.0","id":5,"method":"x","params":{}{}}}"#, "[".repeat(200), "]".repeat(200));
+    let deep = format!("Content-Length: {}\r\n\r\n{deep}", deep.len());
+    let damaged = [
+        (deep.as_str(), -32700),
+        ("Content-Length: x\r\n\r\n{}", -32700),
+        ("Content-Length: 99999999999999999\r\n\r\n{}", -32700),
+        ("Content-Length: 10\r\n\r\n{\"id\": 7, \"method\": \"too short\"}", -32700),
+        ("Content-Length: 2\r\n\r\n{}", -32600),
+        ("no header\r\nContent-Length: 1\r\n\r\n\u{7}", -32700),
+    ];
+    for (number, (text, code)) in damaged.into_iter().enumerate() {
+        session.input.write_all(text.as_bytes()).unwrap();
+        let refused = session.receive();
+        assert_eq!(
+            (&refused["id"], &refused["error"]["code"]),
+            (&Value::Null, &json!(code)),
+            "{text}: {refused}"
+        );
+        let answer = session.ask(number as u32 + 10, "workspace/symbol", &json!({ "query": "" }));
+        assert_eq!(answer["id"], json!(number + 10), "{answer}");
+    }
+}
