@@ -223,3 +223,13 @@ map = "optional"
     assert!(String::from_utf8_lossy(&again.stderr).contains("fixed 0 findings"));
     assert_eq!(fs::read_to_string(&file).unwrap(), after);
 }
+
+#[test]
+fn a_file_with_several_names_is_fixed_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::copy("fixtures/broken/octal.eds", folder.join("a.eds")).unwrap();
+    let fixed = objdict(folder, "check --fix a.eds ./a.eds . a.eds *.eds", b"");
+    let errors = String::from_utf8_lossy(&fixed.stderr).into_owned();
+    assert!(errors.contains(" in 1 file\n"), "{errors}");
+}

@@ -142,14 +142,16 @@ impl Gathered<'_> {
 
     /// Adds a file that was found, or that an argument names.
     fn push(&mut self, path: PathBuf, is_named: bool, is_outside: bool) -> Result<(), Failure> {
-        if !is_named && self.seen.contains(&path) {
+        // whatever it is called; `-` is what no other name is
+        let real = real(&path);
+        if self.seen.contains(&real) {
             return Ok(());
         }
         let project = self.settings.project_of(&path)?;
         let is_excluded = project.as_ref().is_some_and(|project| project.config.excludes(&path));
         if is_named || !is_excluded {
             detail(&source_name(&path));
-            self.seen.insert(path.clone());
+            self.seen.insert(real);
             let size = path.metadata().map_or(0, |metadata| metadata.len());
             self.files.push(InputFile { path, project, is_named, is_outside, size });
         }
