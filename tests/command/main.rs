@@ -24,6 +24,7 @@ mod outputs;
 mod page;
 mod patches;
 mod pictures;
+mod proportion;
 mod recipes;
 mod refused;
 mod replaced;
