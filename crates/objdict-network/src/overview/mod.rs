@@ -12,7 +12,6 @@ use crate::compiled::{Compiled, PdoState, Slave};
 use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
-use crate::timing::{Schedule, TimingOptions};
 use crate::traffic::{Sync, Traffic, Uncounted};
 use crate::unlinked::UnlinkedPdos;
 
@@ -171,9 +170,7 @@ impl Overview {
             language,
             name: network.name.clone(),
             bit_rate: network.bit_rate.map(|rate| rate.value),
-            load: network
-                .bit_rate
-                .map(|rate| Schedule::new(traffic, TimingOptions::default()).load_at(rate.value)),
+            load: traffic.load(),
             uncounted: traffic.uncounted(),
             boot: network.manager.as_ref().map(|manager| BootPlan::new(manager, view, &nodes)),
             nodes,

@@ -1,7 +1,8 @@
 //! How much of the bus is used.
 
 use super::frames::TimedFrame;
-use super::{Schedule, TrafficKind};
+use super::{Schedule, TimingOptions, TrafficKind};
+use crate::traffic::Traffic;
 
 /// How many bits are sent, in thousandths of a bit each second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,5 +59,13 @@ impl Schedule {
     /// The share of a bit rate in kbit/s that is used all the time, in thousandths.
     pub(crate) fn load_at(&self, bit_rate: u16) -> u64 {
         Load::of(&self.frames).worst / (u64::from(bit_rate) * 1000).max(1)
+    }
+}
+
+impl Traffic<'_> {
+    /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
+    pub(crate) fn load(self) -> Option<u64> {
+        let rate = self.network.bit_rate?.value;
+        Some(Schedule::new(self, TimingOptions::default()).load_at(rate))
     }
 }

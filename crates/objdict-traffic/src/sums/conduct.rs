@@ -1,4 +1,4 @@
-//! What is wrong in the order of frames: NMT states, SDO transfers, and nodes that do not belong to the network.
+//! What the order of frames shows: NMT states, SDO transfers, and nodes that do not belong to the network.
 
 use std::collections::BTreeMap;
 
@@ -23,9 +23,9 @@ const PATIENCE: i64 = 1_000_000_000;
 struct NodeConduct {
     /// Its NMT state; `None` where the log does not show it.
     state: Option<u8>,
-    /// Whether what is wrong with the state was said.
+    /// Whether PDOs in this state were reported.
     is_said: bool,
-    /// Whether it was said that the network does not have it.
+    /// Whether it was reported that the network does not have it.
     is_unknown: bool,
     /// When its state changed, in nanoseconds.
     changed: Option<i64>,
@@ -73,7 +73,7 @@ impl Conduct {
         self.nodes[usize::from(node_id) % super::NODES].changed
     }
 
-    /// What is wrong with a frame in its order.
+    /// The rules that a frame is against in its order.
     pub(super) fn frame(
         &mut self,
         decoded: &DecodedFrame,
@@ -232,7 +232,7 @@ const fn is_begin(step: TransferStep) -> bool {
 }
 
 impl ChannelConduct {
-    /// What is wrong with a step of a transfer.
+    /// How a step of a transfer is not sound.
     fn step(&mut self, sdo: SdoFrame, decoded: &DecodedFrame, data: &[u8], bus: &Bus<'_>) -> Option<String> {
         let command = *data.first()?;
         if is_begin(sdo.step) {

@@ -31,7 +31,7 @@ pub(super) struct ExpectedFrames {
 
 /// What came before a frame, in nanoseconds.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Before {
+pub(super) struct Preceding {
     /// The frame before with this CAN-ID.
     pub(super) frame: Option<i64>,
     /// The last SYNC.
@@ -76,7 +76,7 @@ impl ExpectedFrames {
         decoded: &DecodedFrame,
         frame: &LoggedFrame,
         bus: &Bus<'_>,
-        before: Before,
+        before: Preceding,
     ) -> impl Iterator<Item = Deviation> + use<> {
         if self.changes != Some(bus.reader.changes().pdos) {
             *self = Self::of(decoded, frame, bus);

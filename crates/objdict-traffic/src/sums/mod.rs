@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use self::conduct::Conduct;
 use self::cycle::Cycle;
-use self::deviations::{Before, ExpectedFrames, of_transfer};
+use self::deviations::{ExpectedFrames, Preceding, of_transfer};
 use self::history::History;
 pub use self::history::NodeEvent;
 pub(crate) use self::history::Seen;
@@ -199,7 +199,7 @@ impl BusSums {
         }
         if decoded.kind == FrameKind::Pdo && !frame.is_remote {
             let node_id = decoded.node_id.unwrap_or(0);
-            let before = Before {
+            let before = Preceding {
                 frame: message.cycle.last,
                 sync: self.last_sync,
                 state: self.conduct.changed(node_id),
