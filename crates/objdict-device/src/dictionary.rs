@@ -219,68 +219,10 @@ const fn number(bytes: &[u8; 8], length: usize) -> u64 {
 
 /// Methods of [`Dictionary`] that another dictionary, in a field, has.
 macro_rules! forward {
-    ($field:ident: values) => {
-        fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
-            self.$field.attributes(index, sub)
-        }
-        fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
-            self.$field.read(index, sub, buffer)
-        }
-        fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-            self.$field.write(index, sub, bytes)
-        }
-        $crate::dictionary::forward!($field: places);
-    };
-    ($field:ident: places) => {
-        fn serves_more(&self) -> bool {
-            self.$field.serves_more()
-        }
-        fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-            self.$field.replace(index, sub, bytes)
-        }
-        fn locate(&self, index: u16, sub: u8) -> Result<$crate::Place, Abort> {
-            self.$field.locate(index, sub)
-        }
-        fn attributes_at(&self, place: $crate::Place) -> Result<Attributes, Abort> {
-            self.$field.attributes_at(place)
-        }
-        fn number_at(&mut self, place: $crate::Place) -> Result<u64, Abort> {
-            self.$field.number_at(place)
-        }
-        fn write_at(&mut self, place: $crate::Place, bytes: &[u8]) -> Result<(), Abort> {
-            self.$field.write_at(place, bytes)
-        }
-    };
-    ($field:ident: pieces) => {
-        fn begin_read(&mut self, index: u16, sub: u8) -> Result<Option<usize>, Abort> {
-            self.$field.begin_read(index, sub)
-        }
-        fn read_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &mut [u8]) -> Result<(), Abort> {
-            self.$field.read_piece(index, sub, offset, piece)
-        }
-        fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
-            self.$field.begin_write(index, sub, length)
-        }
-        fn write_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &[u8]) -> Result<(), Abort> {
-            self.$field.write_piece(index, sub, offset, piece)
-        }
-        fn end_write(&mut self, index: u16, sub: u8, length: usize) -> Result<(), Abort> {
-            self.$field.end_write(index, sub, length)
-        }
-    };
-    ($field:ident: storage) => {
-        fn restart(&mut self, scope: $crate::Scope, node_id: u8) {
-            self.$field.restart(scope, node_id);
-        }
-        fn can_store(&self, sub: u8) -> bool {
-            self.$field.can_store(sub)
-        }
-        fn store(&mut self, sub: u8) -> Result<(), Abort> {
-            self.$field.store(sub)
-        }
-        fn restore(&mut self, sub: u8) -> Result<(), Abort> {
-            self.$field.restore(sub)
-        }
+    ($field:ident: $(fn $name:ident($this:ident: $Receiver:ty $(, $argument:ident: $Type:ty)*) $(-> $Answer:ty)?;)+) => {
+        $(fn $name($this: $Receiver $(, $argument: $Type)*) $(-> $Answer)? {
+            $this.$field.$name($($argument),*)
+        })+
     };
 }
 pub(crate) use forward;

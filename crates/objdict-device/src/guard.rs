@@ -3,7 +3,7 @@
 //! SDO writes go through it. It asks `rules` about values that no service could follow, and passes the others on
 //! to the services.
 
-use crate::dictionary::{Dictionary, Scope};
+use crate::dictionary::{Dictionary, Scope, forward};
 use crate::services::{RESTORE, STORE, Services};
 use crate::{Abort, Attributes, errors, rules};
 
@@ -36,8 +36,13 @@ impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
 }
 
 impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
-    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
-        self.dictionary.attributes(index, sub)
+    forward! { dictionary:
+        fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
+        fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+        fn restart(self: &mut Self, scope: Scope, node_id: u8);
+        fn begin_read(self: &mut Self, index: u16, sub: u8) -> Result<Option<usize>, Abort>;
+        fn read_piece(self: &mut Self, index: u16, sub: u8, offset: usize, piece: &mut [u8]) -> Result<(), Abort>;
+        fn write_piece(self: &mut Self, index: u16, sub: u8, offset: usize, piece: &[u8]) -> Result<(), Abort>;
     }
 
     fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
@@ -80,29 +85,9 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
         Ok(())
     }
 
-    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-        self.dictionary.replace(index, sub, bytes)
-    }
-
-    fn restart(&mut self, scope: Scope, node_id: u8) {
-        self.dictionary.restart(scope, node_id);
-    }
-
-    fn begin_read(&mut self, index: u16, sub: u8) -> Result<Option<usize>, Abort> {
-        self.dictionary.begin_read(index, sub)
-    }
-
-    fn read_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &mut [u8]) -> Result<(), Abort> {
-        self.dictionary.read_piece(index, sub, offset, piece)
-    }
-
     fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
         // nothing of a signature is kept
         if Self::is_command(index, sub) { Ok(false) } else { self.dictionary.begin_write(index, sub, length) }
-    }
-
-    fn write_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &[u8]) -> Result<(), Abort> {
-        self.dictionary.write_piece(index, sub, offset, piece)
     }
 
     fn end_write(&mut self, index: u16, sub: u8, length: usize) -> Result<(), Abort> {

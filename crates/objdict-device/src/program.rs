@@ -5,7 +5,7 @@ use embedded_storage::nor_flash::NorFlash;
 use crate::dictionary::forward;
 use crate::flash::UNIT;
 use crate::sdo::crc::crc;
-use crate::{Abort, Attributes, Dictionary, Region};
+use crate::{Abort, Attributes, Dictionary, Place, Region, Scope};
 
 /// Program data, control, software identification and flash status (CiA 302-3); sub-index 1 is the program.
 const DATA: u16 = 0x1F50;
@@ -167,8 +167,18 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
 }
 
 impl<V: Dictionary, F: NorFlash> Dictionary for WithProgram<V, F> {
-    forward!(data: places);
-    forward!(data: storage);
+    forward! { data:
+        fn serves_more(self: &Self) -> bool;
+        fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+        fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
+        fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;
+        fn number_at(self: &mut Self, place: Place) -> Result<u64, Abort>;
+        fn write_at(self: &mut Self, place: Place, bytes: &[u8]) -> Result<(), Abort>;
+        fn restart(self: &mut Self, scope: Scope, node_id: u8);
+        fn can_store(self: &Self, sub: u8) -> bool;
+        fn store(self: &mut Self, sub: u8) -> Result<(), Abort>;
+        fn restore(self: &mut Self, sub: u8) -> Result<(), Abort>;
+    }
 
     fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
         self.data.attributes(index, sub)

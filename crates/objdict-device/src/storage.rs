@@ -1,6 +1,6 @@
 //! Values that are stored on command (1010h, 1011h).
 
-use crate::dictionary::{Scope, forward};
+use crate::dictionary::{Place, Scope, forward};
 use crate::table::{AnyGroup, Data, Table};
 use crate::{Abort, Attributes, Dictionary};
 
@@ -78,8 +78,22 @@ impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Stored<Data<D
 impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Dictionary
     for Stored<Data<D, RAM>, S, IMAGE>
 {
-    forward!(data: values);
-    forward!(data: pieces);
+    forward! { data:
+        fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
+        fn read(self: &mut Self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort>;
+        fn write(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+        fn serves_more(self: &Self) -> bool;
+        fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+        fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
+        fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;
+        fn number_at(self: &mut Self, place: Place) -> Result<u64, Abort>;
+        fn write_at(self: &mut Self, place: Place, bytes: &[u8]) -> Result<(), Abort>;
+        fn begin_read(self: &mut Self, index: u16, sub: u8) -> Result<Option<usize>, Abort>;
+        fn read_piece(self: &mut Self, index: u16, sub: u8, offset: usize, piece: &mut [u8]) -> Result<(), Abort>;
+        fn begin_write(self: &mut Self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort>;
+        fn write_piece(self: &mut Self, index: u16, sub: u8, offset: usize, piece: &[u8]) -> Result<(), Abort>;
+        fn end_write(self: &mut Self, index: u16, sub: u8, length: usize) -> Result<(), Abort>;
+    }
 
     fn restart(&mut self, scope: Scope, node_id: u8) {
         self.data.restart(scope, node_id);

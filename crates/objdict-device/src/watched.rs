@@ -1,6 +1,6 @@
 //! Values with the hooks of the application.
 
-use crate::dictionary::{Place, Scope, entry_at};
+use crate::dictionary::{Place, Scope, entry_at, forward};
 use crate::services::{RESTORE, STORE};
 use crate::table::{Data, Entry, Handle, Hooked, Hooks, Typed, Variable};
 use crate::{Abort, Attributes, Dictionary};
@@ -64,8 +64,13 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize>
 impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Dictionary
     for Watched<Data<D, RAM>, H, FLAGS>
 {
-    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
-        self.data.attributes(index, sub)
+    forward! { data:
+        fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
+        fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+        fn restart(self: &mut Self, scope: Scope, node_id: u8);
+        fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
+        fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;
+        fn begin_write(self: &mut Self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort>;
     }
 
     fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
@@ -76,22 +81,6 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Di
         self.data.write_with(&mut self.hooks, index, sub, bytes)?;
         self.raise(Entry::find(index, sub)?);
         Ok(())
-    }
-
-    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-        self.data.replace(index, sub, bytes)
-    }
-
-    fn restart(&mut self, scope: Scope, node_id: u8) {
-        self.data.restart(scope, node_id);
-    }
-
-    fn locate(&self, index: u16, sub: u8) -> Result<Place, Abort> {
-        self.data.locate(index, sub)
-    }
-
-    fn attributes_at(&self, place: Place) -> Result<Attributes, Abort> {
-        self.data.attributes_at(place)
     }
 
     fn number_at(&mut self, place: Place) -> Result<u64, Abort> {
@@ -105,10 +94,6 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Di
     fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {
         let entry = entry_at::<D>(place)?;
         self.write(entry.index(), entry.sub(), bytes)
-    }
-
-    fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
-        self.data.begin_write(index, sub, length)
     }
 
     fn can_store(&self, sub: u8) -> bool {
