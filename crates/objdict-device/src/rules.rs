@@ -1,14 +1,12 @@
 //! What may be written to communication objects (CiA 301 §7.5.2). Nodes ask these rules at run time, and tools ask them of downloads,
 //! so a configuration that a tool accepts is one that a node accepts.
 
-use crate::errors;
 use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::heartbeat::{CONSUMER_TIME, monitored};
 use crate::pdo::mapping::Mapped;
 use crate::pdo::transmission_type::is_event_driven;
 use crate::services::{RESTORE, STORE, Services};
-use crate::sync;
-use crate::{Abort, Dictionary};
+use crate::{Abort, Dictionary, errors, sync};
 
 const BOOLEAN: u8 = 0x01;
 

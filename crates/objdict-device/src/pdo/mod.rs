@@ -11,6 +11,7 @@ use crate::guard::Guarded;
 use crate::services::Services;
 use crate::{Abort, Dictionary, Frame, sync};
 
+use mapping::ActiveMapping;
 use receive::Rpdo;
 use transmission_type::is_event_driven;
 use transmit::Tpdo;
@@ -74,7 +75,7 @@ pub enum Reception {
     Refused(u16, Abort),
 }
 
-/// The communication parameters of a PDO.
+/// The communication parameters of a PDO, and its mapping.
 #[derive(Clone, Copy, Debug)]
 struct PdoParameters {
     /// The index, such as 1800h.
@@ -86,6 +87,7 @@ struct PdoParameters {
     /// In milliseconds.
     event_timer: u16,
     sync_start: u8,
+    mapping: ActiveMapping,
 }
 
 impl PdoParameters {
@@ -97,6 +99,7 @@ impl PdoParameters {
             inhibit_time: 0,
             event_timer: 0,
             sync_start: 0,
+            mapping: ActiveMapping::new(index | MAPPING),
         }
     }
 
@@ -107,6 +110,12 @@ impl PdoParameters {
         self.inhibit_time = number(3, 0) as u16;
         self.event_timer = number(5, 0) as u16;
         self.sync_start = number(6, 0) as u8;
+        self.mapping.load(dictionary);
+    }
+
+    /// Whether an object is the communication parameters or the mapping.
+    const fn has_object(&self, index: u16) -> bool {
+        index == self.index || index == self.mapping.index()
     }
 
     const fn is_valid(&self) -> bool {
@@ -242,7 +251,7 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
     /// Requests a TPDO of type 0, 254 or 255 by the index of its communication parameters: it is sent as soon as SYNC or its inhibit
     /// time permits.
     pub fn request(&mut self, index: u16) {
-        let tpdos = self.tpdos.iter_mut().filter(|tpdo| tpdo.index() == index);
+        let tpdos = self.tpdos.iter_mut().filter(|tpdo| tpdo.parameters.index == index);
         tpdos.for_each(Tpdo::request);
     }
 
@@ -257,10 +266,10 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         if matches!(index, sync::COB_ID | sync::OVERFLOW) {
             self.load_sync(dictionary);
         }
-        if let Some(rpdo) = self.rpdos.iter_mut().find(|rpdo| rpdo.has_object(index)) {
+        if let Some(rpdo) = self.rpdos.iter_mut().find(|rpdo| rpdo.parameters.has_object(index)) {
             rpdo.load(dictionary);
         }
-        if let Some(tpdo) = self.tpdos.iter_mut().find(|tpdo| tpdo.has_object(index)) {
+        if let Some(tpdo) = self.tpdos.iter_mut().find(|tpdo| tpdo.parameters.has_object(index)) {
             tpdo.load(dictionary);
         }
     }

@@ -1,14 +1,12 @@
 //! An RPDO.
 
-use super::mapping::ActiveMapping;
 use super::{PdoParameters, Reception};
 use crate::frame::can_id;
 use crate::{Dictionary, Frame};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rpdo {
-    parameters: PdoParameters,
-    mapping: ActiveMapping,
+    pub(super) parameters: PdoParameters,
     /// The data that wait for SYNC.
     held: Option<u64>,
     /// When it came last, as long as its absence was not reported.
@@ -17,23 +15,12 @@ pub(super) struct Rpdo {
 
 impl Rpdo {
     pub(super) const fn new(index: u16) -> Self {
-        let mapping = ActiveMapping::new(index | super::MAPPING);
-        Self { parameters: PdoParameters::new(index), mapping, held: None, came: None }
-    }
-
-    pub(super) const fn index(&self) -> u16 {
-        self.parameters.index
+        Self { parameters: PdoParameters::new(index), held: None, came: None }
     }
 
     pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.parameters.load(dictionary);
-        self.mapping.load(dictionary);
         self.restart();
-    }
-
-    /// Whether an object is its communication parameters or its mapping.
-    pub(super) const fn has_object(&self, index: u16) -> bool {
-        index == self.parameters.index || index == self.mapping.index()
     }
 
     pub(super) fn restart(&mut self) {
@@ -50,8 +37,8 @@ impl Rpdo {
         frame: &Frame,
         now: u64,
     ) -> Reception {
-        let index = self.index();
-        let length = match self.mapping.length() {
+        let index = self.parameters.index;
+        let length = match self.parameters.mapping.length() {
             Err(abort) => return Reception::Refused(index, abort),
             Ok(length) => usize::from(length),
         };
@@ -62,7 +49,7 @@ impl Rpdo {
         let data = u64::from_le_bytes(frame.bytes());
         let is_event_driven = self.parameters.is_event_driven();
         if is_event_driven {
-            if let Err(abort) = self.mapping.unpack(dictionary, data) {
+            if let Err(abort) = self.parameters.mapping.unpack(dictionary, data) {
                 return Reception::Refused(index, abort);
             }
         } else {
@@ -78,7 +65,7 @@ impl Rpdo {
     pub(super) fn sync<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         if let Some(data) = self.held.take() {
             // what the dictionary refuses stays as it is, and its client is not here to be asked
-            let _ = self.mapping.unpack(dictionary, data);
+            let _ = self.parameters.mapping.unpack(dictionary, data);
         }
     }
 
@@ -93,6 +80,6 @@ impl Rpdo {
             return None;
         }
         self.came = None;
-        Some(self.index())
+        Some(self.parameters.index)
     }
 }

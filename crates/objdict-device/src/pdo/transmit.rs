@@ -1,14 +1,12 @@
 //! A TPDO.
 
 use super::PdoParameters;
-use super::mapping::ActiveMapping;
 use crate::clock::earlier;
 use crate::{Dictionary, Frame};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tpdo {
-    parameters: PdoParameters,
-    mapping: ActiveMapping,
+    pub(super) parameters: PdoParameters,
     /// Whether the application asked for it.
     requested: bool,
     /// Whether a SYNC asked for it.
@@ -21,23 +19,13 @@ pub(super) struct Tpdo {
 
 impl Tpdo {
     pub(super) const fn new(index: u16) -> Self {
-        let (parameters, mapping) = (PdoParameters::new(index), ActiveMapping::new(index | super::MAPPING));
-        Self { parameters, mapping, requested: false, due: false, syncs: None, sent: None }
-    }
-
-    pub(super) const fn index(&self) -> u16 {
-        self.parameters.index
+        let parameters = PdoParameters::new(index);
+        Self { parameters, requested: false, due: false, syncs: None, sent: None }
     }
 
     pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.parameters.load(dictionary);
-        self.mapping.load(dictionary);
         self.restart();
-    }
-
-    /// Whether an object is its communication parameters or its mapping.
-    pub(super) const fn has_object(&self, index: u16) -> bool {
-        index == self.parameters.index || index == self.mapping.index()
     }
 
     pub(super) const fn restart(&mut self) {
@@ -52,7 +40,7 @@ impl Tpdo {
     pub(super) fn request_if_changed<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         let sent = self.sent.map(|(_, frame)| frame);
         if self.parameters.is_valid()
-            && self.mapping.pack(dictionary).is_ok_and(|(frame, _)| Some(frame) != sent)
+            && self.parameters.mapping.pack(dictionary).is_ok_and(|(frame, _)| Some(frame) != sent)
         {
             self.request();
         }
@@ -99,7 +87,7 @@ impl Tpdo {
     /// The frame; `None` for a mapping without entries, or with one that cannot be read.
     pub(super) fn send<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Option<Frame> {
         (self.requested, self.due) = (false, false);
-        let packed = self.mapping.pack(dictionary);
+        let packed = self.parameters.mapping.pack(dictionary);
         let (frame, length) = packed.unwrap_or_default();
         self.sent = Some((now, frame));
         (length > 0).then(|| Frame::full(self.parameters.cob_id, frame.to_le_bytes()).shortened(length))
