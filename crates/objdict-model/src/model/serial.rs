@@ -14,35 +14,20 @@ pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 }
 
 /// A number with a fixed count of hex digits after `0x`.
-pub trait Hex: Copy + Ord {
+pub trait Hex: Copy + Ord + fmt::UpperHex + TryFrom<u32> {
     /// The name in error messages.
     const WHAT: &'static str;
-    fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
-    fn from_digits(digits: &str) -> Option<Self>;
+    const DIGITS: usize;
 }
 
 impl Hex for u16 {
     const WHAT: &'static str = "index such as `0x1018`";
-
-    fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "0x{self:04X}")
-    }
-
-    fn from_digits(digits: &str) -> Option<Self> {
-        Self::from_str_radix(digits, 16).ok()
-    }
+    const DIGITS: usize = 4;
 }
 
 impl Hex for u8 {
     const WHAT: &'static str = "sub-index such as `0x0A`";
-
-    fn write(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "0x{self:02X}")
-    }
-
-    fn from_digits(digits: &str) -> Option<Self> {
-        Self::from_str_radix(digits, 16).ok()
-    }
+    const DIGITS: usize = 2;
 }
 
 /// An index (`u16`) or sub-index (`u8`) as a text.
@@ -53,13 +38,15 @@ impl<T: Hex> HexText<T> {
     /// Parses a text such as `0x1018`.
     pub(crate) fn parse(text: &str) -> Option<T> {
         let digits = text.strip_prefix("0x")?;
-        if digits.bytes().all(|byte| byte.is_ascii_hexdigit()) { T::from_digits(digits) } else { None }
+        let number =
+            digits.bytes().all(|byte| byte.is_ascii_hexdigit()).then(|| u32::from_str_radix(digits, 16));
+        T::try_from(number?.ok()?).ok()
     }
 }
 
 impl<T: Hex> fmt::Display for HexText<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.write(f)
+        write!(f, "0x{:0digits$X}", self.0, digits = T::DIGITS)
     }
 }
 
@@ -168,7 +155,7 @@ pub(crate) mod index_keys {
     pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>, M: FromIterator<(u16, T)>>(
         deserializer: D,
     ) -> Result<M, D::Error> {
-        let items = super::unique_keys::deserialize::<HexText<u16>, T, D>(deserializer)?;
+        let items = super::unique_keys::pairs::<HexText<u16>, T, D>(deserializer)?;
         Ok(items.into_iter().map(|(HexText(index), item)| (index, item)).collect())
     }
 }
@@ -176,8 +163,8 @@ pub(crate) mod index_keys {
 /// Maps with unique keys: otherwise the second value would silently win.
 pub(crate) mod unique_keys {
     use super::{
-        BTreeMap, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer, Visitor,
-        fmt,
+        BTreeMap, BTreeSet, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer,
+        Visitor, fmt,
     };
 
     /// Writes a map unchanged.
@@ -191,7 +178,17 @@ pub(crate) mod unique_keys {
     /// Reads a map; a repeated key is an error.
     pub(crate) fn deserialize<'de, K, T, D>(deserializer: D) -> Result<BTreeMap<K, T>, D::Error>
     where
-        K: Deserialize<'de> + Ord + fmt::Display,
+        K: Deserialize<'de> + Ord + Clone + fmt::Display,
+        T: Deserialize<'de>,
+        D: Deserializer<'de>,
+    {
+        pairs(deserializer).map(BTreeMap::from_iter)
+    }
+
+    /// Reads the keys and values of a map in the order of the file; a repeated key is an error.
+    pub(crate) fn pairs<'de, K, T, D>(deserializer: D) -> Result<Vec<(K, T)>, D::Error>
+    where
+        K: Deserialize<'de> + Ord + Clone + fmt::Display,
         T: Deserialize<'de>,
         D: Deserializer<'de>,
     {
@@ -200,32 +197,31 @@ pub(crate) mod unique_keys {
 
     struct Unique<K, T>(PhantomData<(K, T)>);
 
-    impl<'de, K: Deserialize<'de> + Ord + fmt::Display, T: Deserialize<'de>> Visitor<'de> for Unique<K, T> {
-        type Value = BTreeMap<K, T>;
+    impl<'de, K: Deserialize<'de> + Ord + Clone + fmt::Display, T: Deserialize<'de>> Visitor<'de>
+        for Unique<K, T>
+    {
+        type Value = Vec<(K, T)>;
 
         fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
             f.write_str("a map")
         }
 
         fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Self::Value, A::Error> {
-            let mut map = BTreeMap::new();
+            let (mut seen, mut pairs) = (BTreeSet::new(), Vec::new());
             while let Some(key) = access.next_key::<K>()? {
-                if map.contains_key(&key) {
+                if !seen.insert(key.clone()) {
                     return Err(A::Error::custom(format!("the key `{key}` is defined twice")));
                 }
-                map.insert(key, access.next_value()?);
+                pairs.push((key, access.next_value()?));
             }
-            Ok(map)
+            Ok(pairs)
         }
     }
 }
 
 /// Items of single sub-indexes in the order of the file: unique keys such as `0x0A`.
 pub(crate) mod sub_list {
-    use super::{
-        BTreeSet, Deserialize, Deserializer, Error, HexText, MapAccess, PhantomData, Serialize, Serializer,
-        Visitor, fmt,
-    };
+    use super::{Deserialize, Deserializer, HexText, Serialize, Serializer};
 
     /// Writes an object with keys of two upper-case hex digits after `0x`.
     pub(crate) fn serialize<T: Serialize, S: Serializer>(
@@ -239,29 +235,8 @@ pub(crate) mod sub_list {
     pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Vec<(u8, T)>, D::Error> {
-        deserializer.deserialize_map(List(PhantomData))
-    }
-
-    struct List<T>(PhantomData<T>);
-
-    impl<'de, T: Deserialize<'de>> Visitor<'de> for List<T> {
-        type Value = Vec<(u8, T)>;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("a map")
-        }
-
-        fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Self::Value, A::Error> {
-            let mut seen = BTreeSet::new();
-            let mut list = Vec::new();
-            while let Some(HexText(sub)) = access.next_key()? {
-                if !seen.insert(sub) {
-                    return Err(A::Error::custom(format!("the key `{}` is defined twice", HexText(sub))));
-                }
-                list.push((sub, access.next_value()?));
-            }
-            Ok(list)
-        }
+        let items = super::unique_keys::pairs::<HexText<u8>, T, D>(deserializer)?;
+        Ok(items.into_iter().map(|(HexText(sub), item)| (sub, item)).collect())
     }
 }
 

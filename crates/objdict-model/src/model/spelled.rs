@@ -17,7 +17,7 @@ impl Serialize for Subs {
 
 impl<'de> Deserialize<'de> for Subs {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let entries = unique_keys::deserialize::<HexText<u8>, Entry, D>(deserializer)?;
+        let entries = unique_keys::pairs::<HexText<u8>, Entry, D>(deserializer)?;
         Ok(entries.into_iter().map(|(HexText(sub), entry)| (sub, entry)).collect())
     }
 }
