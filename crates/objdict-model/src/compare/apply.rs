@@ -101,10 +101,10 @@ fn set_extra(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Opt
         return Some(change);
     }
     let present: Vec<&ExtraSection> = frame.extra.iter().collect();
-    let before = (!present.is_empty())
-        .then(|| Datum::from(Value::String(super::sections::print(&present))).fingerprint());
+    let before =
+        (!present.is_empty()).then(|| Datum::from(Value::String(super::print(&present))).fingerprint());
     let after = match change.after.as_ref().map(Datum::value) {
-        Some(Value::String(text)) => super::sections::parse(&text),
+        Some(Value::String(text)) => super::parse(&text),
         _ => Some(Vec::new()),
     };
     match after.filter(|_| check == DatumDemand::Nothing || before == change.before) {

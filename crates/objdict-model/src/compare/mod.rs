@@ -7,18 +7,16 @@
 //! equal devices costs no more than looking at them.
 
 mod apply;
-mod datum;
 mod place;
-mod sections;
 
-use serde::Serialize;
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+use crate::model::{Device, Extra, ExtraSection, Place};
+pub use apply::{DatumChange, apply, overlay};
+use serde::de::IgnoredAny;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
-
-pub use apply::overlay;
-pub use apply::{DatumChange, apply};
-pub use datum::Datum;
-
-use crate::model::{Device, ExtraSection, Place};
 
 /// A datum that two devices do not have alike.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +136,7 @@ impl Comparison<'_> {
         }
         let is_present = |part: &&T| **part != T::default();
         let (left, right) = (Some(left).filter(is_present), Some(right).filter(is_present));
-        let size = [left, right].into_iter().flatten().map(datum::count).max().unwrap_or_default();
+        let size = [left, right].into_iter().flatten().map(count).max().unwrap_or_default();
         if size > self.limit || self.count > self.limit {
             self.count += size;
             return;
@@ -174,7 +172,7 @@ impl Comparison<'_> {
             });
         } else {
             let text = |sections: &[&ExtraSection]| {
-                (!sections.is_empty()).then(|| Value::String(sections::print(sections)).into())
+                (!sections.is_empty()).then(|| Value::String(print(sections)).into())
             };
             self.push("/extra".to_owned(), text(&left), text(&right));
         }
@@ -194,8 +192,7 @@ impl Comparison<'_> {
                 }
             }
             (left, right) => {
-                self.count +=
-                    DIFFERENCE + [&left, &right].into_iter().flatten().map(datum::count).sum::<usize>();
+                self.count += DIFFERENCE + [&left, &right].into_iter().flatten().map(count).sum::<usize>();
                 self.push(self.path.clone(), left.map(Datum::from), right.map(Datum::from));
             }
         }
@@ -234,4 +231,184 @@ fn sorted_extra(device: &Device) -> Vec<&ExtraSection> {
 /// The JSON of a part of the model, which always has one: its keys are texts.
 fn to_value(part: &impl Serialize) -> Value {
     serde_json::to_value(part).unwrap_or_default()
+}
+
+/// So many bytes make a tree of megabytes.
+const LARGE: usize = 1 << 16;
+
+/// The JSON of a datum as its text: as a tree, a short datum takes twenty times the memory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Datum(Box<str>);
+
+impl Datum {
+    /// The JSON of a part of the model, which always has one: its keys are texts.
+    fn of(part: &impl Serialize) -> Self {
+        Self(serde_json::to_string(part).unwrap_or_default().into_boxed_str())
+    }
+
+    /// The text of a value as it is; `None` when it does not begin with one. With it comes what is behind.
+    pub fn prefix(text: &str) -> Option<(Self, &str)> {
+        let mut values = serde_json::Deserializer::from_str(text).into_iter::<IgnoredAny>();
+        values.next()?.ok()?;
+        let (value, rest) = text.split_at(values.byte_offset());
+        // in one spelling, where that takes no memory
+        let value = Self(value.into());
+        Some((if value.0.len() < LARGE { Self::from(value.value()) } else { value }, rest))
+    }
+
+    /// Whether a tree of it would take much memory.
+    fn is_large(&self) -> bool {
+        self.0.len() >= LARGE
+    }
+
+    /// The datum as a tree.
+    pub fn value(&self) -> Value {
+        serde_json::from_str(&self.0).unwrap_or_default()
+    }
+
+    /// The text, without blanks between its parts.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+
+    /// A number that distinguishes values: the 32-bit FNV-1a hash of the text.
+    pub fn fingerprint(&self) -> u32 {
+        self.0.bytes().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+}
+
+impl From<&Value> for Datum {
+    fn from(value: &Value) -> Self {
+        Self(value.to_string().into())
+    }
+}
+
+impl From<Value> for Datum {
+    fn from(value: Value) -> Self {
+        Self::from(&value)
+    }
+}
+
+messages! { Datum: { Self(text) => "{text}"; } }
+
+impl Serialize for Datum {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.value().serialize(serializer)
+    }
+}
+
+#[cfg(feature = "schema")]
+crate::inline_schemas! {
+    // any part of a device
+    Datum: |_| schemars::json_schema!({});
+}
+
+/// How many values the JSON of a datum has, counted without making it.
+fn count(datum: &impl Serialize) -> usize {
+    struct Counter(usize);
+    impl Write for Counter {
+        fn write(&mut self, token: &[u8]) -> io::Result<usize> {
+            // what begins a value; the first one of a list or object follows its bracket
+            self.0 += usize::from(matches!(token, b"," | b"[" | b"{"));
+            Ok(token.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+    let mut counter = Counter(1);
+    // the counter has no errors, and the keys of the model are texts
+    let _ = serde_json::to_writer(&mut counter, datum);
+    counter.0
+}
+
+/// The text of sections.
+fn print(sections: &[&ExtraSection]) -> String {
+    let mut text = String::new();
+    for section in sections {
+        text.push_str(&escaped(section.name()));
+        text.push('\n');
+        for (key, value) in section.entries() {
+            [" ", key, "=", value, "\n"].into_iter().for_each(|part| text.push_str(part));
+        }
+    }
+    text
+}
+
+/// The sections of a text; `None` when [`print`] does not make it.
+fn parse(text: &str) -> Option<Vec<ExtraSection>> {
+    let mut sections: Vec<ExtraSection> = Vec::new();
+    let mut lines = text.strip_suffix('\n')?.split('\n').peekable();
+    while let Some(line) = lines.next() {
+        let name = unescaped(line).filter(|_| !line.starts_with(' '))?;
+        let mut entries = Extra::default();
+        while let Some(entry) = lines.next_if(|line| line.starts_with(' ')) {
+            let (key, value) = entry.get(1..)?.split_once('=')?;
+            entries.push(key, value);
+        }
+        sections.push(ExtraSection::new(&name, &entries));
+    }
+    Some(sections)
+}
+
+/// A name on one line that does not start with a blank.
+fn escaped(name: &str) -> Cow<'_, str> {
+    if !name.starts_with(' ') && !name.contains(['\\', '\n']) {
+        return name.into();
+    }
+    let name = name.replace('\\', "\\\\").replace('\n', "\\n");
+    let blanks = name.len() - name.trim_start_matches(' ').len();
+    ["\\s".repeat(blanks).as_str(), &name[blanks..]].concat().into()
+}
+
+fn unescaped(line: &str) -> Option<Cow<'_, str>> {
+    if !line.contains('\\') {
+        return Some(line.into());
+    }
+    let mut name = String::with_capacity(line.len());
+    let mut chars = line.chars();
+    while let Some(c) = chars.next() {
+        name.push(match c {
+            '\\' => match chars.next()? {
+                'n' => '\n',
+                's' => ' ',
+                '\\' => '\\',
+                _ => return None,
+            },
+            c => c,
+        });
+    }
+    Some(name.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn values_are_counted_as_they_are_in_the_text() {
+        assert_eq!(count(&json!(1)), 1);
+        assert_eq!(count(&json!([1, 2])), 3);
+        assert_eq!(count(&json!({ "a": [1, { "b": "c, [d" }], "e": 1 })), 6);
+    }
+
+    #[test]
+    fn a_text_gives_the_sections_back() {
+        let section = |name: &str, entries: &[(&str, &str)]| {
+            let mut extra = Extra::default();
+            entries.iter().for_each(|(key, value)| extra.push(key, value));
+            ExtraSection::new(name, &extra)
+        };
+        let sections = [
+            section("", &[]),
+            section("", &[("", ""), (" a", " b=c ")]),
+            section("  two\nlines\\n", &[("\\", "x")]),
+            section("Vendor", &[("Key", "value"), ("Key", "")]),
+        ];
+        let text = print(&sections.iter().collect::<Vec<_>>());
+        assert_eq!(parse(&text).unwrap(), sections, "{text}");
+        assert!([" a=b\n", "a", "\\x\n", "a\n b\n"].iter().all(|text| parse(text).is_none()));
+    }
 }

@@ -8,9 +8,7 @@ mod fix;
 mod notion;
 mod rule;
 mod safety;
-mod selection;
 mod text;
-mod tool;
 mod words;
 
 use crate::model::Place;
@@ -19,14 +17,11 @@ pub use crate::source::Span;
 
 pub use crate::{fix_of, rule_info, say, text_rules};
 pub use findings::{Findings, MAX_PER_RULE};
-pub use fix::MAX_FIX_LINES;
-pub use fix::{Change, Fix, Tidy};
+pub use fix::{Change, Fix, MAX_FIX_LINES, Tidy};
 pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
-pub use rule::{Explained, HOME, PUBLISHED, Reach, RuleInfo, Stop};
+pub use rule::{Explained, HOME, PUBLISHED, Reach, RuleInfo, Selection, Stop, Tool};
 pub use safety::{Applicability, FixSafety};
-pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or, series, series_or};
-pub use tool::Tool;
 pub use words::{
     counted, misspelled, nearest, one_line, plural, printable, printable_lines, sub_index, visible,
 };

@@ -1,4 +1,4 @@
-//! Rules: name, severity and page.
+//! Rules: name, severity and page; how names select them, and the other tools that read descriptions.
 
 use std::fmt;
 
@@ -239,4 +239,65 @@ macro_rules! fix_of {
     ($safety:ident) => {
         Some($crate::diagnostic::FixSafety::$safety)
     };
+}
+
+/// The rules selected by a name: one rule, or all rules of a group.
+#[derive(Clone, Copy, Debug)]
+pub enum Selection {
+    /// The rules of a group, such as `cia306`.
+    Group(&'static str),
+    /// One rule.
+    Rule(&'static RuleInfo),
+}
+
+impl Selection {
+    /// Whether a rule is selected.
+    pub fn contains(self, rule: &RuleInfo) -> bool {
+        match self {
+            Self::Group(group) => rule.group() == group,
+            Self::Rule(one) => rule.id == one.id,
+        }
+    }
+
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Group(group) => group,
+            Self::Rule(rule) => rule.id,
+        }
+    }
+}
+
+crate::messages! { Selection: { selection => "{}", selection.name(); } }
+
+named! {
+    /// A tool that descriptions can be checked against. Rules of the group `portability` report what it does not
+    /// support.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[non_exhaustive]
+    pub enum Tool {
+        /// The dcf-tools of Lely core.
+        DcfTools = "dcf-tools",
+        /// The C library of Lely core, which loads descriptions at run time.
+        Lely = "lely",
+        /// CANopenEditor (libedssharp).
+        CanOpenEditor = "canopeneditor",
+        /// The library canopen for Python.
+        PythonCanopen = "python-canopen",
+        /// The package canopen of npm (node-canopen).
+        NodeCanopen = "node-canopen",
+        /// CODESYS.
+        Codesys = "codesys",
+        /// CANopenNode 4, whose object dictionary is generated from the description.
+        CanOpenNode = "canopennode",
+        /// CANchkEDS of Vector, which checks EDS files before certification.
+        CanChkEds = "canchkeds",
+    }
+}
+
+impl Tool {
+    /// The tool with a name, ignoring case.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|tool| tool.name().eq_ignore_ascii_case(name))
+    }
 }

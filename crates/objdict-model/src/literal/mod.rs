@@ -9,7 +9,6 @@ mod parse;
 mod print;
 mod respell;
 mod spelling;
-mod time;
 mod written;
 
 pub use calendar::{clock_time, date};
@@ -18,8 +17,7 @@ pub use parse::{
     Quirk, Quirks, high_limit, integer, integer_in_line, plain_value, small_number, strip_comment, value,
     value_in_line,
 };
-pub use print::{RealSpelling, Spelling, print};
+pub use print::{RealSpelling, Spelling, nanoseconds, print};
 pub use respell::{respell, trailing_comment};
 pub use spelling::{QUOTED, RULES, spelling, spelling_in_line};
-pub use time::nanoseconds;
 pub use written::{NoValue, iec_number, written, written_number};

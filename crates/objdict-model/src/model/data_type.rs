@@ -61,12 +61,7 @@ macro_rules! static_types {
 
             /// The type with this name in CiA 301.
             pub fn from_name(name: &str) -> Option<Self> {
-                let index = match name {
-                    $(stringify!($NAME) => $index,)*
-                    $(stringify!($STRUCTURE) => $at,)*
-                    _ => return None,
-                };
-                Some(Self(index))
+                (1..=0x25).map(Self).find(|data_type| data_type.name() == Some(name))
             }
 
             /// The kind of values of this type.

@@ -9,9 +9,7 @@
 //! [`Extra`].
 
 mod access;
-mod address;
 mod application_process;
-mod assignment;
 mod calendar;
 mod cob_id;
 mod commissioning;
@@ -22,10 +20,8 @@ mod device;
 mod device_class;
 mod device_info;
 mod device_profile;
-mod dynamic;
 mod entry;
 mod expand;
-mod explicit;
 mod field;
 #[doc(hidden)] // for the crates that name fields in files
 pub mod field_names;
@@ -73,15 +69,14 @@ pub const OBJDICTGEN_SECTION: &str = "objdictgen";
 pub const EMBEDDED_COMMENT: &str = " objdict-embed: ";
 
 pub use access::{Access, PdoMapping};
-pub use address::{Address, NoAddress};
 pub use application_process::{
     ApplicationProcess, Connection, Count, EnumValue, FunctionInstance, FunctionInstances, FunctionType,
     Subrange, TypeDefinition, TypeShape, VarDeclaration, VersionInfo,
 };
-pub use assignment::Assignment;
 pub use calendar::{ClockTime, Date};
 pub use cob_id::{CobId, predefined, restricted};
-pub use commissioning::Commissioning;
+pub use commissioning::{Commissioning, ExplicitDownload, Moment};
+pub use configuration::Assignment;
 pub use data_type::{DataType, TypeKind};
 pub use data_type_ref::{DataTypeRef, MemberRef, SimpleType, VariableRef};
 pub use device::{Device, DeviceKind, DummyUsage, ObjectLists};
@@ -93,9 +88,7 @@ pub use device_profile::{
     LedOn, LedState, LedType, ModuleInterface, ModuleObjects, ModuleRange, ModuleRanges, ModuleType,
     NetworkIdentity, OwnAddressing, OwnInterface, Picture, ProfileHeader, ProfileHeaders,
 };
-pub use dynamic::{DynamicChannels, Segment, ToolCommand};
 pub use entry::{Configured, Entry, ObjFlags, SafetyMapping};
-pub use explicit::{ExplicitDownload, Moment};
 pub use field::Field;
 pub use file_info::FileInfo;
 pub use identity::Identity;
@@ -103,7 +96,7 @@ pub use label::{Label, Labels, TextRef};
 #[doc(hidden)]
 pub use meaning::Definitions;
 pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue, Scaling};
-pub use module::{Extension, ExtensionCount, Module, Modules};
+pub use module::{DynamicChannels, Extension, ExtensionCount, Module, Modules, Segment, ToolCommand};
 pub use node_list::{NodeList, Topology, TopologyNode};
 pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
@@ -114,7 +107,7 @@ pub use parameter::{
 };
 pub use pdo::{MappedObject, MappingSlot, Pdo};
 pub use pdo_kind::PdoKind;
-pub use place::{ModulePart, ObjectList, Part, Place};
+pub use place::{Address, ModulePart, NoAddress, ObjectList, Part, Place};
 #[cfg(feature = "serde")]
 pub use plain::{Plain, WithPlainValues};
 #[cfg(feature = "schema")]

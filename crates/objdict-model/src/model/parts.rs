@@ -39,7 +39,7 @@ impl Device {
             visit(&Part::Commissioning, &node.invalid_values, &node.extra);
         }
         for (&index, object) in &self.objects {
-            let part_of = |sub: Option<u8>| sub.map_or(Part::Object(index), |sub| Part::Entry(index, sub));
+            let part_of = |sub: Option<u8>| Part::at(index, sub);
             visit_object(object, &part_of, visit);
             if let Some(compact) = &object.compact {
                 visit(&Part::CompactValues(index), &compact.invalid_values, &compact.extra);

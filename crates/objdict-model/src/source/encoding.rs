@@ -232,6 +232,42 @@ fn position_behind_80(characters: &[char], character: char) -> Option<u8> {
     u8::try_from(position + 0x80).ok()
 }
 
+/// The ISO 646 transliteration of a character; `None` if there is none.
+pub const fn transliterate(c: char) -> Option<&'static str> {
+    Some(match c {
+        'ä' => "ae",
+        'ö' => "oe",
+        'ü' => "ue",
+        'Ä' => "Ae",
+        'Ö' => "Oe",
+        'Ü' => "Ue",
+        'ß' => "ss",
+        'à' | 'á' | 'â' | 'ã' | 'å' => "a",
+        'ç' => "c",
+        'è' | 'é' | 'ê' | 'ë' => "e",
+        'ì' | 'í' | 'î' | 'ï' => "i",
+        'ñ' => "n",
+        'ò' | 'ó' | 'ô' | 'õ' => "o",
+        'ù' | 'ú' | 'û' => "u",
+        'µ' | 'μ' => "u",
+        '°' => "deg",
+        'Ω' => "Ohm",
+        '²' => "2",
+        '³' => "3",
+        '±' => "+-",
+        '×' => "x",
+        '–' | '—' | '‑' | '−' => "-",
+        '‘' | '’' => "'",
+        '“' | '”' | '„' => "\"",
+        '…' => "...",
+        '®' => "(R)",
+        '©' => "(C)",
+        '™' => "(TM)",
+        '\u{A0}' => " ",
+        _ => return None,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,10 +1,12 @@
-//! Reads the files that another file names, only from its project.
+//! Reads the files that another file names, only from its project, and texts in front of the disk: what an editor has in its
+//! buffers, or a browser in place of files.
 
-use std::path::{MAIN_SEPARATOR_STR, Path, PathBuf};
+use std::cell::RefCell;
+use std::path::{Component, MAIN_SEPARATOR_STR, Path, PathBuf};
+use std::rc::Rc;
 use std::{fs, io};
 
-use super::path::{absolute, or_current};
-use super::{HARD_LIMIT, SourceError, is_file, read, shown};
+use super::{HARD_LIMIT, SourceError, read, shown};
 
 /// The name of configuration files.
 pub const CONFIG_FILE: &str = "objdict.toml";
@@ -126,9 +128,67 @@ impl Folder {
     }
 }
 
+/// A path from the root without `.` and `..`. Links are not followed.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = std::path::absolute(or_current(path.to_owned())).unwrap_or_else(|_| path.to_owned());
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir => {
+                plain.pop();
+            }
+            component => plain.push(component),
+        }
+    }
+    plain
+}
+
+/// The current folder for an empty path.
+pub(super) fn or_current(folder: PathBuf) -> PathBuf {
+    if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder }
+}
+
+/// Texts that count more than the files of their paths.
+pub trait Buffers {
+    /// The bytes at an absolute path without `.` and `..`; `None` leaves it to the disk.
+    fn bytes(&self, path: &Path) -> Option<Vec<u8>>;
+}
+
+thread_local! {
+    static BUFFERS: RefCell<Option<Rc<dyn Buffers>>> = const { RefCell::new(None) };
+}
+
+/// Puts back what was in front of the disk before, even after a panic.
+struct Restored(Option<Rc<dyn Buffers>>);
+
+impl Drop for Restored {
+    fn drop(&mut self) {
+        BUFFERS.replace(self.0.take());
+    }
+}
+
+/// Runs a function; what it opens on this thread is read from the buffers where they have it.
+pub fn with_buffers<T>(buffers: Rc<dyn Buffers>, run: impl FnOnce() -> T) -> T {
+    let _restored = Restored(BUFFERS.replace(Some(buffers)));
+    run()
+}
+
+/// The bytes that count more than a file.
+pub(super) fn buffered(path: &Path) -> Option<Vec<u8>> {
+    let buffers = BUFFERS.with_borrow(Clone::clone)?;
+    buffers.bytes(&absolute(path))
+}
+
+/// Whether there is a file or a buffer of this path.
+pub fn is_file(path: &Path) -> bool {
+    path.is_file() || buffered(path).is_some()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::{Folder, read};
 
     #[test]
     fn only_files_of_the_project_are_read() {
@@ -161,5 +221,26 @@ mod tests {
         assert_eq!(in_project.read("../secret.bin").unwrap(), b"secret");
         assert!(matches!(in_project.read("../../secret.bin"), Err(FolderError::Outside { .. })));
         fs::remove_dir_all(root).unwrap();
+    }
+
+    struct One(&'static str);
+
+    impl Buffers for One {
+        fn bytes(&self, path: &Path) -> Option<Vec<u8>> {
+            path.ends_with(self.0).then(|| b"buffer".to_vec())
+        }
+    }
+
+    #[test]
+    fn a_buffer_counts_more_than_the_disk_for_a_time() {
+        let path = std::env::temp_dir().join("objdict-no-such-folder").join("a.eds");
+        let text = with_buffers(Rc::new(One("a.eds")), || {
+            assert!(is_file(&path));
+            assert_eq!(Folder::of(&path).resolve("a.eds").unwrap(), path);
+            assert!(matches!(read(&path, 3), Err(crate::source::SourceError::TooLarge { .. })));
+            read(&path, 100).unwrap()
+        });
+        assert_eq!(text, b"buffer");
+        assert!(read(&path, 100).is_err() && !is_file(&path));
     }
 }

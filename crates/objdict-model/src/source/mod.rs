@@ -1,13 +1,10 @@
 //! From bytes to text and positions: the first stage of the pipeline.
 
-mod buffers;
 mod edit;
 mod encoding;
 mod folder;
 mod hash;
-mod iso646;
 mod line_index;
-mod path;
 mod span;
 
 use std::fs::File;
@@ -15,15 +12,11 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::OnceLock;
 
-pub use buffers::{Buffers, is_file, with_buffers};
 pub use edit::{EditError, Edits};
-pub use encoding::{Encoding, Unencodable, UnknownEncoding};
-pub use folder::{CONFIG_FILE, Folder, FolderError};
-pub use hash::Fnv;
-pub use hash::hash;
-pub use iso646::transliterate;
+pub use encoding::{Encoding, Unencodable, UnknownEncoding, transliterate};
+pub use folder::{Buffers, CONFIG_FILE, Folder, FolderError, absolute, is_file, with_buffers};
+pub use hash::{Fnv, hash};
 pub use line_index::{LineColumn, LineIndex};
-pub use path::absolute;
 pub use span::{Said, Span};
 
 /// The default size limit of files: 64 MiB.
@@ -103,7 +96,7 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
         false => SourceError::Io { path: name.clone(), error },
     };
     let limit = limit.min(HARD_LIMIT);
-    if let Some(bytes) = buffers::buffered(path) {
+    if let Some(bytes) = folder::buffered(path) {
         let size = bytes.len() as u64;
         return if size > limit { Err(SourceError::TooLarge { path: name, size, limit }) } else { Ok(bytes) };
     }
