@@ -16,7 +16,6 @@ mod facts;
 #[cfg(feature = "toml")]
 mod load;
 mod machine;
-mod mask;
 mod need;
 #[cfg(feature = "toml")]
 mod open;
@@ -27,12 +26,12 @@ pub mod tables;
 
 pub use block::{MAX_BLOCKS, device_type_index, index_in, number_of};
 pub use condition::{Condition, ConditionError};
+pub use decode::Values;
 pub use decode::{bits, entry, meaning, of_object};
 pub use facts::{BitFieldFacts, EntryFacts, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;
 pub use machine::{StateMachine, Transition};
-pub use mask::Values;
 pub use need::{Confidence, Mapping, Need};
 #[cfg(feature = "toml")]
 pub use open::{OpenError, open};

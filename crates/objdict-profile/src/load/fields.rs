@@ -55,44 +55,32 @@ pub(super) trait Word: Sized {
     fn of(word: &str) -> Option<Self>;
 }
 
-impl Word for ObjectType {
-    const EXPECTED: &'static str = "`VAR`, `ARRAY`, `RECORD` or `DOMAIN`";
-    fn of(word: &str) -> Option<Self> {
+/// Types with the keywords that are expected, and what a word of a profile means.
+macro_rules! keywords {
+    ($($Type:ty, $expected:literal: |$word:ident| $meaning:expr;)+) => {$(
+        impl Word for $Type {
+            const EXPECTED: &'static str = $expected;
+            fn of($word: &str) -> Option<Self> {
+                $meaning
+            }
+        }
+    )+};
+}
+
+keywords! {
+    ObjectType, "`VAR`, `ARRAY`, `RECORD` or `DOMAIN`": |word| {
         let types = [Self::Var, Self::Array, Self::Record, Self::Domain, Self::DefType, Self::DefStruct];
         types.into_iter().find(|object_type| object_type.name() == word)
-    }
-}
-
-impl Word for DataType {
-    const EXPECTED: &'static str = "a data type of CiA 301 such as `UNSIGNED8`";
-    fn of(word: &str) -> Option<Self> {
-        Self::from_name(word)
-    }
-}
-
-impl Word for Access {
-    const EXPECTED: &'static str = "`ro`, `wo`, `rw`, `rwr`, `rww` or `const`";
-    fn of(word: &str) -> Option<Self> {
-        Self::from_name(word)
-    }
-}
-
-impl Word for Mapping {
-    const EXPECTED: &'static str = "`no`, `tpdo`, `rpdo` or `any`";
-    fn of(word: &str) -> Option<Self> {
-        [Self::No, Self::Tpdo, Self::Rpdo, Self::Any].into_iter().find(|mapping| mapping.name() == word)
-    }
-}
-
-impl Word for Confidence {
-    const EXPECTED: &'static str = "`high` or `medium`";
-    fn of(word: &str) -> Option<Self> {
-        match word {
-            "high" => Some(Self::High),
-            "medium" => Some(Self::Medium),
-            _ => None,
-        }
-    }
+    };
+    DataType, "a data type of CiA 301 such as `UNSIGNED8`": |word| Self::from_name(word);
+    Access, "`ro`, `wo`, `rw`, `rwr`, `rww` or `const`": |word| Self::from_name(word);
+    Mapping, "`no`, `tpdo`, `rpdo` or `any`":
+        |word| [Self::No, Self::Tpdo, Self::Rpdo, Self::Any].into_iter().find(|mapping| mapping.name() == word);
+    Confidence, "`high` or `medium`": |word| match word {
+        "high" => Some(Self::High),
+        "medium" => Some(Self::Medium),
+        _ => None,
+    };
 }
 
 impl<'de, T: Word> Deserialize<'de> for Named<T> {

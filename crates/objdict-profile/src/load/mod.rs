@@ -2,24 +2,21 @@
 //! `docs/profiles.md`.
 
 mod fields;
-mod machine;
 mod pack;
 
 use std::ops::RangeInclusive;
 
-use serde::Deserialize;
-use toml::Spanned;
-
 use self::fields::{
     BitRange, ConditionText, NeedText, NumberOrPair, ValueMeanings, number, ranges, word, words,
 };
-use self::machine::MachineTable;
 use self::pack::Packer;
-use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow, Tables};
+use super::tables::{BitRow, CommandRow, EntryRow, MachineRow, NeedRow, ObjectRow, Tables, TransitionRow};
 use super::{Confidence, Mapping, Profile};
 use crate::diagnostic::nearest;
 use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
 use crate::source::Span;
+use serde::Deserialize;
+use toml::Spanned;
 
 /// Why a text is not a valid profile.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -353,4 +350,45 @@ fn value(figure: &toml::Value, data_type: Option<DataType>) -> Result<Value, Str
         _ => None,
     };
     value.filter(|value| value.is_of(data_type)).ok_or_else(wrong)
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MachineTable {
+    status: u16,
+    command: u16,
+    commands: Vec<CommandTable>,
+    transitions: Vec<TransitionTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CommandTable {
+    name: String,
+    mask: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TransitionTable {
+    number: u8,
+    from: String,
+    to: String,
+    by: String,
+}
+
+impl MachineTable {
+    fn rows(&self, packer: &mut Packer) -> (Option<MachineRow>, Vec<CommandRow>, Vec<TransitionRow>) {
+        let command =
+            |row: &CommandTable| CommandRow { name: packer.text(&row.name), mask: packer.text(&row.mask) };
+        let commands = self.commands.iter().map(command).collect();
+        let transition = |row: &TransitionTable| TransitionRow {
+            number: row.number,
+            from: packer.text(&row.from),
+            to: packer.text(&row.to),
+            by: packer.text(&row.by),
+        };
+        let transitions = self.transitions.iter().map(transition).collect();
+        (Some(MachineRow { status: self.status, command: self.command }), commands, transitions)
+    }
 }
