@@ -1,8 +1,6 @@
 //! XDD and XDC: device descriptions and configurations in XML (CiA 311).
 
-mod additions;
 mod configure;
-mod counterparts;
 mod defaults;
 mod element;
 mod fact;
@@ -20,11 +18,9 @@ mod types;
 mod version;
 pub mod wording;
 pub mod write;
-mod written_ids;
 mod xdd_writer;
 
-pub use self::additions::with_objects;
-pub use self::configure::{to_xdc, to_xdd};
+pub use self::configure::{to_xdc, to_xdd, with_objects};
 pub use self::fix::edits;
 pub use self::fmt::arrange;
 pub use self::layout::{containers, is_network, is_project};

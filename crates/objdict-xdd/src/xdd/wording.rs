@@ -4,7 +4,7 @@
 
 use std::collections::HashSet;
 
-use super::counterparts::written_access;
+use super::defaults::written_access;
 use super::schema::{
     self, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES, OBJECT, SchemaAttribute,
     SchemaElement,

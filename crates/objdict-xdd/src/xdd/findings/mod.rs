@@ -1,14 +1,11 @@
 //! The rules about the structure of CiA 311, which need the text of an XDD or XDC.
 
 mod ids;
-mod namespaces;
-mod number;
 mod objects;
 mod parameters;
 mod profiles;
 mod structure;
 mod texts;
-mod types;
 mod values;
 mod walk;
 
@@ -22,13 +19,11 @@ use crate::xml::{Element, Tree};
 pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let groups = [
         structure::RULES,
-        namespaces::RULES,
         profiles::RULES,
         values::RULES,
         ids::RULES,
         objects::RULES,
         parameters::RULES,
-        types::RULES,
         texts::RULES,
     ];
     groups.into_iter().flatten().copied()
@@ -48,8 +43,7 @@ pub fn violations(tree: &Tree) -> Findings {
     for container in containers(tree) {
         ids::check(&mut walked(container, &mut all));
     }
-    let of_schema =
-        [structure::RULES, namespaces::RULES, values::RULES, ids::OF_SCHEMA].into_iter().flatten();
+    let of_schema = [structure::RULES, values::RULES, ids::OF_SCHEMA].into_iter().flatten();
     // the standard declares the numbers of a scaling as texts
     all.remove_rules(|id| id == values::INVALID_SCALING.id || !of_schema.clone().any(|rule| rule.id == id));
     all
@@ -71,7 +65,7 @@ pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
     ids::check(&mut walk);
     objects::check(&mut walk);
     parameters::check(&mut walk);
-    types::check(&mut walk);
+    parameters::check_types(&mut walk);
     texts::check_dictionaries(&mut walk);
 }
 

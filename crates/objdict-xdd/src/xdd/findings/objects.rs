@@ -8,7 +8,7 @@ use crate::xdd::types::agree;
 use crate::xml::{Attribute, Element, Name, n};
 
 use super::ids::Ids;
-use super::number::Number;
+use super::parameters::Number;
 use super::walk::Walk;
 
 text_rules! {

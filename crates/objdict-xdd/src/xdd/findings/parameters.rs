@@ -1,13 +1,11 @@
-//! The rules about parameters and their allowed values.
+//! The rules about parameters and their allowed values, and about the data types that a description defines.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, text_rules};
-use crate::xml::{Attribute, Element, n};
-
-use super::number::Number;
 use super::walk::Walk;
+use crate::diagnostic::{Diagnostic, Findings, counted, text_rules};
+use crate::xml::{Attribute, Element, Name, n};
 
 text_rules! {
     source: "CiA 311 annex A";
@@ -46,6 +44,27 @@ text_rules! {
     why: "The referenced part of the variable is ambiguous.",
     example: "`<memberRef/>`",
     remedy: "Write one of the two attributes.",
+
+    "cia311/duplicate-enum-value" = DUPLICATE_ENUM_VALUE, Warning;
+    summary: "two names of an enumeration have the same value",
+    checks: "Whether the values of an `enum` are different; numbers are compared as numbers.",
+    why: "Some tools show one name for the value, some the other.",
+    example: r#"`<enumValue value="1">` and `<enumValue value="0x01">`"#,
+    remedy: "Correct one of the values.",
+
+    "cia311/wrong-enum-size" = WRONG_ENUM_SIZE, Warning;
+    summary: "the size of an enumeration is wrong",
+    checks: "Whether `size` of an `enum` is the number of its `enumValue` elements.",
+    why: "A value was added or removed without updating the size; a value may be missing.",
+    example: r#"`<enum size="2" …>` with three values"#,
+    remedy: "Write the right number, or remove `size`.",
+
+    "cia311/empty-subrange" = EMPTY_SUBRANGE, Error;
+    summary: "an array has no elements",
+    checks: "Whether `lowerLimit` of a `subrange` is not greater than `upperLimit`.",
+    why: "No index is valid.",
+    example: r#"`<subrange lowerLimit="8" upperLimit="1"/>`"#,
+    remedy: "Swap the limits.",
 }
 
 /// All rules of this module.
@@ -194,4 +213,148 @@ fn member_ref(member: Element<'_>, findings: &mut Findings) {
     findings.push(
         finding.help("write `uniqueIDRef` for a member of a struct, `index` for an element of an array"),
     );
+}
+
+/// All rules of this module.
+pub(super) fn check_types(walk: &mut Walk<'_, '_>) {
+    for data_type in walk.seen.data_types() {
+        match data_type.tag() {
+            n::r#enum => enumeration(data_type, walk.findings),
+            n::array => array(data_type, walk.findings),
+            _ => {}
+        }
+    }
+}
+
+fn enumeration(data_type: Element<'_>, findings: &mut Findings) {
+    let mut count = 0;
+    let mut values: Vec<(Attribute<'_>, Number)> = Vec::new();
+    for value in data_type.children_named(n::enumValue) {
+        count += 1;
+        let Some(attribute) = value.attribute(n::value) else { continue };
+        let Some(Number::Integer(number)) = Number::parse(&attribute.value()) else { continue };
+        values.push((attribute, Number::Integer(number)));
+    }
+    // sorting puts equal values side by side, in the order of the file
+    values.sort_by(|(_, a), (_, b)| a.compare(b).unwrap_or(std::cmp::Ordering::Equal));
+    for pair in values.windows(2) {
+        let [(first, a), (second, b)] = pair else { continue };
+        if a.is_same(b) {
+            let message = format!("the enumeration has the value `{}` twice", second.value());
+            let finding = Diagnostic::new(&DUPLICATE_ENUM_VALUE, second.value_span(), message);
+            findings.push(finding.label(first.value_span(), "also here").help("correct one of the two"));
+        }
+    }
+    let Some(size) = data_type.attribute(n::size) else { return };
+    let Some(Number::Integer(stated)) = Number::parse(&size.value()) else { return };
+    if stated != count {
+        let there = counted(usize::try_from(count).unwrap_or_default(), "value", "values");
+        let message = format!("the enumeration has {there}, but `size` is `{}`", size.value());
+        let finding = Diagnostic::new(&WRONG_ENUM_SIZE, size.value_span(), message);
+        findings.push(finding.help(format!("write `{count}` or remove `size`")));
+    }
+}
+
+fn array(data_type: Element<'_>, findings: &mut Findings) {
+    for range in data_type.children_named(n::subrange) {
+        let number = |name: Name| {
+            let attribute = range.attribute(name)?;
+            Some((attribute, attribute.value().trim_ascii().parse::<i64>().ok()?))
+        };
+        let (Some((low_at, low)), Some((high_at, high))) = (number(n::lowerLimit), number(n::upperLimit))
+        else {
+            continue;
+        };
+        if low > high {
+            let message = format!("the lower limit {low} is above the upper limit {high}");
+            let finding = Diagnostic::new(&EMPTY_SUBRANGE, low_at.value_span(), message);
+            findings.push(finding.label(high_at.value_span(), "the upper limit").help("swap the limits"));
+        }
+    }
+}
+
+/// A number in decimal or hex, with or without a fraction, or relative to the node-ID.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Number {
+    Integer(i128),
+    /// `$NODEID+…`
+    OfNode(i128),
+    Real(f64),
+}
+
+impl Number {
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let text = text.trim_ascii();
+        if let Some(rest) =
+            text.get(..7).filter(|word| word.eq_ignore_ascii_case("$NODEID")).map(|_| &text[7..])
+        {
+            let rest = rest.trim_ascii_start();
+            return match rest.strip_prefix('+') {
+                Some(offset) => integer(offset.trim_ascii_start()).map(Self::OfNode),
+                None => rest.is_empty().then_some(Self::OfNode(0)),
+            };
+        }
+        let looks_like_number =
+            text.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '+' | '-' | '.'));
+        let real = || text.parse().ok().filter(|real: &f64| real.is_finite() && looks_like_number);
+        integer(text).map(Self::Integer).or_else(|| real().map(Self::Real))
+    }
+
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.compare(other) == Some(Ordering::Equal)
+    }
+
+    /// `None` if the result depends on the node-ID.
+    pub(super) fn compare(&self, other: &Self) -> Option<Ordering> {
+        match (self, other) {
+            (Self::Integer(a), Self::Integer(b)) | (Self::OfNode(a), Self::OfNode(b)) => Some(a.cmp(b)),
+            (Self::OfNode(_), _) | (_, Self::OfNode(_)) => None,
+            _ => self.as_real().partial_cmp(&other.as_real()),
+        }
+    }
+
+    fn as_real(&self) -> f64 {
+        match *self {
+            Self::Integer(number) | Self::OfNode(number) => number as f64,
+            Self::Real(number) => number,
+        }
+    }
+}
+
+fn integer(text: &str) -> Option<i128> {
+    let (is_negative, digits) = match text.strip_prefix('-') {
+        Some(digits) => (true, digits),
+        None => (false, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let number = match digits.strip_prefix("0x").or_else(|| digits.strip_prefix("0X")) {
+        Some(hex) if hex.bytes().all(|byte| byte.is_ascii_hexdigit()) => {
+            i128::from_str_radix(hex, 16).ok()?
+        }
+        None if !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) => {
+            digits.parse().ok()?
+        }
+        _ => return None,
+    };
+    Some(if is_negative { -number } else { number })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_same(a: &str, b: &str) -> bool {
+        Number::parse(a).unwrap_or(Number::Real(0.5)).is_same(&Number::parse(b).unwrap_or(Number::Real(0.25)))
+    }
+
+    #[test]
+    fn spellings_of_a_number_are_the_same() {
+        assert!(
+            is_same("0x10", "16") && is_same("1.0", "1") && is_same("-0x1", "-1") && is_same("0X0a", "+10")
+        );
+        assert!(is_same("$NODEID+0x180", "$NodeId + 384") && is_same("$NODEID", "$NODEID+0"));
+        assert!(!is_same("$NODEID+0x180", "0x180") && !is_same("1", "2") && !is_same("1.5", "1"));
+        for text in ["", "-", "0x", "inf", "NaN", "abc", "$NODEID+x", "12 34", "é"] {
+            assert_eq!(Number::parse(text), None, "{text}");
+        }
+    }
 }

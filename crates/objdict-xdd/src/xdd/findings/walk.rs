@@ -1,7 +1,7 @@
 //! One walk over the elements of a container, along the schema.
 
 use super::ids::{IdReference, Ids};
-use super::namespaces::Forms;
+use super::structure::Forms;
 use super::texts::Languages;
 use super::{profiles, structure, texts, values};
 use crate::diagnostic::Findings;

@@ -3,7 +3,7 @@
 use super::{attribute_of, text_of, value_of};
 use crate::model::{BaudRates, Field, Part};
 use crate::source::Span;
-use crate::xdd::counterparts::{channel_attribute, count_attribute, default_rate_field, supported_field};
+use crate::xdd::defaults::{channel_attribute, count_attribute, default_rate_field, supported_field};
 use crate::xdd::fact::bit_rate;
 use crate::xdd::layout::{DescriptionProfile, Layout, below};
 use crate::xdd::schema::{

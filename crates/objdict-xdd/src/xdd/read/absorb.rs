@@ -6,7 +6,7 @@ use crate::model::{
     Access, AllowedValues, DataType, DataTypeRef, Definitions, Entry, Field, Label, Labels, ObjectType,
     Parameter, ParameterAccess, PdoMapping, Place, ScaledValue, ValueRange,
 };
-use crate::xdd::counterparts::written_access;
+use crate::xdd::defaults::written_access;
 use crate::xdd::fact::{self, value_text};
 use crate::xdd::schema::Slots;
 use crate::xdd::types;

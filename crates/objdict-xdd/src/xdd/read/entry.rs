@@ -6,8 +6,7 @@ use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{PlacedText, hex};
 use crate::xdd::schema::network::OBJECT;
 use crate::xdd::schema::{AttributePlace, Slots};
-use crate::xdd::shape::facts;
-use crate::xdd::shape::stack_attribute;
+use crate::xdd::shape::{facts, stack_attribute};
 use crate::xml::{Attribute, Element, Name, n};
 
 /// The number of attributes of an object.

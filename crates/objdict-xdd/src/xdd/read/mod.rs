@@ -3,7 +3,6 @@
 
 mod absorb;
 mod entry;
-mod file;
 mod identity;
 mod network;
 mod objects;

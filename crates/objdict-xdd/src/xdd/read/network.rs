@@ -5,17 +5,16 @@ use crate::model::{
     BaudRates, Commissioning, DataType, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field,
     ModuleObjects, ObjectList, Reason, Segment,
 };
-use crate::xdd::counterparts::{
+use crate::xdd::defaults::{
     DIRECTIONS, channel_field, count, count_attribute, default_rate_field, range_length, supported_field,
 };
-use crate::xdd::defaults;
 use crate::xdd::fact::{PlacedText, bit_rate, hex, value_text};
 use crate::xdd::layout::DescriptionProfile;
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::network::{DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
 use crate::xdd::schema::{APPLICATION_LAYERS, MODULE_MANAGEMENT, Shape};
-use crate::xdd::shape;
 use crate::xdd::shape::facts;
+use crate::xdd::{defaults, shape};
 use crate::xml::{Element, Name, n};
 
 impl<'a> XddReader<'a> {

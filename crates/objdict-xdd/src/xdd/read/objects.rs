@@ -1,10 +1,9 @@
 //! The object list: objects, sub-objects, and the parameters they refer to.
 
-use super::XddReader;
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
 use super::parameters::{ParameterSlot, Parameters, Reference};
-use super::project;
+use super::{XddReader, project};
 use crate::diagnostic::Findings;
 use crate::model::{
     Access, ApplicationProcess, DataType, DataTypeRef, Definitions, Device, Entry, Field, InvalidValue,
@@ -153,7 +152,7 @@ impl<'t> Entries<'t, '_> {
         let reference = self.parameters.reference(self.number);
         self.number += 1;
         let mut source = self.source(reference);
-        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+        let place = Place::at(index, sub);
         let is_structure = sub.is_none() && entry.object_type.is_some_and(ObjectType::has_subs);
         if let Some((parameter, _)) = &mut source
             && !is_structure

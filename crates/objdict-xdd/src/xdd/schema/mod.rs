@@ -10,7 +10,6 @@ pub(crate) mod container;
 pub(crate) mod device;
 mod lexical;
 pub(crate) mod network;
-mod values;
 mod xsd;
 
 pub(crate) use self::application::{APPLICATION_PROCESS, PARAMETER};
@@ -18,9 +17,10 @@ pub(crate) use self::container::{
     CONTAINER, DEVICE_HEADER, EXTERNAL_NETWORK_BODY, NETWORK_BODY, NETWORK_HEADER, PROFILE,
 };
 pub(crate) use self::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
-pub(crate) use self::lexical::{decimal, is_language, is_name, is_name_character, whole_number};
+pub(crate) use self::lexical::{
+    BAUD_RATES, ReferenceTarget, TextKind, decimal, is_language, is_name, is_name_character, whole_number,
+};
 pub(crate) use self::network::{APPLICATION_LAYERS, IDENTITY, MODULE_MANAGEMENT};
-pub(crate) use self::values::{BAUD_RATES, ReferenceTarget, TextKind};
 pub use self::xsd::xsd;
 pub(crate) use super::element::{Child, MANY, MAX_SLOTS, Occurrence, SchemaAttribute, SchemaElement};
 pub(crate) use super::shape::{AttributePlace, ElementChoice, Lens, Shape, Slots};

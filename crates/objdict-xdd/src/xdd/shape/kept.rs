@@ -1,9 +1,9 @@
 //! The ways in which a part keeps the children of its element: how each is read, written and visited.
 
-use super::{Holds, Keep, Lens, Reader, Shape, ValueFields, text, visit, write_content};
+use super::{Holds, Keep, Lens, Reader, Shape, ValueFields, WriteFirst, text, visit, write_content};
 use crate::xdd::element::{Child, Occurrence, SchemaAttribute, SchemaElement};
 use crate::xdd::xdd_writer::XddWriter;
-use crate::xml::{self, Name, n};
+use crate::xml::{self, n};
 
 /// The element groups others of the same part.
 pub(crate) struct Same<P: 'static>(pub &'static Shape<P>);
@@ -32,13 +32,7 @@ impl<P> Keep<P> for Same<P> {
         is_it
     }
 
-    fn write(
-        &self,
-        part: &P,
-        slot: &Child,
-        out: &mut XddWriter,
-        first: &mut dyn FnMut(Name, &mut XddWriter),
-    ) {
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut WriteFirst<'_>) {
         // a required element is written even if it is empty
         match slot.least > 0 && slot.of.len() == 1 {
             true => out.open(self.0),
@@ -62,7 +56,7 @@ impl<P> Keep<P> for FixedContent {
         is_it
     }
 
-    fn write(&self, _: &P, _: &Child, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
+    fn write(&self, _: &P, _: &Child, out: &mut XddWriter, _: &mut WriteFirst<'_>) {
         out.open(self.0);
         out.text(self.1);
         out.close();
@@ -90,13 +84,7 @@ impl<P, C> Keep<P> for PartsIn<P, C> {
         true
     }
 
-    fn write(
-        &self,
-        part: &P,
-        slot: &Child,
-        out: &mut XddWriter,
-        first: &mut dyn FnMut(Name, &mut XddWriter),
-    ) {
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut WriteFirst<'_>) {
         first(self.shapes[0].name, out);
         let mut number = 0;
         self.each(part, |shape, part| {
@@ -120,7 +108,7 @@ impl<P> Keep<P> for ValuesIn<P> {
         true
     }
 
-    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, _: &mut WriteFirst<'_>) {
         let Some(values) = (self.field.get)(part) else { return };
         values.each(&mut |text| {
             open(out, slot, self.element);

@@ -8,10 +8,7 @@
 
 pub(crate) mod facts;
 mod fields;
-mod identity;
 mod kept;
-mod slots;
-mod stack;
 mod text;
 
 #[cfg(test)]
@@ -20,11 +17,11 @@ mod tests;
 use std::borrow::Cow;
 use std::ops::Deref;
 
-pub(crate) use self::fields::{Holds, TextField, ValueFields};
-pub(crate) use self::identity::IdentityContent;
+pub(crate) use self::fields::{
+    Holds, IdentityContent, Slots, TextField, ValueFields, stack_attribute, stack_properties,
+    take_stack_options,
+};
 pub(crate) use self::kept::{FixedContent, PartsIn, Same, ValuesIn};
-pub(crate) use self::slots::Slots;
-pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
 pub(crate) use self::text::TextForm;
 use super::element::{Child, MAX_SLOTS, Marks, SchemaAttribute, SchemaElement};
 use super::fact::Fact;
@@ -82,13 +79,16 @@ pub(crate) struct ElementChoice<C: 'static> {
     pub shapes: &'static [&'static Shape<C>],
 }
 
+/// What writes, for each list of parts by its name, what comes before it.
+pub(crate) type WriteFirst<'a> = dyn FnMut(Name, &mut XddWriter) + 'a;
+
 /// How a part `P` keeps children.
 pub(crate) trait Keep<P> {
     /// Reads a child; `false` if it is not kept so, or the part has no room for it.
     fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool;
 
     /// Writes the children that are kept so. `first` is that of [`write_with`].
-    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
+    fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut WriteFirst<'_>);
 
     /// Visits the texts of nested parts.
     fn visit(&self, _part: &P, _see: &mut dyn FnMut(&SchemaAttribute, &str)) {}
@@ -213,19 +213,14 @@ pub(crate) fn write_with<P>(
     part: &P,
     shape: &'static Shape<P>,
     out: &mut XddWriter,
-    first: &mut dyn FnMut(Name, &mut XddWriter),
+    first: &mut WriteFirst<'_>,
 ) {
     out.open(shape);
     write_content(part, shape, out, first);
     out.close();
 }
 
-fn write_content<P>(
-    part: &P,
-    shape: &'static Shape<P>,
-    out: &mut XddWriter,
-    first: &mut dyn FnMut(Name, &mut XddWriter),
-) {
+fn write_content<P>(part: &P, shape: &'static Shape<P>, out: &mut XddWriter, first: &mut WriteFirst<'_>) {
     if let Some(marks) = shape.marks.as_ref().and_then(|field| (field.get)(part)) {
         out.marks = marks.clone();
     }

@@ -5,8 +5,6 @@ mod device;
 mod network;
 mod objects;
 mod parameters;
-mod types;
-mod values;
 
 use self::parameters::EntryParameters;
 use super::profile_class::ProfileClass;

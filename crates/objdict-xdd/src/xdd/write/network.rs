@@ -2,10 +2,9 @@
 
 use super::Writer;
 use crate::model::{DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, InvalidValues, Segment};
-use crate::xdd::counterparts::{
-    DIRECTIONS, channel_field, default_rate_field, range_length, supported_field,
+use crate::xdd::defaults::{
+    self, DIRECTIONS, channel_field, default_rate_field, range_length, supported_field,
 };
-use crate::xdd::defaults;
 use crate::xdd::fact::{self, hex as hex_number};
 use crate::xdd::schema::SchemaElement;
 use crate::xdd::schema::network::{
@@ -13,8 +12,7 @@ use crate::xdd::schema::network::{
     DYNAMIC_CHANNELS, GENERAL_FEATURES, IDENTITY, MASTER_FEATURES, MODULE_MANAGEMENT, NETWORK_MANAGEMENT,
     PHYSICAL_LAYER, SUPPORTED_BAUD_RATE, TRANSPORT_LAYERS,
 };
-use crate::xdd::shape::facts;
-use crate::xdd::shape::{self, IdentityContent};
+use crate::xdd::shape::{self, IdentityContent, facts};
 use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{Name, n};

@@ -1,10 +1,9 @@
 //! The object list.
 
 use super::Writer;
-use super::values::{REFERENCE, value_text};
+use super::parameters::{REFERENCE, value_text};
 use crate::model::{Access, Entry, Field, Object, ObjectList, ObjectType};
-use crate::xdd::counterparts::{count, count_attribute};
-use crate::xdd::defaults;
+use crate::xdd::defaults::{self, count, count_attribute};
 use crate::xdd::schema::network::{OBJECT, OBJECT_LIST, SUB_OBJECT};
 use crate::xdd::schema::{AttributePlace, SchemaAttribute, Shape};
 use crate::xdd::shape::facts;

@@ -1,20 +1,20 @@
 //! The parameters of entries: the content of the application process, and a copy of the attributes of the
-//! entries, where most tools look for it.
+//! entries, where most tools look for it; with the types that they refer to.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
-use super::types::UsedIds;
-use super::values::{REFERENCE, value_text};
+use crate::literal::{self, Spelling};
 use crate::model::{
-    Access, AllowedValues, DataTypeRef, Device, Entry, Field, Labels, Object, Parameter, ScaledValue,
-    TypeDefinition, Value, ValueRange,
+    Access, AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, Labels, Object,
+    Parameter, ScaledValue, TypeDefinition, Value, ValueRange,
 };
-use crate::xdd::counterparts::written_access;
-use crate::xdd::defaults;
-use crate::xdd::shape::stack_properties;
-use crate::xdd::types::simple_type;
+use crate::xdd::defaults::{self, written_access};
+use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, PARAMETER, Shape, TextKind};
+use crate::xdd::shape::{self, stack_properties};
+use crate::xdd::types::{definition_of, simple_type};
+use crate::xml::n;
 
 /// Which entries of a device have parameters, and the types of its ARRAYs and RECORDs. The parameters are made when they are
 /// written: entries in compact storage become many.
@@ -174,4 +174,98 @@ impl ParameterMaker<'_> {
         let text = value_text(self.index, self.entry, value, field)?;
         Some(ScaledValue { value: text.into(), ..ScaledValue::default() })
     }
+}
+
+/// Used ids with the prefix of the writer, because ids must be unique.
+#[derive(Debug, Default)]
+pub(super) struct UsedIds(HashSet<Rc<str>>);
+
+impl UsedIds {
+    /// The ids of everything in a device.
+    pub(super) fn of(device: &Device) -> Self {
+        let mut ids = Self::default();
+        device.application.iter().for_each(|process| ids.note(process, &APPLICATION_PROCESS));
+        if let Some(manager) = &device.manager {
+            ids.note(&**manager, &DEVICE_MANAGER);
+        }
+        for object in device.objects.values() {
+            let entries = std::iter::once(&object.main).chain(object.subs.iter().map(|(_, entry)| entry));
+            entries.filter_map(|entry| entry.parameter.as_ref()).for_each(|of| ids.note(&**of, &PARAMETER));
+        }
+        ids
+    }
+
+    /// This id or, if it is used, a similar one; reserves it.
+    pub(super) fn take(&mut self, id: &str) -> Rc<str> {
+        let mut free = id.to_owned();
+        let mut number = 1;
+        while self.0.contains(free.as_str()) {
+            number += 1;
+            free = format!("{id}_{number}");
+        }
+        let id: Rc<str> = free.into();
+        self.0.insert(Rc::clone(&id));
+        id
+    }
+
+    /// Whether an id is unused.
+    fn is_free(&self, id: &str) -> bool {
+        !self.0.contains(id)
+    }
+
+    /// Records the ids of a part and of its nested parts.
+    fn note<P>(&mut self, part: &P, shape: &'static Shape<P>) {
+        shape::visit(part, shape, &mut |attribute, text| {
+            if matches!(attribute.kind, TextKind::Id) && text.starts_with("UID_") {
+                self.0.insert(text.into());
+            }
+        });
+    }
+
+    /// The type of an ARRAY or RECORD, if all its ids are unused; reserves them.
+    pub(super) fn definition_of(&mut self, index: u16, object: &Object) -> Option<TypeDefinition> {
+        let definition = definition_of(index, object)?;
+        let mut ids = UsedIds::default();
+        let process = ApplicationProcess { data_types: vec![definition], ..ApplicationProcess::default() };
+        ids.note(&process, &APPLICATION_PROCESS);
+        if !ids.0.iter().all(|id| self.is_free(id)) {
+            return None;
+        }
+        self.0.extend(ids.0);
+        process.data_types.into_iter().next()
+    }
+}
+
+/// The attribute that refers to the parameter of an entry. Among the unknown keys of an entry, it refers to
+/// a parameter of others.
+pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
+
+/// The text of a value, or the invalid text. CiA 311 knows no default of a DOMAIN.
+pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
+    let is_domain = entry.implied_type() == Some(DataType::DOMAIN);
+    match value {
+        _ if is_domain && *field == Field::DefaultValue => None,
+        Some(value) => Some(print(index, entry.data_type, value)),
+        None => entry.invalid_values.get(field).map(|invalid| invalid.text.to_string()),
+    }
+}
+
+/// COB-IDs, mappings and other communication parameters are printed in hex, as in an EDS, and the bytes of an
+/// OCTET_STRING with blanks between them, without which CANopenEditor reads only the first. XML preserves blanks, so a string needs quotes only if it is empty or contains quotes.
+fn print(index: u16, data_type: Option<DataType>, value: &Value) -> String {
+    match value {
+        Value::Text(text) if !text.is_empty() && !is_quoted(text) => text.to_string(),
+        Value::Bytes(bytes) if data_type == Some(DataType::OCTET_STRING) && !bytes.is_empty() => {
+            let bytes: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+            bytes.join(" ")
+        }
+        _ => {
+            let hex = (0x1000..=0x1FFF).contains(&index) && data_type == Some(DataType::UNSIGNED32);
+            literal::print(value, Spelling { hex, ..Spelling::default() })
+        }
+    }
+}
+
+fn is_quoted(text: &str) -> bool {
+    text.len() > 1 && text.starts_with('"') && text.ends_with('"')
 }

@@ -1,9 +1,11 @@
-//! The rules about the structure of a document: elements, markup, encoding and limits.
+//! The rules about XML itself, reported while the tree is built because only the text shows the errors.
 
-use crate::diagnostic::text_rules;
+use std::borrow::Cow;
+
+use crate::diagnostic::{RuleInfo, text_rules};
 
 text_rules! {
-    source: "XML 1.0 §2.1";
+    source: "XML 1.0 §3.1";
 
     // what is behind the element is read as a part of it, or not at all
     "xml/unclosed-element" = UNCLOSED_ELEMENT, Error, explains File [
@@ -20,7 +22,6 @@ text_rules! {
     why: "XML parsers reject the whole file. A truncated file shows this error.",
     example: r#"`<label lang="en">Device type` and then `</CANopenObject>`"#,
     remedy: "Add the end tag; if the file is truncated, get it again.",
-    source: "XML 1.0 §3.1",
 
     // the same, if the start tag is missing
     "xml/stray-end-tag" = STRAY_END_TAG, Error, explains File [
@@ -45,6 +46,7 @@ text_rules! {
     why: "A file that has only white space or comments, or is not XML, does not describe a device.",
     example: "A text file with the extension `.xdd`.",
     remedy: "Use an XDD or XDC file.",
+    source: "XML 1.0 §2.1",
 
     "xml/second-root" = SECOND_ROOT, Error, stops "*";
     summary: "a second element follows the root",
@@ -52,6 +54,7 @@ text_rules! {
     why: "XML parsers reject the file. Often two files were concatenated, or an end tag is too early.",
     example: "`</ISO15745ProfileContainer><ISO15745ProfileContainer>`",
     remedy: "Split the file, or move the element into the root.",
+    source: "XML 1.0 §2.1",
 
     "xml/text-outside-root" = TEXT_OUTSIDE_ROOT, Error;
     summary: "there is text before or after the root",
@@ -59,6 +62,7 @@ text_rules! {
     why: "XML parsers reject the file. A NUL or a Ctrl-Z at the end comes from old tools, a line of text from a web page or a merge.",
     example: "`</ISO15745ProfileContainer>x`",
     remedy: "Remove the text.",
+    source: "XML 1.0 §2.1",
 
     "xml/unclosed-tag" = UNCLOSED_TAG, Error, stops "*";
     summary: "a tag has no `>`",
@@ -66,7 +70,6 @@ text_rules! {
     why: "XML parsers reject the file or read the following text as part of the tag.",
     example: r#"`<label lang="en"` and in the next line `<label lang="de">`"#,
     remedy: "Add the `>`.",
-    source: "XML 1.0 §3.1",
 
     "xml/unclosed-markup" = UNCLOSED_MARKUP, Error, stops "*";
     summary: "a comment, a CDATA section or a processing instruction has no end",
@@ -155,4 +158,123 @@ text_rules! {
     example: "A thousand `<a>` in each other.",
     remedy: "Check the origin of the file.",
     source: "none; XML has no limits",
+
+    "xml/forbidden-character" = FORBIDDEN_CHARACTER, Error;
+    summary: "the file contains a character that XML forbids",
+    checks: "Whether the file contains control characters other than tab, LF and CR, or U+FFFE and U+FFFF.",
+    why: "XML parsers reject the file. Such characters come from truncated names or from device memory.",
+    example: "A NUL in `<vendorName>`.",
+    remedy: "Remove the character; XML cannot represent it.",
+    source: "XML 1.0 §2.2",
+
+    "xml/bad-reference" = BAD_REFERENCE, Error;
+    summary: "a `&` does not start a reference",
+    checks: "Whether each `&` is followed by a name or a number and `;`, and whether the number is that of a character that XML allows. An invalid reference is read as text.",
+    why: "XML parsers reject the file.",
+    example: "`<vendorName>Miller & Sons</vendorName>`",
+    remedy: "Write `&amp;` for `&`.",
+    source: "XML 1.0 §4.1",
+
+    "xml/unknown-entity" = UNKNOWN_ENTITY, Error;
+    summary: "a reference names an unknown entity",
+    checks: "Whether each `&name;` is one of `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` or declared as text in the document type. Entities that are external files or markup are not read. An unknown reference is read as text.",
+    why: "XML parsers reject the file. Names such as `&nbsp;` and `&deg;` exist only in HTML.",
+    example: r#"`<label lang="en">Temperature in &deg;C</label>`"#,
+    remedy: "Write the character itself, or its number such as `&#176;`.",
+    source: "XML 1.0 §4.1, WFC: Entity Declared",
+
+    "xml/bad-name" = BAD_NAME, Error;
+    summary: "the name of an element or attribute is not a valid XML name",
+    checks: "Whether names start with a letter or `_`, continue with letters, digits, `-`, `.` and `_`, and have at most one `:`, with text before and after it.",
+    why: "XML parsers reject the file.",
+    example: "`<1018>`",
+    remedy: "Write the name as in CiA 311.",
+    source: "XML 1.0 §2.3; Namespaces in XML 1.0 §4",
+
+    "xml/unbound-prefix" = UNBOUND_PREFIX, Error;
+    summary: "a prefix is not declared",
+    checks: "Whether the prefix of each element and attribute is declared by an `xmlns:` attribute of the element or a parent element.",
+    why: "XML parsers reject the file. The declaration is mostly lost when part of another file is copied.",
+    example: r#"`<ProfileBody xsi:type="ProfileBody_Device_CANopen">` without `xmlns:xsi`"#,
+    remedy: r#"Declare the prefix at the root, for example `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"`."#,
+    source: "Namespaces in XML 1.0 §5, NSC: Prefix Declared",
+
+    "xml/bad-namespace" = BAD_NAMESPACE, Error;
+    summary: "a namespace declaration is invalid",
+    checks: "Whether `xmlns:prefix` has a value, and whether the prefixes `xml` and `xmlns` and their namespaces are not redefined.",
+    why: "XML parsers reject the file.",
+    example: r#"`<ISO15745ProfileContainer xmlns:q1="">`"#,
+    remedy: "Remove the declaration, or write its namespace.",
+    source: "Namespaces in XML 1.0 §3, §5",
+
+    "xml/duplicate-attribute" = DUPLICATE_ATTRIBUTE, Error, stops "*";
+    summary: "an element has an attribute twice",
+    checks: "Whether all attributes of an element have different names, also after prefixes are replaced by their namespaces. The first one is used.",
+    why: "XML parsers reject the file.",
+    example: r#"`<CANopenObject index="1000" index="1001"/>`"#,
+    remedy: "Remove one of the two.",
+    source: "XML 1.0 §3.1, WFC: Unique Att Spec; Namespaces in XML 1.0 §6.3",
+
+    "xml/missing-blank" = MISSING_BLANK, Error;
+    summary: "a space is missing before an attribute",
+    checks: "Whether white space separates an attribute from the preceding name or attribute.",
+    why: "XML parsers reject the file.",
+    example: r#"`<CANopenObject index="1000"name="Device type"/>`"#,
+    remedy: "Add a space.",
+
+    "xml/missing-value" = MISSING_VALUE, Error;
+    summary: "an attribute has no value",
+    checks: "Whether each attribute has a `=` and a value. Attributes without a value are ignored.",
+    why: "XML parsers reject the file; only HTML has such attributes.",
+    example: "`<dummyUsage entry/>`",
+    remedy: r#"Add a value, or remove the attribute."#,
+
+    "xml/unquoted-value" = UNQUOTED_VALUE, Error;
+    summary: "an attribute value has no quotes",
+    checks: r#"Whether each value is in `"` or `'`. A value without quotes ends at the next white space."#,
+    why: "XML parsers reject the file.",
+    example: "`<CANopenObject index=1000/>`",
+    remedy: "Put quotes around the value.",
+
+    "xml/unclosed-value" = UNCLOSED_VALUE, Error, stops "*";
+    summary: "an attribute value has no closing quote",
+    checks: "Whether a value ends with its opening quote character. A value without one ends at the end of the tag or at the next attribute.",
+    why: "XML parsers reject the file, and report the error at the next quote, far from the cause.",
+    example: r#"`<CANopenObject index="1000 name="Device type"/>`"#,
+    remedy: "Add the closing quote.",
+
+    "xml/less-than-in-value" = LESS_THAN_IN_VALUE, Error;
+    summary: "an attribute value contains `<`",
+    checks: "Whether values contain `<`.",
+    why: "XML parsers reject the file.",
+    example: r#"`<CANopenObject index="2000" name="speed < 3000"/>`"#,
+    remedy: "Write `&lt;`.",
+    source: "XML 1.0 §3.1, WFC: No < in Attribute Values",
+
+    "xml/junk-in-tag" = JUNK_IN_TAG, Error;
+    summary: "a tag contains something other than attributes",
+    checks: "Whether start tags have only attributes after their names, and end tags nothing.",
+    why: "XML parsers reject the file.",
+    example: r#"`<label lang="en",>`"#,
+    remedy: "Remove the text.",
+}
+
+/// Every rule of this module.
+pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
+    RULES.iter().copied()
+}
+
+/// The help of a finding: the remedy from the page of the rule.
+pub(super) fn advice(rule: &RuleInfo) -> String {
+    let advice = rule.remedy.trim_end_matches('.');
+    let mut letters = advice.chars();
+    letters.next().map(|first| first.to_ascii_lowercase()).into_iter().chain(letters).collect()
+}
+
+/// A piece of the file for a message, shortened if it is long.
+pub(super) fn shown(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(40) {
+        Some((end, _)) => Cow::Owned(format!("{}…", &text[..end])),
+        None => Cow::Borrowed(text),
+    }
 }
