@@ -3,7 +3,9 @@
 use super::changes;
 
 changes! {
-    DEVICE_TYPE_CHANGED = "change/device-type-changed" {
+    source: "CiA 306-1 §4.5";
+
+    "change/device-type-changed" = DEVICE_TYPE_CHANGED {
         Configurations: Breaking, "a manager compares 1000h with 1F84h and does not start the node";
         PdoConsumers: Compatible, "changes of PDOs are reported on their own";
         SdoClients: Breaking, "the device follows another profile, or other parts of it";
@@ -15,7 +17,7 @@ changes! {
     remedy: "Give the device another product code.",
     source: "CiA 301 §7.5.2.1; CiA 302-2 (1F84h)",
 
-    IDENTITY_CHANGED = "change/identity-changed" {
+    "change/identity-changed" = IDENTITY_CHANGED {
         Configurations: Breaking, "a manager compares 1018h with 1F85h and 1F86h and does not start the node";
         PdoConsumers: Compatible, "changes of PDOs are reported on their own";
         SdoClients: Breaking, "tools choose the description by vendor-ID and product code, and take the device for another one";
@@ -27,7 +29,7 @@ changes! {
     remedy: "Keep the identity; if it is another product, a comparison with the old one says what users must change.",
     source: "CiA 301 §7.5.2.21; CiA 302-2 (1F85h, 1F86h)",
 
-    CONFIGURATION_REFUSED = "change/configuration-refused" {
+    "change/configuration-refused" = CONFIGURATION_REFUSED {
         Configurations: Breaking, "the configuration of the node is not complete, and a manager does not start it";
     }
     summary: "the new device refuses a download of a stored configuration",
@@ -36,7 +38,7 @@ changes! {
     remedy: "Remove the download from the configuration, or change its value.",
     source: "CiA 302-3; CiA 301 §7.2.4.3.17 (abort codes)",
 
-    NODE_CHANGED = "change/node-changed" {
+    "change/node-changed" = NODE_CHANGED {
         Configurations: Breaking, "the configuration is for another node-ID, bit rate or network";
         PdoConsumers: Breaking, "CAN-IDs follow the node-ID, and all nodes need the same bit rate";
         SdoClients: Breaking, "the SDO channel follows the node-ID, and all nodes need the same bit rate";
@@ -47,7 +49,7 @@ changes! {
     remedy: "Change the other nodes and the manager too.",
     source: "CiA 306-1 §5.4",
 
-    NODE_FACT_CHANGED = "change/node-fact-changed" {
+    "change/node-fact-changed" = NODE_FACT_CHANGED {
         Configurations: Compatible, "the node is configured in the same way";
         SdoClients: Compatible, "the node answers in the same way";
     }
@@ -57,7 +59,7 @@ changes! {
     remedy: "Check what uses the name.",
     source: "CiA 306-1 §5.4",
 
-    DEVICE_FACT_CHANGED = "change/device-fact-changed" {
+    "change/device-fact-changed" = DEVICE_FACT_CHANGED {
         Configurations: Compatible, "no value that a configuration writes is affected";
         SdoClients: Compatible, "the device answers in the same way";
         Firmware: Compatible, "names and types stay";
@@ -68,7 +70,7 @@ changes! {
     remedy: "Check what uses the name.",
     source: "CiA 306-1 §4.5; CiA 301 §7.5.2.9 to §7.5.2.11, §7.5.2.21",
 
-    DATA_CHANGED = "change/data-changed" {
+    "change/data-changed" = DATA_CHANGED {
         Configurations: Compatible, "no value that a configuration writes is affected";
         SdoClients: Compatible, "no type, access or value that is known from the description is affected";
         Firmware: Risky, "generated code can have other content";
@@ -79,7 +81,7 @@ changes! {
     remedy: "Compare both places.",
     source: "objdict, docs/json.md",
 
-    BIT_RATE_REMOVED = "change/bit-rate-removed" {
+    "change/bit-rate-removed" = BIT_RATE_REMOVED {
         Configurations: Breaking, "a network with the bit rate cannot have the device";
         PdoConsumers: Breaking, "a network with the bit rate cannot have the device";
         SdoClients: Breaking, "a network with the bit rate cannot have the device";
@@ -88,9 +90,8 @@ changes! {
     checks: "Whether the old description states that a bit rate or automatic detection is supported, and the new one does not.",
     example: "`BaudRate_20=1`, then `BaudRate_20=0`",
     remedy: "Keep the bit rate, unless the old description was wrong.",
-    source: "CiA 306-1 §4.5",
 
-    BIT_RATE_ADDED = "change/bit-rate-added" {
+    "change/bit-rate-added" = BIT_RATE_ADDED {
         Configurations: Compatible, "all bit rates that were supported still are";
         SdoClients: Compatible, "all bit rates that were supported still are";
     }
@@ -98,9 +99,8 @@ changes! {
     checks: "Whether the new description states that a bit rate or automatic detection is supported, and the old one does not.",
     example: "`BaudRate_20=0`, then `BaudRate_20=1`",
     remedy: "Raise the major part of the revision number, if the device already has users.",
-    source: "CiA 306-1 §4.5",
 
-    FEATURE_REMOVED = "change/feature-removed" {
+    "change/feature-removed" = FEATURE_REMOVED {
         Configurations: Risky, "a manager or tool that uses the feature cannot configure the device";
         SdoClients: Risky, "a manager or tool that uses the feature cannot work with the device";
     }
@@ -110,7 +110,7 @@ changes! {
     remedy: "Keep the feature, unless the old description was wrong.",
     source: "CiA 306-1 §4.5, §4.6.2",
 
-    FEATURE_ADDED = "change/feature-added" {
+    "change/feature-added" = FEATURE_ADDED {
         Configurations: Compatible, "features that were used are still there";
         SdoClients: Compatible, "features that were used are still there";
     }
@@ -120,7 +120,7 @@ changes! {
     remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.5, §4.6.2",
 
-    GRANULARITY_COARSER = "change/granularity-coarser" {
+    "change/granularity-coarser" = GRANULARITY_COARSER {
         Configurations: Breaking, "the device refuses a mapping with shorter entries, or any mapping (06040041h)";
         SdoClients: Compatible, "entries are accessed in the same way";
     }
@@ -128,9 +128,8 @@ changes! {
     checks: "Whether `Granularity` is a larger number of bits, or 0, which means that mappings are fixed.",
     example: "`Granularity=1`, then `Granularity=8`",
     remedy: "Keep the granularity.",
-    source: "CiA 306-1 §4.5",
 
-    GRANULARITY_FINER = "change/granularity-finer" {
+    "change/granularity-finer" = GRANULARITY_FINER {
         Configurations: Compatible, "mappings that were accepted still are";
         SdoClients: Compatible, "entries are accessed in the same way";
     }
@@ -138,9 +137,8 @@ changes! {
     checks: "Whether `Granularity` is a smaller number of bits, or no longer 0.",
     example: "`Granularity=8`, then `Granularity=1`",
     remedy: "Raise the major part of the revision number, if the device already has users.",
-    source: "CiA 306-1 §4.5",
 
-    MODULE_REMOVED = "change/module-removed" {
+    "change/module-removed" = MODULE_REMOVED {
         Configurations: Breaking, "a configuration with the module does not fit the coupler";
         PdoConsumers: Breaking, "the data of the module are gone";
         SdoClients: Breaking, "the objects of the module are gone";
@@ -151,7 +149,7 @@ changes! {
     remedy: "Keep the module, and its number.",
     source: "CiA 306-1 §6.3",
 
-    MODULE_ADDED = "change/module-added" {
+    "change/module-added" = MODULE_ADDED {
         Configurations: Compatible, "the modules of existing configurations are still supported";
         SdoClients: Compatible, "the modules of existing couplers are still supported";
     }
@@ -161,7 +159,7 @@ changes! {
     remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §6.3",
 
-    MODULE_CHANGED = "change/module-changed" {
+    "change/module-changed" = MODULE_CHANGED {
         Configurations: Risky, "the objects of the module may have other types or defaults";
         PdoConsumers: Risky, "the objects of the module may have other types or lengths";
         SdoClients: Risky, "the objects of the module may have other types or access";
@@ -172,7 +170,7 @@ changes! {
     remedy: "Plug the modules with `objdict configure` in both descriptions and compare the results.",
     source: "CiA 306-1 §6.3",
 
-    REVISION_NOT_RAISED = "change/revision-not-raised" {
+    "change/revision-not-raised" = REVISION_NOT_RAISED {
         Configurations: Risky, "a manager cannot distinguish the devices by 1018h sub-index 3 (1F87h)";
         SdoClients: Risky, "tools choose the description by the revision number, and take the old one for the new device";
     }
@@ -182,7 +180,7 @@ changes! {
     remedy: "Raise the upper 16 bits of 1018h sub-index 3 and `RevisionNumber`.",
     source: "CiA 301 §7.5.2.21",
 
-    REVISION_RAISED = "change/revision-raised" {
+    "change/revision-raised" = REVISION_RAISED {
         Configurations: Risky, "a manager that compares 1018h sub-index 3 with the old number (1F87h) does not start the node";
         SdoClients: Compatible, "tools that choose the description by the revision number need the new one";
         Firmware: Compatible, "names and types stay";
@@ -193,7 +191,7 @@ changes! {
     remedy: "Build the configuration of the manager again, so that 1F87h has the new number.",
     source: "CiA 301 §7.5.2.21; CiA 302-2 (1F87h)",
 
-    REVISION_LOWERED = "change/revision-lowered" {
+    "change/revision-lowered" = REVISION_LOWERED {
         Configurations: Risky, "a manager that accepts newer revisions only does not start the node";
         SdoClients: Risky, "tools take the new device for an older one";
     }
@@ -203,7 +201,7 @@ changes! {
     remedy: "Raise the revision number; if the arguments are exchanged, give the old description first.",
     source: "CiA 301 §7.5.2.21",
 
-    FILE_VERSION_NOT_RAISED = "change/file-version-not-raised" {
+    "change/file-version-not-raised" = FILE_VERSION_NOT_RAISED {
         Configurations: Risky, "tools that keep descriptions by file version keep the old one";
     }
     summary: "the description changes and its version does not",
@@ -212,7 +210,7 @@ changes! {
     remedy: "Raise `FileRevision`, or `FileVersion`.",
     source: "CiA 306-1 §4.4",
 
-    MODIFICATION_DATE_NOT_MOVED = "change/modification-date-not-moved" {
+    "change/modification-date-not-moved" = MODIFICATION_DATE_NOT_MOVED {
         Configurations: Compatible, "the version of the file decides";
     }
     summary: "the description changes and the date of its modification does not",
@@ -221,7 +219,7 @@ changes! {
     remedy: "Write the date of the change to `ModificationDate`.",
     source: "CiA 306-1 §4.4",
 
-    PRODUCT_CODE_NOT_CHANGED = "change/product-code-not-changed" {
+    "change/product-code-not-changed" = PRODUCT_CODE_NOT_CHANGED {
         Configurations: Risky, "a manager cannot distinguish the products by 1018h sub-index 2 (1F86h)";
         SdoClients: Risky, "tools choose the description by the product code, and take the old one for the new product";
     }

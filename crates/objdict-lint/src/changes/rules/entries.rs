@@ -3,7 +3,9 @@
 use super::changes;
 
 changes! {
-    OBJECT_ADDED = "change/object-added" {
+    source: "CiA 306-1 §4.6.3.2";
+
+    "change/object-added" = OBJECT_ADDED {
         Configurations: Compatible, "a stored configuration does not write the object, which keeps its defaults";
         SdoClients: Compatible, "clients that do not know the object do not access it";
         Firmware: Compatible, "generated code has another name; existing names stay";
@@ -15,7 +17,7 @@ changes! {
     remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 301 §7.5.2.21 (revision number); objdict, docs/storage.md (images)",
 
-    OBJECT_REMOVED = "change/object-removed" {
+    "change/object-removed" = OBJECT_REMOVED {
         Configurations: Breaking, "the device refuses the download with abort code 06020000h";
         PdoConsumers: Breaking, "no PDO can carry the object any more";
         SdoClients: Breaking, "each access is refused with abort code 06020000h";
@@ -28,7 +30,7 @@ changes! {
     remedy: "Keep the object, or raise the major part of the revision number and give the device another product code if both are in use.",
     source: "CiA 301 §7.2.4.3.17 (abort codes), §7.5.2.21 (revision number)",
 
-    OBJECT_MOVED = "change/object-moved" {
+    "change/object-moved" = OBJECT_MOVED {
         Configurations: Breaking, "the configuration writes to the old index";
         PdoConsumers: Breaking, "mappings that a manager writes contain the old index";
         SdoClients: Breaking, "clients access the old index";
@@ -41,7 +43,7 @@ changes! {
     remedy: "Leave the object at its index.",
     source: "CiA 301 §7.4.3 (index and sub-index address an entry)",
 
-    OBJECT_RENAMED = "change/object-renamed" {
+    "change/object-renamed" = OBJECT_RENAMED {
         Configurations: Compatible, "a stored configuration addresses entries by index and sub-index";
         SdoClients: Compatible, "clients address entries by index and sub-index";
         Firmware: Risky, "identifiers of generated code are made of the name: sources that use the old one no longer compile";
@@ -52,7 +54,7 @@ changes! {
     remedy: "Keep the name, or keep the identifier with `objdict generate --rename`.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
 
-    OBJECT_TYPE_CHANGED = "change/object-type-changed" {
+    "change/object-type-changed" = OBJECT_TYPE_CHANGED {
         Configurations: Breaking, "values are at other sub-indexes, or a domain takes what was a value";
         PdoConsumers: Breaking, "the mapped sub-index means something else or is gone";
         SdoClients: Breaking, "values are at other sub-indexes, or a domain takes what was a value";
@@ -65,7 +67,7 @@ changes! {
     remedy: "Describe the new structure at another index.",
     source: "CiA 301 §7.4.3",
 
-    ARRAY_OR_RECORD = "change/array-or-record" {
+    "change/array-or-record" = ARRAY_OR_RECORD {
         SdoClients: Compatible, "sub-indexes are accessed in the same way";
         Firmware: Risky, "generated code has an array where it had a struct, or the reverse";
     }
@@ -75,7 +77,7 @@ changes! {
     remedy: "Keep the object type if all sub-indexes have the same type.",
     source: "CiA 301 §7.4.3",
 
-    ENTRY_ADDED = "change/entry-added" {
+    "change/entry-added" = ENTRY_ADDED {
         Configurations: Compatible, "a stored configuration does not write the entry, which keeps its default";
         SdoClients: Compatible, "clients that do not know the entry do not access it";
         Firmware: Compatible, "generated code has another name; existing names stay";
@@ -87,7 +89,7 @@ changes! {
     remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 301 §7.5.2.21 (revision number)",
 
-    ENTRY_REMOVED = "change/entry-removed" {
+    "change/entry-removed" = ENTRY_REMOVED {
         Configurations: Breaking, "the device refuses the download with abort code 06090011h";
         PdoConsumers: Breaking, "no PDO can carry the entry any more";
         SdoClients: Breaking, "each access is refused with abort code 06090011h";
@@ -100,7 +102,7 @@ changes! {
     remedy: "Keep the entry, or raise the major part of the revision number.",
     source: "CiA 301 §7.2.4.3.17 (abort codes)",
 
-    ENTRY_MOVED = "change/entry-moved" {
+    "change/entry-moved" = ENTRY_MOVED {
         Configurations: Breaking, "the configuration writes to the old sub-index";
         PdoConsumers: Breaking, "mappings that a manager writes contain the old sub-index";
         SdoClients: Breaking, "clients access the old sub-index";
@@ -113,7 +115,7 @@ changes! {
     remedy: "Add new entries behind the existing ones.",
     source: "CiA 301 §7.4.3 (index and sub-index address an entry)",
 
-    ENTRY_RENAMED = "change/entry-renamed" {
+    "change/entry-renamed" = ENTRY_RENAMED {
         Configurations: Compatible, "a stored configuration addresses entries by index and sub-index";
         SdoClients: Compatible, "clients address entries by index and sub-index";
         Firmware: Risky, "identifiers of generated code are made of the name: sources that use the old one no longer compile";
@@ -124,7 +126,7 @@ changes! {
     remedy: "Keep the name, or keep the identifier with `objdict generate --rename`.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
 
-    NAME_RESPELLED = "change/name-respelled" {
+    "change/name-respelled" = NAME_RESPELLED {
         SdoClients: Compatible, "clients address entries by index and sub-index";
         Firmware: Compatible, "identifiers have the same words";
     }
@@ -134,7 +136,7 @@ changes! {
     remedy: "Keep the spelling, unless it was wrong.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
 
-    IDENTIFIER_CHANGED = "change/identifier-changed" {
+    "change/identifier-changed" = IDENTIFIER_CHANGED {
         Firmware: Risky, "sources that use the old identifier no longer compile, or mean another entry";
     }
     summary: "an entry has another identifier in generated code, and the same name",
@@ -143,7 +145,7 @@ changes! {
     remedy: "Give the new entry another name, or keep the identifier with `objdict generate --rename`.",
     source: "objdict, docs/generate.md (names)",
 
-    DATA_TYPE_CHANGED = "change/data-type-changed" {
+    "change/data-type-changed" = DATA_TYPE_CHANGED {
         Configurations: Breaking, "the stored value has another length or meaning: the device refuses it (06070010h) or misreads it";
         PdoConsumers: Breaking, "consumers read other bits, or read them as another type";
         SdoClients: Breaking, "clients read and write another length or meaning";
@@ -156,7 +158,7 @@ changes! {
     remedy: "Describe the new value at another index or sub-index.",
     source: "CiA 301 §7.4.7 (data types), §7.2.4.3.17 (abort codes)",
 
-    DATA_TYPE_STATED = "change/data-type-stated" {
+    "change/data-type-stated" = DATA_TYPE_STATED {
         SdoClients: Risky, "tools that read the description now treat the value differently";
         Firmware: Risky, "generated code has the entry in only one of the two cases";
     }
@@ -164,9 +166,8 @@ changes! {
     checks: "Whether one description has a valid data type for an entry and the other has none.",
     example: "an entry without `DataType`, then `DataType=0x0005`",
     remedy: "State the data type in both descriptions and compare again.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    ACCESS_NARROWED = "change/access-narrowed" {
+    "change/access-narrowed" = ACCESS_NARROWED {
         Configurations: Breaking, "the device refuses the download with abort code 06010002h";
         PdoConsumers: Compatible, "the data in the frames stay";
         SdoClients: Breaking, "what clients read or write is refused (06010001h, 06010002h)";
@@ -178,7 +179,7 @@ changes! {
     remedy: "Keep the access type.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.2.4.3.17 (abort codes)",
 
-    ACCESS_WIDENED = "change/access-widened" {
+    "change/access-widened" = ACCESS_WIDENED {
         Configurations: Compatible, "what was written before may still be written";
         SdoClients: Compatible, "what was accessed before may still be accessed";
         Firmware: Compatible, "the network may now change the value";
@@ -187,9 +188,8 @@ changes! {
     checks: "Whether the new access type has a right to read or write that the old one lacks, and no right less.",
     example: "`AccessType=ro`, then `AccessType=rw`",
     remedy: "Raise the major part of the revision number, if the device already has users.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    CONSTANT_CHANGED = "change/constant-changed" {
+    "change/constant-changed" = CONSTANT_CHANGED {
         SdoClients: Compatible, "the value is read in the same way, but may change where it did not";
         Firmware: Risky, "generated code has a constant where it had a variable, or the reverse";
     }
@@ -197,9 +197,8 @@ changes! {
     checks: "Whether the access type changes between `const` and `ro`.",
     example: "`AccessType=ro`, then `AccessType=const`",
     remedy: "Keep the access type, unless it was wrong.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    MAPPING_NARROWED = "change/mapping-narrowed" {
+    "change/mapping-narrowed" = MAPPING_NARROWED {
         Configurations: Breaking, "the device refuses a mapping with the entry (06040041h)";
         PdoConsumers: Breaking, "PDOs of the direction cannot carry the entry any more";
         Firmware: Compatible, "names and types stay";
@@ -210,7 +209,7 @@ changes! {
     remedy: "Keep the entry mappable.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.4.5",
 
-    MAPPING_WIDENED = "change/mapping-widened" {
+    "change/mapping-widened" = MAPPING_WIDENED {
         Configurations: Compatible, "mappings that were accepted still are";
         PdoConsumers: Compatible, "frames change only when a manager maps the entry";
     }
@@ -220,7 +219,7 @@ changes! {
     remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.4.5",
 
-    LIMITS_NARROWED = "change/limits-narrowed" {
+    "change/limits-narrowed" = LIMITS_NARROWED {
         Configurations: Breaking, "the device may refuse a stored value that was allowed (06090031h, 06090032h)";
         PdoConsumers: Compatible, "frames have the same bits";
         SdoClients: Breaking, "the device may refuse a value that was allowed (06090031h, 06090032h)";
@@ -233,7 +232,7 @@ changes! {
     remedy: "Keep the limits, or let the device clip values.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.2.4.3.17 (abort codes)",
 
-    READ_LIMITS_WIDENED = "change/read-limits-widened" {
+    "change/read-limits-widened" = READ_LIMITS_WIDENED {
         PdoConsumers: Risky, "consumers may receive values that they did not receive";
         SdoClients: Risky, "clients may read values that they did not read";
         Firmware: Compatible, "names and types stay";
@@ -242,9 +241,8 @@ changes! {
     checks: "Whether the new limits of an entry that no SDO can write allow a value that the old ones do not allow, and all that these allow.",
     example: "`HighLimit=1000`, then `HighLimit=4000` of an entry with `AccessType=ro`",
     remedy: "Check what the clients make of the new values.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    READ_LIMITS_NARROWED = "change/read-limits-narrowed" {
+    "change/read-limits-narrowed" = READ_LIMITS_NARROWED {
         PdoConsumers: Compatible, "consumers receive values that they know";
         SdoClients: Compatible, "clients read values that they know";
         Firmware: Compatible, "names and types stay";
@@ -253,9 +251,8 @@ changes! {
     checks: "Whether the new limits of an entry that no SDO can write exclude a value that the old ones allow.",
     example: "`HighLimit=4000`, then `HighLimit=1000` of an entry with `AccessType=ro`",
     remedy: "Check the clients that wait for a value outside the new limits.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    LIMITS_WIDENED = "change/limits-widened" {
+    "change/limits-widened" = LIMITS_WIDENED {
         Configurations: Compatible, "all values that were allowed still are";
         SdoClients: Compatible, "all values that were allowed still are";
         Firmware: Compatible, "names and types stay";
@@ -264,9 +261,8 @@ changes! {
     checks: "Whether the new limits allow more values, and all that the old ones allow.",
     example: "`HighLimit=500`, then `HighLimit=1000`",
     remedy: "Raise the major part of the revision number, if the device already has users.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    DEFAULT_CHANGED = "change/default-changed" {
+    "change/default-changed" = DEFAULT_CHANGED {
         Configurations: Risky, "a stored configuration that has only what differs from the defaults leaves the new default";
         PdoConsumers: Compatible, "frames have the same bits";
         SdoClients: Risky, "a device that is not configured starts with another value";
@@ -277,9 +273,8 @@ changes! {
     checks: "Whether the default values are different numbers, texts or bytes. The number of sub-indexes at sub-index 0, what identifies the device, and the parameters of PDOs belong to other rules.",
     example: "`DefaultValue=10`, then `DefaultValue=0x14`",
     remedy: "Keep the default, or name the change in the release notes.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    READ_ONLY_DEFAULT_CHANGED = "change/read-only-default-changed" {
+    "change/read-only-default-changed" = READ_ONLY_DEFAULT_CHANGED {
         SdoClients: Compatible, "clients must read the value, which the device sets";
         Firmware: Compatible, "the initial value of generated code changes";
     }
@@ -287,9 +282,8 @@ changes! {
     checks: "Whether the default values of an entry that no SDO can write are different.",
     example: "`DefaultValue=1` of an entry with `AccessType=ro`, then `DefaultValue=2`",
     remedy: "Check the clients that know the value without reading it.",
-    source: "CiA 306-1 §4.6.3.2",
 
-    CONFIGURED_VALUE_CHANGED = "change/configured-value-changed" {
+    "change/configured-value-changed" = CONFIGURED_VALUE_CHANGED {
         Configurations: Risky, "the node is configured with another value";
         SdoClients: Risky, "the node works with another value";
     }
@@ -299,7 +293,7 @@ changes! {
     remedy: "Download the new configuration to the node.",
     source: "CiA 306-1 §5.3",
 
-    UNIT_CHANGED = "change/unit-changed" {
+    "change/unit-changed" = UNIT_CHANGED {
         Configurations: Risky, "the stored number means another physical value";
         PdoConsumers: Risky, "the number in the frame means another physical value";
         SdoClients: Risky, "the number means another physical value";
@@ -312,7 +306,7 @@ changes! {
     remedy: "Describe the new quantity at another index.",
     source: "CiA 311 §6.4.5",
 
-    UNIT_STATED = "change/unit-stated" {
+    "change/unit-stated" = UNIT_STATED {
         SdoClients: Compatible, "the number means what it meant, unless the device changed with its description";
         Firmware: Compatible, "names and types stay";
     }
@@ -322,7 +316,7 @@ changes! {
     remedy: "State the unit in both descriptions.",
     source: "CiA 311 §6.4.5",
 
-    VALUES_REMOVED = "change/values-removed" {
+    "change/values-removed" = VALUES_REMOVED {
         Configurations: Breaking, "the device may refuse a stored value that was allowed (06090030h)";
         PdoConsumers: Risky, "consumers may wait for values that do not come";
         SdoClients: Breaking, "the device may refuse a value that was allowed (06090030h)";
@@ -335,7 +329,7 @@ changes! {
     remedy: "Keep the value.",
     source: "CiA 311 §6.4.5",
 
-    VALUES_ADDED = "change/values-added" {
+    "change/values-added" = VALUES_ADDED {
         Configurations: Compatible, "all values that were allowed still are";
         PdoConsumers: Risky, "consumers may receive values that they do not know";
         SdoClients: Compatible, "all values that were allowed still are";
@@ -347,7 +341,7 @@ changes! {
     remedy: "Check what the consumers make of the new value.",
     source: "CiA 311 §6.4.5",
 
-    VALUE_RENAMED = "change/value-renamed" {
+    "change/value-renamed" = VALUE_RENAMED {
         SdoClients: Risky, "the number may mean something else";
         Firmware: Risky, "names of generated code are made of the names of values: sources that use the old one no longer compile";
     }
@@ -357,7 +351,7 @@ changes! {
     remedy: "Keep the name, unless it was wrong.",
     source: "CiA 311 §6.4.5",
 
-    FLAGS_CHANGED = "change/flags-changed" {
+    "change/flags-changed" = FLAGS_CHANGED {
         Configurations: Risky, "tools write or read the entry where they did not, or the reverse";
         SdoClients: Compatible, "the device answers in the same way";
     }
@@ -367,7 +361,7 @@ changes! {
     remedy: "Keep the flags, unless they were wrong.",
     source: "CiA 306-1 §4.6.3.3",
 
-    SAFETY_CHANGED = "change/safety-changed" {
+    "change/safety-changed" = SAFETY_CHANGED {
         Configurations: Breaking, "the safety configuration and its checksum (13FEh) do not fit any more";
         PdoConsumers: Breaking, "SRDOs cannot carry the entry, or carry another inverted value";
         SdoClients: Compatible, "the entry is accessed in the same way";
@@ -378,7 +372,7 @@ changes! {
     remedy: "Assess the safety function anew.",
     source: "CiA 306-1 annex A; CiA 304",
 
-    STORAGE_CHANGED = "change/storage-changed" {
+    "change/storage-changed" = STORAGE_CHANGED {
         SdoClients: Compatible, "the entry is accessed in the same way";
         Firmware: Risky, "generated code has the variable in another structure";
         StoredValues: Risky, "the value is stored with another group or no longer stored, and images of the groups have another layout";

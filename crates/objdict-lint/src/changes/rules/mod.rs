@@ -69,10 +69,11 @@ macro_rules! word {
 }
 use word;
 
-/// Declares kinds of changes: what they mean for each audience, and the texts of the page; `RULES` is the list of them.
+/// Declares kinds of changes: what they mean for each audience, and the texts of the page; `RULES` is the list of them. The source of
+/// most of them is stated once before them.
 macro_rules! changes {
-    ($(
-        $NAME:ident = $id:literal {
+    (source: $usual:literal; $(
+        $id:literal = $NAME:ident {
             $First:ident: $FirstVerdict:ident, $first:literal;
             $($Audience:ident: $Verdict:ident, $reason:literal;)*
         }
@@ -80,8 +81,10 @@ macro_rules! changes {
         checks: $checks:literal,
         example: $example:literal,
         remedy: $remedy:literal,
-        source: $source:literal,
+        $(source: $source:literal,)?
     )+) => {
+        const SOURCE: &str = $usual;
+
         /// The kinds of changes of this module.
         pub(super) static RULES: &[&super::ChangeRule] = &[$(&$NAME),+];
 
@@ -102,7 +105,7 @@ macro_rules! changes {
                         ),
                         example: $example,
                         remedy: $remedy,
-                        source: $source,
+                        source: objdict_model::source_of!($($source)?),
                         ..super::RuleInfo::bare($id, super::severity(EFFECTS))
                     },
                     effects: EFFECTS,

@@ -3,7 +3,9 @@
 use super::changes;
 
 changes! {
-    PDO_ADDED = "change/pdo-added" {
+    source: "CiA 301 §7.5.2.35, §7.5.2.37";
+
+    "change/pdo-added" = PDO_ADDED {
         Configurations: Compatible, "a stored configuration does not write its parameters";
         PdoConsumers: Compatible, "the frames of other PDOs stay; another CAN-ID may be in use";
         SdoClients: Compatible, "clients that do not know its parameters do not access them";
@@ -15,7 +17,7 @@ changes! {
     remedy: "Check that its CAN-ID is free if it is valid by default.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
-    PDO_REMOVED = "change/pdo-removed" {
+    "change/pdo-removed" = PDO_REMOVED {
         Configurations: Breaking, "the device refuses the download of its parameters with abort code 06020000h";
         PdoConsumers: Breaking, "the frame is not sent or not received any more";
         SdoClients: Breaking, "each access to its parameters is refused with abort code 06020000h";
@@ -27,7 +29,7 @@ changes! {
     remedy: "Keep the PDO, or raise the major part of the revision number.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
-    PDO_MAPPING_CHANGED = "change/pdo-mapping-changed" {
+    "change/pdo-mapping-changed" = PDO_MAPPING_CHANGED {
         Configurations: Risky, "a stored configuration that has only what differs from the defaults leaves the new mapping";
         PdoConsumers: Breaking, "the frame has other data, or another length";
         SdoClients: Compatible, "the mapped entries are accessed in the same way";
@@ -39,7 +41,7 @@ changes! {
     remedy: "Keep the mapping, and map new entries to another PDO.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
 
-    PDO_COB_ID_CHANGED = "change/pdo-cob-id-changed" {
+    "change/pdo-cob-id-changed" = PDO_COB_ID_CHANGED {
         Configurations: Risky, "a stored configuration that has only what differs from the defaults leaves the new CAN-ID";
         PdoConsumers: Breaking, "consumers and producers use another CAN-ID";
         SdoClients: Compatible, "the parameter is accessed in the same way";
@@ -49,9 +51,8 @@ changes! {
     checks: "Whether the CAN-ID of a PDO that is valid in the old description is another one, after configuration.",
     example: "`DefaultValue=$NODEID+0x180`, then `DefaultValue=$NODEID+0x1C0`",
     remedy: "Keep the CAN-ID.",
-    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    PDO_DISABLED = "change/pdo-disabled" {
+    "change/pdo-disabled" = PDO_DISABLED {
         Configurations: Risky, "a stored configuration that does not write the COB-ID leaves the PDO not valid";
         PdoConsumers: Breaking, "the frame is not sent or not received until a manager makes the PDO valid";
         SdoClients: Compatible, "the parameter is accessed in the same way";
@@ -60,9 +61,8 @@ changes! {
     checks: "Whether bit 31 of the COB-ID is clear in the old description and set in the new one, after configuration.",
     example: "`DefaultValue=$NODEID+0x180`, then `DefaultValue=$NODEID+0x80000180`",
     remedy: "Keep the PDO valid.",
-    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    PDO_ENABLED = "change/pdo-enabled" {
+    "change/pdo-enabled" = PDO_ENABLED {
         Configurations: Risky, "a stored configuration that does not write the COB-ID leaves the PDO valid";
         PdoConsumers: Risky, "the device uses a CAN-ID that it did not use";
         SdoClients: Compatible, "the parameter is accessed in the same way";
@@ -71,9 +71,8 @@ changes! {
     checks: "Whether bit 31 of the COB-ID is set in the old description and clear in the new one, after configuration.",
     example: "`DefaultValue=$NODEID+0x80000180`, then `DefaultValue=$NODEID+0x180`",
     remedy: "Check that the CAN-ID is free in existing networks, and that the bus has room for the frames.",
-    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    PDO_TRANSMISSION_CHANGED = "change/pdo-transmission-changed" {
+    "change/pdo-transmission-changed" = PDO_TRANSMISSION_CHANGED {
         Configurations: Risky, "a stored configuration that has only what differs from the defaults leaves the new transmission";
         PdoConsumers: Risky, "the frame comes at other times";
         SdoClients: Compatible, "the parameter is accessed in the same way";
@@ -83,9 +82,8 @@ changes! {
     checks: "Whether the transmission type, inhibit time, event timer, SYNC start value or the permission of RTR is another one, after configuration.",
     example: "transmission type 254, then 1",
     remedy: "Keep the transmission parameters.",
-    source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    COB_ID_CHANGED = "change/cob-id-changed" {
+    "change/cob-id-changed" = COB_ID_CHANGED {
         Configurations: Risky, "a stored configuration that has only what differs from the defaults leaves the new CAN-ID";
         PdoConsumers: Compatible, "PDOs have their own CAN-IDs";
         SdoClients: Breaking, "SYNC, EMCY, TIME, SDO or SRDO frames have another CAN-ID";
