@@ -81,7 +81,7 @@ impl<'a> ConfiguredDevice<'a> {
             // a compact object, or an implied one, has no section for the sub-index
             Some(object) => {
                 let sub = pair.sub.filter(|sub| object.subs.get(*sub).is_some());
-                let place = sub.map_or(Place::object(pair.index), |sub| Place::entry(pair.index, sub));
+                let place = Place::at(pair.index, sub);
                 finding.label(At::Node(0, place.field(field)), say!("in the {EDS}"))
             }
             None => finding,
@@ -92,7 +92,7 @@ impl<'a> ConfiguredDevice<'a> {
 impl EntryPair<'_> {
     /// The section as a place.
     pub(crate) fn place(&self) -> Place {
-        self.sub.map_or(Place::object(self.index), |sub| Place::entry(self.index, sub))
+        Place::at(self.index, self.sub)
     }
 
     /// The address as users write it.

@@ -23,7 +23,6 @@ mod srdo;
 #[cfg(feature = "catalogue")]
 mod stack;
 mod stated;
-mod supply;
 
 use std::borrow::Cow;
 
@@ -39,7 +38,7 @@ pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdService, CobIdUse, Facts, MappedTo, PdoFacts, is_unstated};
 pub(crate) use index_set::IndexSet;
 pub use options::Options;
-pub(crate) use respell::respell;
+pub(crate) use respell::{ListFixes, respell, sub_0, with_members};
 pub use rule::Rule;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, EntryOwner, with_others};
 pub(crate) use rules::rules_of;
@@ -47,7 +46,6 @@ pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
 #[cfg(feature = "catalogue")]
 pub(crate) use srdo::Srdo;
-pub(crate) use supply::{ListFixes, sub_0, with_members};
 
 /// The group of the rules about other tools.
 pub const PORTABILITY: &str = "portability";

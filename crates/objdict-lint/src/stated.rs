@@ -98,7 +98,7 @@ pub(crate) fn first_formula(device: &Device) -> Option<Place> {
             let is_formula = matches!(entry.value(), Some(Value::NodeId(_)));
             let field =
                 if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
-            let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+            let place = Place::at(index, sub);
             is_formula.then(|| place.field(field))
         })
     })
@@ -108,8 +108,6 @@ pub(crate) fn first_formula(device: &Device) -> Option<Place> {
 #[cfg(feature = "catalogue")]
 pub(crate) fn entries(device: &Device) -> impl Iterator<Item = (Place, &Entry)> {
     device.objects.iter().flat_map(|(&index, object)| {
-        object.described().map(move |(sub, entry)| {
-            (sub.map_or(Place::object(index), |sub| Place::entry(index, sub)), entry)
-        })
+        object.described().map(move |(sub, entry)| (Place::at(index, sub), entry))
     })
 }

@@ -5,7 +5,6 @@
 mod audience;
 mod device;
 mod entries;
-mod matching;
 mod objects;
 mod pdos;
 mod release;
@@ -101,10 +100,7 @@ pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
 /// The change of an identifier in generated code while the name of the entry stays. Which identifiers code has is known to the
 /// generators; `c` and `rust` are the old and the new one.
 pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [&str; 2]) -> DeviceChange {
-    let place = Some(match sub {
-        Some(sub) => Place::entry(index, sub),
-        None => Place::object(index),
-    });
+    let place = Some(Place::at(index, sub));
     DeviceChange {
         rule: &rules::IDENTIFIER_CHANGED,
         index: Some(index),

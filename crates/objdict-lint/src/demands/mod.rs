@@ -154,8 +154,7 @@ impl Sayable for Against<'_> {
 
 impl Expected<'_> {
     pub(crate) fn place(&self) -> Place {
-        let index = self.against.index;
-        self.sub.map_or(Place::object(index), |sub| Place::entry(index, sub))
+        Place::at(self.against.index, self.sub)
     }
 
     /// The name of the document in messages.

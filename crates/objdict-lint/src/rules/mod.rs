@@ -24,7 +24,7 @@ macro_rules! groups {
 
 pub(crate) use self::cia306::lists::renumbered;
 pub use self::cia306::lists::without_disabled;
-pub(crate) use self::configuration::product::is_same as is_same_product;
+pub(crate) use self::configuration::entries::is_same as is_same_product;
 
 /// Every rule about the model.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
@@ -84,10 +84,8 @@ groups! {
         error_control,
         identity,
         mapped_objects,
-        multiplexed_pdos,
         pdo_mapping,
         pdo_parameters,
-        pdo_transmission,
         sdos,
         storage,
         sync,
@@ -98,7 +96,6 @@ groups! {
     }
     #[cfg(feature = "catalogue")]
     cia304 {
-        configuration,
         mapping,
         parameters,
     }
@@ -107,20 +104,14 @@ groups! {
         lss,
     }
     cia306 {
-        arrays,
-        commissioning,
         configured_values,
         connected_modules,
         device_info,
-        dynamic_channels,
         file_info,
         keys,
-        limits,
-        links,
         lists,
         modules,
         pdos,
-        services,
         sub_indexes,
         types,
         values,
@@ -132,13 +123,10 @@ groups! {
     #[cfg(feature = "catalogue")]
     cia401: demands {
         channels,
-        pdos,
-        values,
     }
     #[cfg(feature = "catalogue")]
     cia402: demands {
         companions,
-        device_type,
         limits,
         mapping,
         modes,
@@ -152,26 +140,19 @@ groups! {
     cia406: demands {
         functions,
         measuring_range,
-        pdos,
     }
     #[cfg(feature = "catalogue")]
     custom: demands {}
     #[cfg(feature = "catalogue")]
     naming {
-        duplicates,
-        standard_names,
         wording,
     }
     #[cfg(feature = "catalogue")]
     portability {
         compact,
-        mapping,
         sections,
-        stacks,
-        values,
     }
     configuration {
         entries,
-        product,
     }
 }

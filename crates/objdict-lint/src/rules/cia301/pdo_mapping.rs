@@ -1,11 +1,14 @@
-//! The mapping of a PDO as a whole: its number of entries, length and access types.
+//! The mapping of a PDO as a whole: its number of entries, length and access types; multiplexed PDOs with their scanner and
+//! dispatching lists.
 
 use crate::diagnostic::{Argument, Findings, Fix, Text, say, sub_index};
 use crate::model::{Access, Device, Field, MappedObject, Object, Part, Pdo, PdoKind, Place};
 use crate::rule::rules;
-use crate::{Facts, PdoFacts, is_unstated};
+use crate::{Facts, PdoFacts, is_unstated, stated};
 
 rules! {
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38";
+
     "cia301/gap-in-mapping" = GAP_IN_MAPPING, Note, Pdo(gap_in_mapping);
     summary: "the sub-indexes of a PDO mapping have a gap",
     checks: "Whether the described sub-indexes of each PDO mapping beyond those in use are consecutive. A gap among those in use has its own rule.",
@@ -23,13 +26,20 @@ rules! {
     remedy: "Write 0 for a fixed mapping, 8 for a mapping of whole bytes, 1 for a mapping of single bits.",
     source: "CiA 306-1 §4.5",
 
+    "cia301/listed-entry-missing" = LISTED_ENTRY_MISSING, Error, Object(listed_entry_missing);
+    summary: "a list of multiplexed PDOs names an entry that does not exist",
+    checks: "Whether each value of an object scanner list (1FA0h to 1FCFh) and the local entry of each value of an object dispatching list (1FD0h to 1FFFh) is described, with all sub-indexes of its block. Modular devices are not checked.",
+    why: "The device cannot send the entry, and discards what it receives for it.",
+    example: "`[1FA0sub1]` with `DefaultValue=0x01200001`, without `[2000sub1]`",
+    remedy: "Describe the entry, or write 0 for an unused place of the list.",
+    source: "CiA 301 §7.5.2.39, §7.5.2.40",
+
     "cia301/mappable-without-pdo" = MAPPABLE_WITHOUT_PDO, Warning, Device(mappable_without_pdo);
     summary: "entries are mappable, but the device has no PDO in their direction",
     checks: "Whether a device with PDOs has a TPDO for its entries with `PDOMapping=1` and access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are not checked.",
     why: "Tools offer the entries for mapping, but there is no PDO for them. Often PDOs are missing in the description.",
     example: "`AccessType=rww` and `PDOMapping=1` in `[2000]` of a device with only TPDOs",
     remedy: "Describe the PDOs, or write `PDOMapping=0`.",
-    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     "cia301/mapping-beyond-count" = MAPPING_BEYOND_COUNT, Note, Pdo(mapping_beyond_count);
     summary: "a PDO mapping has more entries than its sub-index 0 counts",
@@ -63,6 +73,24 @@ rules! {
     remedy: "Use the access of the device for all sub-indexes: `rw` for a changeable mapping, otherwise `const` or `ro`.",
     source: "CiA 301 §7.5.2.36",
 
+    "cia301/multiplexed-pdo-transmission-type" = MULTIPLEXED_PDO_TRANSMISSION_TYPE, Warning,
+        Pdo(multiplexed_pdo_transmission_type);
+    summary: "a multiplexed PDO has a synchronous transmission type",
+    checks: "Whether the transmission type of each multiplexed PDO (sub-index 0 of the mapping is 254 or 255) is 254 or 255.",
+    why: "A multiplexed PDO transmits one entry per frame when that entry changes. SYNC cannot trigger it.",
+    example: "`[1A00sub0]` with `DefaultValue=255` and `[1800sub2]` with `DefaultValue=1`",
+    remedy: "Write 254 or 255.",
+    source: "CiA 301 §7.2.2.6, §7.5.2.36",
+
+    "cia301/multiplexed-pdo-without-list" = MULTIPLEXED_PDO_WITHOUT_LIST, Error,
+        Facts(multiplexed_pdo_without_list);
+    summary: "a multiplexed PDO in source address mode has no list",
+    checks: "Whether a device with a TPDO whose mapping has 254 in sub-index 0 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).",
+    why: "In source address mode, the lists define which entries are sent and where received entries are written. Without them nothing is sent, and received data are discarded.",
+    example: "`[1600sub0]` with `DefaultValue=254`, without `[1FD0]`",
+    remedy: "Add the list, or write 255 to sub-index 0 for destination address mode, which needs no list.",
+    source: "CiA 301 §7.2.2.6, §7.5.2.39, §7.5.2.40",
+
     "cia301/pdo-length-exceeded" = PDO_LENGTH_EXCEEDED, Error, Pdo(pdo_length_exceeded);
     summary: "a PDO is longer than 64 bits",
     checks: "Whether the lengths of the mapped objects of a PDO add up to at most 64 bits. Missing objects and wrong lengths have their own rules.",
@@ -77,7 +105,6 @@ rules! {
     why: "A TPDO without objects sends empty frames, or the device rejects it; an RPDO occupies a CAN-ID without use.",
     example: "`[1801sub1]` with `DefaultValue=$NODEID+0x280`, and `[1A01sub0]` with `DefaultValue=0`",
     remedy: "Set bit 31 of the COB-ID, or map an object.",
-    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     "cia301/wrong-mapping-count" = WRONG_MAPPING_COUNT, Error, Pdo(wrong_mapping_count), fix Unsafe;
     summary: "the number of mapped objects is out of range or greater than the number of entries",
@@ -162,7 +189,7 @@ fn mappable_without_pdo(device: &Device, findings: &mut Findings) {
         return;
     }
     let mut entries = device.objects.range(0x2000..).flat_map(|(&index, object)| {
-        let place = move |sub: Option<u8>| sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+        let place = move |sub: Option<u8>| Place::at(index, sub);
         object.described().map(move |(sub, entry)| (place(sub), entry))
     });
     let found = entries.find(|(_, entry)| {
@@ -324,4 +351,73 @@ fn wrong_mapping_count(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
 
 fn mapped_number(object: &Object, sub: u8) -> Option<i128> {
     object.value(sub)?.as_integer()
+}
+
+fn listed_entry_missing(device: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    // the local index of a dispatching list begins 32 bits further up
+    let shift = match index {
+        0x1FA0..=0x1FCF => 0,
+        0x1FD0..=0x1FFF => 32,
+        _ => return,
+    };
+    if device.is_modular() {
+        return;
+    }
+    for (sub, _) in object.entries().filter(|(sub, _)| (1..0xFF).contains(sub)) {
+        let value = object.value(sub).and_then(|value| value.as_integer());
+        let Some(value) = value.and_then(|value| u64::try_from(value).ok()).filter(|&value| value != 0)
+        else {
+            continue;
+        };
+        let [.., block, high, low, first] = (value >> shift).to_be_bytes();
+        let target = u16::from_be_bytes([high, low]);
+        let last = first.saturating_add(block.saturating_sub(1));
+        let lacks = |sub: &u8| device.object(target).and_then(|target| target.entry(*sub)).is_none();
+        let Some(missing) = (first..=last).find(lacks) else { continue };
+        // an object without a section of its own
+        if stated::is_there(device, target) && device.object(target).is_none_or(|target| target.orphan) {
+            continue;
+        }
+        let message =
+            say!("{:04X}h names {:04X}h:{:02X}, but there is no such entry", index, target, missing);
+        let finding = LISTED_ENTRY_MISSING.at(device.value_place(index, sub), message);
+        findings.push(finding.help("describe the entry, or write 0"));
+    }
+}
+
+fn multiplexed_pdo_transmission_type(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let Some(transmission_type @ 0..=240) = pdo.transmission_type.filter(|_| pdo.is_multiplexed()) else {
+        return;
+    };
+    let place = facts.device.value_place(pdo.communication_index(), 2);
+    let message =
+        say!("{} is a multiplexed PDO, but transmission type `{}` is synchronous", pdo, transmission_type);
+    let finding = MULTIPLEXED_PDO_TRANSMISSION_TYPE
+        .at(place, message)
+        .label(facts.device.value_place(pdo.mapping_index(), 0), "this makes it a multiplexed PDO");
+    findings.push(finding.help("write 254 or 255"));
+}
+
+fn multiplexed_pdo_without_list(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    for kind in PdoKind::ALL {
+        let (first, last, name) = match kind {
+            PdoKind::Tpdo => (0x1FA0, 0x1FCF, "object scanner list"),
+            PdoKind::Rpdo => (0x1FD0, 0x1FFF, "object dispatching list"),
+        };
+        let mut pdos = facts.pdos.iter().map(|facts| &facts.pdo).filter(|pdo| pdo.kind == kind);
+        let Some(pdo) = pdos.find(|pdo| pdo.mapped_count == Some(0xFE)) else { continue };
+        let is_listed = device.lists.iter().any(|(_, index)| (first..=last).contains(&index));
+        if is_listed || device.objects.range(first..=last).next().is_some() {
+            continue;
+        }
+        let message = say!("{} is a multiplexed PDO in source address mode, but there is no {}", pdo, name);
+        let finding = MULTIPLEXED_PDO_WITHOUT_LIST.at(device.value_place(pdo.mapping_index(), 0), message);
+        findings.push(finding.help(say!(
+            "add {:04X}h ({}), or write 255 for destination address mode",
+            first,
+            name
+        )));
+    }
 }

@@ -96,8 +96,7 @@ fn storage_signature_as_default(device: &Device, findings: &mut Findings) {
                 |(sub, entry)| Some((sub, default_number(entry).filter(|number| number & !known != 0)?)),
             );
         let Some((sub, value)) = wrong.next() else { continue };
-        let place =
-            sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(Field::DefaultValue);
+        let place = Place::at(index, sub).field(Field::DefaultValue);
         let which = sub.map_or_else(Text::default, |sub| say!(" sub-index {}", sub_index(sub)));
         let finding = if value == signature {
             let message = say!(

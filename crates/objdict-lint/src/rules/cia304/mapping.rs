@@ -64,7 +64,7 @@ fn invalid_inverted_object(device: &Device, findings: &mut Findings) {
     for (&index, object) in &device.objects {
         for (sub, entry) in object.described().filter(|(_, entry)| entry.safety.is_some()) {
             let Some(srad) = entry.safety.as_ref().and_then(|safety| safety.inverted_srad) else { continue };
-            let part = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+            let part = Place::at(index, sub);
             let Some(what) = inversion_problem(device, (index, sub.unwrap_or(0)), srad, entry.data_type)
             else {
                 continue;

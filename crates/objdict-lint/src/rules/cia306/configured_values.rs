@@ -81,7 +81,7 @@ fn configuration_in_eds(device: &Device, findings: &mut Findings) {
 fn configured_places(index: u16, object: &Object) -> impl Iterator<Item = Place> {
     let entries = object.described().filter_map(move |(sub, entry)| {
         let field = configured_field(entry)?;
-        Some(sub.map_or(Place::object(index), |sub| Place::entry(index, sub)).field(field))
+        Some(Place::at(index, sub).field(field))
     });
     let compact = object.compact.as_ref();
     let values = compact.filter(|compact| !compact.values.is_empty()).map(|_| Part::CompactValues(index));

@@ -1,10 +1,10 @@
-//! The entries of a configuration, compared with its EDS.
+//! The product, revision and entries of a configuration, compared with its EDS.
 
 use std::cmp::Ordering;
 
 use crate::configured::{ConfiguredDevice, EntryPair};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say, series, sub_index};
-use crate::model::{Access, Entry, Field, Place, Value};
+use crate::model::{Access, Device, DeviceInfo, Entry, Field, Part, Place, Value};
 use crate::rule::rules;
 use crate::stated;
 
@@ -39,6 +39,22 @@ rules! {
     why: "A download has the length of the wrong type: the device rejects it with abort code 06070010h, or takes other bytes.",
     example: "`DataType=0x0005` in the DCF, and `DataType=0x0006` in the EDS",
     remedy: "Write the data type of the EDS, or check with the EDS of the device.",
+
+    "configuration/other-device" = OTHER_DEVICE, Error, Configured(other_device);
+    summary: "a configuration is for another device than its EDS",
+    checks: "Whether `VendorNumber` and `ProductNumber` of a DCF are those of its EDS, and vendor-ID and product code in 1018h too. If they are not, no other difference is reported.",
+    why: "The configuration belongs to another product: its entries may not exist in the device, or mean something else.",
+    example: "`ProductNumber=0x11` in the DCF, and `ProductNumber=0x10` in the EDS",
+    remedy: "Name the EDS of the device with `--eds`, or in `LastEDS`; or make the DCF anew.",
+    source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
+
+    "configuration/other-revision" = OTHER_REVISION, Warning, Configured(other_revision);
+    summary: "a configuration is for another revision than its EDS",
+    checks: "Whether `RevisionNumber` of a DCF is that of its EDS, and the revision number in 1018h too.",
+    why: "A manager that compares the revision does not boot the node, and objects of the other revision can differ.",
+    example: "`RevisionNumber=0x00010000` in the DCF, and `RevisionNumber=0x00020000` in the EDS",
+    remedy: "Make the DCF anew from the EDS of the device, or name the EDS that it was made from.",
+    source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
 
     "configuration/unknown-entry" = UNKNOWN_ENTRY, Warning, Configured(unknown_entry);
     summary: "a configuration has an object or a sub-index that its EDS does not have",
@@ -182,8 +198,67 @@ fn value_outside_limits(configured: &ConfiguredDevice<'_>, findings: &mut Findin
             say!("{} is configured as {:h}, but `{}` is {:h} in the {EDS}", pair.name(), value, field, limit);
         let place = configured.device.value_place(pair.index, pair.sub.unwrap_or_default());
         let finding = VALUE_OUTSIDE_LIMITS.at(place, message);
-        let sub = pair.sub.map_or(Place::object(pair.index), |sub| Place::entry(pair.index, sub));
+        let sub = Place::at(pair.index, pair.sub);
         let finding = finding.label(At::Node(0, sub.field(field)), say!("in the {EDS}"));
         findings.push(finding.help("configure a value that the device accepts"));
     }
+}
+
+fn other_device(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
+    let (device, origin) = (configured.device, configured.written);
+    for (field, name, number, sub) in IDENTITY {
+        let Some((place, is, other, wanted)) = difference(device, origin, &field, number, sub) else {
+            continue;
+        };
+        let message = say!("the {} is `0x{:08X}`, but that of the {EDS} is `0x{:08X}`", name, is, wanted);
+        let finding = OTHER_DEVICE.at(place, message);
+        findings.push(
+            finding
+                .label(At::Node(0, other), say!("in the {EDS}"))
+                .help(say!("check with the {EDS} of the device")),
+        );
+    }
+}
+
+type NumberField = fn(&DeviceInfo) -> Option<u32>;
+
+const IDENTITY: [(Field, &str, NumberField, u8); 2] = [
+    (Field::VendorNumber, "vendor-ID", |info| info.vendor_number, 1),
+    (Field::ProductNumber, "product code", |info| info.product_number, 2),
+];
+
+/// Whether both are descriptions of the same product.
+pub(crate) fn is_same(device: &Device, origin: &Device) -> bool {
+    IDENTITY.iter().all(|(field, _, number, sub)| difference(device, origin, field, *number, *sub).is_none())
+}
+
+/// Where two devices state different numbers: in the device information, else in a sub-index of 1018h. The place and the number
+/// of each.
+fn difference(
+    device: &Device,
+    origin: &Device,
+    field: &Field,
+    number: NumberField,
+    sub: u8,
+) -> Option<(Place, u32, Place, u32)> {
+    let of_info = |device: &Device| device.device_info.as_ref().and_then(number);
+    let of_object = |device: &Device| u32::try_from(device.value(0x1018, sub)?.as_integer()?).ok();
+    let info = || Place::of(Part::DeviceInfo).field(field.clone());
+    let differing =
+        |left: Option<u32>, right: Option<u32>| left.zip(right).filter(|(left, right)| left != right);
+    differing(of_info(device), of_info(origin)).map(|(is, wanted)| (info(), is, info(), wanted)).or_else(
+        || {
+            let (is, wanted) = differing(of_object(device), of_object(origin))?;
+            Some((device.value_place(0x1018, sub), is, origin.value_place(0x1018, sub), wanted))
+        },
+    )
+}
+
+fn other_revision(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
+    let (device, origin) = (configured.device, configured.written);
+    let found = difference(device, origin, &Field::RevisionNumber, |info| info.revision_number, 3);
+    let Some((place, is, other, wanted)) = found else { return };
+    let message = say!("the revision number is `0x{:08X}`, but that of the {EDS} is `0x{:08X}`", is, wanted);
+    let finding = OTHER_REVISION.at(place, message).label(At::Node(0, other), say!("in the {EDS}"));
+    findings.push(finding.help(say!("make the configuration anew from this {EDS}")));
 }

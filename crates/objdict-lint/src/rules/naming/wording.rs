@@ -1,12 +1,40 @@
-//! Names that are placeholders, too long, or contradict their entry.
+//! Names that are placeholders, too long, used twice, or contradict their entry or the standard.
 
-use crate::EntryAt;
+use std::collections::HashMap;
+
+use crate::demands::{self, Against};
 use crate::diagnostic::{Findings, Fix, say, sub_index};
-use crate::model::{DataType, Device, Field, Object, Place, TypeKind};
+use crate::model::{DataType, Device, DeviceKind, Field, ModulePart, Object, Part, PdoKind, Place, TypeKind};
+use crate::profile::index_in;
 use crate::rule::rules;
+use crate::{EntryAt, Facts, PdoFacts, with_others};
 
 rules! {
     source: "Not in a standard";
+
+    "naming/duplicate-denotation" = DUPLICATE_DENOTATION, Note, Device(duplicate_denotation);
+    summary: "two entries have the same denotation",
+    checks: "Whether the denotations of a DCF, the application's names of entries, differ. The first repetition is shown with the others.",
+    why: "An application that looks up variables by denotation gets the first of the two.",
+    example: "`Denotation=Door open` in `[6000sub1]` and in `[6000sub2]`",
+    remedy: "Give each entry a unique denotation.",
+    source: "CiA 306-1 §5.3",
+
+    "naming/duplicate-module" = DUPLICATE_MODULE, Note, Device(duplicate_module);
+    summary: "two modules have the same name and order code",
+    checks: "Whether two modules have both the same `ProductName` and the same `OrderCode`.",
+    why: "Users who assemble a station by names cannot distinguish the two modules.",
+    example: "`ProductName=DI8` and `OrderCode=750-430` in `[M1ModuleInfo]` and in `[M2ModuleInfo]`",
+    remedy: "Add the version to the name, or remove one of the modules.",
+    source: "CiA 306-1 §6.3",
+
+    "naming/duplicate-object-name" = DUPLICATE_OBJECT_NAME, Note, Device(duplicate_object_name);
+    summary: "two objects have the same name",
+    checks: "Whether the names of objects from 2000h on differ. Not checked: objects at a distance of 800h, which are the same object of several axes or channels, and 5800h to 5FFFh, where masters store the PDOs of other nodes. The first repetition is shown with the others.",
+    why: "Users cannot distinguish the objects, libraries that look up objects by name return the first one, and code generators have to add numbers.",
+    example: "`ParameterName=Setpoint` in `[2000]` and in `[2001]`",
+    remedy: "Add a number or a word to the names.",
+    source: "Not in a standard; python-canopen, for example, looks up objects by name",
 
     "naming/long-name" = LONG_NAME, Note, Entry(long_name);
     summary: "a name is longer than a line of text",
@@ -14,6 +42,15 @@ rules! {
     why: "Tools show names in columns and truncate them, identifiers made from them lose their end, and often the text is a description.",
     example: "A `ParameterName` of two sentences",
     remedy: "Shorten the name; move explanations to a comment or the manual.",
+
+    "naming/name-of-other-object" = NAME_OF_OTHER_OBJECT, Note,
+        Facts(name_of_other_object), explains Around ["duplicate-object-name"];
+    summary: "an object has the name of another object of the standard",
+    checks: "Whether no object has the name that the CiA document gives to another index, and no entry the name of another sub-index of the same object. Only letters and digits are compared, without case; `Reserved` is not a name. One finding for each device.",
+    why: "Users and tools that go by names write the deceleration to the acceleration. Either the index or the name is wrong; usually both were exchanged.",
+    example: "`[6083]` with `ParameterName=Profile deceleration`, which is 6084h",
+    remedy: "Write the name of the document, or move the object.",
+    source: "CiA 301 and the device profiles, names of objects",
 
     "naming/placeholder" = PLACEHOLDER, Note, Entry(placeholder);
     summary: "a name is a placeholder",
@@ -29,6 +66,13 @@ rules! {
     example: "`ParameterName=Motor  speed`",
     remedy: "Remove the extra spaces.",
 
+    "naming/same-identifier" = SAME_IDENTIFIER, Note, Object(same_identifier);
+    summary: "two names of an object result in the same identifier",
+    checks: "Whether the names of an object's sub-indexes from 2000h on differ in more than case, spaces and punctuation. Equal names have their own finding. Only the first pair in an object is shown.",
+    why: "Identifiers in generated code consist of letters, digits and `_`: `Gain +` and `gain -` become the same, and the generator has to add numbers, which change when an entry is inserted.",
+    example: "`ParameterName=Limit +` in `[2000sub1]` and `ParameterName=Limit -` in `[2000sub2]`",
+    remedy: "Express the difference in words: `Limit positive` and `Limit negative`.",
+
     "naming/type-in-name" = TYPE_IN_NAME, Note, Entry(type_in_name);
     summary: "the name contains another type than the entry has",
     checks: "Whether a name that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, matches width and kind of the entry.",
@@ -42,6 +86,14 @@ rules! {
     why: "Usually lines were swapped: software that sets element 3 by its name sets another element.",
     example: "`[2000sub1]` to `[2000sub3]` called `Input 1`, `Input 3` and `Input 2`",
     remedy: "Number the names in the order of the sub-indexes.",
+
+    "naming/wrong-pdo-direction" = WRONG_PDO_DIRECTION, Warning, Pdo(wrong_pdo_direction);
+    summary: "the name of a PDO has the wrong direction",
+    checks: "Whether names of RPDO objects (14xxh and 16xxh) mention only a transmit PDO or TPDO, or names of TPDO objects (18xxh and 1Axxh) only a receive PDO or RPDO.",
+    why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
+    example: "`ParameterName=Receive PDO 1 parameter` in `[1800]`",
+    remedy: "Correct the name or the index.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
 
 /// The maximum length of a name that is not reported.
@@ -199,4 +251,230 @@ fn numbered(name: &str) -> Option<(&str, u32)> {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let number = name.get(stem.len()..)?;
     if stem.is_empty() || number.is_empty() { None } else { Some((stem, number.parse().ok()?)) }
+}
+
+/// The name of sub-indexes that must not be there.
+const RESERVED_NAME: &str = "Reserved";
+
+fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
+    let mut wrong = Vec::new();
+    for one in demands::applied(facts.device, facts.options) {
+        let objects = || one.profile.objects().map(|object| (object.name, (object.first, object.last)));
+        for against in demands::against(facts.device, &one).filter(|against| !against.object.orphan) {
+            if let Some((other, _)) = place_of_other(objects(), against.object.name(), against.facts.name) {
+                let place = Place::object(against.index);
+                let other = index_in(one.block, other);
+                wrong.push((
+                    place,
+                    say!(
+                        "{:04X}h has the name of {:04X}h, `{}`",
+                        against.index,
+                        other,
+                        against.object.name()
+                    ),
+                ));
+            }
+            entries_with_other_names(&against, &mut wrong);
+        }
+    }
+    let mut wrong = wrong.into_iter().map(|(place, text)| (place.field(Field::ParameterName), text));
+    let Some((place, message)) = wrong.next() else { return };
+    let finding = NAME_OF_OTHER_OBJECT.at(place, message);
+    findings.push(
+        with_others(finding, wrong).help("write the name that the document gives it, or move the object"),
+    );
+}
+
+/// Adds the entries of an object that have the name of another one of its entries.
+fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Text)>) {
+    let entries = || against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last)));
+    for at in against.entries() {
+        // another rule reports reserved sub-indexes
+        let Some(sub) = at.sub.filter(|_| at.facts.name != RESERVED_NAME) else { continue };
+        if let Some((other, _)) = place_of_other(entries(), &at.entry.name, at.facts.name) {
+            let message =
+                say!("{} has the name of sub-index {}, `{}`", at, sub_index(other), &*at.entry.name);
+            wrong.push((Place::entry(against.index, sub), message));
+        }
+    }
+}
+
+/// The first and the last number of the only one with a name that is not the `own` one.
+fn place_of_other<'a, T: PartialEq>(
+    named: impl Iterator<Item = (&'a str, (T, T))>,
+    name: &str,
+    own: &str,
+) -> Option<(T, T)> {
+    if is_alike(name, own) {
+        return None;
+    }
+    let mut alike = named.filter(|(other, _)| !matches!(*other, "" | RESERVED_NAME) && is_alike(name, other));
+    let (_, place) = alike.next()?;
+    (alike.next().is_none() && place.0 == place.1).then_some(place)
+}
+
+/// Whether names are the same but for blanks, case and signs. The asterisk of values in increments counts (CiA 402).
+fn is_alike(name: &str, other: &str) -> bool {
+    name == other || plain(name).eq(plain(other))
+}
+
+fn plain(name: &str) -> impl Iterator<Item = char> {
+    let named = name.chars().filter(|&char| char.is_alphanumeric() || char == '*');
+    named.flat_map(char::to_lowercase)
+}
+
+const RECEIVE_WORDS: [&str; 3] = ["rpdo", "receive", "rxpdo"];
+const TRANSMIT_WORDS: [&str; 3] = ["tpdo", "transmit", "txpdo"];
+
+fn wrong_pdo_direction(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let (own, other) = match pdo.kind {
+        PdoKind::Rpdo => (RECEIVE_WORDS, TRANSMIT_WORDS),
+        PdoKind::Tpdo => (TRANSMIT_WORDS, RECEIVE_WORDS),
+    };
+    let objects = [(pdo.communication_index(), pdo.communication), (pdo.mapping_index(), pdo.mapping)];
+    for (index, object) in objects.into_iter().filter_map(|(index, object)| Some((index, object?))) {
+        let name = object.name();
+        let says = |words: [&str; 3]| words.iter().any(|word| contains_word(name, word));
+        if says(other) && !says(own) {
+            let message = say!("{:04X}h belongs to {}, but is named `{}`", index, pdo, name);
+            let place = Place::object(index).field(Field::ParameterName);
+            findings.push(WRONG_PDO_DIRECTION.at(place, message).help("correct the name or the index"));
+            return;
+        }
+    }
+}
+
+/// Whether a name contains a word, ignoring case.
+fn contains_word(name: &str, word: &str) -> bool {
+    name.as_bytes().windows(word.len()).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
+}
+
+fn duplicate_denotation(device: &Device, findings: &mut Findings) {
+    if device.kind != DeviceKind::Node {
+        return;
+    }
+    let mut seen: HashMap<&str, Place> = HashMap::new();
+    let mut repeated = Vec::new();
+    let mut take = |name, place: Place| match seen.get(name) {
+        Some(first) => repeated.push((first.clone(), place, name)),
+        None => {
+            seen.insert(name, place);
+        }
+    };
+    for (&index, object) in &device.objects {
+        for (sub, entry) in object.described() {
+            let Some(configured) = &entry.configured else { continue };
+            let Some(name) = configured.denotation.as_deref().filter(|name| !name.is_empty()) else {
+                continue;
+            };
+            take(name, Place::at(index, sub).field(Field::Denotation));
+        }
+        for (sub, name) in object.compact.iter().flat_map(|compact| &compact.denotations) {
+            if !name.is_empty() {
+                take(name, Place::of(Part::CompactDenotations(index)).field(Field::Item(u32::from(*sub))));
+            }
+        }
+    }
+    let mut repeated = repeated.into_iter();
+    let Some((first, second, name)) = repeated.next() else { return };
+    let message = say!("two entries have the denotation `{}`", name);
+    let finding = DUPLICATE_DENOTATION.at(second, message).label(first, "first here");
+    let others = repeated.map(|(_, place, name)| (place, say!("`{}` again", name)));
+    findings.push(with_others(finding, others).help("give each entry a unique denotation"));
+}
+
+fn duplicate_module(device: &Device, findings: &mut Findings) {
+    let mut seen = HashMap::new();
+    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
+        let (Some(name), Some(code)) = (&module.product_name, &module.order_code) else { continue };
+        // two versions of a module may share a name
+        let key = (name, code, module.product_version, module.product_revision);
+        let first = *seen.entry(key).or_insert(number);
+        if first == number || name.is_empty() {
+            continue;
+        }
+        let place = |number| Place::of(Part::Module(number, ModulePart::Info)).field(Field::ProductName);
+        let message = say!("modules {} and {} are both `{}` with order code `{}`", first, number, name, code);
+        let finding = DUPLICATE_MODULE.at(place(number), message).label(place(first), "first here");
+        findings.push(finding.help("add the version to the name, or remove one of the modules"));
+    }
+}
+
+fn duplicate_object_name(device: &Device, findings: &mut Findings) {
+    let mut seen: HashMap<&str, u16> = HashMap::with_capacity(device.objects.len());
+    let mut repeated = device.objects.range(0x2000..).filter_map(|(&index, object)| {
+        let name = object.name();
+        if name.is_empty() || object.orphan || (0x5800..0x6000).contains(&index) {
+            return None;
+        }
+        let first = *seen.entry(name).or_insert(index);
+        // the same object of another axis is 800h higher
+        let is_copy = index >= 0x6000 && (index - first).is_multiple_of(0x800);
+        (first != index && !is_copy).then_some((first, index, name))
+    });
+    let Some((first, second, name)) = repeated.next() else { return };
+    let place = |index| Place::object(index).field(Field::ParameterName);
+    let message = say!("{:04X}h and {:04X}h are both called `{}`", first, second, name);
+    let finding = DUPLICATE_OBJECT_NAME.at(place(second), message).label(place(first), "first here");
+    let others = repeated
+        .map(|(first, index, _)| (place(index), say!("and {:04X}h the same as {:04X}h", index, first)));
+    findings.push(with_others(finding, others).help("add a number or a word to the names"));
+}
+
+fn same_identifier(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if index < 0x2000 {
+        return;
+    }
+    let Some((first, second)) = similar_names(object) else { return };
+    let name = |sub| object.subs.get(sub).map_or("", |entry| &entry.name);
+    let message = say!(
+        "`{}` and `{}`, sub-indexes {} and {}, result in the same identifier",
+        name(first),
+        name(second),
+        sub_index(first),
+        sub_index(second)
+    );
+    let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
+    let finding = SAME_IDENTIFIER.at(place(second), message).label(place(first), "first here");
+    findings.push(finding.help("express the difference in words"));
+}
+
+/// The first two sub-indexes whose names differ only in case, spaces and punctuation.
+fn similar_names(object: &Object) -> Option<(u8, u8)> {
+    let mut seen: Vec<(u64, u8)> = Vec::with_capacity(object.subs.len());
+    for (sub, entry) in object.subs.iter() {
+        let Some(hash) = hash_of_letters(&entry.name) else { continue };
+        let same = seen.iter().find(|&&(other, first)| {
+            let name = object.subs.get(first).map_or("", |entry| &entry.name);
+            other == hash && is_similar(name, &entry.name)
+        });
+        match same {
+            // another rule reports equal names
+            Some(&(_, first)) if object.subs.get(first).is_some_and(|other| other.name == entry.name) => {}
+            Some(&(_, first)) => return Some((first, sub)),
+            None => seen.push((hash, sub)),
+        }
+    }
+    None
+}
+
+/// The letters and digits of a name in lower case; a name with non-ASCII letters is skipped.
+fn letters_of(name: &str) -> impl Iterator<Item = u8> {
+    name.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_lowercase())
+}
+
+fn is_similar(one: &str, other: &str) -> bool {
+    letters_of(one).eq(letters_of(other))
+}
+
+/// A hash that is equal for similar names; `None` for a name without letters, or with non-ASCII letters.
+fn hash_of_letters(name: &str) -> Option<u64> {
+    if !name.is_ascii() {
+        return None;
+    }
+    let fold = |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
+    let mut letters = letters_of(name).peekable();
+    letters.peek()?;
+    Some(letters.fold(0xCBF2_9CE4_8422_2325, fold))
 }

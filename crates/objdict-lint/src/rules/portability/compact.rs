@@ -1,10 +1,16 @@
-//! Compact objects, whose sections not all tools read.
+//! Compact objects, PDO mappings and values that not all tools read, or read correctly.
 
-use crate::diagnostic::{Findings, say};
-use crate::model::{Compact, Device, Object, Part, Place};
+use crate::diagnostic::{Findings, Fix, counted, listing, listing_or, say};
+use crate::model::{
+    Access, Compact, DataType, Device, Entry, Field, ModulePart, Object, ObjectType, Part, PdoKind,
+    PdoMapping, Place, Value,
+};
 use crate::rule::rules;
+use crate::{EntryAt, EntryOwner, Facts, PdoFacts, stated};
 
 rules! {
+    source: "python-canopen 2.4.1, CANopenEditor of 2026";
+
     "portability/compact-denotations" = COMPACT_DENOTATIONS, Error, Device(compact_denotations);
     summary: "a tool does not know the denotations of a compact object",
     checks: "Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown with the others.",
@@ -35,7 +41,6 @@ rules! {
     why: "CANopenEditor creates the sub-indexes, but drops their default and mapping and uses the low limit as the high limit. python-canopen creates the sub-indexes of an ARRAY on access, without a value in sub-index 0, and none for a RECORD.",
     example: "`CompactSubObj=8`",
     remedy: "Describe the sub-indexes individually.",
-    source: "python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/compact-values" = COMPACT_VALUES, Warning, Device(compact_values);
     summary: "a tool ignores the values of a compact object",
@@ -43,7 +48,76 @@ rules! {
     why: "python-canopen and CANopenEditor do not read the section: they use the default instead of the configured values.",
     example: "`[2000Value]`",
     remedy: "Describe the sub-indexes individually, each with its `ParameterValue`.",
-    source: "python-canopen 2.4.1, CANopenEditor of 2026",
+
+    "portability/domain-without-type" = DOMAIN_WITHOUT_TYPE, Error, Entry(domain_without_type), fix Safe;
+    summary: "a DOMAIN has no data type or access",
+    checks: "Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not require them: the data type is DOMAIN, the access `rw`.",
+    why: "dcf-tools and python-canopen read both keys of each object with a value and fail if one is missing.",
+    example: "`ObjectType=0x2` without `DataType`",
+    remedy: "Write `DataType=0x000F` and `AccessType=rw` (the defaults).",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
+
+    "portability/empty-text" = EMPTY_TEXT, Error, Device(empty_text);
+    summary: "a tool does not accept an empty text",
+    checks: "Whether `VendorName`, `ProductName` and `OrderCode` of the device and of its modules have a text, if they are there.",
+    why: "CANchkEDS reports mandatory keys without a value.",
+    example: "`OrderCode=`",
+    remedy: "Write the order code.",
+    source: "CANchkEDS 4.0",
+
+    "portability/file-reference" = FILE_REFERENCE, Note, Device(file_reference);
+    summary: "a tool ignores the file of a DOMAIN",
+    checks: "Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown with the others.",
+    why: "python-canopen and CANopenEditor neither load the file nor write its name back.",
+    example: "`DownloadFile=firmware.bin`",
+    remedy: "Load the file in the application, or use a tool that supports it.",
+
+    "portability/implicit-pdo" = IMPLICIT_PDO, Note, Device(implicit_pdo);
+    summary: "a PDO is only implied by `CompactPDO`",
+    checks: "Whether `CompactPDO` and the PDO counts in `[DeviceInfo]` imply PDOs without objects in the file.",
+    why: "python-canopen and CANopenEditor ignore `CompactPDO` (CANopenEditor unless the file has modules), so they do not know these PDOs.",
+    example: "`NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`",
+    remedy: "Describe the objects of the PDOs, for example with `objdict convert`.",
+
+    "portability/long-value" = LONG_VALUE, Note, Device(long_value);
+    summary: "a configured value has more than four bytes",
+    checks: "Whether a writable entry with a default or configured value has a type of more than four bytes or of variable length. The first one is shown with the others.",
+    why: "CODESYS configures entries of up to four bytes by SDO; the application must write longer ones.",
+    example: "A writable UNSIGNED64 with a default",
+    remedy: "Write the entry from the application, or split it into entries of four bytes.",
+    source: "Manual of CODESYS, tab `SDOs` of a CANopen remote device",
+
+    "portability/mapping-of-structure" = MAPPING_OF_STRUCTURE, Error, Entry(mapping_of_structure), fix Safe;
+    summary: "an object without a mappable value has `PDOMapping=0`",
+    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj`, or a DOMAIN, has `PDOMapping=0`. The key does not belong there, but its value is right.",
+    why: "node-canopen refuses keys of a value at these object types.",
+    example: "`[1018]` with `ObjectType=0x9` and `PDOMapping=0`",
+    remedy: "Remove the key.",
+    source: "node-canopen 6.2.1",
+
+    "portability/time-value" = TIME_VALUE, Warning, Device(time_value);
+    summary: "a time of day or a duration has a value",
+    checks: "Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown with the others.",
+    why: "python-canopen does not know these types and reads an integer: the space between days and milliseconds is removed, and `1 2` becomes 12.",
+    example: "`DefaultValue=1 0x36EE80` of a TIME_OF_DAY",
+    remedy: "Remove the value if 0 is acceptable.",
+    source: "python-canopen 2.4.1",
+
+    "portability/unclear-direction" = UNCLEAR_DIRECTION, Warning, Device(unclear_direction);
+    summary: "a mappable entry is readable and writable",
+    checks: "Whether entries with `PDOMapping=1` have an access type with a direction: `ro`, `const` and `rwr` for TPDOs, `wo` and `rww` for RPDOs. Only the first one is shown.",
+    why: "CANchkEDS cannot decide whether an entry with `rw` belongs to a TPDO or to an RPDO.",
+    example: "`AccessType=rw` and `PDOMapping=1`",
+    remedy: "Write `rwr` for an entry that TPDOs send, `rww` for one that RPDOs receive.",
+    source: "CANchkEDS 4.0; CiA 306-1 §4.6.3.2",
+
+    "portability/unused-mapping-slot" = UNUSED_MAPPING_SLOT, Warning, Pdo(unused_mapping_slot);
+    summary: "a fixed PDO mapping has entries that it does not use",
+    checks: "Whether the default of sub-index 0 of each mapping is its highest sub-index, if `Granularity=0` says that the mapping cannot be changed.",
+    why: "CANchkEDS warns because the entries can never be used.",
+    example: "`Granularity=0`, `[1A00sub0]` with `DefaultValue=1`, and `[1A00sub2]`",
+    remedy: "Remove the unused entries, or write the granularity of a mapping that can be changed.",
+    source: "CANchkEDS 4.0",
 }
 
 /// The places of the compact objects that a rule is about.
@@ -113,4 +187,148 @@ fn compact_values(device: &Device, findings: &mut Findings) {
     let texts =
         ("not all tools read the values of a compact object", "describe the sub-indexes individually");
     COMPACT_VALUES.report_all(places, "the same here", texts, findings);
+}
+
+fn implicit_pdo(device: &Device, findings: &mut Findings) {
+    let implicit = device.implicit_pdos();
+    if implicit.is_empty() {
+        return;
+    }
+    let rpdos = implicit.iter().filter(|(kind, _)| *kind == PdoKind::Rpdo).count();
+    let message = match (rpdos, implicit.len() - rpdos) {
+        (0, tpdos) => say!("`{CompactPDO}` implies {}", counted(tpdos, "TPDO", "TPDOs")),
+        (rpdos, 0) => say!("`{CompactPDO}` implies {}", counted(rpdos, "RPDO", "RPDOs")),
+        (rpdos, tpdos) => say!(
+            "`{CompactPDO}` implies {} and {}",
+            counted(rpdos, "RPDO", "RPDOs"),
+            counted(tpdos, "TPDO", "TPDOs")
+        ),
+    };
+    let place = Place::of(Part::DeviceInfo).field(Field::CompactPdo);
+    findings.push(IMPLICIT_PDO.at(place, message).help("describe the objects of these PDOs"));
+}
+
+fn mapping_of_structure(at: &EntryAt<'_>, findings: &mut Findings) {
+    let is_without_value = match at.object_type() {
+        _ if at.origin != EntryOwner::Device => false,
+        Some(ObjectType::Domain) => true,
+        Some(object_type) => object_type.has_subs() && at.sub.is_none() && at.object.compact.is_none(),
+        None => false,
+    };
+    if is_without_value && at.entry.pdo_mapping == Some(PdoMapping::No) {
+        let place = at.field(Field::PdoMapping);
+        let message = say!("this {} has `{PDOMapping=0}`", at.object_type().unwrap_or(ObjectType::Var));
+        let finding = MAPPING_OF_STRUCTURE.at(place.clone(), message).help(say!("remove {the key}"));
+        findings.push(finding.fix(Fix::safe(say!("remove {the key}")).remove(place)));
+    }
+}
+
+fn unclear_direction(device: &Device, findings: &mut Findings) {
+    let mut unclear = device.objects.iter().flat_map(|(&index, object)| {
+        let entries = object.described();
+        let unclear = entries.filter(|(_, entry)| entry.access == Some(Access::Rw) && entry.is_mappable());
+        unclear.map(move |(sub, _)| Part::at(index, sub))
+    });
+    let Some(first) = unclear.next() else { return };
+    let entries = counted(unclear.count() + 1, "entry is", "entries are");
+    let message = say!("{} mappable with `{AccessType=rw}`, which names no direction", entries);
+    let finding = UNCLEAR_DIRECTION.at(Place::of(first).field(Field::AccessType), message);
+    findings.push(finding.help(say!("write `{AccessType=rwr}` for TPDOs, `{AccessType=rww}` for RPDOs")));
+}
+
+fn unused_mapping_slot(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity);
+    let index = pdo.pdo.mapping_index();
+    let highest = facts.device.object(index).and_then(crate::model::Object::highest_sub);
+    let (Some(0), Some(count), Some(highest)) = (granularity, pdo.pdo.mapped_count, highest) else { return };
+    if count < highest {
+        let message = say!("{:04X}h has {} entries, but {} maps only `{}`", index, highest, pdo.pdo, count);
+        let finding = UNUSED_MAPPING_SLOT.at(facts.device.value_place(index, 0), message);
+        findings.push(finding.help("remove the unused entries, or write another `Granularity`"));
+    }
+}
+
+fn domain_without_type(at: &EntryAt<'_>, findings: &mut Findings) {
+    if at.origin != EntryOwner::Device || at.object_type() != Some(ObjectType::Domain) {
+        return;
+    }
+    let stated = [
+        (Field::DataType, "0x000F", at.entry.data_type.is_some()),
+        (Field::AccessType, "rw", at.entry.access.is_some()),
+    ];
+    let missing =
+        stated.into_iter().filter(|(field, _, stated)| !stated && !stated::is_invalid(at.entry, field));
+    let missing: Vec<(Field, &str)> = missing.map(|(field, value, _)| (field, value)).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let lines: Vec<String> = missing.iter().map(|(field, value)| format!("{field}={value}")).collect();
+    let message = say!("this DOMAIN has no {}", listing_or(missing.iter().map(|(field, _)| field)));
+    let fix = Fix::safe(say!("add {}", listing(&lines)));
+    let fix = missing.iter().fold(fix, |fix, (field, value)| fix.set(at.field(field.clone()), *value));
+    findings.push(DOMAIN_WITHOUT_TYPE.at(at.place(), message).help(say!("add {}", listing(&lines))).fix(fix));
+}
+
+fn empty_text(device: &Device, findings: &mut Findings) {
+    if let Some(info) = &device.device_info {
+        report_empty_text(&Part::DeviceInfo, Field::VendorName, info.vendor_name.as_deref(), findings);
+        report_empty_text(&Part::DeviceInfo, Field::ProductName, info.product_name.as_deref(), findings);
+        report_empty_text(&Part::DeviceInfo, Field::OrderCode, info.order_code.as_deref(), findings);
+    }
+    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
+        let info = Part::Module(number, ModulePart::Info);
+        report_empty_text(&info, Field::ProductName, module.product_name.as_deref(), findings);
+        report_empty_text(&info, Field::OrderCode, module.order_code.as_deref(), findings);
+    }
+}
+
+fn report_empty_text(part: &Part, field: Field, text: Option<&str>, findings: &mut Findings) {
+    if text.is_some_and(|text| text.trim().is_empty()) {
+        let message = say!("`{}` of `{}` is empty", field, part);
+        findings.push(EMPTY_TEXT.at(Place::of(part.clone()).field(field), message).help("write the text"));
+    }
+}
+
+fn file_reference(device: &Device, findings: &mut Findings) {
+    let places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(file_field(entry)?)));
+    let texts = ("not all tools load the file of this entry", "load the file in the application");
+    FILE_REFERENCE.report_all(places, "another one", texts, findings);
+}
+
+fn file_field(entry: &Entry) -> Option<Field> {
+    let configured = entry.configured.as_ref()?;
+    let stated = [
+        (Field::DownloadFile, configured.download_file.is_some()),
+        (Field::UploadFile, configured.upload_file.is_some()),
+    ];
+    stated.into_iter().find(|(_, stated)| *stated).map(|(field, _)| field)
+}
+
+fn long_value(device: &Device, findings: &mut Findings) {
+    let places = stated::entries(device).filter(|(_, entry)| is_long_value(entry)).map(|(place, entry)| {
+        let field =
+            if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
+        place.field(field)
+    });
+    let texts = ("the value has more than four bytes", "write the entry from the application");
+    LONG_VALUE.report_all(places, "another one", texts, findings);
+}
+
+fn is_long_value(entry: &Entry) -> bool {
+    let is_short = entry.data_type.and_then(DataType::byte_length).is_some_and(|bytes| bytes <= 4);
+    entry.value().is_some() && entry.access.is_some_and(Access::is_writable) && !is_short
+}
+
+fn time_value(device: &Device, findings: &mut Findings) {
+    let places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(time_field(entry)?)));
+    let texts = ("not all tools read times", "remove the value if 0 is acceptable");
+    TIME_VALUE.report_all(places, "another one", texts, findings);
+}
+
+fn time_field(entry: &Entry) -> Option<Field> {
+    match (entry.configured_value(), &entry.default) {
+        (Some(Value::Time(_)), _) => Some(Field::ParameterValue),
+        (_, Some(Value::Time(_))) => Some(Field::DefaultValue),
+        _ => None,
+    }
 }
