@@ -4,10 +4,7 @@
 //! The stream itself is written and parsed by [`crate::download::ConciseDcf`].
 
 mod spelling;
-mod table;
 mod text;
 
-pub use spelling::{BlobSpelling, of_hex};
-pub use table::table;
-pub use text::looks_like;
-pub use text::{Annotation, TextError, TextErrors, parse, print, spelled};
+pub use spelling::{BlobSpelling, of_hex, table};
+pub use text::{Annotation, TextError, TextErrors, looks_like, parse, print, spelled};

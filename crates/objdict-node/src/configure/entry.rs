@@ -1,16 +1,16 @@
-//! Setting the value of one entry.
+//! Setting the value of one entry, heartbeat consumers (1016h), and objects that a setting names and the device does not have.
 
 use std::borrow::Cow;
 
 use super::time::in_unit_of;
-use super::{Configurator, Wrong};
-use crate::diagnostic::{listing, nearest, series, sub_index};
+use super::{Configurator, PdoName, Wrong};
+use crate::diagnostic::{listing, misspelled, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
-use crate::literal;
 use crate::model::{
-    Access, Address, DataType, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Value,
+    Access, Address, DataType, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, PdoKind, Value,
 };
 use crate::resolve::{ObjectName, candidates};
+use crate::{literal, profile};
 use objdict_model::literal::nanoseconds;
 
 /// Maximum number of candidates listed for an ambiguous name.
@@ -176,4 +176,102 @@ fn subs(object: &Object) -> String {
         false => format!("{first:X} to {last:X}"),
     };
     listing(ranges.iter().map(range)).to_string()
+}
+
+const CONSUMERS: u16 = 0x1016;
+
+impl Configurator<'_> {
+    /// Monitors a node: reuses the entry that already monitors it, else takes the first free one.
+    pub(super) fn watch(&mut self, node_id: u8, milliseconds: u16) -> Result<(), Wrong> {
+        if node_id == self.node_id {
+            return Err(Wrong::new("a node cannot monitor its own heartbeat"));
+        }
+        let Some(object) = self.device.object(CONSUMERS) else {
+            return Err(self.no_object(CONSUMERS));
+        };
+        let subs: Vec<u8> =
+            object.entries().map(|(sub, _)| sub).filter(|sub| (1..=0x7F).contains(sub)).collect();
+        let watched = |sub: &u8| {
+            let consumer = self.number(CONSUMERS, *sub).unwrap_or_default();
+            let (time, node) = (consumer & 0xFFFF, consumer >> 16 & 0xFF);
+            if time == 0 || node == 0 { 0 } else { node }
+        };
+        let own = subs.iter().copied().find(|sub| watched(sub) == u64::from(node_id));
+        let free = subs.iter().copied().find(|sub| watched(sub) == 0);
+        let Some(sub) = own.or(free) else {
+            let wrong = Wrong::new(format!("all {} entries of 1016h monitor other nodes", subs.len()));
+            return Err(wrong.help("free one of them first with `--set 1016:1=0`"));
+        };
+        let (sub, entry) = self.writable(Address { index: CONSUMERS, sub: Some(sub) })?;
+        let consumer = u64::from(node_id) << 16 | u64::from(milliseconds);
+        self.put(CONSUMERS, sub, &entry, Value::Unsigned(consumer))
+    }
+}
+
+impl Configurator<'_> {
+    /// The problem of an object that the device does not have.
+    pub(super) fn no_object(&self, index: u16) -> Wrong {
+        let pdo = PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));
+        if let Some((kind, number)) = pdo {
+            return self.no_pdo(PdoName { kind, number });
+        }
+        let wanted = format!("{index:04X}");
+        let known =
+            profile::of_object(self.device, index).map(|(_, facts)| facts.name).find(|name| !name.is_empty());
+        let Some(name) = known else {
+            let wrong = Wrong::new(format!("the device has no object `{wanted}`"));
+            let mut indexes: Vec<String> =
+                self.device.objects.keys().map(|index| format!("{index:04X}")).collect();
+            // the part of the dictionary is rarely wrong
+            indexes.sort_by_key(|known| known.as_bytes().first() != wanted.as_bytes().first());
+            let meant = same_digits(&wanted, &indexes);
+            return match meant.or_else(|| misspelled(&wanted, indexes.iter().map(String::as_str))) {
+                Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
+                None => wrong.help("`objdict show` lists the objects"),
+            };
+        };
+        // a known index is meant as it is written
+        let wrong = Wrong::new(format!("the device has no object `{wanted}` ({name})"));
+        match self.consequence(index) {
+            Some(help) => wrong.help(help),
+            None => wrong,
+        }
+    }
+
+    /// What a device without a communication object does not do, and what it has in its place.
+    fn consequence(&self, index: u16) -> Option<&'static str> {
+        let has = |index| self.device.object(index).is_some();
+        Some(match index {
+            0x1005 => "the device does not use SYNC",
+            0x1006 | 0x1007 if has(0x1005) => "the device consumes SYNC (1005h), but does not produce it",
+            0x1006 | 0x1007 | 0x1019 if !has(0x1005) => "the device does not use SYNC",
+            0x1019 => "the device uses SYNC (1005h) without a counter",
+            0x100C | 0x100D if has(0x1017) => "the device has no guarding; its heartbeat is 1017h",
+            0x1017 if has(0x100C) => "the device has no heartbeat producer; guarding is 100Ch and 100Dh",
+            0x100C | 0x100D | 0x1017 => {
+                "the device has neither guarding (100Ch, 100Dh) nor a heartbeat producer (1017h)"
+            }
+            0x1010 => "the device does not store parameters by command",
+            0x1011 => "the device does not restore its defaults by command",
+            0x1012 => "the device does not use TIME",
+            0x1014 | 0x1015 => "the CAN-ID of EMCY and its inhibit time cannot be configured",
+            0x1016 => "the device does not monitor heartbeats",
+            0x1020 => "the device does not keep the date of its configuration",
+            0x1028 => "the device does not consume EMCY",
+            0x1029 => "the reaction of the device to errors cannot be configured",
+            _ => return None,
+        })
+    }
+}
+
+/// Finds an index with two digits swapped, the most common typing error.
+fn same_digits<'a>(wanted: &str, indexes: &'a [String]) -> Option<&'a str> {
+    let sorted = |text: &str| {
+        let mut digits = text.as_bytes().to_vec();
+        digits.sort_unstable();
+        digits
+    };
+    let differing = |index: &str| index.bytes().zip(wanted.bytes()).filter(|(a, b)| a != b).count();
+    let mut indexes = indexes.iter().map(String::as_str);
+    indexes.find(|index| differing(index) == 2 && sorted(index) == sorted(wanted))
 }

@@ -25,8 +25,6 @@
 mod entry;
 #[cfg(feature = "serde")]
 mod file;
-mod heartbeat;
-mod missing;
 mod pdo;
 mod rebase;
 mod service;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::problem::ModuleProblem;
+use super::ModuleProblem;
 use crate::model::{Access, DataType, Device, Entry, Extension, ExtensionCount, Object, ObjectType, Value};
 
 /// 1027h: the module list. Each element contains the number of its module, so the default values differ.

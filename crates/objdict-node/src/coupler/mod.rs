@@ -18,14 +18,11 @@
 //! ```
 
 mod growth;
-mod mapping;
-mod problem;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::growth::Growth;
-pub use self::problem::ModuleProblem;
-use crate::model::{Device, DeviceKind, Module, ObjectList};
+use crate::model::{CobId, Device, DeviceKind, Entry, Module, ObjectList, Value};
 
 /// Builds the object dictionary of a coupler with these modules, given by their number in [`Device::modules`]
 /// in physical order.
@@ -116,7 +113,7 @@ impl Rack<'_> {
 
     fn finish(mut self, connected: &[u16]) -> Device {
         self.growths.values().for_each(|growth| growth.count(&mut self.device));
-        mapping::shorten(&mut self.device);
+        shorten(&mut self.device);
         self.list();
         if let Some(modules) = &mut self.device.modules {
             modules.connected = Some(connected.to_vec());
@@ -141,4 +138,109 @@ impl Rack<'_> {
             indexes.insert(position, index);
         }
     }
+}
+
+/// Truncates each mapping at the first missing entry. A PDO without any mapped entry becomes not valid: bit
+/// 31 of its COB-ID is set.
+fn shorten(device: &mut Device) {
+    let mut shortened = Vec::new();
+    for pdo in device.pdos() {
+        let is_there = |slot: &crate::model::MappingSlot| {
+            slot.object.is_some_and(|mapped| {
+                mapped.is_unused() || mapped.is_dummy() || device.entry(mapped.index, mapped.sub).is_some()
+            })
+        };
+        let there = pdo.used_slots().take_while(is_there).count();
+        if there < pdo.used_slots().count() {
+            shortened.push((pdo.communication_index(), pdo.mapping_index(), there as u8));
+        }
+    }
+    for (communication, mapping, there) in shortened {
+        configure(device, mapping, 0, |_| Some(Value::Unsigned(there.into())));
+        if there == 0 {
+            configure(device, communication, 1, |cob_id| {
+                Some(CobId::from_value(cob_id?)?.disabled().to_value())
+            });
+        }
+    }
+}
+
+/// Sets the value of an entry.
+fn configure(device: &mut Device, index: u16, sub: u8, value: impl Fn(Option<&Value>) -> Option<Value>) {
+    let entry = device.objects.get_mut(&index).and_then(|object| object.subs.get_mut(sub));
+    let Some(entry) = entry else { return };
+    if let Some(value) = value(Entry::value(entry)) {
+        entry.configured_mut().value = Some(value);
+    }
+}
+
+/// Why modules cannot be connected.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ModuleProblem {
+    /// The description has no modules.
+    NotModular,
+    /// The coupler does not support a module with this number.
+    Unknown {
+        /// The requested number.
+        number: u16,
+        /// The supported numbers.
+        known: Vec<u16>,
+    },
+    /// An object that the module adds already exists in the coupler.
+    Taken {
+        /// The module.
+        number: u16,
+        /// The object.
+        index: u16,
+    },
+    /// Two modules describe the same fixed or shared object differently.
+    Conflict {
+        /// The modules.
+        numbers: (u16, u16),
+        /// The object.
+        index: u16,
+    },
+    /// A module lists an object without describing it.
+    NotDescribed {
+        /// The module.
+        number: u16,
+        /// The object.
+        index: u16,
+    },
+    /// An extension lacks the number of sub-indexes or the data type.
+    Incomplete {
+        /// The module.
+        number: u16,
+        /// The object.
+        index: u16,
+    },
+    /// The extension continues at the next index, which is already in use.
+    NoRoom {
+        /// The module.
+        number: u16,
+        /// The extended object.
+        index: u16,
+        /// The index in use.
+        next: u16,
+    },
+}
+
+objdict_model::error_messages! { ModuleProblem: {
+    Self::NotModular => "the description has no modules";
+    Self::Unknown { number, known } => "unknown module `{number}`; the modules are {}", listed(known);
+    Self::Taken { number, index } =>
+        "module {number} adds the object `{index:04X}`, which the coupler already has";
+    Self::Conflict { numbers: (first, second), index } =>
+        "the modules {first} and {second} describe the object `{index:04X}` differently";
+    Self::NotDescribed { number, index } =>
+        "module {number} lists the object `{index:04X}` but does not describe it";
+    Self::Incomplete { number, index } =>
+        "the extension of `{index:04X}` by module {number} is incomplete: `Count` or `DataType` is missing";
+    Self::NoRoom { number, index, next } =>
+        "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is another object";
+} }
+
+fn listed(numbers: &[u16]) -> String {
+    numbers.iter().map(u16::to_string).collect::<Vec<_>>().join(", ")
 }
