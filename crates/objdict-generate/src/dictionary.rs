@@ -91,7 +91,7 @@ impl<'a> TableDictionary<'a> {
             object.is_some_and(|object| sub.is_none_or(|sub| object.has(sub)))
         };
         for &Address { index, sub } in options.renamed.keys().filter(|at| !is_there(at)) {
-            let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+            let place = Place::at(index, sub);
             notes.push(Note::new(place, "no entry to rename"));
         }
         if !errors.is_empty() {

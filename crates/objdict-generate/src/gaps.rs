@@ -75,7 +75,7 @@ fn server_cob_id(index: u16, sub: Option<u8>) -> Option<Value> {
 
 impl Gap {
     fn notes(&self) -> impl Iterator<Item = Note> {
-        let place = self.sub.map_or(Place::object(self.index), |sub| Place::entry(self.index, sub));
+        let place = Place::at(self.index, self.sub);
         let data_type = self.data_type.map(|data_type| {
             let text = format!("an entry without a data type; the standard has {data_type}");
             Note::new(place.clone().field(Field::DataType), text)

@@ -1,7 +1,7 @@
 //! Hooks of the flat table: callbacks of the application before reads and after writes of an entry.
 
 use super::memory::TypeExtent;
-use super::notes::{in_order, place_of};
+use super::notes::in_order;
 use super::table::{DeviceTable, Row};
 use super::{Note, Options};
 use crate::model::{Address, Device, Place};
@@ -34,7 +34,7 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut DeviceTable) 
             }
             _ => continue,
         };
-        table.notes.push(Note::new(place_of(at), text));
+        table.notes.push(Note::new(Place::at(at.index, at.sub), text));
     }
     let long = table.rows.iter().filter(|row| row.hooked && TypeExtent::of(row.resolved.shape).size > LONG);
     let long = long.filter(|row| row.slot.is_some() && row.access().is_writable()).map(|row| {

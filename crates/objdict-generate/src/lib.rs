@@ -73,7 +73,6 @@ mod objdict_macros;
 mod options;
 mod renames;
 mod resolve;
-mod rom;
 #[cfg(feature = "rust")]
 mod rust;
 mod size;

@@ -1,9 +1,8 @@
 //! The entries of a device as the generated tables have them, for programs that serve a description without compiling it.
 
-use super::Options;
 use super::dictionary::{self, ResolvedEntry};
-use super::gaps;
 use super::resolve::{Encoded, Resolver};
+use super::{Options, gaps};
 use crate::model::{DataType, Device};
 
 /// An entry of a device on a node: what a row of a generated table holds.

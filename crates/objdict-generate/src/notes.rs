@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::Note;
 use crate::diagnostic::counted;
-use crate::model::{Address, Part, Place};
+use crate::model::{Part, Place};
 
 /// Maximum number of objects or ranges named in a message.
 const MOST_RANGES: usize = 8;
@@ -15,11 +15,6 @@ pub(crate) fn added(node_id: Option<u8>) -> String {
         Some(node_id) => format!("the constant node-ID {node_id} is added"),
         None => "nothing is added".to_owned(),
     }
-}
-
-/// The place of an object or entry.
-pub(crate) fn place_of(Address { index, sub }: Address) -> Place {
-    sub.map_or(Place::object(index), |sub| Place::entry(index, sub))
 }
 
 /// Orders notes by place; notes of one place keep their order.

@@ -1,10 +1,8 @@
 //! The target `c`: `od.h` and `od.c` in C99.
 
-mod defaults;
 mod meanings;
 mod pdo;
 mod rows;
-mod stored;
 mod structs;
 mod view;
 mod words;
@@ -27,7 +25,7 @@ pub(super) fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateEr
     let (prefix, module) = (options.prefix_or("od")?, options.module_or("od")?);
     let table = DeviceTable::of_names(device, &options)?;
     let constants = constants(device, &table, &mut Vec::new());
-    let (objects, _) = view::object_views(&table, &prefix, constants.iter().flat_map(defaults::item_views));
+    let (objects, _) = view::object_views(&table, &prefix, constants.iter().flat_map(view::item_views));
     let upper = prefix.to_ascii_uppercase();
     let mut identifiers = Vec::with_capacity(table.objects.len() + table.rows.len());
     for view::ObjectMacros { object, name, entries } in &objects {

@@ -1,6 +1,6 @@
 //! View of templates/c/od_pdo.h and od_pdo.c: structs of PDO frames.
 
-use super::defaults::of_node;
+use super::view::of_node;
 use super::words::{hex_bytes, word_type};
 use crate::frames::{CarriedType, FrameField, PdoFrame};
 use crate::model::{DataType, TypeKind};

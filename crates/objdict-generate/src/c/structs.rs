@@ -3,14 +3,13 @@
 use std::collections::{HashMap, HashSet};
 
 use super::words::{flags, type_name, word_type};
-use crate::Sizes;
 use crate::c_code::{bytes, number};
 use crate::escape::shown;
 use crate::memory::{Memory, TypeExtent};
 use crate::model::DataType;
 use crate::resolve::{Encoded, ValueShape, is_time};
 use crate::table::{DeviceTable, Row};
-use crate::table_size;
+use crate::{Sizes, table_size};
 
 /// What the source has beside the values.
 pub(super) struct Structs<'a> {

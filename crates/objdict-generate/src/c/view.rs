@@ -1,19 +1,16 @@
-//! View of templates/c/od.h and od.c.
+//! Views of templates/c/od.h and od.c, with the constants of identity and services, and the members and images of storage groups.
 
-use super::defaults::{DefaultMacro, item_views};
 use super::meanings::MeaningMacros;
 use super::rows::Rows;
-use super::stored::{self, MemberView, StoredGroupView};
 use super::structs::Structs;
-use super::words::{hex_bytes, macro_name};
-use crate::defaults::{Constant, constants};
-use crate::hooks;
+use super::words::{ValueMember, field_view, hex_bytes, macro_name};
+use crate::defaults::{Constant, ConstantValue, constants};
 use crate::meanings::{NamedMeanings, meanings};
-use crate::model::{DataType, Device};
+use crate::model::{CobId, DataType, Device};
 use crate::names::NameScope;
 use crate::resolve::{ValueShape, is_time};
-use crate::table::{DeviceTable, Row, TableObject};
-use crate::{Note, Options};
+use crate::table::{DeviceTable, Row, TableField, TableGroup, TableObject};
+use crate::{Note, Options, hooks, table_size};
 
 /// What the files have.
 pub(super) struct CView<'a> {
@@ -91,7 +88,7 @@ pub(super) fn object_views<'a>(
     for item in defaults {
         macros.take(item.borrow().name.split('(').next().unwrap_or_default().to_ascii_lowercase());
     }
-    for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
+    for taken in stored_macros(table).into_iter().chain(hook_macros(table)) {
         macros.claim(&taken, format_args!(""));
     }
     // objects first, so that no entry takes the name of an object
@@ -123,8 +120,8 @@ impl<'a> CView<'a> {
             names: facts.names,
             defaults,
             meanings,
-            fields: stored::members(table, prefix),
-            groups: stored::group_views(table, prefix),
+            fields: members(table, prefix),
+            groups: group_views(table, prefix),
             hooks: hooks::has_hooks(table),
         }
     }
@@ -173,4 +170,115 @@ fn object_view<'a>(
     let entries = entries.collect();
     name.make_ascii_uppercase();
     ObjectMacros { object, name, entries }
+}
+
+/// A storage group.
+pub(super) struct StoredGroupView<'a> {
+    pub(super) group: &'a TableGroup,
+    /// `od_persist_comm`.
+    pub(super) lower: String,
+    /// `OD_PERSIST_COMM`.
+    pub(super) upper: String,
+    pub(super) layout: String,
+    pub(super) fields: Vec<ValueMember<'a>>,
+}
+
+/// A member of the struct of values.
+pub(super) enum MemberView<'a> {
+    Field(ValueMember<'a>),
+    Group(StoredGroupView<'a>),
+}
+
+/// The groups of a table.
+pub(super) fn group_views<'a>(table: &'a DeviceTable, prefix: &str) -> Vec<StoredGroupView<'a>> {
+    (0..table.groups.len()).map(|number| group_view(table, number, prefix)).collect()
+}
+
+/// Fields and groups in ascending order of alignment after the one-byte node-ID, which needs hardly any
+/// padding.
+pub(super) fn members<'a>(table: &'a DeviceTable, prefix: &str) -> Vec<MemberView<'a>> {
+    let fields = table
+        .members(None)
+        .map(|field| (field.extent().alignment, MemberView::Field(field_view(table, field, prefix))));
+    let groups = (0..table.groups.len()).map(|number| {
+        (table_size::group(table, number).alignment, MemberView::Group(group_view(table, number, prefix)))
+    });
+    let mut members: Vec<(usize, MemberView<'a>)> = fields.chain(groups).collect();
+    members.sort_by_key(|(alignment, _)| *alignment); // stable sort: equal alignment stays ordered by index
+    members.into_iter().map(|(_, member)| member).collect()
+}
+
+/// A group has no leading byte, so fields with the largest alignment come first.
+fn group_view<'a>(table: &'a DeviceTable, number: usize, prefix: &str) -> StoredGroupView<'a> {
+    let mut fields: Vec<&TableField> = table.members(Some(number)).collect();
+    fields.sort_by_key(|field| std::cmp::Reverse(field.extent().alignment));
+    let group = &table.groups[number];
+    let lower = format!("{prefix}_{}", group.field);
+    StoredGroupView {
+        group,
+        layout: format!("0x{:08X}", group.layout),
+        upper: lower.to_ascii_uppercase(),
+        lower,
+        fields: fields.into_iter().map(|field| field_view(table, field, prefix)).collect(),
+    }
+}
+
+/// The macros of groups in lower case, without the prefix.
+pub(super) fn stored_macros(table: &DeviceTable) -> Vec<String> {
+    const OF_ALL: [&str; 5] = ["image_ok", "image_length", "image_layout", "image_checksum", "image_value"];
+    if table.groups.is_empty() {
+        return Vec::new();
+    }
+    let of_group =
+        |group: &TableGroup| ["image_size", "store_sub_index"].map(|name| format!("{}_{name}", group.field));
+    table.groups.iter().flat_map(of_group).chain(OF_ALL.map(str::to_owned)).collect()
+}
+
+/// Follows the prefix in each name.
+const OF_DEFAULTS: &str = "default_";
+
+/// A macro.
+pub(super) struct DefaultMacro {
+    pub(super) meaning: String,
+    /// The name after the prefix, with the parameter of a function-like macro.
+    pub(super) name: String,
+    pub(super) value: String,
+}
+
+/// The macros of a constant.
+pub(super) fn item_views(constant: &Constant) -> Vec<DefaultMacro> {
+    let Constant { name, source, meaning, value } = constant;
+    let meaning = format!("{meaning} ({source})");
+    let upper = format!("{OF_DEFAULTS}{name}").to_ascii_uppercase();
+    let item = |name: String, meaning: String, value: String| DefaultMacro { meaning, name, value };
+    match value {
+        ConstantValue::CobId(cob_id) | ConstantValue::CanId(cob_id) => {
+            let is_can_id = matches!(value, ConstantValue::CanId(_));
+            let value = of_node(*cob_id, is_can_id.then(|| cob_id.can_id_mask()));
+            vec![item(format!("{upper}(node_id)"), meaning, value)]
+        }
+        ConstantValue::Flag(flag) => vec![item(upper, meaning, u8::from(*flag).to_string())],
+        ConstantValue::Code(number) => vec![item(upper, meaning, format!("0x{number:X}u"))],
+        ConstantValue::Number(number, _) => vec![item(upper, meaning, format!("{number}u"))],
+        ConstantValue::Consumers(consumers) => {
+            let pairs: Vec<String> =
+                consumers.iter().map(|(node, time)| format!("{{{node}u, {time}u}}")).collect();
+            let count = format!("{upper}_COUNT");
+            let meaning = format!("{meaning}: an initializer");
+            vec![
+                item(count, format!("How many nodes there are ({source})"), format!("{}u", pairs.len())),
+                item(upper, meaning, format!("{{{}}}", pairs.join(", "))),
+            ]
+        }
+    }
+}
+
+/// A number, or some bits of it, as an expression of the node-ID.
+pub(super) fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
+    let number = cob_id.number();
+    match (cob_id.depends_on_node_id(), mask) {
+        (true, None) => format!("(0x{number:X}u + (uint32_t)(node_id))"),
+        (true, Some(mask)) => format!("((0x{number:X}u + (uint32_t)(node_id)) & 0x{mask:X}u)"),
+        (false, mask) => format!("0x{:X}u", number & mask.unwrap_or(u32::MAX)),
+    }
 }

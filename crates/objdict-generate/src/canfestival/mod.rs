@@ -5,20 +5,19 @@
 
 mod names;
 mod plan;
-mod positions;
 mod ranges;
-mod sizes;
 mod special;
 
+use self::special::Family;
 use super::c_code::file_name;
 use super::dictionary::TableDictionary;
 use super::head::Head;
 use super::notes::{in_order, once_per_device};
-use super::{BackendOutput, GenerateError, Options, render, startup};
+use super::{BackendOutput, GenerateError, Options, Sizes, render, startup};
+use crate::memory::{Memory, SizeTally, TypeExtent};
 use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
 use names::{ReservedNames, words};
-use plan::CanFestivalPlan;
-use positions::{ListSlot, ListSlots};
+use plan::{CanFestivalPlan, PlannedObject};
 
 /// What the files have.
 struct CanFestivalView<'a> {
@@ -46,12 +45,12 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     let names = ReservedNames::new(&node, is_project);
     let plan = CanFestivalPlan::new(&dictionary, options, names, &mut notes);
     notes.append(&mut startup::notes(&startup::CANFESTIVAL, &dictionary));
-    let slots = positions::slots(&plan.objects);
+    let slots = slots(&plan.objects);
     let tables = CanFestivalView { head, dictionary: &dictionary, plan, slots };
     let stem = &tables.head.stem;
     let files =
         vec![render(format!("{stem}.c"), tables.source()), render(format!("{stem}.h"), tables.header())];
-    let size = sizes::report(&dictionary, &tables.plan, &tables.slots);
+    let size = sizes(&dictionary, &tables.plan, &tables.slots);
     Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size })
 }
 
@@ -103,4 +102,124 @@ impl CanFestivalView<'_> {
         let store = format!("{}_store(", self.head.lower);
         self.plan.formulas.iter().any(|formula| formula.starts_with(&store))
     }
+}
+
+/// What the sizes include. The state of the node is as long as the configuration of the stack makes it.
+const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and the state of the stack (`CO_Data`, timers, PDOs)";
+
+fn sizes(dictionary: &TableDictionary<'_>, plan: &CanFestivalPlan, slots: &ListSlots) -> Sizes {
+    let (byte, half, word, pointer) =
+        (TypeExtent::BYTE, TypeExtent::HALF, TypeExtent::WORD, TypeExtent::POINTER);
+    let row = TypeExtent::structure([byte, byte, word, pointer]).size;
+    let place = TypeExtent::structure([pointer, byte, half]).size;
+    let mut tally = SizeTally::of_dictionary(dictionary);
+    plan.definitions.iter().for_each(|definition| definition.count(&mut tally));
+    for object in &plan.objects {
+        tally.of(object.index, Memory::Flash, object.rows.len() * row);
+        let callbacks = if object.callbacks { object.rows.len() } else { 0 };
+        tally.of(object.index, Memory::Zeroed, callbacks * pointer.size);
+    }
+    for slot in &slots.list {
+        match slot {
+            ListSlot::Object(number) => tally.of(plan.objects[*number].index, Memory::Flash, place),
+            _ => tally.rest(Memory::Flash, place),
+        }
+    }
+    if slots.has(ListSlot::NoPdo) {
+        tally.rest(Memory::Flash, 6 * row);
+        tally.rest(Memory::Initialised, word.size); // its COB-ID
+    }
+    if slots.has(ListSlot::NoMapping) {
+        tally.rest(Memory::Flash, 2 * row);
+    }
+    if slots.has(ListSlot::Server) {
+        tally.rest(Memory::Flash, 3 * row);
+        tally.rest(Memory::Initialised, 2 * word.size); // its COB-IDs
+    }
+    let ranges = half.times(slots.first.len() + slots.last.len()); // of the families
+    tally.rest(Memory::Flash, ranges.size + half.size + byte.size); // with their number, and the role of the node
+    tally.rest(Memory::Zeroed, word.size); // what a row without a value refers to
+    let node_id = dictionary.node_id.unwrap_or(0);
+    tally.rest(Memory::of_values(node_id == 0), byte.size);
+    tally.report(COUNTED)
+}
+
+/// A place in the list of objects.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ListSlot {
+    /// An object, by its number.
+    Object(usize),
+    /// No object: position 0 means that there is no family.
+    Nothing,
+    /// The parameters of a PDO that is not valid, for a mapping without parameters.
+    NoPdo,
+    /// A mapping of no objects, for a PDO without a mapping.
+    NoMapping,
+    /// The parameters of the SDO server, which a node also has without 1200h.
+    Server,
+}
+
+/// The list, and the first and last position of each family; 0 without one.
+struct ListSlots {
+    list: Vec<ListSlot>,
+    first: [usize; 6],
+    last: [usize; 6],
+}
+
+impl ListSlots {
+    fn has(&self, slot: ListSlot) -> bool {
+        self.list.contains(&slot)
+    }
+
+    /// The number of TPDOs; at least 1, because C has no empty arrays.
+    fn transmitted(&self) -> usize {
+        let tpdo = Family::Tpdo as usize;
+        if self.first[tpdo] == 0 { 1 } else { self.last[tpdo] - self.first[tpdo] + 1 }
+    }
+}
+
+fn slots(objects: &[PlannedObject]) -> ListSlots {
+    let family = |object: &PlannedObject| Family::of(object.index).filter(|_| !object.misfit);
+    let numbered = |wanted: Option<Family>, below: bool| {
+        let objects = objects.iter().enumerate();
+        objects.filter(move |(_, object)| family(object) == wanted && (object.index < 0x1200) == below)
+    };
+    let mut list: Vec<ListSlot> = numbered(None, true).map(|(number, _)| ListSlot::Object(number)).collect();
+    if list.is_empty() {
+        list.push(ListSlot::Nothing);
+    }
+    let (mut first, mut last) = ([0; 6], [0; 6]);
+    for (at, of) in Family::ALL.into_iter().enumerate() {
+        let start = list.len();
+        let paired = match of {
+            Family::Rpdo | Family::Tpdo => {
+                Family::ALL.get(at + 1).map(|mapping| (*mapping, 0x200, ListSlot::NoPdo))
+            }
+            Family::RpdoMapping | Family::TpdoMapping => {
+                at.checked_sub(1).and_then(|at| Some((*Family::ALL.get(at)?, -0x200, ListSlot::NoMapping)))
+            }
+            _ => None,
+        };
+        let mut found: Vec<(u16, ListSlot)> = numbered(Some(of), false)
+            .map(|(number, object)| (object.index, ListSlot::Object(number)))
+            .collect();
+        if let Some((other, distance, instead)) = paired {
+            for (_, object) in numbered(Some(other), false) {
+                let index = object.index.wrapping_add_signed(-distance);
+                if !found.iter().any(|(known, _)| *known == index) {
+                    found.push((index, instead));
+                }
+            }
+        }
+        if of == Family::SdoServer && !found.iter().any(|(index, _)| *index == 0x1200) {
+            found.push((0x1200, ListSlot::Server));
+        }
+        found.sort_by_key(|(index, _)| *index);
+        list.extend(found.into_iter().map(|(_, slot)| slot));
+        if list.len() > start {
+            (first[at], last[at]) = (start, list.len() - 1);
+        }
+    }
+    list.extend(numbered(None, false).map(|(number, _)| ListSlot::Object(number)));
+    ListSlots { list, first, last }
 }

@@ -8,9 +8,8 @@ use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::escape::literal;
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Encoded, ValueShape};
-use crate::stored;
 use crate::variables::{CType, Definition, ObjectVariable, WantedName, variables};
-use crate::{Note, Options};
+use crate::{Note, Options, stored};
 
 const ENDS_AT_ZERO: &str = "the stack truncates a text at its first zero byte";
 

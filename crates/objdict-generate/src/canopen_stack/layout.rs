@@ -10,9 +10,8 @@ use crate::escape::literal;
 use crate::memory::TypeExtent;
 use crate::model::Place;
 use crate::names::{NameScope, words};
-use crate::stored;
 use crate::variables::{CType, Definition, ObjectVariable, WantedName, claim, variables};
-use crate::{Note, Options};
+use crate::{Note, Options, stored};
 
 /// Values that are stored together.
 pub(super) struct ParaGroup {

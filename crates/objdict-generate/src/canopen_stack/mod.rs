@@ -6,25 +6,24 @@
 //! bits, and blocks of up to 4 bytes, which the stack reads only once.
 
 mod cell;
-mod checks;
-mod hooks;
 mod layout;
 mod para;
 mod rows;
-mod sizes;
 mod special;
 
+use self::special::{RESTORE, STORE};
 use super::c_code::file_name;
-use super::dictionary::TableDictionary;
+use super::dictionary::{ResolvedEntry, TableDictionary};
 use super::head::Head;
-use super::notes::{in_order, once_per_object};
-use super::{BackendOutput, GenerateError, Options, render};
-use crate::model::{Device, PdoKind};
+use super::notes::{in_order, once_per_device, once_per_object};
+use super::{BackendOutput, GenerateError, Note, Options, Sizes, render, startup};
+use crate::memory::{Memory, SizeTally, TypeExtent};
+use crate::model::{Access, Device, Part, Pdo, PdoKind, Place};
+use crate::resolve::Encoded;
 use cell::{PlannedRow, Planner, RowType};
-use hooks::TypeHook;
 use layout::RowLayout;
 use para::ParameterArrays;
-use rows::StackRow;
+use rows::{StackRow, TypeHook};
 
 /// What the files have.
 struct CanOpenStackView<'a> {
@@ -49,8 +48,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     let mut layout = RowLayout::new(&dictionary, &planned, options, &prefix, &mut notes);
     let parameters = ParameterArrays::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
     let mut rows = rows::rows(&dictionary, &planned, &layout);
-    let hooks = hooks::mark(&mut rows, options, &prefix, &mut notes);
-    checks::check(&dictionary, rows.len(), &mut notes);
+    let hooks = rows::mark(&mut rows, options, &prefix, &mut notes);
+    check(&dictionary, rows.len(), &mut notes);
     let head = Head::new(device, options, &prefix, &file_name(options, "od"));
     let tables = CanOpenStackView { head, dictionary: &dictionary, planned, layout, parameters, rows, hooks };
     let stem = &tables.head.stem;
@@ -59,7 +58,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
         render(format!("{stem}.h"), tables.header()),
         render(format!("{stem}_spec.c"), tables.specification()),
     ];
-    Ok(BackendOutput { files, notes: once_per_object(in_order(notes)), size: sizes::report(&tables) })
+    Ok(BackendOutput { files, notes: once_per_object(in_order(notes)), size: sizes(&tables) })
 }
 
 impl CanOpenStackView<'_> {
@@ -111,5 +110,120 @@ impl CanOpenStackView<'_> {
 
     fn has_emcy(&self) -> bool {
         self.dictionary.device.object(0x1014).is_some()
+    }
+}
+
+/// What the sizes include.
+const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code, the node specification and stack internals";
+
+/// Key, type and data of a row: `CO_OBJ`.
+fn row() -> TypeExtent {
+    TypeExtent::structure([TypeExtent::WORD, TypeExtent::POINTER, TypeExtent::POINTER])
+}
+
+/// `CO_PARA`.
+fn group() -> TypeExtent {
+    let (word, pointer, reset) = (TypeExtent::WORD, TypeExtent::POINTER, TypeExtent::BYTE);
+    TypeExtent::structure([word, word, pointer, pointer, reset, pointer, word])
+}
+
+fn sizes(tables: &CanOpenStackView<'_>) -> Sizes {
+    let CanOpenStackView { dictionary, layout, parameters, rows, .. } = tables;
+    let mut tally = SizeTally::of_dictionary(dictionary);
+    rows.iter().for_each(|object| tally.of(object.index, Memory::Flash, row().size));
+    tally.rest(Memory::Flash, row().size); // the end mark
+    layout.variables.iter().chain(&layout.definitions).for_each(|variable| variable.count(&mut tally));
+    for group in &layout.groups {
+        let members: Vec<_> =
+            group.members.iter().map(|member| (Some(member.index), member.extent())).collect();
+        let is_zero = group.members.iter().all(|member| member.is_zero);
+        tally.structure(Memory::of_values(is_zero), &members);
+        tally.structure(Memory::Flash, &members); // the defaults
+    }
+    layout.literals.iter().for_each(|&(index, bytes)| tally.of(index, Memory::Flash, bytes));
+    tally.of(STORE, Memory::Flash, parameters.store.len() * group().size);
+    tally.of(RESTORE, Memory::Flash, parameters.restore.len() * group().size);
+    tally.rest(Memory::Flash, usize::from(parameters.nothing));
+    for type_ in [RowType::Block, RowType::Bytes] {
+        let functions = if tables.has(type_) { 5 } else { 0 };
+        tally.rest(Memory::Flash, TypeExtent::POINTER.times(functions).size);
+    }
+    tally.report(COUNTED)
+}
+
+/// Maximum number of rows in the stack.
+const MOST_ROWS: usize = i16::MAX as usize;
+
+/// Adds notes about entries and PDOs, and about missing objects.
+fn check(dictionary: &TableDictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
+    let mut common = Vec::new();
+    dictionary.entries().for_each(|(object, entry)| self::entry(object.index, entry, &mut common));
+    notes.extend(once_per_device(common));
+    notes.extend(dictionary.device.pdos().filter_map(|pdo| transmission(&pdo)));
+    notes.append(&mut startup::notes(&startup::CANOPEN_STACK, dictionary));
+    demands(dictionary, rows, notes);
+}
+
+fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
+    let resolved = &entry.resolved;
+    let place = || Place::entry(index, entry.sub);
+    if let (Some(field), true) = (resolved.limit(), resolved.access.is_writable()) {
+        notes.push(Note::new(place().field(field), "the stack does not enforce limits"));
+    }
+    if resolved.sdo() == (true, true) && resolved.tpdo != resolved.rpdo {
+        let kind = if resolved.tpdo { PdoKind::Rpdo } else { PdoKind::Tpdo };
+        let text =
+            format!("the stack also allows the entry in {kind}s: its row has one flag for both directions");
+        notes.push(Note::new(place(), text));
+    }
+    if (resolved.tpdo || resolved.rpdo) && !matches!(resolved.shape.size(), 1 | 2 | 4) {
+        let text = "PDOs of the stack carry values of 1, 2 and 4 bytes; the application transfers others in `COTpdoReadData` and `CORpdoWriteData`";
+        notes.push(Note::new(place(), text));
+    }
+    if index == 0x1003 && entry.sub > 0 && resolved.default != Encoded::Word(0) {
+        notes.push(Note::new(place(), "the error history is empty when the stack starts"));
+    }
+    if (0x1800..=0x19FF).contains(&index) && entry.sub == 6 {
+        notes.push(Note::new(place(), "the stack ignores the SYNC start value"));
+    }
+    if resolved.access == Access::Wo && index == 0x1003 {
+        notes.push(Note::new(place(), "an SDO can read the entry although it is write-only"));
+    }
+}
+
+/// What the transmission types of a PDO mean to the stack.
+fn transmission(pdo: &Pdo<'_>) -> Option<Note> {
+    let place = Place::entry(pdo.communication_index(), 2);
+    let is_polled = matches!(pdo.transmission_type, Some(252 | 253));
+    is_polled.then(|| Note::new(place, "the stack does not answer RTR frames"))
+}
+
+/// Requirements of the stack on the whole dictionary.
+fn demands(dictionary: &TableDictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
+    let has = |index, sub| dictionary.entry(index, sub).is_some();
+    let device = |text: &str| Note::new(Part::Device, text.to_owned());
+    if !has(0x1001, 0) {
+        notes.push(device("without 1001h the stack reports an error when it starts, and sends no EMCY"));
+    }
+    if !has(0x1014, 0) {
+        notes.push(device("without 1014h the stack sends no EMCY"));
+    }
+    if !has(0x1200, 1) {
+        let note = device("without 1200h the stack has no SDO server; it is added with the default COB-IDs");
+        notes.push(note.help("describe 1200h, `ro`, with `$NODEID+0x600` and `$NODEID+0x580`"));
+    }
+    if rows > MOST_ROWS {
+        notes.push(device(&format!("{rows} rows, but the stack supports at most {MOST_ROWS}")));
+    }
+    // the stack does not initialise the first row, which is harmless for plain values
+    let first = dictionary.objects.first().map(|object| object.index);
+    let special = |index: &u16| *index >= 0x1003 && special::special(*index, 0, false).is_some();
+    if let Some(first) = first.filter(special) {
+        let text = "the stack does not initialise the first object of a dictionary; 1000h must precede it";
+        notes.push(Note::new(Place::object(first), text));
+    }
+    if has(0, 0) {
+        notes
+            .push(Note::new(Place::entry(0, 0), "the stack interprets index 0 as the end of the dictionary"));
     }
 }

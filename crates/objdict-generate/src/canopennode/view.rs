@@ -1,14 +1,14 @@
-//! View of templates/canopennode/OD.h and OD.c.
+//! View of templates/canopennode/OD.h and OD.c, with the configuration for builds with several object dictionaries, and the
+//! extensions through which the stack calls the application (`--hook`).
 
-use super::config::config;
-use super::hooks::{HookedObject, hooked};
-use super::limits::{self, Limited, limited};
+use super::limits::{self, Limited, is_of_stack, limited};
 use super::node_id::applied;
 use super::plan::{Member, ObjectLayout, StackObject, plan};
 use super::storage::ValueStorage;
 use crate::dictionary::TableDictionary;
 use crate::head::Head;
 use crate::memory::TypeExtent;
+use crate::model::{Access, Address, Place};
 use crate::{Note, Options};
 use objdict_model::canopennode::Counters;
 
@@ -207,4 +207,88 @@ impl StackObject<'_> {
             (Some(_), Some(_)) => format!("&{}[0]", self.variable(prefix, member)),
         }
     }
+}
+
+/// The members of `CO_config_t` in order: the number of objects with a label, the number of elements of an object, or an
+/// object.
+const MEMBERS: &str = "
+    CNT_NMT ENTRY_H1017 CNT_HB_CONS CNT_ARR_1016 ENTRY_H1016 ENTRY_H100C ENTRY_H100D CNT_EM ENTRY_H1001 ENTRY_H1014
+    ENTRY_H1015 CNT_ARR_1003 ENTRY_H1003 CNT_SDO_SRV ENTRY_H1200 CNT_SDO_CLI ENTRY_H1280 CNT_TIME ENTRY_H1012 CNT_SYNC
+    ENTRY_H1005 ENTRY_H1006 ENTRY_H1007 ENTRY_H1019 CNT_RPDO ENTRY_H1400 ENTRY_H1600 CNT_TPDO ENTRY_H1800 ENTRY_H1A00
+    CNT_LEDS CNT_GFC ENTRY_H1300 CNT_SRDO ENTRY_H1301 ENTRY_H1381 ENTRY_H13FE ENTRY_H13FF CNT_LSS_SLV CNT_LSS_MST
+    CNT_GTWA CNT_TRACE
+";
+
+/// Settings that no object dictionary has.
+const ZERO: [&str; 5] = ["CNT_LEDS", "CNT_LSS_SLV", "CNT_LSS_MST", "CNT_GTWA", "CNT_TRACE"];
+
+/// Members and their values.
+pub(super) fn config(
+    counters: &Counters,
+    objects: &[StackObject<'_>],
+    prefix: &str,
+) -> Vec<(&'static str, String)> {
+    let object = |index: &str| objects.iter().find(|object| format!("{:04X}", object.index) == index);
+    let is_there = |member: &str| match (member.strip_prefix("ENTRY_H"), member.strip_prefix("CNT_ARR_")) {
+        (Some(index), _) => object(index).is_some(),
+        (_, Some(index)) => object(index).is_some_and(|object| object.count.is_some()),
+        _ => !ZERO.contains(&member) && counters.count(member.trim_start_matches("CNT_")) > 0,
+    };
+    let value = |member: &str| match member {
+        member if is_there(member) => format!("{prefix}_{member}"),
+        "CNT_SDO_SRV" => "1".to_owned(), // the default one, which needs no object
+        "CNT_ARR_1003" => "8".to_owned(), // the EMCY producer needs some room
+        member if member.starts_with("CNT_") => "0".to_owned(),
+        _ => "NULL".to_owned(),
+    };
+    MEMBERS.split_ascii_whitespace().map(|member| (member, value(member))).collect()
+}
+
+/// An object with an extension of the application.
+pub(super) struct HookedObject {
+    pub(super) index: u16,
+    /// Position of the object in the list.
+    pub(super) position: usize,
+    /// Whether SDOs or PDOs read an entry of it.
+    pub(super) is_read: bool,
+    /// Whether SDOs or PDOs write an entry of it.
+    pub(super) is_written: bool,
+}
+
+/// The objects that the options name. Notes report what an extension of the stack cannot do.
+pub(super) fn hooked(
+    objects: &[StackObject<'_>],
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<HookedObject> {
+    let mut hooked: Vec<HookedObject> = Vec::new();
+    for &Address { index, sub } in &options.hooks {
+        let place = Place::at(index, sub);
+        let has_entry = |object: &StackObject<'_>| {
+            sub.is_none_or(|sub| object.members().any(|member| member.entry.sub == sub))
+        };
+        let mut found = objects.iter().enumerate();
+        let Some((position, object)) =
+            found.find(|(_, object)| object.index == index).filter(|(_, object)| has_entry(object))
+        else {
+            notes.push(Note::new(place, "no entry to call a hook for"));
+            continue;
+        };
+        if is_of_stack(index) {
+            let text = "the stack has its own extension of the object, so there is no hook";
+            notes.push(Note::new(place, text));
+            continue;
+        }
+        if sub.is_some() && object.members().nth(1).is_some() {
+            notes.push(Note::new(place, "the stack calls the hook for all entries of the object"));
+        }
+        if hooked.last().is_some_and(|last| last.index == index) {
+            continue;
+        }
+        let accesses = || object.members().map(|member| member.entry.resolved.access);
+        let (is_read, is_written) =
+            (accesses().any(Access::is_readable), accesses().any(Access::is_writable));
+        hooked.push(HookedObject { index, position, is_read, is_written });
+    }
+    hooked
 }

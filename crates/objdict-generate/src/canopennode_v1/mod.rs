@@ -4,7 +4,6 @@
 //! there, so that its sources compile with any description.
 
 mod cell;
-mod hooks;
 mod notes;
 mod plan;
 mod special;
@@ -35,7 +34,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     let mut dictionary = TableDictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let plan = CanOpenNodeV1Plan::new(&dictionary, options, &mut notes);
-    let hooks = hooks::hooked(&dictionary, options, &mut notes);
+    let hooks = notes::hooked(&dictionary, options, &mut notes);
     let tables =
         CanOpenNodeV1View { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
     let files = vec![render("CO_OD.h", tables.header()), render("CO_OD.c", tables.source())];

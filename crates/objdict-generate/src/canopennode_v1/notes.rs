@@ -1,10 +1,10 @@
-//! What the stack does otherwise than described.
+//! What the stack does otherwise than described, and the objects for which it calls the application (`--hook`).
 
-use crate::Note;
 use crate::canopennode::node_id::replaced;
 use crate::dictionary::{ResolvedEntry, TableDictionary};
 use crate::model::Place;
 use crate::resolve::Encoded;
+use crate::{Note, Options};
 
 /// The largest value that the SDO server of the stack transfers, and what it transfers by default.
 const SDO_BUFFER: (usize, usize) = (889, 32);
@@ -58,4 +58,44 @@ pub(super) fn of_lengths(dictionary: &TableDictionary<'_>, notes: &mut Vec<Note>
         let help = format!("define `CO_SDO_BUFFER_SIZE` as {} when you compile the stack", longest.min(most));
         notes.push(Note::new(Place::device(), text).help(help));
     }
+}
+
+/// Whether the stack registers a function of its own for an object.
+fn is_of_stack(index: u16) -> bool {
+    matches!(
+        index,
+        0x1003 | 0x1005 | 0x1006 | 0x1014 | 0x1016 | 0x1019 | 0x1200 | 0x1400..=0x17FF | 0x1800..=0x1BFF
+    )
+}
+
+/// The indexes that the options name, in order and in hex. Notes report where the stack calls no function, and where for more.
+pub(super) fn hooked(
+    dictionary: &TableDictionary<'_>,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Vec<String> {
+    let mut hooked: Vec<String> = Vec::new();
+    for &at in &options.hooks {
+        let object = dictionary.object(at.index);
+        let has_sub = |sub| object.is_some_and(|object| object.entries.iter().any(|entry| entry.sub == sub));
+        let text = match (object, at.sub) {
+            (None, _) => "no entry to call a hook for",
+            (_, Some(sub)) if !has_sub(sub) => "no entry to call a hook for",
+            _ if is_of_stack(at.index) => {
+                "the stack has its own function for the object, so there is no hook"
+            }
+            (Some(object), sub) => {
+                let index = format!("{:04X}", at.index);
+                if hooked.last() != Some(&index) {
+                    hooked.push(index);
+                }
+                if sub.is_none() || object.is_single() {
+                    continue;
+                }
+                "the stack calls the hook for all entries of the object"
+            }
+        };
+        notes.push(Note::new(Place::at(at.index, at.sub), text));
+    }
+    hooked
 }

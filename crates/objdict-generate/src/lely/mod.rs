@@ -4,7 +4,6 @@
 //! wrong is right here: OCTET_STRING and DOMAIN defaults, REAL defaults, TIME_DIFFERENCE, quotes in texts. A library
 //! without `malloc()` has the device in static memory, which a function of the source makes of the same table.
 
-mod hooks;
 mod value;
 mod view;
 

@@ -10,7 +10,6 @@
 
 mod image;
 mod pdos;
-mod replies;
 mod view;
 
 use super::c_code::file_stem;
@@ -32,7 +31,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     let mut image = image::Image::new(&dictionary, &prefix, &mut notes);
     let calls = pdos::calls(&dictionary, &mut image, &mut notes);
     image.place_the_rest();
-    let replies = replies::replies(&dictionary, &prefix, &mut notes);
+    let replies = view::replies(&dictionary, &prefix, &mut notes);
     for (rows, what) in [(replies.len(), "SDO replies"), (image.entries.len(), "process data entries")] {
         if rows > MOST_ROWS {
             let text = format!("{rows} {what}, but the stack searches at most {MOST_ROWS} rows");

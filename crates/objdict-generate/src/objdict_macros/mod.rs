@@ -5,8 +5,6 @@
 //! The book shows the macro for a single object. `SUB_OBJ`, for an entry of an object with several, is
 //! modelled on it and defined next to it.
 
-mod mapping;
-
 use super::c_code::{bytes, exact_type, typed};
 use super::dictionary::{ResolvedEntry, TableDictionary};
 use super::head::Head;
@@ -15,8 +13,7 @@ use super::names::NameScope;
 use super::notes::{added, in_order, once_per_device};
 use super::variables::{CType, Definition, WantedName, claim, variables};
 use super::{BackendOutput, GenerateError, Note, Options, Sizes, render};
-use crate::model::{Device, PdoKind, Place};
-use mapping::{MappingRow, SLOTS};
+use crate::model::{Device, Pdo, PdoKind, Place};
 
 /// What the files have.
 struct ObjdictMacrosView<'a> {
@@ -81,7 +78,7 @@ impl<'a> ObjdictMacrosView<'a> {
         });
         let rows = rows.collect();
         let mut tables = Self { head, dictionary, rows, variables: definitions, pdos: Vec::new() };
-        tables.pdos = mapping::pdos(&tables, notes);
+        tables.pdos = pdos(&tables, notes);
         tables
     }
 
@@ -174,4 +171,64 @@ fn check(place: &Place, entry: &ResolvedEntry<'_>, node_id: Option<u8>, notes: &
     if resolved.shape.size() == 0 {
         say("a row without data: its length is 0".to_owned());
     }
+}
+
+/// Number of mapping entries per PDO.
+const SLOTS: usize = 8;
+
+/// A PDO.
+struct MappingRow {
+    kind: PdoKind,
+    number: u16,
+    /// The mapped entries.
+    entries: Vec<String>,
+}
+
+impl MappingRow {
+    /// The number of unused mapping entries.
+    fn unused(&self) -> usize {
+        SLOTS.saturating_sub(self.entries.len())
+    }
+}
+
+/// All PDOs with a mapping, by number per direction; numbers without one are empty.
+fn pdos(tables: &ObjdictMacrosView<'_>, notes: &mut Vec<Note>) -> Vec<MappingRow> {
+    let mut rows = Vec::new();
+    for kind in PdoKind::ALL {
+        let of_kind: Vec<Pdo<'_>> = tables.dictionary.device.pdos().filter(|pdo| pdo.kind == kind).collect();
+        let last = of_kind.iter().map(|pdo| pdo.number).max().unwrap_or(0);
+        for number in 1..=last {
+            let pdo = of_kind.iter().find(|pdo| pdo.number == number);
+            let entries = pdo.map(|pdo| entries(pdo, tables, notes)).unwrap_or_default();
+            rows.push(MappingRow { kind, number, entries });
+        }
+    }
+    rows
+}
+
+fn entries(pdo: &Pdo<'_>, tables: &ObjdictMacrosView<'_>, notes: &mut Vec<Note>) -> Vec<String> {
+    let index = pdo.mapping_index();
+    let mut entries = Vec::new();
+    for (slot, mapped) in pdo.mapped_slots() {
+        let place = Place::entry(index, slot);
+        if entries.len() == SLOTS {
+            notes.push(Note::new(place, format!("a PDO has {SLOTS} mapping entries at most")));
+            break;
+        }
+        let (object, sub, bits) = (mapped.index, mapped.sub, mapped.bits);
+        let address = match tables.address(object, sub) {
+            Some(address) => address.to_owned(),
+            None if mapped.is_dummy() => "NULL".to_owned(),
+            None => {
+                let text = format!("`{mapped}` is not in the dictionary; its address is NULL");
+                notes.push(Note::new(place, text));
+                "NULL".to_owned()
+            }
+        };
+        entries.push(format!("MAP_ENTRY(0x{object:04X}, 0x{sub:02X}, {bits}, {address})"));
+    }
+    if pdo.is_multiplexed() {
+        notes.push(Note::new(Place::entry(index, 0), "multiplexed PDOs are not supported"));
+    }
+    entries
 }

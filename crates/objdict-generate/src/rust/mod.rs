@@ -3,13 +3,9 @@
 //! Values are one array of bytes (`Data`) in SDO byte order. A handle is a constant with the position of its
 //! value, so `get` is a load without code of its own, and access by index uses one path for all entries.
 
-mod defaults;
 mod literal;
 mod meanings;
 mod objects;
-mod paste;
-mod pdo;
-mod places;
 mod view;
 
 #[cfg(feature = "stacks")]
@@ -52,7 +48,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
         shared: 0,
         ram: od.places.total,
         section: if options.cell.is_some() { Memory::Initialised } else { Memory::Zeroed },
-        value: places::value_size,
+        value: view::value_size,
         code: CODE,
         name: options.entry_names.then_some((8, 0)), // a slice on 32 bits
         counted: match options.cell {

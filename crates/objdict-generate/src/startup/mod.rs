@@ -2,17 +2,16 @@
 //! SDO servers it lacks. One table for each stack (`stacks`), applied to the resolved entries of a table, with one warning for each
 //! cause.
 
-mod cause;
-mod consumers;
 mod pdos;
-mod sdo;
 mod stacks;
 mod words;
 
+use std::collections::HashMap;
+
 use crate::Note;
 use crate::dictionary::{ResolvedObject, TableDictionary};
+use crate::model::Place;
 use crate::resolve::{Encoded, ValueShape};
-
 pub(crate) use stacks::CANOPENNODE;
 #[cfg(feature = "stacks")]
 pub(crate) use stacks::{CANFESTIVAL, CANOPEN_STACK, CANOPENNODE_V1, LELY};
@@ -24,16 +23,16 @@ pub(crate) struct Stack {
     /// Why it does not serve PDOs, in the order in which it looks, and what becomes of them.
     pdos: &'static [pdos::CauseRow],
     /// Which heartbeat consumers it takes; `None` if all.
-    consumers: Option<consumers::Consumers>,
+    consumers: Option<Consumers>,
     /// What it demands of the parameters of SDO channels.
-    sdo: &'static [sdo::DemandRow],
+    sdo: &'static [DemandRow],
 }
 
 /// What the stack will not serve.
 pub(crate) fn notes(stack: &Stack, dictionary: &TableDictionary<'_>) -> Vec<Note> {
     let mut notes = pdos::notes(stack, dictionary);
-    notes.extend(stack.consumers.iter().flat_map(|rules| consumers::notes(rules, dictionary)));
-    notes.extend(stack.sdo.iter().flat_map(|row| sdo::notes(row, dictionary)));
+    notes.extend(stack.consumers.iter().flat_map(|rules| consumer_notes(rules, dictionary)));
+    notes.extend(stack.sdo.iter().flat_map(|row| server_notes(row, dictionary)));
     notes
 }
 
@@ -46,4 +45,146 @@ fn datum<'a>(object: Option<&'a ResolvedObject<'_>>, sub: u8, bytes: usize) -> O
     let resolved = &object?.entry(sub)?.resolved;
     let is_number = matches!(resolved.shape, ValueShape::Word(_)) && resolved.shape.size() == bytes;
     is_number.then_some(&resolved.default)
+}
+
+/// Why a PDO is not served.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum PdoCause {
+    /// Above the 255 that a byte counts. It counts for PDOs that are not valid too.
+    Number,
+    NoTransmissionType,
+    NoCobId,
+    RtrAllowed,
+    Extended,
+    NoCanId,
+    /// The CAN-ID is 0, and there is something to send.
+    OnNmt,
+    /// Outside the CAN-IDs that the stack takes for PDOs.
+    NotDispatched,
+    /// An RPDO before it has the CAN-ID, valid or not.
+    Taken,
+    NoMapping,
+    TooMany,
+    /// So many, and so short, that the stack does not notice.
+    Overrun,
+    NoSlot,
+    TooLong,
+    Dummy,
+    Missing,
+    Bits,
+    Direction,
+    NotMappable,
+    Short,
+    /// Numbers of another length.
+    Size,
+    /// A length that the functions of the dictionary refuse: each other one when they write, a longer one when they read.
+    Length,
+    /// In flash, and the stack does not look at the access type when it writes.
+    Constant,
+    Empty,
+    Reserved,
+    /// Neither events nor SYNCs nor RTRs transmit it.
+    NoTrigger,
+    SyncStart,
+}
+
+/// Which entries of 1016h a stack takes.
+struct Consumers {
+    /// Whether it takes the entries from the last to the first, and ends there.
+    from_last: bool,
+    /// Whether sub-index 0 says how many entries it takes.
+    is_counted: bool,
+    /// What becomes of the second entry that monitors a node, if it is not served.
+    repeated: Option<&'static str>,
+}
+
+fn consumer_notes(rules: &Consumers, dictionary: &TableDictionary<'_>) -> Vec<Note> {
+    let Some(object) = dictionary.object(0x1016) else { return Vec::new() };
+    let mut subs: Vec<u8> = object.entries.iter().map(|entry| entry.sub).filter(|&sub| sub > 0).collect();
+    if rules.from_last {
+        subs.reverse();
+    }
+    let count = number(Some(object), 0, 1).filter(|_| rules.is_counted);
+    let is_used = |sub: &u8| number(Some(object), *sub, 4).is_some_and(|value| consumer(value).is_some());
+    let (counted, others): (Vec<u8>, Vec<u8>) =
+        subs.into_iter().partition(|&sub| count.is_none_or(|count| u64::from(sub) <= count));
+    let mut consumer_notes = Vec::new();
+    if let (Some(count), true) = (count, others.iter().any(is_used)) {
+        let text =
+            format!("the stack does not monitor the nodes of the entries above {count}, the value here");
+        let note = Note::new(Place::entry(0x1016, 0), text).warning();
+        consumer_notes.push(note.help("write the number of entries"));
+    }
+    let mut taken: HashMap<u64, u8> = HashMap::new();
+    for sub in counted {
+        let Some(node_id) = number(Some(object), sub, 4).and_then(consumer) else { continue };
+        if let (Some(other), Some(effect)) = (taken.get(&node_id), rules.repeated) {
+            let text = format!("{effect}: sub-index {other:02X}h also monitors node {node_id}");
+            let note = Note::new(Place::entry(0x1016, sub), text).warning();
+            consumer_notes.push(note.help("monitor each node in one entry"));
+            if rules.from_last {
+                break; // the entries before are not looked at
+            }
+        } else {
+            taken.insert(node_id, sub);
+        }
+    }
+    consumer_notes
+}
+
+/// The node of an entry that is in use.
+fn consumer(value: u64) -> Option<u64> {
+    let (time, node_id) = (value & 0xFFFF, value >> 16 & 0xFF);
+    (time != 0 && node_id != 0).then_some(node_id)
+}
+
+/// The bit of a COB-ID that says that it is not valid.
+const NOT_VALID: u64 = 1 << 31;
+
+/// A demand, and what happens otherwise.
+enum DemandRow {
+    /// The highest sub-index of the objects in a range is one of these, or the stack does not start.
+    Highest { first: u16, last: u16, allowed: &'static [u64] },
+    /// The default server (1200h) has the COB-IDs of its entries: these must be valid, and those of CiA 301.
+    DefaultServer,
+}
+
+fn server_notes(row: &DemandRow, dictionary: &TableDictionary<'_>) -> Vec<Note> {
+    match row {
+        DemandRow::Highest { first, last, allowed } => highest(dictionary, (*first, *last), allowed),
+        DemandRow::DefaultServer => default_server(dictionary),
+    }
+}
+
+fn highest(dictionary: &TableDictionary<'_>, (first, last): (u16, u16), allowed: &[u64]) -> Vec<Note> {
+    let objects = dictionary.objects.iter().filter(|object| (first..=last).contains(&object.index));
+    let wrong = objects.filter_map(|object| {
+        let highest = number(Some(object), 0, 1).filter(|highest| !allowed.contains(highest))?;
+        let words: Vec<String> = allowed.iter().map(u64::to_string).collect();
+        let text = format!("the stack does not start with {highest} here, but with {}", words.join(" or "));
+        Some(Note::new(Place::entry(object.index, 0), text).warning().help("correct the number of entries"))
+    });
+    wrong.collect()
+}
+
+fn default_server(dictionary: &TableDictionary<'_>) -> Vec<Note> {
+    let object = dictionary.object(0x1200);
+    let wrong = [(1, 0x600_u64), (2, 0x580)].into_iter().filter_map(|(sub, base)| {
+        let value = datum(object, sub, 4)?;
+        let of_node = |node_id: u8| value.on_node(Some(node_id)) == base + u64::from(node_id);
+        let fits = match dictionary.node_id {
+            Some(node_id) => of_node(node_id),
+            None => (1..=127).any(of_node),
+        };
+        let text = match value.word() {
+            _ if fits => return None,
+            word if word & NOT_VALID != 0 => {
+                "the COB-ID is not valid (bit 31), so the stack has no SDO server".to_owned()
+            }
+            word => format!("with the COB-ID {word:X}h the stack does not answer the SDOs of its node-ID"),
+        };
+        let note = Note::new(Place::entry(0x1200, sub), text).warning();
+        Some(note.help("write `$NODEID+0x600` in sub-index 1 and `$NODEID+0x580` in sub-index 2"))
+    });
+    wrong.collect()
 }

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::cause::PdoCause;
-use super::{Stack, number, words};
+use super::{PdoCause, Stack, number, words};
 use crate::Note;
 use crate::dictionary::{ResolvedObject, TableDictionary};
 use crate::model::{DataType, Device, MappedObject, Pdo, PdoKind, Place};

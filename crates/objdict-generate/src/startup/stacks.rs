@@ -1,10 +1,7 @@
 //! One table for each stack, read from its sources: CANopenNode 4 of July 2026 and 1.3, canopen-stack 4.4, Lely core 2.4, CanFestival 3.
 
-use super::Stack;
-use super::cause::PdoCause;
-use super::consumers::Consumers;
 use super::pdos::{CauseRow, StackMapping};
-use super::sdo;
+use super::{Consumers, DemandRow, PdoCause, Stack};
 use crate::model::{DataType, Device, MappedObject, PdoKind};
 
 const DISABLED: &str = "will be disabled by the stack";
@@ -44,8 +41,8 @@ pub(crate) const CANOPENNODE: Stack = Stack {
         repeated: Some("the stack rejects the heartbeat consumer"),
     }),
     sdo: &[
-        sdo::DemandRow::Highest { first: 0x1201, last: 0x127F, allowed: &[2, 3] },
-        sdo::DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3] },
+        DemandRow::Highest { first: 0x1201, last: 0x127F, allowed: &[2, 3] },
+        DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3] },
     ],
 };
 
@@ -75,7 +72,7 @@ pub(crate) const CANOPENNODE_V1: Stack = Stack {
         one(PdoCause::SyncStart, PdoKind::Tpdo, DISABLED),
     ],
     consumers: None,
-    sdo: &[sdo::DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3] }],
+    sdo: &[DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3] }],
 };
 
 const IGNORED: &str = "will be received without effect by the stack";
@@ -116,7 +113,7 @@ pub(crate) const CANOPEN_STACK: Stack = Stack {
         is_counted: true,
         repeated: Some("the stack does not monitor the nodes of this and of all entries before"),
     }),
-    sdo: &[sdo::DemandRow::DefaultServer],
+    sdo: &[DemandRow::DefaultServer],
 };
 
 const REJECTED: &str = "will be rejected by the stack whenever it is received";
@@ -170,7 +167,7 @@ pub(crate) const CANFESTIVAL: Stack = Stack {
         both(PdoCause::TooLong, "will lose in the stack what is behind 8 bytes"),
     ],
     consumers: Some(Consumers { from_last: false, is_counted: true, repeated: None }),
-    sdo: &[sdo::DemandRow::DefaultServer],
+    sdo: &[DemandRow::DefaultServer],
 };
 
 /// The bits that CANopenNode 1.3 has for a dummy entry.

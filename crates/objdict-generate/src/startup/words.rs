@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::cause::PdoCause;
+use super::PdoCause;
 use crate::model::{MappedObject, PdoKind};
 
 /// A cause with the mapped objects that have it, and what to do about it.

@@ -1,6 +1,5 @@
 //! The target `template`: output of a custom template.
 
-mod bounds;
 mod context;
 mod filters;
 
@@ -81,7 +80,7 @@ fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>
     environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
     environment.set_fuel(Some(fuel));
     filters::add(&mut environment);
-    bounds::add(&mut environment);
+    filters::bound(&mut environment);
     environment.add_template(file, source)?;
     let mut output = Bounded(Vec::new());
     environment.get_template(file)?.render_captured_to(context, &mut output)?;
