@@ -5,8 +5,7 @@ use super::{Description, Format, Syntax, WriteOptions, embedded};
 use crate::compare::Datum;
 use objdict_eds::eds;
 use objdict_model::diagnostic::{Change, Fix};
-use objdict_model::literal;
-use objdict_model::literal::Spelling;
+use objdict_model::literal::{self, Spelling};
 use objdict_model::model::{
     Assignment, Commissioning, Device, DeviceKind, ExplicitDownload, Field, Part, Place,
 };

@@ -46,10 +46,9 @@ pub use objdict_eds::{eds, ini};
 #[cfg(feature = "full")]
 pub use objdict_model::compare;
 use objdict_model::diagnostic::RuleInfo;
-pub use objdict_model::literal;
 pub use objdict_model::source::EditError;
 use objdict_model::source::SourceFile;
-pub use objdict_model::{Format, Syntax};
+pub use objdict_model::{Format, Syntax, literal};
 #[cfg(feature = "full")]
 pub use {objdict_eds::eds::Style, objdict_node::concise};
 #[cfg(feature = "xdd")]
@@ -93,6 +92,6 @@ pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     #[cfg(feature = "xdd")]
     let rules = rules.chain(objdict_xdd::xml::findings::rules()).chain(objdict_xdd::xdd::findings::rules());
     #[cfg(feature = "xdd")]
-    let rules = rules.chain(objdictgen::rules::RULES.iter().copied());
+    let rules = rules.chain(objdictgen::RULES.iter().copied());
     rules
 }

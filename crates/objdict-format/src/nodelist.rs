@@ -7,8 +7,7 @@ use ini::{Ini, ParseOption, Properties};
 
 use super::identify::ini::is_topology;
 use objdict_eds::ini::Lines;
-use objdict_model::literal;
-use objdict_model::literal::Quirks;
+use objdict_model::literal::{self, Quirks};
 use objdict_model::model::{NodeList, Topology, TopologyNode};
 use objdict_model::source::SourceFile;
 

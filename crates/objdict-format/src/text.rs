@@ -17,6 +17,9 @@ pub(crate) type ReadText = (Box<dyn DescriptionText>, Device, Findings);
 /// Edits: each span with its replacement.
 pub(crate) type TextEdits = Vec<(Span, String)>;
 
+/// A node, and the name of the EDS of the type that it is made from.
+pub(crate) type NodeOfType<'a> = (&'a Commissioning, Option<&'a str>);
+
 /// A text that was read as one of its devices. What a syntax does not have, such as variants, it leaves as it is here.
 pub(crate) trait DescriptionText: Debug + Send + Sync {
     /// The source.
@@ -107,14 +110,9 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         true
     }
 
-    /// Its bytes as the description of a node, made from the type in `last_eds`, or without one of a type, in a file of this name;
-    /// `None` where edits do not make that of it.
-    fn of_node(
-        &self,
-        _file_name: &str,
-        _node: Option<&Commissioning>,
-        _last_eds: Option<&str>,
-    ) -> Option<Result<Vec<u8>, EditError>> {
+    /// Its bytes as the description of a node, or without one of a type, in a file of this name; `None` where edits do not make
+    /// that of it.
+    fn of_node(&self, _file_name: &str, _node: Option<NodeOfType<'_>>) -> Option<Result<Vec<u8>, EditError>> {
         None
     }
 

@@ -10,11 +10,9 @@ use std::fmt;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::complete;
-use super::device_toml;
 use super::embedded::{self, Carrier};
 use super::input::{DEFAULT_MAX_ENTRIES, VALUES_PER_ENTRY};
-use super::{Dialect, EditError, Format, Style, Syntax, XddVersion};
+use super::{Dialect, EditError, Format, Style, Syntax, XddVersion, complete, device_toml};
 use crate::compare::{Datum, DatumChange, DatumDifference, TooMany, each_difference};
 use objdict_eds::eds;
 use objdict_eds::ini::Document;

@@ -2,11 +2,11 @@
 
 use std::sync::OnceLock;
 
-use crate::text::{DescriptionText, ReadText, TextEdits, restored};
+use crate::text::{DescriptionText, NodeOfType, ReadText, TextEdits, restored};
 use objdict_eds::eds::{self, SectionLocator};
 use objdict_eds::ini::{self, Document};
 use objdict_model::diagnostic::{Change, Findings};
-use objdict_model::model::{Commissioning, Device, DeviceKind, Place};
+use objdict_model::model::{Device, DeviceKind, Place};
 use objdict_model::source::{EditError, SourceFile, Span};
 
 /// Lines with what finds places in them, which is made when it is asked for.
@@ -56,14 +56,9 @@ impl DescriptionText for IniText {
         eds::edits(&self.document, self.locator(), device, changes)
     }
 
-    fn of_node(
-        &self,
-        file_name: &str,
-        node: Option<&Commissioning>,
-        last_eds: Option<&str>,
-    ) -> Option<Result<Vec<u8>, EditError>> {
+    fn of_node(&self, file_name: &str, node: Option<NodeOfType<'_>>) -> Option<Result<Vec<u8>, EditError>> {
         Some(match node {
-            Some(node) => eds::to_dcf(&self.document, file_name, last_eds, node),
+            Some((node, last_eds)) => eds::to_dcf(&self.document, file_name, last_eds, node),
             None => eds::to_eds(&self.document, file_name),
         })
     }

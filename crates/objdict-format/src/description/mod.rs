@@ -2,7 +2,6 @@
 //!
 //! It and the parent module import each other, because a description reads and writes every format.
 
-mod edits;
 mod ini;
 #[cfg(feature = "full")]
 mod rewritten;

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::objdictgen;
-use crate::text::{DescriptionText, ReadText, TextEdits, is_as_valid, restored};
+use crate::text::{DescriptionText, NodeOfType, ReadText, TextEdits, is_as_valid, restored};
 use objdict_model::diagnostic::{Change, Findings};
 use objdict_model::model::{Commissioning, Device, DeviceKind, Place};
 use objdict_model::source::{EditError, SourceFile, Span};
@@ -110,12 +110,8 @@ impl DescriptionText for XmlText {
         xdd::edits(&self.tree, self.locator(), changes)
     }
 
-    fn of_node(
-        &self,
-        file_name: &str,
-        node: Option<&Commissioning>,
-        _: Option<&str>,
-    ) -> Option<Result<Vec<u8>, EditError>> {
+    fn of_node(&self, file_name: &str, node: Option<NodeOfType<'_>>) -> Option<Result<Vec<u8>, EditError>> {
+        let node = node.map(|(node, _)| node);
         let edited = match node {
             Some(node) => xdd::to_xdc(&self.tree, file_name, node),
             None => xdd::to_xdd(&self.tree, file_name),

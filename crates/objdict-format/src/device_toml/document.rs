@@ -8,9 +8,9 @@ use super::extends::{self, Base};
 use super::mentions;
 use super::places::KeyPlaces;
 use crate::mention::Mention;
-use crate::text::{DescriptionText, ReadText, TextEdits};
+use crate::text::{DescriptionText, NodeOfType, ReadText, TextEdits};
 use objdict_model::diagnostic::{Change, Findings};
-use objdict_model::model::{Commissioning, Device, Place};
+use objdict_model::model::{Device, Place};
 use objdict_model::source::{EditError, Edits, SourceFile, Span};
 
 /// A text, or a variant of it, with what finds places in it.
@@ -101,14 +101,9 @@ impl DescriptionText for TomlText {
         self.editor().is_toml(edits)
     }
 
-    fn of_node(
-        &self,
-        file_name: &str,
-        node: Option<&Commissioning>,
-        _: Option<&str>,
-    ) -> Option<Result<Vec<u8>, EditError>> {
+    fn of_node(&self, file_name: &str, node: Option<NodeOfType<'_>>) -> Option<Result<Vec<u8>, EditError>> {
         let edits = match node {
-            Some(node) => self.editor().to_node(file_name, node),
+            Some((node, _)) => self.editor().to_node(file_name, node),
             None => self.editor().to_type(file_name),
         };
         self.edited(edits?)

@@ -11,7 +11,7 @@ use objdict_model::model::{
 };
 
 /// The language of the texts.
-const LANGUAGE: &str = "en";
+pub(crate) const LANGUAGE: &str = "en";
 
 /// Reads the meaning of an entry into its parameter.
 pub(super) fn read(
@@ -100,11 +100,11 @@ fn described(text: &str) -> Labels {
     Labels(vec![Label::Description { lang: LANGUAGE.into(), text: text.into(), uri: None }])
 }
 
-fn unit(name: &str) -> Unit {
+pub(crate) fn unit(name: &str) -> Unit {
     Unit { multiplier: "1".into(), uri: None, labels: Labels::name(LANGUAGE, name) }
 }
 
-fn named_value(number: &str, name: &str) -> ScaledValue {
+pub(crate) fn named_value(number: &str, name: &str) -> ScaledValue {
     ScaledValue { value: number.into(), labels: Labels::name(LANGUAGE, name), ..ScaledValue::default() }
 }
 

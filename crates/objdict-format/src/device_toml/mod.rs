@@ -6,8 +6,7 @@ mod edits;
 mod extends;
 mod facts;
 pub mod keys;
-mod lists;
-mod meaning;
+pub(crate) mod meaning;
 mod mentions;
 mod merge;
 mod objects;
@@ -16,21 +15,20 @@ mod places;
 mod profile;
 mod raw;
 mod reader;
-mod schema;
 mod start;
 mod usual;
 mod variants;
 pub mod wording;
-mod words;
+pub(crate) mod words;
 mod writer;
 
 use self::defaults::Defaults;
 use self::extends::Base;
+pub use self::keys::schema;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::merge::Merged;
 use self::profile::ProfileSaid;
 use self::reader::ObjectReader;
-pub use self::schema::schema;
 pub use self::start::new_device_toml;
 use crate::compare::each_difference;
 use crate::scaffold;
@@ -39,9 +37,9 @@ use objdict_keyed::section::{self, KeyedTable};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
-use objdict_model::model::Object;
 use objdict_model::model::{
-    ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists, PdoKind,
+    ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, Object, ObjectLists,
+    PdoKind,
 };
 use objdict_model::source::EditError;
 
@@ -208,7 +206,7 @@ fn frame(root: &KeyedTable<'_>, device: &mut Device, base: Option<&DeviceInfo>, 
     }
     device.dummy_usage = device.dummy_usage.take().filter(|_| is_stated("dummies"));
     if let Some(dummies) = root.text("dummies", findings) {
-        match lists::dummies(&dummies.value) {
+        match words::dummies(&dummies.value) {
             Ok(types) => device.dummy_usage = Some(DummyUsage { types, ..DummyUsage::default() }),
             Err(word) => {
                 let finding = Diagnostic::new(&WRONG_TYPE, dummies.at, say!("`{}` is not a data type", word));
@@ -244,12 +242,12 @@ fn extra(root: &KeyedTable<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
 }
 
 fn read_lists(root: &KeyedTable<'_>, device: &Device, findings: &mut Findings) -> ObjectLists {
-    let mut read = lists::implied(device);
+    let mut read = words::implied(device);
     let section = root.get("lists").and_then(|tree| KeyedTable::new("lists", tree, LISTS, findings));
     let Some(section) = section else { return read };
     let unstated: Vec<String> =
         section.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
-    for (list, name) in lists::NAMES {
+    for (list, name) in words::NAMES {
         if unstated.iter().any(|word| word == name) {
             *read.get_mut(list) = None;
         }

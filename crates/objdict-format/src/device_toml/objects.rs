@@ -1,13 +1,10 @@
 //! From an object to its keys: what is not as it would be without them.
 
 use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
-use super::facts;
-use super::meaning;
 use super::reader::{numbered, sub_number, without};
-use super::words::{TypeSaid, index_list, push, quoted, spelled, type_word, words};
-use objdict_model::model::{
-    Compact, DataType, Device, Entry, Object, ObjectType, PdoMapping, TypeKind, Value,
-};
+use super::words::{TypeSaid, index_list, map_word, push, quoted, spelled, type_word, words};
+use super::{facts, meaning};
+use objdict_model::model::{Compact, DataType, Device, Entry, Object, ObjectType, TypeKind, Value};
 
 /// An object that fits into a line of so many characters is one.
 const LINE: usize = 110;
@@ -37,19 +34,9 @@ pub(super) fn common(found: &Entry, implied: &Entry, keys: &mut Vec<TomlPair>, l
     match (found.pdo_mapping, implied.pdo_mapping) {
         (None, Some(_)) => left_out.add(OmittedFact::Map),
         (Some(found), implied) if Some(found) != implied => {
-            keys.push(("map".to_owned(), quoted(map_word(found))));
+            keys.push(("map".to_owned(), quoted(&map_word(found))));
         }
         _ => {}
-    }
-}
-
-pub(super) const fn map_word(map: PdoMapping) -> &'static str {
-    match map {
-        PdoMapping::No => "no",
-        PdoMapping::Optional => "optional",
-        PdoMapping::Default => "default",
-        PdoMapping::Tpdo => "tpdo",
-        PdoMapping::Rpdo => "rpdo",
     }
 }
 

@@ -127,7 +127,7 @@ impl KeyPlaces {
             Part::Comments => words(&["comments"]),
             Part::DummyUsage => words(&["dummies"]),
             Part::List(list) => {
-                let name = super::lists::NAMES.iter().find(|(known, _)| known == list).map(|(_, name)| *name);
+                let name = super::words::NAMES.iter().find(|(known, _)| known == list).map(|(_, name)| *name);
                 words(&["lists", name.unwrap_or_default()])
             }
             Part::Object(index) => object(*index),

@@ -6,15 +6,14 @@ use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
 use super::facts::pairs;
 use super::keys::{DEFAULTS, ENTRY, OBJECT};
 use super::meaning;
-use super::words::{TypeSaid, data_type, index, indexes, subs, type_words, value_of};
+use super::words::{TypeSaid, data_type, index, indexes, mapping, subs, type_words, value_of};
 use objdict_keyed::rules::{DUPLICATE_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use objdict_keyed::section::KeyedTable;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
 use objdict_model::literal::{NoValue, written};
 use objdict_model::model::{
-    Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, PdoMapping,
-    SrdoAccess, Value,
+    Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, SrdoAccess, Value,
 };
 
 /// Reads objects.
@@ -541,17 +540,6 @@ pub(super) fn without(mut entry: Entry, unstated: Omissions) -> Entry {
 /// A name with the number of a sub-index in it.
 pub(super) fn numbered(template: &str, sub: u8) -> String {
     template.replace("{}", &sub.to_string()).replace("{x}", &format!("{sub:X}"))
-}
-
-pub(super) fn mapping(word: &str) -> Option<PdoMapping> {
-    Some(match word {
-        "no" => PdoMapping::No,
-        "optional" => PdoMapping::Optional,
-        "default" => PdoMapping::Default,
-        "tpdo" => PdoMapping::Tpdo,
-        "rpdo" => PdoMapping::Rpdo,
-        _ => return None,
-    })
 }
 
 fn object_type(word: &str) -> Option<ObjectType> {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::defaults::{Defaults, Omissions, OmittedFact};
-use super::objects::{TomlPair, common, inline, map_word};
-use super::words::{push, quoted, type_word, words};
+use super::objects::{TomlPair, common, inline};
+use super::words::{map_word, push, quoted, type_word, words};
 use objdict_model::model::{Device, Entry, Object};
 
 /// The most frequent of these.
@@ -92,7 +92,7 @@ pub(super) fn write_defaults(defaults: &Defaults, text: &mut String) {
         lines.push(format!("access = {}", quoted(defaults.access.name())));
     }
     if defaults.map != built_in.map {
-        lines.push(format!("map = {}", quoted(map_word(defaults.map))));
+        lines.push(format!("map = {}", quoted(&map_word(defaults.map))));
     }
     if defaults.unstated != built_in.unstated {
         lines.push(format!("unstated = [{}]", words(&defaults.unstated.words())));

@@ -2,12 +2,11 @@
 
 use super::facts::{self, Implied};
 use super::keys::{DEVICE, FILE, FORMAT, NODE};
-use super::lists;
 use super::objects::ObjectWriter;
 use super::pdos::{PdoSaid, Standard};
 use super::profile::{ProfileSaid, implied_device, take_absent};
 use super::usual::{usual, write_defaults};
-use super::words::{key, push, quoted, words};
+use super::words::{self, key, push, quoted, words};
 use crate::scaffold;
 use objdict_model::model::{Device, DeviceKind, ExtraSection, PdoKind};
 
@@ -35,7 +34,7 @@ pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, w
     }
     let defaults = usual(device);
     write_defaults(&defaults, &mut text);
-    lists::write(device, &mut text);
+    words::write(device, &mut text);
     if let Some(base) = &mut base {
         let gone = take_absent(base, device);
         insert_removed(&gone, &mut text);
@@ -127,14 +126,14 @@ fn head(device: &Device, base: Option<&Device>, text: &mut String) {
     }
     let usual = base.and_then(|base| base.dummy_usage.as_ref());
     if let Some(usage) = device.dummy_usage.as_ref().filter(|usage| Some(*usage) != usual) {
-        push(text, &format!("dummies = {}", quoted(&lists::dummy_words(&usage.types))));
+        push(text, &format!("dummies = {}", quoted(&words::dummy_words(&usage.types))));
     }
     match device.comments.as_deref() {
         None => {}
         Some([]) if base.is_some() => {}
         Some([]) => push(text, "comments = []"),
         Some([line]) => push(text, &format!("comments = {}", quoted(line))),
-        Some(lines) => push(text, &format!("comments = {}", lists::several_lines(lines))),
+        Some(lines) => push(text, &format!("comments = {}", words::several_lines(lines))),
     }
 }
 

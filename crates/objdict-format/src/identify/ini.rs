@@ -6,8 +6,7 @@ use super::{ContentKind, ExaminedContent, Identification, list, quoted};
 use crate::Format;
 use objdict_eds::eds::SectionName;
 use objdict_eds::ini::{LineKind, Lines};
-use objdict_model::literal;
-use objdict_model::literal::Quirks;
+use objdict_model::literal::{self, Quirks};
 use objdict_model::model::Part;
 
 /// Sections that a reason names.

@@ -6,14 +6,12 @@
 #[cfg(feature = "full")]
 mod content;
 mod error;
-mod tags;
 
 use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
 pub use self::error::ReadError;
-use self::tags::{containers, start_tags};
 use super::identify::{ContentKind, identify_source};
 #[cfg(feature = "full")]
 use super::patch::Patch;
@@ -21,8 +19,7 @@ use super::{Description, Format, Syntax};
 #[cfg(feature = "full")]
 use objdict_model::diagnostic::Severity;
 use objdict_model::model::Device;
-use objdict_model::source;
-use objdict_model::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
+use objdict_model::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
 /// Declares the kinds of files, each with its word on the command line and the ending of its files, what people call it, the
 /// feature of this crate with which it is read, and its format where it is a description with its text.
@@ -490,6 +487,25 @@ pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadErr
         Some(format) => Ok(super::read(source, format)),
         None => Err(ReadError::NoDevice { name, kind }),
     }
+}
+
+/// How many tags start an element.
+fn start_tags(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let starts = |&at: &usize| bytes.get(at + 1).is_some_and(|next| !matches!(next, b'/' | b'!' | b'?'));
+    memchr::memchr_iter(b'<', bytes).filter(starts).count()
+}
+
+/// How many tags start the description of a device.
+fn containers(text: &str) -> usize {
+    const NAME: &str = "ISO15745ProfileContainer";
+    const MAX_PREFIX: usize = 64;
+    let starts = |&at: &usize| {
+        let before = &text.as_bytes()[at.saturating_sub(MAX_PREFIX)..at];
+        let tag = before.iter().rposition(|byte| matches!(byte, b'<' | b'/' | b'>' | b' ' | b'\n'));
+        tag.is_some_and(|tag| before[tag] == b'<')
+    };
+    memchr::memmem::find_iter(text.as_bytes(), NAME).filter(starts).count()
 }
 
 #[cfg(test)]

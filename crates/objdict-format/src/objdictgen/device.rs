@@ -6,10 +6,9 @@ use std::collections::BTreeMap;
 use super::expression::{self, Evaluated};
 use super::mapping::{DescribedObject, DescriptionForm, ObjectMapping, SubForm};
 use super::pickle::{Pickle, PickleDatum, plain_number};
-use super::rules::{NOT_READ, UNKNOWN_OBJECT};
+use super::{NOT_READ, UNKNOWN_OBJECT};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
-use objdict_model::literal;
-use objdict_model::literal::Quirks;
+use objdict_model::literal::{self, Quirks};
 use objdict_model::model::{
     Commissioning, DataType, Device, DeviceInfo, Entry, Extra, ExtraSection, Field, FileInfo, Label,
     OBJDICTGEN_SECTION, Object, ObjectLists, ObjectType, PdoMapping, Reason, Subs, TypeKind, Value,

@@ -5,15 +5,14 @@ use std::sync::Arc;
 use hmac_sha256::Hash;
 
 use super::patched::lines;
-use super::rules::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
+use super::read::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
 use super::{ChangeWords, ChangedPart, Patch, Patched, Worded, selected};
 use crate::Description;
 use crate::compare::{self, Datum, DatumChange};
 use crate::patch::fields::{entry, get, set};
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Text, say};
-use objdict_model::model::field_names;
-use objdict_model::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place};
+use objdict_model::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place, field_names};
 use objdict_model::source::{Said, Span};
 
 /// A description with those of some patches made that [select](Patch::selects) it, and what they were. Its text stays as

@@ -4,20 +4,18 @@ use serde_json::Value as Json;
 
 use super::words::{FACTS, data_type, data_type_word, object_type};
 use crate::compare::{Datum, DatumChange, apply};
+use crate::device_toml::meaning::{LANGUAGE, named_value, unit};
+use crate::device_toml::words::{map_word, mapping};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Text, say};
-use objdict_model::literal;
-use objdict_model::literal::{Quirks, Spelling};
+use objdict_model::literal::{self, Quirks, Spelling};
 use objdict_model::model::field_names::facts_of;
 use objdict_model::model::{
     Access, AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, Label, Labels,
-    Object, Parameter, ParameterGroup, Part, PdoMapping, ScaledValue, SimpleType, TypeDefinition, TypeShape,
-    Unit, Value, VarDeclaration,
+    Object, Parameter, ParameterGroup, Part, PdoMapping, SimpleType, TypeDefinition, TypeShape, Value,
+    VarDeclaration,
 };
 use objdict_model::source::Span;
-
-/// The language of the texts.
-const LANGUAGE: &str = "en";
 
 /// The entry that a part is; one that is stored compactly has none of its own.
 pub(crate) fn entry<'a>(device: &'a Device, part: &Part) -> Option<&'a Entry> {
@@ -133,7 +131,7 @@ pub(crate) fn set(
         "default" | "value" | "min" | "max" => return set_value(entry, word, value),
         "map" => {
             entry.pdo_mapping =
-                value.map(|value| mapping(value).ok_or_else(|| is("a PDO mapping"))).transpose()?;
+                value.map(|value| mapping_of(value).ok_or_else(|| is("a PDO mapping"))).transpose()?;
         }
         "flags" => {
             let number =
@@ -180,11 +178,7 @@ fn set_parameter(
 ) -> Result<(), Text> {
     match word {
         "unit" => {
-            parameter.unit = text.map(|unit| Unit {
-                multiplier: "1".into(),
-                uri: None,
-                labels: Labels::name(LANGUAGE, &unit),
-            });
+            parameter.unit = text.as_deref().map(unit);
         }
         "factor" | "offset" => {
             if let Some(number) = text.as_deref().filter(|number| number.parse::<f64>().is_err()) {
@@ -199,11 +193,7 @@ fn set_parameter(
         }
         "enum" => {
             let values = value.map_or(Ok(Vec::new()), |value| pairs(word, value))?;
-            let values = values.into_iter().map(|(name, number)| ScaledValue {
-                value: number.into(),
-                labels: Labels::name(LANGUAGE, &name),
-                ..ScaledValue::default()
-            });
+            let values = values.iter().map(|(name, number)| named_value(number, name));
             parameter.allowed_values.get_or_insert_default().values = values.collect();
             parameter.allowed_values.take_if(|allowed| *allowed == AllowedValues::default());
         }
@@ -337,21 +327,16 @@ fn kind_of_mapping(mapping: PdoMapping) -> Kind {
     match mapping {
         PdoMapping::No => Kind::Bool(false),
         PdoMapping::Optional => Kind::Bool(true),
-        PdoMapping::Default => Kind::Text("default".to_owned()),
-        PdoMapping::Tpdo => Kind::Text("tpdo".to_owned()),
-        PdoMapping::Rpdo => Kind::Text("rpdo".to_owned()),
+        one_way => Kind::Text(map_word(one_way)),
     }
 }
 
-fn mapping(tree: &KeyedTree) -> Option<PdoMapping> {
-    Some(match &*tree.spelled() {
-        "false" | "0" | "no" => PdoMapping::No,
-        "true" | "1" | "optional" => PdoMapping::Optional,
-        "default" => PdoMapping::Default,
-        "tpdo" => PdoMapping::Tpdo,
-        "rpdo" => PdoMapping::Rpdo,
-        _ => return None,
-    })
+fn mapping_of(tree: &KeyedTree) -> Option<PdoMapping> {
+    match &*tree.spelled() {
+        "false" | "0" => Some(PdoMapping::No),
+        "true" | "1" => Some(PdoMapping::Optional),
+        word => mapping(word),
+    }
 }
 
 /// A map without a place in a text.

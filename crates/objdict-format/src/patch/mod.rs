@@ -14,7 +14,6 @@ mod keys;
 mod make;
 mod patched;
 mod read;
-mod rules;
 pub mod schema;
 mod words;
 
@@ -27,7 +26,7 @@ pub use self::apply::apply;
 pub(super) use self::edit::edited;
 pub use self::make::make;
 pub use self::patched::Patched;
-pub(super) use self::rules::RULES;
+pub(super) use self::read::RULES;
 use crate::compare::DatumChange;
 use objdict_keyed::tree::KeyedTree;
 use objdict_model::diagnostic::{Findings, Text};

@@ -4,14 +4,13 @@ use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
 
 use super::keys::{CHANGE, PATCH, RAW};
-use super::rules::INVALID_CHANGE;
 use super::{ChangeWords, ChangedPart, Patch, PatchChange, Selector, Worded, no_part};
 use crate::compare::{Datum, DatumChange};
 use crate::patch::words::{FACTS, FIELDS, word_of};
 use objdict_keyed::section::{self, KeyedTable};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
-use objdict_model::diagnostic::{Diagnostic, Findings, say};
+use objdict_model::diagnostic::{Diagnostic, Findings, say, text_rules};
 use objdict_model::model::{Address, Part};
 use objdict_model::source::{Said, SourceFile};
 
@@ -121,10 +120,8 @@ fn part_of(text: &str) -> Option<Part> {
     if let Some((_, part, _)) = FACTS.iter().find(|(word, ..)| *word == text) {
         return Some(part.clone());
     }
-    Some(match text.parse().ok()? {
-        Address { index, sub: None } => Part::Object(index),
-        Address { index, sub: Some(sub) } => Part::Entry(index, sub),
-    })
+    let Address { index, sub } = text.parse().ok()?;
+    Some(Part::at(index, sub))
 }
 
 /// The name of a field as the model calls it: the word for a key of CiA 306.
@@ -187,4 +184,36 @@ fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     let reason = section.text("reason", findings).map(|reason| reason.value);
     let source = section.text("source", findings).map(|source| source.value);
     Some(PatchChange { span: path.at, what: ChangedPart::Raw(change), reason, source })
+}
+
+text_rules! {
+    source: "objdict, docs/patches.md";
+
+    "patch/invalid-change" = INVALID_CHANGE, Error;
+    summary: "a change that cannot be made",
+    checks: "Whether each change says what it is about and what becomes of it: `at` is an address or `file`, `device`, `commissioning`; there is something to set, add, remove or rename; each value is valid for its field and its data type.",
+    why: "The change is not made, so the description keeps its mistake.",
+    example: "`at = \"20011:3\"`, `set = { default = 300 }` for an UNSIGNED8",
+    remedy: "Correct the change.",
+
+    "patch/expect-not-met" = EXPECT_NOT_MET, Error;
+    summary: "the file does not say what a patch expects",
+    checks: "Whether the file says what `expect` states, does not state the fields of `absent`, and has the objects and entries that are changed.",
+    why: "The vendor changed the file, or it is another one. The correction may be wrong there, or no longer needed.",
+    example: "`expect = { type = \"u8\" }` where the file says UNSIGNED16",
+    remedy: "Compare the patch with the new file, and correct `expect` or remove the change.",
+
+    "patch/no-effect" = NO_EFFECT, Warning;
+    summary: "a change without effect",
+    checks: "Whether each change changes the description.",
+    why: "The vendor corrected the file; the change is no longer needed.",
+    example: "`set = { type = \"u16\" }` where the file says UNSIGNED16",
+    remedy: "Remove the change, or limit the patch to the revisions that need it with `revision`.",
+
+    "patch/other-file" = OTHER_FILE, Error;
+    summary: "the file has another hash than the patch states",
+    checks: "Whether the bytes of the file have the hash `sha256` of the patch, if it states one.",
+    why: "The patch was made for another edition of the file.",
+    example: "a new edition of the vendor with the same revision number",
+    remedy: "Check the changes with the new file, and then correct or remove `sha256`.",
 }

@@ -3,8 +3,7 @@
 //! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/patches.md.
 
 use objdict_keyed::section::{Key, Shape, bits, key};
-use objdict_keyed::types;
-use objdict_keyed::types::{ACCESS, OBJECT_TYPES};
+use objdict_keyed::types::{self, ACCESS, OBJECT_TYPES};
 use objdict_model::literal::written_number;
 use objdict_model::model::field_names::{self, COMMISSIONING, DEVICE, FILE};
 use objdict_model::model::{DataType, ObjectType, Part};

@@ -10,12 +10,10 @@ mod features;
 mod infer;
 pub mod objects;
 mod pdos;
-mod usual;
 
-pub use base::{BaseError, PROFILES, base, newest_version};
+pub use base::{BaseError, MIDNIGHT, NO_VENDOR, PROFILES, base, newest_version, now};
 pub use features::{EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features};
 pub use infer::infer;
-pub use usual::{MIDNIGHT, NO_VENDOR, now};
 
 use demanded::Demanded;
 use objdict_model::model::{

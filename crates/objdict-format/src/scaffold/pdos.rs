@@ -8,8 +8,7 @@ use super::objects::ObjectMaker;
 use objdict_model::model::{
     CobId, DataType, Device, Entry, MappedObject, Object, ObjectType, PdoKind, predefined,
 };
-use objdict_profile::default_mapping;
-use objdict_profile::default_mapping::PdoMap;
+use objdict_profile::default_mapping::{self, PdoMap};
 
 /// The encoder type with several sensors, whose positions have an array of their own.
 const MULTI_SENSOR: u16 = 10;
