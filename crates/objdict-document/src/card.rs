@@ -1,7 +1,6 @@
 //! Summary of a device.
 
-use super::context::Context;
-use super::subject::Subject;
+use super::context::{Context, Subject};
 use crate::Language;
 use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo, Part, PdoKind};
 

@@ -1,14 +1,14 @@
-//! What changes between two descriptions, as a page: both sides beside each other, and PDOs as drawings.
-
-use askama::Template;
+//! Pages about more than one description: what changes between two (both sides beside each other, and PDOs as drawings), the
+//! variants of a device beside each other, and what a device answered beside what its description says.
 
 use super::diagram::{Diagram, Grid};
 use super::escape::filters;
+use super::html::{rendered, with_policy};
 use super::layout::FrameLayout;
-use super::policy::with_policy;
 use super::texts::LanguageTexts;
 use crate::Language;
 use crate::model::{Device, Entry, PdoKind};
+use askama::Template;
 
 /// The page of a comparison.
 #[derive(Debug)]
@@ -80,7 +80,6 @@ struct ChangesTemplate<'a> {
     rows: Vec<DrawnChange<'a>>,
     grid: Grid,
     t: &'static LanguageTexts,
-    version: &'static str,
 }
 
 /// A change with its drawings.
@@ -112,12 +111,8 @@ impl ChangesPage<'_> {
             rows: rows.collect(),
             grid: Grid::new(),
             t: LanguageTexts::of(Language::English),
-            version: env!("CARGO_PKG_VERSION"),
         };
-        let mut text = String::with_capacity(20_000 + 1000 * self.changes.len());
-        // writing to a String cannot fail, nor do the template filters
-        let _ = template.render_into(&mut text);
-        with_policy(text)
+        with_policy(rendered(&template, 20_000 + 1000 * self.changes.len()))
     }
 }
 
@@ -129,4 +124,55 @@ fn drawing(device: &Device, (kind, number): (PdoKind, u16)) -> Option<Diagram> {
     let mut diagram = Diagram::new(&pdo.to_string(), &layout, Language::English)?;
     diagram.shapes.iter_mut().for_each(|shape| shape.anchor = None);
     Some(diagram)
+}
+
+/// The page of the variants.
+#[derive(Debug)]
+pub struct VariantsPage<'a> {
+    /// The file that describes them.
+    pub file: &'a str,
+    /// The name of the product.
+    pub product: &'a str,
+    /// The headings of the columns.
+    pub headings: &'a [&'a str],
+    /// The cells of each variant.
+    pub rows: Vec<Vec<String>>,
+}
+
+#[derive(Template)]
+#[template(path = "html/variants.html")]
+struct VariantsTemplate<'a> {
+    page: &'a VariantsPage<'a>,
+}
+
+impl VariantsPage<'_> {
+    /// Writes the page as HTML, which needs no other file.
+    pub fn html(&self) -> String {
+        with_policy(rendered(&VariantsTemplate { page: self }, 20_000))
+    }
+}
+
+/// The page of the answers of a device.
+#[derive(Debug)]
+pub struct ProbePage<'a> {
+    /// The description.
+    pub file: &'a str,
+    /// How many answers are as described.
+    pub summary: String,
+    /// Each answer: address, name, what was asked, the answer, and the rule that it contradicts and how; both are empty for one that is
+    /// as described.
+    pub rows: Vec<[String; 6]>,
+}
+
+#[derive(Template)]
+#[template(path = "html/probe.html")]
+struct ProbeTemplate<'a> {
+    page: &'a ProbePage<'a>,
+}
+
+impl ProbePage<'_> {
+    /// Writes the page as HTML, which needs no other file.
+    pub fn html(&self) -> String {
+        with_policy(rendered(&ProbeTemplate { page: self }, 20_000 + 200 * self.rows.len()))
+    }
 }

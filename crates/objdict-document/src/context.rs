@@ -1,10 +1,9 @@
-//! What all parts of a page are made of.
+//! What all parts of a page are made of: what is documented, in which form, and with which options.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use super::options::Options;
-use super::subject::{Identifiers, Subject};
+use super::finding::Finding;
 use super::texts::LanguageTexts;
 use crate::Language;
 use crate::describe::Decoder;
@@ -96,4 +95,87 @@ fn carriers(device: &Device) -> BTreeMap<(u16, u8), Vec<String>> {
         }
     }
     carriers
+}
+
+/// Options of the documentation.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The title (default: product name).
+    pub title: Option<String>,
+    /// The node-ID for COB-IDs, 1 to 127 (default: that of the configured node, if any).
+    pub node_id: Option<u8>,
+    /// The language of names and descriptions, if the description has several (RFC 5646, such as `de`).
+    /// Headings and sentences use it if objdict supports it ([`Language::of_tag`]), else English.
+    pub language: Option<String>,
+    /// The address of a workbench, the page that edits descriptions (default: no link to one). It is a URL of HTTP or a path.
+    pub workbench: Option<String>,
+}
+
+impl Options {
+    /// The language of headings and sentences.
+    pub fn own_language(&self) -> Language {
+        self.language.as_deref().and_then(Language::of_tag).unwrap_or_default()
+    }
+
+    /// The language of description texts.
+    pub(crate) fn tag(&self) -> &str {
+        self.language.as_deref().unwrap_or("en")
+    }
+}
+
+/// The documented device with its context.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject<'a> {
+    /// The device.
+    pub device: &'a Device,
+    /// The file name shown to readers.
+    pub file: &'a str,
+    /// The format of the file: `EDS`, `DCF`, `XDD`, `XDC`, `JSON`.
+    pub format: &'a str,
+    /// The findings of `check`; `None` if it did not run.
+    pub findings: Option<&'a [Finding]>,
+    /// Identifiers in generated code; empty if unknown.
+    pub identifiers: &'a Identifiers,
+}
+
+/// Identifiers of objects (no sub-index) and entries in generated code.
+pub type Identifiers = BTreeMap<(u16, Option<u8>), CodeName>;
+
+/// The identifiers of an object or an entry in generated code.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CodeName {
+    /// The constant in Rust: `od::identity_object::VENDOR_ID`.
+    pub rust: String,
+    /// The macro in C: `OD_IDENTITY_OBJECT_VENDOR_ID`.
+    pub c: String,
+}
+
+/// Output forms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// A self-contained HTML page.
+    Html,
+    /// A Markdown file with tables, as GitHub and GitLab render them.
+    Markdown,
+    /// One line per entry.
+    Csv,
+}
+
+impl Form {
+    /// All forms.
+    pub const ALL: [Self; 3] = [Self::Html, Self::Markdown, Self::Csv];
+
+    /// The form for a file extension (without the dot).
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|form| form.extension().eq_ignore_ascii_case(extension))
+    }
+
+    /// The file extension.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Html => "html",
+            Self::Markdown => "md",
+            Self::Csv => "csv",
+        }
+    }
 }

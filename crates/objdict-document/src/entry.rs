@@ -3,9 +3,8 @@
 use std::borrow::Cow;
 
 use super::anchor::Anchor;
-use super::context::Context;
+use super::context::{CodeName, Context};
 use super::details::{self, Details};
-use super::subject::CodeName;
 use crate::describe::ValueReader;
 use crate::model::{DataType, Entry, Field, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;

@@ -9,7 +9,6 @@
 mod anchor;
 mod card;
 mod changes;
-mod communication;
 mod connections;
 mod context;
 mod csv;
@@ -17,47 +16,37 @@ pub mod dbc;
 pub mod describe;
 mod details;
 mod diagram;
-mod downloads;
 mod entry;
 mod escape;
 mod finding;
-mod form;
 mod groups;
 mod html;
 mod layout;
 mod markdown;
 mod network;
 mod object;
-mod options;
 mod page;
 mod pdos;
-mod policy;
-mod probed;
 mod sentence;
 mod services;
 mod site;
-mod states;
-mod subject;
-mod text_width;
 mod texts;
 mod traffic;
-mod variants;
 mod write;
 
-pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
+pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage, ProbePage, VariantsPage};
+pub use self::context::{CodeName, Form, Identifiers, Options, Subject};
 pub use self::escape::field as csv_field;
 pub use self::finding::Finding;
-pub use self::form::Form;
 pub use self::network::SiteNetwork;
-pub use self::options::Options;
-pub use self::probed::ProbePage;
 pub use self::site::{Site, SiteFile};
-pub use self::subject::{CodeName, Identifiers, Subject};
 pub use self::traffic::{
     BandRun, Bands, Curve, CurveBucket, DENSITY_KINDS, Density, TrafficBus, TrafficCourse, TrafficEvent,
     TrafficEvents, TrafficLane, TrafficPage, TrafficPlot, TrafficTable,
 };
-pub use self::variants::VariantsPage;
 pub use self::write::{card, write};
 use objdict_model::{Language, diagnostic, model, source};
 use objdict_profile as profile;
+
+/// What pages say that they are made by.
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");

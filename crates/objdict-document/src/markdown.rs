@@ -7,6 +7,7 @@ use askama::Template;
 use super::details::{BitPart, Details};
 use super::entry::EntryView;
 use super::escape::filters;
+use super::html::rendered;
 use super::object::ObjectView;
 use super::page::Page;
 use super::texts::LanguageTexts;
@@ -18,7 +19,6 @@ const LONG: usize = 10;
 #[template(path = "markdown/page.md")]
 struct MarkdownPage<'a> {
     page: &'a Page<'a>,
-    version: &'static str,
 }
 
 /// A line of a table cell.
@@ -99,11 +99,6 @@ impl<'a> MarkdownPage<'a> {
 
 /// Writes the page as Markdown.
 pub(super) fn write(page: &Page<'_>) -> String {
-    let template = MarkdownPage { page, version: env!("CARGO_PKG_VERSION") };
     // approximate size per entry, to avoid reallocation
-    let mut text = String::with_capacity(10_000 + 200 * page.entry_count());
-    // writing to a String cannot fail, nor do the template filters
-    let _ = template.render_into(&mut text);
-    text.push('\n');
-    text
+    rendered(&MarkdownPage { page }, 10_000 + 200 * page.entry_count()) + "\n"
 }

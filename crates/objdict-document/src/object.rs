@@ -5,10 +5,9 @@ use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 use super::anchor::{Anchor, in_one_spelling};
-use super::context::Context;
+use super::context::{CodeName, Context};
 use super::details::{self, Details};
 use super::entry::EntryView;
-use super::subject::CodeName;
 use super::texts::LanguageTexts;
 use crate::describe::is_of_cia;
 use crate::model::{Device, Object, ObjectType};

@@ -1,20 +1,26 @@
-//! The content of a page in reading order.
+//! The content of a page in reading order: communication (services and PDOs in words, CAN-IDs), and what configures a node in
+//! the order in which it is sent.
 //!
 //! A new part is a field of `Page` with its data in a file of its own, partials in `templates/html` and
 //! `templates/markdown`, and words in `texts` in both languages.
 
+use super::anchor::Anchor;
 use super::card::Card;
-use super::communication::Communication;
-use super::context::Context;
-use super::downloads::{self, DownloadView};
+use super::connections::{self, ConnectionRow};
+use super::context::{Context, Options, Subject};
+use super::details::{self, ErrorCode, StatesView};
+use super::diagram::Grid;
 use super::finding::RuleFindings;
 use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
-use super::options::Options;
-use super::states::{self, ErrorCode, StatesView};
-use super::subject::Subject;
+use super::pdos::{self, PdoView};
+use super::sentence::anchor;
+use super::services::{self, ServiceView};
 use super::texts::LanguageTexts;
 use crate::Language;
+use crate::describe::{Decoder, ValueReader};
+use crate::model::{Entry, Value};
+use objdict_node::download::{ConciseDcf, Download, PlanOptions, Step, transferred_type};
 
 /// The documentation of a device in words.
 pub(crate) struct Page<'a> {
@@ -60,9 +66,9 @@ impl<'a> Page<'a> {
             card,
             findings: subject.findings.map(RuleFindings::by_rule),
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
-            downloads: downloads::downloads(context),
-            states: states::states(context),
-            error_codes: states::error_codes(context),
+            downloads: downloads(context),
+            states: details::states(context),
+            error_codes: details::error_codes(context),
             groups: groups::groups(context),
             areas,
             is_configured,
@@ -94,5 +100,87 @@ impl<'a> Page<'a> {
     /// The number of entries.
     pub(crate) fn entry_count(&self) -> usize {
         self.areas.iter().flat_map(|area| &area.objects).map(|object| object.entries.len()).sum()
+    }
+}
+
+/// The communication section of a page.
+pub(crate) struct Communication {
+    pub(crate) services: Vec<ServiceView>,
+    pub(crate) pdos: Vec<PdoView>,
+    pub(crate) connections: Vec<ConnectionRow>,
+}
+
+impl Communication {
+    /// Describes a device. If the device stores PDOs as objects, those implied by `CompactPDO` are included
+    /// ([`Device::with_implicit_pdos`](crate::model::Device::with_implicit_pdos)). `name` supplies the names
+    /// of entries.
+    pub(crate) fn new(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Self {
+        Self {
+            services: services::services(decoder, name),
+            pdos: pdos::pdos(decoder, name),
+            connections: connections::connections(decoder),
+        }
+    }
+
+    /// The grid shared by all PDO diagrams.
+    pub(crate) fn grid(&self) -> Grid {
+        Grid::new()
+    }
+}
+
+/// A download to the device.
+pub(crate) struct DownloadView {
+    pub(crate) entry: Anchor,
+    /// Where the page has the entry.
+    pub(crate) anchor: Option<Anchor>,
+    /// The names of object and entry: `Identity object / Vendor-ID`.
+    pub(crate) name: String,
+    /// The value; `None` for data in a file.
+    pub(crate) value: Option<Value>,
+    /// The value in text, or the name of the file.
+    pub(crate) shown: String,
+    /// The meaning of the value in words.
+    pub(crate) meaning: Option<String>,
+}
+
+/// The downloads of a configured node; none where its values cannot be sent, which `check` reports.
+pub(super) fn downloads(context: &Context<'_>) -> Vec<DownloadView> {
+    let options = PlanOptions { node_id: context.node_id, ..PlanOptions::default() };
+    let plan = ConciseDcf::plan(context.device, &options).unwrap_or_default();
+    let view = |step| match step {
+        Step::Write(download) => written(context, &download),
+        Step::File(file) => DownloadView { shown: file.name.into(), ..view(context, file.index, file.sub) },
+    };
+    plan.steps.into_iter().map(view).collect()
+}
+
+fn written(context: &Context<'_>, download: &Download) -> DownloadView {
+    let (index, sub) = (download.index, download.sub);
+    let value = download.value(context.device).unwrap_or_else(|| Value::Bytes(download.data.clone().into()));
+    let reader = ValueReader { index, node_id: context.node_id };
+    DownloadView {
+        shown: reader.short(Some(&value), transferred_type(context.device, index, sub)),
+        meaning: context.decoder.of(index, sub, &value),
+        value: Some(value),
+        ..view(context, index, sub)
+    }
+}
+
+fn view(context: &Context<'_>, index: u16, sub: u8) -> DownloadView {
+    let object = context.device.object(index);
+    let names = object.map(|object| {
+        let of_object = context.name(&object.main);
+        match object.entry(sub).filter(|_| object.object_type().has_subs()) {
+            Some(entry) => format!("{of_object} / {}", context.name(&entry)),
+            None => of_object.to_owned(),
+        }
+    });
+    DownloadView {
+        entry: Anchor::entry(index, sub),
+        anchor: anchor(context.device, index, sub),
+        name: names.unwrap_or_default(),
+        value: None,
+        shown: String::new(),
+        meaning: None,
     }
 }

@@ -6,15 +6,12 @@ use std::path::Path;
 use askama::Template;
 
 use super::anchor::Anchor;
-use super::context::Context;
+use super::context::{Context, Form, Options, Subject};
 use super::csv::{self, CsvColumn};
 use super::escape::{address, filters};
-use super::form::Form;
+use super::html::with_policy;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
-use super::options::Options;
 use super::page::Page;
-use super::policy::with_policy;
-use super::subject::Subject;
 use super::texts::LanguageTexts;
 use super::write::write_page;
 use crate::Language;
@@ -158,7 +155,6 @@ impl Site {
                 .map(|(number, network)| NetworkView::new(network, number, self.form))
                 .collect(),
             places: &self.places,
-            version: env!("CARGO_PKG_VERSION"),
         };
         // writing to a String cannot fail, nor do the template filters
         let text = match self.form {
@@ -238,7 +234,6 @@ struct Index<'a> {
     devices: &'a [Listed],
     networks: Vec<NetworkView<'a>>,
     places: &'a SitePlaces,
-    version: &'static str,
 }
 
 impl Index<'_> {

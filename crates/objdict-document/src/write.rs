@@ -1,11 +1,8 @@
 //! A page in each of the forms.
 
 use super::card::Card;
-use super::context::Context;
-use super::form::Form;
-use super::options::Options;
+use super::context::{Context, Form, Options, Subject};
 use super::page::Page;
-use super::subject::Subject;
 use super::{csv, html, markdown};
 use crate::model::Device;
 

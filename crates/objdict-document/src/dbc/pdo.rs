@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::identifier::words;
-use super::message::{DbcCanId, DbcMessage};
-use super::signal::{DbcSignal, NumberFormat};
+use super::signal::{DbcCanId, DbcMessage, DbcSignal, NumberFormat};
 use super::value::DbcEntry;
 use super::{Database, Omission, services};
 use crate::describe::spelled;

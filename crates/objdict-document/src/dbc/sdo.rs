@@ -4,9 +4,8 @@ use objdict_device::Abort;
 
 use super::Database;
 use super::identifier::words;
-use super::message::{DbcCanId, DbcMessage};
 use super::services::can_id;
-use super::signal::{DbcSignal, Mux};
+use super::signal::{DbcCanId, DbcMessage, DbcSignal, Mux};
 use super::value::DbcEntry;
 use crate::model::{Access, CobId, DataType, Place, predefined};
 

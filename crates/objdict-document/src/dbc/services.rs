@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Database;
 use super::identifier::words;
-use super::message::{DbcCanId, DbcMessage};
-use super::signal::DbcSignal;
+use super::signal::{DbcCanId, DbcMessage, DbcSignal};
 use crate::model::{CobId, Place, predefined};
 use crate::profile;
 

@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use super::Database;
 use super::identifier::DbcName;
-use super::message::DbcMessage;
-use super::signal::{DbcSignal, NumberFormat};
+use super::signal::{DbcMessage, DbcSignal, NumberFormat};
 use crate::source::transliterate;
 
 /// The node of frames that no known node sends or receives.

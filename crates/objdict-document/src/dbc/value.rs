@@ -2,7 +2,7 @@
 
 use super::decimal::Decimal;
 use super::signal::{DbcSignal, NumberFormat, Scale};
-use super::station::{LANGUAGE, Station};
+use super::{LANGUAGE, Station};
 use crate::model::{DataType, Device, Entry, Meaning, Meanings, ObjectType, Scaling, TypeKind, Value};
 use crate::profile::{self, EntryFacts, ObjectFacts};
 

@@ -1,9 +1,8 @@
 //! The value of an entry in words.
 
 use super::time;
-use crate::Language;
 use crate::model::{Device, Value};
-use crate::profile;
+use crate::{Language, profile};
 
 /// Describes the values of a device in words.
 #[derive(Clone, Copy, Debug)]

@@ -2,9 +2,8 @@
 
 use super::decoder::Decoder;
 use super::time;
-use crate::Language;
 use crate::model::{HeartbeatConsumer, Value};
-use crate::profile;
+use crate::{Language, profile};
 
 /// The signatures for 1010h, 1011h and 1F25h, which prevent accidental writes.
 const SIGNATURES: [(u16, u32, &str); 3] =

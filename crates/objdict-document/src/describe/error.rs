@@ -1,8 +1,7 @@
 //! Errors: the register, the history, and the effect on the NMT state.
 
 use super::decoder::Decoder;
-use crate::Language;
-use crate::profile;
+use crate::{Language, profile};
 
 /// The bits of 1001h; bit 6 is reserved.
 const REGISTER: [(u32, &str, &str); 7] = [

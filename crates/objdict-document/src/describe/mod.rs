@@ -1,7 +1,6 @@
 //! Meanings of values in words: communication objects (CiA 301 §7.5.2, CiA 304) and objects of device
 //! profiles.
 
-mod cob_id;
 mod decoder;
 mod device;
 mod error;
@@ -10,10 +9,10 @@ mod pdo;
 pub(crate) mod time;
 mod value;
 
-pub(crate) use self::cob_id::{can_id, spelled};
 pub use self::decoder::Decoder;
 pub(crate) use self::device::is_of_cia;
 pub(crate) use self::error::{error_codes, single_codes};
+pub(crate) use self::pdo::{can_id, spelled};
 pub(crate) use self::time::{decimal, of_microseconds, of_milliseconds};
 pub use self::value::ValueReader;
 

@@ -32,7 +32,7 @@ pub(crate) fn worded(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<Strin
 /// A text in a string of a style sheet.
 #[askama::filter_fn]
 pub(crate) fn css(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
-    Ok(Safe(super::css::string(text.as_ref())))
+    Ok(Safe(super::html::string(text.as_ref())))
 }
 
 /// A text inside a Markdown element that contains only HTML.

@@ -1,10 +1,9 @@
-//! Escaping for HTML and SVG, in text and in quoted attributes.
+//! Escaping for HTML and SVG: in text, in quoted attributes, in strings of style sheets, and in URLs.
 
-use std::fmt;
-
-use askama::filters::Escaper;
+use std::fmt::{self, Write};
 
 use super::shown;
+use askama::filters::Escaper;
 
 /// The escaper of `.html` and `.svg` templates.
 #[derive(Clone, Copy, Debug, Default)]
@@ -67,12 +66,43 @@ pub(super) fn one_line(text: &str) -> String {
     written.replace('\n', "<br>")
 }
 
+/// The text between the quotes of a string on one line. All but letters, digits and blanks is escaped, so it ends neither the string nor the
+/// `<style>` that has it.
+pub(super) fn string(text: &str) -> String {
+    let mut written = String::with_capacity(text.len());
+    let mut characters = text.chars().peekable();
+    while let Some(character) = characters.next() {
+        match shown(character, characters.peek().copied()) {
+            None => {}
+            Some('\n') => written.push(' '),
+            Some(plain) if plain.is_ascii_alphanumeric() || plain == ' ' => written.push(plain),
+            Some(other) => {
+                let _ = write!(written, "\\{:06X}", u32::from(other)); // writing to a String cannot fail
+            }
+        }
+    }
+    written
+}
+
+/// The relative URL of a file in the same folder, percent-encoded so that no name becomes another URL.
+pub(crate) fn address(name: &str) -> String {
+    let mut address = String::with_capacity(name.len());
+    for &byte in name.as_bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' => address.push(char::from(byte)),
+            _ => {
+                let _ = write!(address, "%{byte:02X}"); // writing to a String cannot fail
+            }
+        }
+    }
+    address
+}
+
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::super::tests::text_of;
-    use super::*;
+    use super::{address, string, *};
+    use proptest::prelude::*;
 
     fn escaped(text: &str) -> String {
         let mut written = String::new();
@@ -106,5 +136,21 @@ mod tests {
             let blanks = expected.replace(['\n', '\t'], " ");
             prop_assert_eq!(tree.root_element().attribute("title"), Some(blanks.as_str()));
         }
+    }
+
+    #[test]
+    fn nothing_ends_the_string() {
+        assert_eq!(string("Servo 5"), "Servo 5");
+        assert_eq!(
+            string("a\"}</style>\\\r\n\u{202E}"),
+            "a\\000022\\00007D\\00003C\\00002Fstyle\\00003E\\00005C \\00FFFD"
+        );
+    }
+
+    #[test]
+    fn addresses_stay_in_the_folder() {
+        assert_eq!(address("javascript:alert(1).html"), "javascript%3Aalert%281%29.html");
+        assert_eq!(address("a b#c?.md"), "a%20b%23c%3F.md");
+        assert_eq!(address("Größe.md"), "Gr%C3%B6%C3%9Fe.md");
     }
 }

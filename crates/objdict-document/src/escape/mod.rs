@@ -4,17 +4,14 @@
 //! ([`visible`](crate::diagnostic::visible)); every line end becomes one line feed. askama.toml assigns an
 //! escaper to each file extension, so a template cannot omit it.
 
-mod css;
 mod csv;
 pub(crate) mod filters;
 mod html;
 mod markdown;
-mod url;
 
 pub use csv::field;
-pub(crate) use html::Html;
+pub(crate) use html::{Html, address};
 pub(crate) use markdown::{Markdown, code};
-pub(crate) use url::address;
 
 use crate::diagnostic::visible;
 

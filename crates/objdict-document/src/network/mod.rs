@@ -1,27 +1,25 @@
 //! Networks on the index page of a site: who is in them, what goes from which node to which, and how they boot.
 
-mod link;
-mod site_network;
-mod stated;
 mod tables;
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
-use askama::Template;
-use objdict_network::{End, MappedEntry, MessageRow, NodeRow, Overview, Timing, graph, timeline};
-
-use self::link::{PdoLink, can_id, spoken};
-pub use self::site_network::SiteNetwork;
-pub(crate) use self::stated::{StatedNode, stated};
 pub(crate) use self::tables::tables;
 use super::anchor::Anchor;
+use super::context::{Context, Form};
 use super::escape::{address, filters};
-use super::finding::RuleFindings;
-use super::form::Form;
+use super::finding::{Finding, RuleFindings};
 use super::texts::LanguageTexts;
 use crate::Language;
-use crate::describe::{decimal, of_microseconds, of_milliseconds};
+use crate::describe::{decimal, of_microseconds, of_milliseconds, spelled};
 use crate::model::Address;
+use crate::source::Span;
+use askama::Template;
+use objdict_network::{
+    CarriedEntry, DcfgenMode, End, LinkRow, MappedEntry, MessageId, MessageRow, Network, Node, NodeRow,
+    Overview, Said, Timing, TimingOptions, compile, graph, timeline,
+};
 
 /// A network in words.
 pub(crate) struct NetworkView<'a> {
@@ -238,4 +236,147 @@ impl NetworkView<'_> {
     pub(crate) fn markdown(&self) -> String {
         MarkdownNetwork { network: self }.render().unwrap_or_default()
     }
+}
+
+/// A network for the index of a site.
+#[derive(Clone, Debug)]
+pub struct SiteNetwork {
+    /// What the network is and does, in the language of the site.
+    pub overview: Overview,
+    /// Load and response times; `None` for a network without a bit rate.
+    pub timing: Option<Timing>,
+    /// The file of the network, as readers know it; `None` if only its nodes are described.
+    pub file: Option<String>,
+    /// The names of the nodes' pages by the position of the node in the network; `None` for a node without a page.
+    pub pages: Vec<Option<String>>,
+    /// The findings of `network check`; `None` if it did not run.
+    pub findings: Option<Vec<Finding>>,
+}
+
+/// A PDO from its sender to one receiver.
+struct PdoLink<'a> {
+    row: &'a LinkRow,
+    can_id: String,
+    /// Whether the receiver expects more bits than are sent, and therefore ignores the PDO.
+    is_too_short: bool,
+}
+
+impl<'a> PdoLink<'a> {
+    fn new(row: &'a LinkRow) -> Self {
+        let end = |of: fn(&CarriedEntry) -> &Option<MappedEntry>| {
+            let mapped = row.entries.iter().filter(|entry| of(entry).is_some());
+            mapped.map(|entry| entry.bit + entry.bits).max().unwrap_or(0)
+        };
+        let (sent, received) = (end(|entry| &entry.from), end(|entry| &entry.to));
+        Self { row, can_id: can_id(row.can_id), is_too_short: sent != 0 && sent < received }
+    }
+
+    /// The node that sends it.
+    fn sender(&self) -> Option<usize> {
+        self.row.sender.as_ref().map(|end| end.position)
+    }
+
+    /// The node that receives it.
+    fn receiver(&self) -> Option<usize> {
+        self.row.receiver.as_ref().map(|end| end.position)
+    }
+
+    /// The lines of the link in a table.
+    fn rows(&self) -> usize {
+        self.row.entries.len().max(1)
+    }
+
+    /// The entries in short: `0x6000:01–05, 0x6401:01`; those of the sender, where they are known.
+    fn span(&self) -> String {
+        let entries = self.row.entries.iter().filter_map(|entry| entry.from.as_ref().or(entry.to.as_ref()));
+        let mut spans: Vec<(Address, u8)> = Vec::new();
+        for Address { index, sub } in entries.filter_map(|entry| entry.address) {
+            let number = sub.unwrap_or(0);
+            match spans.last_mut() {
+                Some((first, last)) if first.index == index && last.checked_add(1) == Some(number) => {
+                    *last = number;
+                }
+                _ => spans.push((Address { index, sub }, number)),
+            }
+        }
+        let shown = |(first, last): (Address, u8)| {
+            let anchor = Anchor { index: first.index, sub: first.sub };
+            let is_one = first.sub.unwrap_or(0) == last;
+            if is_one { anchor.spoken() } else { format!("{}–{last:02X}", anchor.spoken()) }
+        };
+        spans.into_iter().map(shown).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// `0x185`; eight digits for an extended frame.
+fn can_id(id: MessageId) -> String {
+    spelled(id.number, id.is_extended)
+}
+
+/// `0x6000:01`; empty for a dummy.
+fn spoken(entry: &MappedEntry) -> String {
+    entry.address.map_or_else(String::new, |Address { index, sub }| Anchor { index, sub }.spoken())
+}
+
+/// A configured node of a site.
+#[derive(Debug)]
+pub(crate) struct StatedNode {
+    /// Number and name of its network.
+    network: (Option<u32>, String),
+    /// The name of its page.
+    pub(crate) page: String,
+    node: Node,
+}
+
+impl StatedNode {
+    /// The node of a configured device; `None` for a device type.
+    pub(crate) fn new(context: &Context<'_>, title: &str, page: &str) -> Option<Self> {
+        let commissioning = context.device.commissioning.as_ref()?;
+        let text = |text: &Option<String>| text.as_deref().unwrap_or_default().trim().to_owned();
+        let name = Some(text(&commissioning.node_name)).filter(|name| !name.is_empty());
+        let node = Node {
+            name: said(name.unwrap_or_else(|| title.to_owned())),
+            file: said(page.to_owned()),
+            device: context.device.clone(),
+            node_id: Some(said(context.node_id?)),
+            ..Node::default()
+        };
+        let network = (commissioning.net_number, text(&commissioning.network_name));
+        Some(Self { network, page: page.to_owned(), node })
+    }
+}
+
+/// What no text says at a place.
+fn said<T>(value: T) -> Said<T> {
+    Said::new(value, Span::empty(0))
+}
+
+/// The networks with several of the nodes. Each node is as its description says; who the manager is does not matter.
+pub(crate) fn stated(nodes: Vec<StatedNode>, tag: &str) -> Vec<SiteNetwork> {
+    let mut networks: BTreeMap<(Option<u32>, String), Vec<StatedNode>> = BTreeMap::new();
+    for node in nodes {
+        networks.entry(node.network.clone()).or_default().push(node);
+    }
+    let several = networks.into_iter().filter(|(_, nodes)| nodes.len() > 1);
+    several.map(|((number, name), nodes)| network(number, &name, nodes, tag)).collect()
+}
+
+fn network(number: Option<u32>, name: &str, nodes: Vec<StatedNode>, tag: &str) -> SiteNetwork {
+    let bit_rate = |node: &StatedNode| node.node.device.commissioning.as_ref()?.baud_rate;
+    let mut bit_rates = nodes.iter().map(bit_rate);
+    let bit_rate = bit_rates.next().flatten().filter(|rate| bit_rates.all(|other| other == Some(*rate)));
+    // `2 line`
+    let words = number.map(|number| number.to_string()).into_iter().chain([name.to_owned()]);
+    let words: Vec<String> = words.filter(|word| !word.is_empty()).collect();
+    let (pages, nodes) = nodes.into_iter().map(|node| (Some(node.page), node.node)).unzip();
+    let network = Network {
+        name: Some(words.join(" ")).filter(|name| !name.is_empty()),
+        bit_rate: bit_rate.map(said),
+        nodes,
+        ..Network::default()
+    };
+    let compiled = compile(&network, DcfgenMode::Corrected);
+    let overview = Overview::in_language(&network, &compiled, tag);
+    let timing = Timing::in_language(&network, &compiled, &TimingOptions::default(), overview.language);
+    SiteNetwork { overview, timing, file: None, pages, findings: None }
 }

@@ -2,7 +2,7 @@
 
 use objdict_network::{CarriedEntry, DownloadRow, End, MappedEntry, MessageRow, NodeRow, Overview};
 
-use super::link::{PdoLink, can_id, spoken};
+use super::{PdoLink, can_id, spoken};
 use crate::csv::{CsvColumn, table};
 
 /// What goes from entry to entry, all messages, and what configures the nodes, with the names of the files.

@@ -2,9 +2,7 @@
 
 use std::fmt::Write;
 
-use super::bands::Bands;
-use super::curve::{Curve, CurveBucket};
-use super::density::{DENSITY_KINDS, Density, total};
+use super::course::{Bands, Curve, CurveBucket, DENSITY_KINDS, Density, total};
 use super::scale::{TimeScale, ValueScale, rounded, short};
 use crate::describe::frames::FrameKind;
 

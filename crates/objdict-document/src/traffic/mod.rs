@@ -1,20 +1,16 @@
 //! The traffic of a bus as a page: a time line, plots of signals, and tables of sums.
 
-mod bands;
-mod curve;
-mod density;
+mod course;
 mod drawing;
 mod scale;
 
 use askama::Template;
 
-pub use self::bands::{BandRun, Bands};
-pub use self::curve::{Curve, CurveBucket};
-pub use self::density::{DENSITY_KINDS, Density};
+pub use self::course::{BandRun, Bands, Curve, CurveBucket, DENSITY_KINDS, Density};
 use self::drawing::{BAND, BandWord, Filled, LANE, PLOT};
 use self::scale::{Tick, TimeScale, ValueScale, rounded};
 use super::escape::filters;
-use super::policy::with_policy;
+use super::html::{rendered, with_policy};
 
 /// The page of the traffic in logs.
 #[derive(Debug)]
@@ -128,7 +124,6 @@ struct TrafficTemplate<'a> {
     plots: Vec<DrawnPlot<'a>>,
     kinds: Vec<&'static str>,
     states: Vec<(String, &'a str)>,
-    version: &'static str,
 }
 
 struct DrawnBus<'a> {
@@ -194,12 +189,8 @@ impl TrafficPage<'_> {
             states: self.states(),
             buses,
             scale,
-            version: env!("CARGO_PKG_VERSION"),
         };
-        let mut text = String::with_capacity(100_000);
-        // writing to a String cannot fail, nor do the template filters
-        let _ = template.render_into(&mut text);
-        with_policy(text)
+        with_policy(rendered(&template, 100_000))
     }
 
     fn bus<'b>(&'b self, bus: &'b TrafficBus<'_>, scale: &TimeScale, next: &mut usize) -> DrawnBus<'b> {

@@ -3,7 +3,6 @@
 //! A frame is decoded first, which is fast, and put into words if they are wanted.
 
 mod decoded;
-mod lss;
 mod sdo;
 mod signals;
 mod stale;
@@ -140,7 +139,7 @@ impl<'a> FrameReader<'a> {
                 let kind = self.error_control(node_id, data, is_remote);
                 DecodedFrame::new(kind, Some(Service::ErrorControl), Some(node_id))
             }
-            lss::FROM_SLAVE | lss::FROM_MASTER => DecodedFrame::new(FrameKind::Lss, None, None),
+            words::FROM_SLAVE | words::FROM_MASTER => DecodedFrame::new(FrameKind::Lss, None, None),
             _ => self.configured(frame),
         }
     }
