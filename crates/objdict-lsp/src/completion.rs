@@ -4,7 +4,7 @@ use super::completion_item::{item, mappable};
 use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};
 use super::sections::MissingSections;
-use super::{keyed, markup, words};
+use super::{keyed, words};
 use objdict_eds::eds::is_key_of;
 use objdict_eds::ini::{Document, LineKind};
 use objdict_format::Description;
@@ -15,6 +15,8 @@ use objdict_model::source::Span;
 use objdict_profile as profile;
 use objdict_profile::ObjectFacts;
 use objdict_project::registry;
+use objdict_xdd::xdd::words_of;
+use objdict_xdd::xml::Tree;
 
 /// The items at an offset, for an editor that expands snippets or one that does not.
 pub(super) fn completion(file: &CheckedFile, offset: u32, expands_snippets: bool) -> Vec<CompletionItem> {
@@ -23,7 +25,7 @@ pub(super) fn completion(file: &CheckedFile, offset: u32, expands_snippets: bool
     }
     let Some(description) = file.description() else { return keyed::completion(file, offset) };
     if let Some(tree) = description.tree() {
-        return markup::completion(file, tree, offset);
+        return attribute_words(file, tree, offset);
     }
     let Some(document) = description.document() else { return keyed::completion(file, offset) };
     let completer = Completer { file, description, document, offset };
@@ -254,4 +256,23 @@ fn stated(facts: &ObjectFacts<'_>, sub: Option<u8>, field: &Field) -> Option<Str
         Field::DefaultValue => entry.default.and_then(Value::as_integer).map(|number| number.to_string()),
         _ => None,
     }
+}
+
+/// The items in the value of an attribute: the words that CiA 311 has for it.
+fn attribute_words(file: &CheckedFile, tree: &Tree, offset: u32) -> Vec<CompletionItem> {
+    let Some(element) = tree.element_at(offset) else { return Vec::new() };
+    let is_here = |span: Span| span.start <= offset && offset <= span.end;
+    let Some(attribute) = element.attributes().find(|attribute| is_here(attribute.value_span())) else {
+        return Vec::new();
+    };
+    let span = attribute.value_span();
+    let of = |label: &str, text: String| item(file, span, label, text, CompletionItemKind::VALUE);
+    if attribute.name() == "dataType" {
+        let known = DataType::STATIC.iter().map(|data_type| {
+            let text = format!("{:04X}", data_type.0);
+            of(&format!("{text} {}", data_type.name().unwrap_or_default()), text)
+        });
+        return known.collect();
+    }
+    words_of(element, attribute.name()).iter().map(|word| of(word, (*word).to_owned())).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::file::CheckedFile;
 use super::mentions::mention_at;
-use super::network::node_mention_at;
+use super::mentions::node_mention_at;
 use super::protocol::{Hover, Markdown};
 use super::words;
 use objdict_format::Description;

@@ -1,15 +1,16 @@
-//! Where a file mentions objects: sections, lists, links and mappings of a description, and nodes of a network.
+//! Where a file mentions objects: sections, lists, links and mappings of a description, and nodes of a network; and what a
+//! network file names: descriptions, nodes and their entries.
 
 use std::path::PathBuf;
 
 use super::file::CheckedFile;
-use super::network::path_of_node;
 use objdict_eds::eds::SectionName;
 use objdict_eds::ini::Section;
 use objdict_format::Description;
 use objdict_format::mention::{Digits, Mention, MentionKind};
 use objdict_model::model::{Part, PdoKind};
 use objdict_model::source::{Span, absolute};
+use objdict_network_file::NodeMention;
 use objdict_xdd::xml::{Attribute, Element, Tree};
 
 /// All mentions, in the order of the text.
@@ -131,4 +132,34 @@ fn number(text: &str) -> Option<u32> {
         Some(digits) => u32::from_str_radix(digits, 16).ok(),
         None => text.parse().ok(),
     }
+}
+
+/// The description of a node that the text names.
+pub(super) struct NamedFile {
+    pub(super) span: Span,
+    pub(super) path: PathBuf,
+}
+
+/// All descriptions that a network names, in the order of its nodes.
+pub(super) fn named_files(file: &CheckedFile) -> Vec<NamedFile> {
+    let network = file.analysis.network();
+    let nodes = network.and_then(|of_file| of_file.network()).map(|network| &network.nodes[..]);
+    let nodes = nodes.unwrap_or_default().iter().enumerate();
+    nodes
+        .filter_map(|(number, node)| {
+            Some(NamedFile { span: node.file.at, path: path_of_node(file, number)? })
+        })
+        .collect()
+}
+
+/// The file that describes a node.
+pub(super) fn path_of_node(file: &CheckedFile, node: usize) -> Option<PathBuf> {
+    let description = file.analysis.network()?.description(node)?;
+    Some(absolute(description.source().name().as_ref()))
+}
+
+/// The entry of a node that an offset names.
+pub(super) fn node_mention_at(file: &CheckedFile, offset: u32) -> Option<NodeMention> {
+    let mentions = file.analysis.network()?.mentions();
+    mentions.into_iter().find(|found| found.mention.has(offset))
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::file::CheckedFile;
 use super::mentions::mention_at;
-use super::network::{named_files, node_mention_at, path_of_node};
+use super::mentions::{named_files, node_mention_at, path_of_node};
 use super::position::Positions;
 use super::protocol::{DocumentLink, Location, Range};
 use super::uri::of_path;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use super::file::CheckedFile;
 use super::mentions::mention_at;
-use super::network::{node_mention_at, path_of_node};
+use super::mentions::{node_mention_at, path_of_node};
 use super::protocol::{Renamed, WorkspaceEdit};
 use super::workspace::EditorWorkspace;
 use objdict_format::mention::{Digits, Mention, MentionKind};

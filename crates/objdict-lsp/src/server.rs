@@ -1,19 +1,19 @@
-//! Messages: requests are answered in their order, and findings are published when no newer text waits.
+//! What the server offers, and its messages: requests are answered in their order, and findings are published when no newer text waits.
 
 use std::collections::VecDeque;
 
-use lsp_server::{Connection, ErrorCode, Message, Notification, ProtocolError, Request, RequestId, Response};
-use serde::de::DeserializeOwned;
-use serde_json::{Value, json};
-
 use super::answers::answer;
-use super::capabilities::capabilities;
-use super::diagnostics;
 use super::position::ColumnUnit;
-use super::protocol::{Diagnostic, DidChange, DidChangeFolders, DidOpen, InFile, WorkspaceFolder};
+use super::protocol::{
+    Diagnostic, DidChange, DidChangeFolders, DidOpen, FIX_ALL, InFile, QUICKFIX, REFACTOR, WorkspaceFolder,
+};
 use super::uri::path_of;
 use super::workspace::{ClientFeatures, EditorWorkspace};
+use super::{actions, diagnostics, documentation, hints};
+use lsp_server::{Connection, ErrorCode, Message, Notification, ProtocolError, Request, RequestId, Response};
 use objdict_model::source::absolute;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
 
 /// The files that findings depend on.
 const FILES: &str = "**/*.{eds,dcf,xdd,xdc,nxdd,nxdc,toml,yml,yaml,cpj,json}";
@@ -215,4 +215,35 @@ fn is_change(message: &Message) -> bool {
 /// The parameters of a notification; `None` where they are not those of its method.
 fn read<T: DeserializeOwned>(note: Notification) -> Option<T> {
     serde_json::from_value(note.params).ok()
+}
+
+pub(super) fn capabilities(unit: ColumnUnit) -> Value {
+    json!({
+        "positionEncoding": unit.name(),
+        // 2: of a text, what changes
+        "textDocumentSync": { "openClose": true, "change": 2, "save": {} },
+        "hoverProvider": true,
+        "completionProvider": { "resolveProvider": true, "triggerCharacters": ["[", "=", "/", ".", "\""] },
+        "definitionProvider": true,
+        "referencesProvider": true,
+        "renameProvider": { "prepareProvider": true },
+        "documentSymbolProvider": true,
+        "workspaceSymbolProvider": true,
+        "documentFormattingProvider": true,
+        "foldingRangeProvider": true,
+        "selectionRangeProvider": true,
+        "documentLinkProvider": {},
+        "codeLensProvider": {},
+        "inlayHintProvider": true,
+        "codeActionProvider": {
+            "codeActionKinds": [QUICKFIX, REFACTOR, FIX_ALL, actions::FIX_ALL_UNSAFE, documentation::KIND],
+            "resolveProvider": true,
+        },
+        "executeCommandProvider": { "commands": [documentation::PAGE, documentation::SHOW] },
+        "semanticTokensProvider": {
+            "legend": { "tokenTypes": hints::KINDS, "tokenModifiers": [] },
+            "full": true,
+        },
+        "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
+    })
 }
