@@ -2,25 +2,38 @@
 //! found here, at the place of the network file that gives the value.
 
 use objdict_lint as lint;
-use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
+use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, SourceLabel};
+use objdict_model::model::{Part, Place};
 use objdict_network::{Compiled, Network};
 
 /// Warnings about values without an effect, which no rule about networks reports.
 const IDLE: [&str; 2] = ["cia301/invalid-sync-start-value", "cia301/rtr-pdo-without-rtr"];
+
+/// Whether a label is about the parameters of a PDO.
+fn is_of_pdo(label: &SourceLabel) -> bool {
+    match &label.at {
+        At::Place(Place { part: Part::Entry(index, _) | Part::Object(index), .. }) => {
+            (0x1400..0x1C00).contains(index)
+        }
+        _ => false,
+    }
+}
 
 /// Reports what the network file gives the nodes.
 pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     let options = lint::Options::default();
     let is_reported =
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
-    // a description that is made has the values that the rules about networks check
-    for slave in compiled.nodes().filter(|slave| !network.is_made(slave.node)) {
+    for slave in compiled.nodes() {
         let found = lint::without_disabled(&slave.device, lint::check(&slave.device, &options));
         let node = &network.nodes[slave.node];
         // of a DCF for another node, what fits that node only
         let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
         let own = is_of_other.then(|| lint::check(&node.device, &options));
-        for finding in found.iter().filter(is_reported) {
+        // of a manager that is made, the keys are its own, and the PDOs those of the nodes
+        let is_made = network.is_made(slave.node);
+        let is_own = |finding: &&Diagnostic| !is_made || !finding.labels.iter().any(is_of_pdo);
+        for finding in found.iter().filter(is_reported).filter(is_own) {
             let is_new = |own: &Findings| own.iter().all(|known| known.rule.id != finding.rule.id);
             let node_id = node.node_id.filter(|_| own.as_ref().is_some_and(is_new)).map(|node_id| node_id.at);
             if let Some(finding) = slave.found(network, finding, node_id, findings) {

@@ -31,7 +31,8 @@ pub(super) fn locked(network: &Network, compiled: &Compiled) -> NetworkLock {
         [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| mirrored_numbers(network, &compiled.slaves, kind));
     let numbers: BTreeMap<_, _> =
         numbers.into_iter().flatten().map(|(slave, pdo, number)| ((slave.node, pdo), number)).collect();
-    let pdos = compiled.nodes().flat_map(|slave| {
+    // the PDOs of a manager that is made are the other sides
+    let pdos = compiled.nodes().filter(|slave| !network.is_made(slave.node)).flat_map(|slave| {
         let name = &network.nodes[slave.node].name.value;
         let active = slave.pdos.iter().filter(|state| state.is_active());
         active.map(|state| {

@@ -104,8 +104,9 @@ fn own_origins(manager: &Manager) -> Origins {
         (0x1017, manager.heartbeat.producer.map(|time| time.at)),
         (0x1019, Some(manager.sync_overflow.at)),
     ];
-    let said = keys.into_iter().filter_map(|(index, at)| Some((index, at?)));
-    said.filter(|(_, at)| !at.is_empty()).map(|(index, at)| ((index, 0), at)).collect()
+    let said = keys.into_iter().filter_map(|(index, at)| Some(((index, 0), at?)));
+    let errors = manager.error_behavior.keys().map(|sub| ((0x1029, *sub), manager.name.at));
+    said.filter(|(_, at)| !at.is_empty()).chain(errors).collect()
 }
 
 /// What `bus` and `manager` say, as settings of the described manager.

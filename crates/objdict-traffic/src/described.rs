@@ -41,7 +41,7 @@ impl Descriptions {
             let mut device = slave.device.clone();
             if network.is_made(slave.node) {
                 // its PDOs carry the entries of the nodes, whose meanings the nodes know
-                device.objects.retain(|index, _| !matches!(index, 0x1400..=0x1BFF | 0x2000..));
+                device.objects.retain(|index, _| !matches!(index, 0x1400..=0x1BFF));
             }
             DescribedNode {
                 name: network.nodes[slave.node].name.value.clone(),

@@ -123,7 +123,11 @@ impl<'n> NetworkCheck<'n, '_> {
             // the manager is the client by rule
             let is_manager =
                 self.network.manager.as_ref().is_some_and(|manager| manager.node == Some(other.node));
-            let (first, other) = if are_clients && is_manager { (other, first) } else { (first, other) };
+            // the other sides of the PDOs of nodes are nothing that its user sees
+            let is_pdo = |party: &Party| matches!(party.service, Service::Pdo(_));
+            let is_mirrored = self.network.is_made(first.node) && is_pdo(first) && !is_pdo(other);
+            let is_swapped = are_clients && is_manager || is_mirrored;
+            let (first, other) = if is_swapped { (other, first) } else { (first, other) };
             let rule = if is_same_service { &DUPLICATE_SYNC_SENDER } else { &DUPLICATE_CAN_ID };
             let message =
                 format!("{} and {} both send {can_id}", self.described(first), self.described(other));
@@ -139,7 +143,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 );
             let help = if are_clients {
                 "give one of the clients a channel of its own (1280h), which the node has in 1201h too"
-            } else if self.network.is_made(first.node) && first.node == other.node {
+            } else if self.network.is_made(first.node) && first.node == other.node && is_pdo(first) {
                 "give each RPDO that receives it a CAN-ID of its own"
             } else {
                 "give one of them another CAN-ID, or switch it off"

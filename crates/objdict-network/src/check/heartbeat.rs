@@ -141,7 +141,10 @@ impl<'n> NetworkCheck<'n, '_> {
         for slave in self.compiled.nodes() {
             let node = &self.network.nodes[slave.node];
             let request = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
-            for consumer in &slave.services().heartbeat_consumers {
+            // a manager that is made monitors itself only where a node has its node-ID
+            let is_other = |node_id: u8| node_id != slave.node_id || !self.network.is_made(slave.node);
+            let consumers_of = slave.services().heartbeat_consumers.iter();
+            for consumer in consumers_of.filter(|consumer| is_other(consumer.node_id)) {
                 let said = slave.said(0x1016, consumer.sub);
                 consumers.push(Consumer {
                     name: &node.name.value,
