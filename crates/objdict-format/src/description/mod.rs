@@ -2,6 +2,7 @@
 //!
 //! It and the parent module import each other, because a description reads and writes every format.
 
+mod edits;
 mod ini;
 #[cfg(feature = "full")]
 mod rewritten;

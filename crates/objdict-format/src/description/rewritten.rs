@@ -5,15 +5,13 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use super::{Description, stated_name};
+use super::Description;
 use crate::input::DEFAULT_MAX_ENTRIES;
 use crate::mention::Mention;
 use crate::patch::{self, Patched};
-use crate::text::TextEdits;
 use crate::{Format, WriteOptions};
-use objdict_model::diagnostic::{Change, Fix};
 use objdict_model::model::{Commissioning, Device, DeviceKind};
-use objdict_model::source::{EditError, Encoding, SourceFile, Span};
+use objdict_model::source::{EditError, SourceFile};
 
 impl Description {
     /// The description with a patched device instead of the one in its text.
@@ -122,74 +120,4 @@ fn are_equal(one: &Device, other: &Device) -> bool {
         device
     };
     one == other || sorted(one) == sorted(other)
-}
-
-impl Description {
-    /// The bytes of this text as the description of a node, called `file_name`: an EDS becomes a DCF. Only the text that
-    /// must change does, so comments, order, spelling, line ends and encoding stay. `LastEDS` is the name that the text
-    /// was read by, unless it is of a node already.
-    ///
-    /// # Errors
-    /// When an edited text cannot be written in the encoding of the file.
-    pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
-        self.of_node(file_name, Some(node))
-    }
-
-    /// The bytes of this text as the description of a device type, called `file_name`: without the node and the values
-    /// that were configured for it. A DCF becomes an EDS.
-    ///
-    /// # Errors
-    /// When an edited text cannot be written in the encoding of the file.
-    pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
-        self.of_node(file_name, None)
-    }
-
-    fn of_node(&self, file_name: &str, node: Option<&Commissioning>) -> Result<Vec<u8>, EditError> {
-        #[cfg(feature = "full")]
-        if !self.is_composed()
-            && let Some(realised) = self.realised()?
-        {
-            return realised.of_node(file_name, node);
-        }
-        let last_eds = self.source().name().rsplit(['/', '\\']).next().map(stated_name);
-        let last_eds = last_eds.as_deref().filter(|_| self.device.kind == DeviceKind::Type);
-        let edited = self.text.of_node(file_name, node.map(|node| (node, last_eds)));
-        #[cfg(feature = "full")]
-        let edited = edited.or_else(|| Some(self.rewritten(file_name, node)));
-        edited.unwrap_or_else(|| Err(EditError::ReadOnly(self.source().name().to_owned())))
-    }
-
-    /// The edits of the text that a fix makes, in its order: each span with its replacement. `None`
-    /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
-    /// another encoding is no edit of it either.
-    pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
-        self.placed(fix).filter(|edits| self.text.can_take(edits))
-    }
-
-    /// The edits of a fix, without the proof that the text can be read with them, which takes as long as to read it.
-    fn placed(&self, fix: &Fix) -> Option<TextEdits> {
-        if self.source().is_read_only() || self.is_project() || self.is_composed() {
-            return None;
-        }
-        let edits = self.text.edits(&self.device, &fix.changes)?;
-        let text = self.source().text();
-        let is_change = |(span, new): &&(Span, String)| span.of(text) != new;
-        let is_sound = |(span, new): &(Span, String)| {
-            text.get(span.start as usize..span.end as usize).is_some() && self.source().encode(new).is_ok()
-        };
-        let changes = edits.iter().any(|edit| is_change(&edit));
-        (changes && edits.iter().all(is_sound)).then_some(edits)
-    }
-
-    /// The encoding that a fix writes the text in, where it does and the text can be written so.
-    pub fn encoding_of(&self, fix: &Fix) -> Option<Encoding> {
-        let [Change::Encode(encoding)] = fix.changes[..] else { return None };
-        let can_be_written = !self.source().is_read_only() && encoding.encode(self.source().text()).is_ok();
-        (can_be_written && encoding != self.source().encoding()).then_some(encoding)
-    }
-
-    /// Whether a fix can be made in this file.
-    pub fn can_fix(&self, fix: &Fix) -> bool {
-        self.encoding_of(fix).is_some() || self.placed(fix).is_some()
-    }
 }

@@ -13,8 +13,6 @@ use super::{
 pub use bit_struct::{BitField, BitStruct};
 pub use enumeration::{Enumeration, NamedValue};
 
-#[doc(hidden)] // for the reader of CiA 311
-
 /// The maximum depth of derived types; a deeper chain is a cycle.
 const MAX_DERIVATIONS: usize = 16;
 
@@ -234,6 +232,7 @@ fn number(text: &str) -> Option<i128> {
 
 /// The targets of references in parameters: types and templates, by id. Of two equal ids, the first counts.
 #[derive(Debug, Default)]
+#[doc(hidden)] // for the reader of CiA 311
 pub struct Definitions<'a> {
     types: HashMap<&'a str, &'a TypeDefinition>,
     templates: HashMap<&'a str, &'a Parameter>,
