@@ -52,7 +52,7 @@ text_rules! {
     source: "CiA 301 §7.2.2.2",
 
     "traffic/sync-cycle" = SYNC_CYCLE, Warning;
-    summary: "SYNC is not in its cycle",
+    summary: "the cycle of SYNC is irregular",
     checks: "Whether SYNC comes half to 1.5 times the communication cycle period (1006h) after the one before.",
     why: "Synchronous PDOs come with it: drives interpolate with a wrong time, and outputs are late.",
     example: "62 ms between two SYNC, with a period of 20 ms",
