@@ -30,7 +30,7 @@ pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findi
         // of a DCF for another node, what fits that node only
         let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
         let own = is_of_other.then(|| lint::check(&node.device, &options));
-        // of a manager that is made, the keys are its own, and the PDOs those of the nodes
+        // the PDOs of a made description are counterparts of PDOs of the nodes, where faults are reported
         let is_made = network.is_made(slave.node);
         let is_own = |finding: &&Diagnostic| !is_made || !finding.labels.iter().any(is_of_pdo);
         for finding in found.iter().filter(is_reported).filter(is_own) {

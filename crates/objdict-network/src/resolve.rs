@@ -55,8 +55,8 @@ pub fn resolve(
     Resolved { network, compiled }
 }
 
-/// Makes a manager that the file does not describe a node like any other: that of Lely's master, with a PDO for each PDO of a
-/// node. Its values come from where the file has those of its keys and of the other sides.
+/// Gives a manager that the file does not describe the description of Lely's master, with a PDO for each PDO of a node. Findings
+/// about its values point to the keys of the manager and to the PDOs of the nodes.
 fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnce(String) -> Device) {
     if network.manager.as_ref().is_none_or(|manager| manager.node.is_some()) {
         return;
@@ -67,7 +67,7 @@ fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnc
     manager.is_made = true;
     let mut device = read(master.dcf);
     device.kind = DeviceKind::Node;
-    // the number of the network is that of none of its nodes
+    // the text states network 1, which contradicts nodes whose DCFs state another one
     device.commissioning.get_or_insert_default().net_number = None;
     if manager.serial_number != 0 {
         // Lely's master gets it by a download of its own

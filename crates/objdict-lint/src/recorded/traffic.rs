@@ -36,7 +36,7 @@ text_rules! {
     source: "CiA 301 §7.2.8.3.2.2",
 
     "traffic/event-timer" = EVENT_TIMER, Warning;
-    summary: "a PDO comes later than its event timer says",
+    summary: "a PDO exceeds its event timer",
     checks: "Whether event-driven PDOs come within 1.5 times their event timer after the one before. A node that was started, stopped or reset in between is not judged.",
     why: "Receivers that monitor the PDO take it for lost.",
     example: "a TPDO after 490 ms, with an event timer of 100 ms",
@@ -78,7 +78,7 @@ text_rules! {
     "traffic/unknown-node" = UNKNOWN_NODE, Warning;
     summary: "a node that the network does not have sends frames",
     checks: "Whether the network describes each node that sends frames. Descriptions of single nodes are not judged.",
-    why: "A node has a wrong node-ID or a wrong COB-ID, or is not in the project: its CAN-IDs may be those of another one.",
+    why: "A node has a wrong node-ID or a wrong COB-ID, or is not in the project: its CAN-IDs may collide with those of another node.",
     example: "frames with the CAN-ID 1A3h in a network without node 35",
     remedy: "Add the node to the network, or correct its node-ID.",
     source: "CiA 301 §7.3.5",

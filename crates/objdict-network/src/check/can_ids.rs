@@ -88,7 +88,7 @@ impl<'n> NetworkCheck<'n, '_> {
         for (can_id, message) in &self.messages.0 {
             self.senders(*can_id, message);
             let parties = message.senders.iter().chain(&message.receivers);
-            // a manager that is made has those of the nodes
+            // the PDOs of a made description have the CAN-IDs of PDOs of the nodes
             let is_own = |party: &&Party| {
                 matches!(party.service, Service::Pdo(_)) && !self.network.is_made(party.node)
             };
@@ -123,7 +123,7 @@ impl<'n> NetworkCheck<'n, '_> {
             // the manager is the client by rule
             let is_manager =
                 self.network.manager.as_ref().is_some_and(|manager| manager.node == Some(other.node));
-            // the other sides of the PDOs of nodes are nothing that its user sees
+            // the user knows the PDO of the node, not its counterpart in the manager
             let is_pdo = |party: &Party| matches!(party.service, Service::Pdo(_));
             let is_mirrored = self.network.is_made(first.node) && is_pdo(first) && !is_pdo(other);
             let is_swapped = are_clients && is_manager || is_mirrored;
