@@ -80,7 +80,7 @@ impl<'a> Edits<'a> {
         self.changes.push(SpanEdit { span, text: text.into() });
     }
 
-    /// Replaces `span`, which is behind all changes made so far, by `text`. Beyond [`MAX_EDITS`], the last change also covers it with what
+    /// Replaces `span`, which is behind all changes made so far, by `text`. Beyond 50,000 changes, the last change also covers it with what
     /// is between them: a file that is all such spans would take a hundred times its size.
     pub fn append(&mut self, span: Span, text: &str) {
         let is_full = self.changes.len() >= MAX_EDITS;
