@@ -1,6 +1,9 @@
 //! What is fuzzed: every reader, writer and transformer takes any bytes without a panic and keeps its promise about them. The
 //! driver of this package and libFuzzer (`fuzz`) call the same functions.
 
+#[path = "session.rs"]
+mod session;
+
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
@@ -56,7 +59,7 @@ impl Fuzzed {
 const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
 
 /// All of them.
-pub(crate) const FUZZED: [Fuzzed; 17] = [
+pub(crate) const FUZZED: [Fuzzed; 19] = [
     Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
     Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
     Fuzzed { name: "fmt", endings: DESCRIPTIONS, run: arrange },
@@ -68,7 +71,9 @@ pub(crate) const FUZZED: [Fuzzed; 17] = [
     Fuzzed { name: "dbc", endings: DESCRIPTIONS, run: messages },
     Fuzzed {
         name: "open",
-        endings: &["eds", "dcf", "xdd", "xdc", "nxdd", "xml", "json", "cdcf", "txt", "cpj", "gsd", "bin"],
+        endings: &[
+            "eds", "dcf", "xdd", "xdc", "nxdd", "xml", "json", "cdcf", "txt", "cpj", "gsd", "od", "bin",
+        ],
         run: |_, bytes| any_file(bytes),
     },
     Fuzzed { name: "json", endings: &["json"], run: |_, bytes| json_of(bytes) },
@@ -76,7 +81,13 @@ pub(crate) const FUZZED: [Fuzzed; 17] = [
     Fuzzed { name: "text", endings: &["txt", "cpj"], run: |_, bytes| text(bytes) },
     Fuzzed { name: "toml", endings: &["toml"], run: |_, bytes| toml(bytes) },
     Fuzzed { name: "network", endings: &["toml", "yml", "cpj"], run: |_, bytes| network(bytes) },
-    Fuzzed { name: "log", endings: &["log", "asc", "trc", "csv", "pcap"], run: |_, bytes| log(bytes) },
+    Fuzzed {
+        name: "log",
+        endings: &["log", "asc", "trc", "csv", "pcap", "pcapng"],
+        run: |_, bytes| log(bytes),
+    },
+    Fuzzed { name: "device", endings: &["toml"], run: source_of_a_device },
+    Fuzzed { name: "session", endings: &["eds", "dcf", "xdd", "xdc", "toml"], run: session::run },
     Fuzzed { name: "boot", endings: &["toml", "yml", "cpj"], run: |_, bytes| booted(bytes) },
 ];
 
@@ -340,6 +351,13 @@ fn toml(bytes: &[u8]) {
     let _ = (patched.patched().map(objdict::format::patch::Patched::lines), patched.realised());
 }
 
+/// A device.toml does all that a description does.
+fn source_of_a_device(format: Format, bytes: &[u8]) {
+    for part in [check, fix, convert, configured, tables, pages, messages] {
+        part(format, bytes);
+    }
+}
+
 /// A healthy device.
 fn original(format: Format) -> Description {
     static BYTES: &[u8] = include_bytes!("../../../fixtures/eds/minimal.eds");
@@ -361,7 +379,6 @@ fn patched(format: Format, bytes: &[u8]) {
     }
 }
 
-/// A network of the descriptions in `fixtures/network`, with all that is made of it.
 /// A network file beside those of the fixtures.
 fn network_file(bytes: &[u8]) -> NetworkFile {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/network");
@@ -403,6 +420,7 @@ fn log(bytes: &[u8]) {
     }
 }
 
+/// A network of the descriptions in `fixtures/network`, with all that is made of it.
 fn network(bytes: &[u8]) {
     let file = network_file(bytes);
     let findings = file.check();
