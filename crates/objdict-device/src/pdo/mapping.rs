@@ -92,6 +92,10 @@ impl ActiveMapping {
         Ok(bits)
     }
 
+    pub(super) const fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
     /// The number of bytes of the PDO.
     pub(super) fn length(&self) -> Result<u8, Abort> {
         self.bits.map(|bits| bits.div_ceil(8))

@@ -27,8 +27,11 @@ impl Rpdo {
         (self.held, self.came) = (None, None);
     }
 
+    /// Whether a CAN-ID is that of the RPDO. A mapping without entries is switched off (CiA 301 §7.5.2.36), so no frame is too long for it.
     pub(super) const fn has_id(&self, id: u16) -> bool {
-        self.parameters.is_valid() && can_id(self.parameters.cob_id) == id
+        self.parameters.is_valid()
+            && !self.parameters.mapping.is_empty()
+            && can_id(self.parameters.cob_id) == id
     }
 
     pub(super) fn receive<D: Dictionary + ?Sized>(

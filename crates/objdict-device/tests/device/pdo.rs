@@ -110,6 +110,16 @@ fn an_rpdo_is_mapped_and_received() {
     assert_eq!((device.map.value(0x2000, 1), device.map.value(0x2000, 2)), (&[1, 2][..], &[1][..]));
 }
 
+/// A mapping without entries is switched off: no frame is too long for it, and its absence is no timeout.
+#[test]
+fn an_rpdo_without_entries_receives_nothing() {
+    let mut device = Device::new();
+    device.map(0x1601, &[]).unwrap();
+    device.cob_id(0x1401, 0x305).unwrap();
+    assert_eq!(device.receive(0x305, &[1, 2, 3]), Reception::Ignored);
+    assert_eq!((device.pdos.next(0), device.pdos.overdue(u64::MAX)), (None, None));
+}
+
 /// No master can map a part of a number, but a description may.
 #[test]
 fn a_part_of_a_number_keeps_its_sign() {

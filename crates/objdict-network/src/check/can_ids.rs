@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::NetworkCheck;
 use crate::compiled::{PdoState, indexes};
 use crate::connect::NodePdos;
-use crate::diagnostic::{At, Diagnostic, say, series};
+use crate::diagnostic::{At, Diagnostic, Severity, say, series};
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{BaudRates, Field, Part, Place, restricted};
 use crate::network::{Node, Said};
@@ -174,7 +174,7 @@ impl<'n> NetworkCheck<'n, '_> {
         self.slave(party.node)?.origin(self.network, indexes(pdo).1, 0)
     }
 
-    /// What can be done for a receiver that takes less than is sent.
+    /// What can be done for a receiver that takes only the first bytes.
     fn remedy(&self, receiver: &Party, received: &PdoState, sent: &PdoState) -> &'static str {
         let node = NodePdos::of(&self.network.nodes[receiver.node], self.slave(receiver.node));
         match node.has_room(received.pdo, sent.bits() - received.bits()) {
@@ -183,7 +183,7 @@ impl<'n> NetworkCheck<'n, '_> {
         }
     }
 
-    /// Whether sender and receivers of a PDO agree about its length.
+    /// Whether receivers of a PDO get all bytes that they map. One that maps fewer takes the first ones.
     pub(super) fn pdo_lengths(&mut self) {
         let mut findings = Vec::new();
         for message in self.messages.0.values() {
@@ -191,7 +191,8 @@ impl<'n> NetworkCheck<'n, '_> {
             let [sender] = message.senders.as_slice() else { continue };
             let Some(sent) = self.state(sender) else { continue };
             for receiver in &message.receivers {
-                let Some(received) = self.state(receiver).filter(|state| state.bits() != sent.bits()) else {
+                let Some(received) = self.state(receiver).filter(|state| state.bytes() != sent.bytes())
+                else {
                     continue;
                 };
                 let text = format!(
@@ -206,11 +207,11 @@ impl<'n> NetworkCheck<'n, '_> {
                     .label_each(self.mapping_origin(receiver), say!("{} bits are mapped", received.bits()))
                     .label_each(self.mapping_origin(sender), say!("{} bits are mapped", sent.bits()))
                     .understood();
-                findings.push(match received.bits() > sent.bits() {
+                findings.push(match received.bytes() > sent.bytes() {
                     true => {
                         finding.help("map fewer entries: the node does not process a PDO that is too short")
                     }
-                    false => finding.help(self.remedy(receiver, received, sent)),
+                    false => finding.severity(Severity::Warning).help(self.remedy(receiver, received, sent)),
                 });
             }
         }

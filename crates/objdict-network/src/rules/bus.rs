@@ -37,10 +37,10 @@ text_rules! {
 
     "network/pdo-length" = PDO_LENGTH, Error;
     summary: "sender and receiver of a PDO disagree about its length",
-    checks: "Whether an RPDO maps as many bits as the TPDO with its CAN-ID.",
-    why: "A node does not process a PDO that is too short, and sends EMCY 8210h; for one that is too long it sends 8220h.",
+    checks: "Whether the TPDO with the CAN-ID of an RPDO has the bytes that the RPDO maps. If it has more bytes, the finding is a warning.",
+    why: "A node does not process a PDO that is too short, and sends EMCY 8210h. Of a PDO that is too long, it uses the first bytes; many devices also send EMCY 8220h, once.",
     example: "a TPDO with 16 bits, received by an RPDO with 32",
-    remedy: "Map the same lengths, with dummies for what the receiver does not need.",
+    remedy: "Map the same lengths, with dummies for the entries that the receiver does not need.",
     source: "CiA 301 §7.2.2, §7.4.7.1",
 
     "network/no-sync-sender" = NO_SYNC_SENDER, Error;
