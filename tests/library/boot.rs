@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use objdict::bus::{BootFailure, Conditions, Milestone, NodeRun, Run, boot};
+use objdict::bus::{BootFailure, Conditions, Cut, Milestone, NodeRun, Run, boot};
 use objdict::diagnostic::{Findings, Severity};
 use objdict::download::{ConciseDcf, Download};
 use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
@@ -284,6 +284,8 @@ fn a_bus_that_is_overloaded_at_any_bit_rate_is_an_error() {
         rules(&findings)
     );
     assert!(!run(&fast.install(BootFiles::Dcf).unwrap()).is_booted());
+    let flood = run(&read(&text.replace("40us", "1us")).install(BootFiles::Dcf).unwrap());
+    assert_eq!((flood.cut, flood.is_overloaded(), flood.is_booted()), (Some(Cut::Overload), true, false));
     let slow = read(&text.replace("40us", "2ms"));
     assert!(!rules(&slow.check()).contains(&"network/bus-load"));
     assert!(run(&slow.install(BootFiles::Dcf).unwrap()).is_booted());

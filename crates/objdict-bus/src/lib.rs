@@ -23,5 +23,5 @@ pub use objdict_device::{Abort, Dictionary, NmtState, crc};
 pub use run::{Cut, Event, EventKind, NodeRun, Run};
 pub use simulation::{Conditions, Plant, PlantNode, boot};
 
-use objdict_model::model;
+use objdict_model::{diagnostic, model};
 use objdict_node::download;

@@ -1,7 +1,10 @@
 //! What came of a simulated boot.
 
+use std::collections::BTreeMap;
+
 use objdict_device::NmtState;
 
+use crate::diagnostic::{say, series};
 use crate::frame::BusFrame;
 use crate::manager::Milestone;
 use crate::model::{CobId, Device, PdoKind};
@@ -35,6 +38,8 @@ pub enum Cut {
     Time,
     /// There were too many frames.
     Frames,
+    /// Too many frames of a node waited for the bus.
+    Overload,
 }
 
 /// Something that happened.
@@ -107,7 +112,8 @@ pub struct NodeRun {
     pub downloads: usize,
     /// The emergency messages that it sent.
     pub emergencies: usize,
-    /// Those of them that report an error while it was operational, but for errors that were over before the boot was.
+    /// Those of them that report an error while it was operational, but for errors that were over before the boot was, and for PDOs
+    /// that are longer than their mapping.
     pub errors: usize,
 }
 
@@ -122,22 +128,31 @@ impl NodeRun {
 
 impl Run {
     /// Whether each node became operational that had to, or is ready to be started by the application, no operational node
-    /// reports an error, and no two nodes share a CAN-ID.
+    /// reports an error, no two nodes share a CAN-ID, and the bus is not overloaded.
     pub fn is_booted(&self) -> bool {
         let has_conflict = self.events.iter().any(|event| matches!(event.kind, EventKind::TwoSenders { .. }));
         let is_right = |node: &NodeRun| node.errors == 0 && node.has_arrived(self.waits_for_application);
-        !has_conflict && self.nodes.iter().all(is_right)
+        !has_conflict && !self.is_overloaded() && self.nodes.iter().all(is_right)
     }
 
-    /// Whether frames of low priority do not get through: one waited longer than any heartbeat.
+    /// Whether frames of low priority do not get through: one waited longer than any heartbeat, or too many wait.
     pub const fn is_overloaded(&self) -> bool {
-        self.waiting >= 1000 * MILLISECOND
+        self.waiting >= 1000 * MILLISECOND || matches!(self.cut, Some(Cut::Overload))
     }
 
-    /// The services that nodes are configured for but that are not simulated: sentences in lower case without a full stop.
+    /// The services that nodes are configured for but that are not simulated: sentences in lower case without a full stop, one for
+    /// all services of a CAN-ID.
     pub fn not_simulated(&self) -> Vec<String> {
         let devices = self.nodes.iter().filter_map(|node| Some((&node.name, node.device.as_ref()?)));
-        devices.flat_map(|(name, device)| unserved(name, device)).collect()
+        let mut services: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        for (reason, service) in devices.flat_map(|(name, device)| unserved(name, device)) {
+            services.entry(reason).or_default().push(service);
+        }
+        let sentence = |(reason, services): (String, Vec<String>)| {
+            let have = if services.len() == 1 { "has" } else { "have" };
+            say!("{} {} {}, which is not simulated", series(services), have, reason).to_string()
+        };
+        services.into_iter().map(sentence).collect()
     }
 
     /// The frames with their times and senders.
@@ -149,25 +164,26 @@ impl Run {
     }
 }
 
-/// What a node is configured for and does not do in the simulation.
-fn unserved(name: &str, device: &Device) -> Vec<String> {
-    let is_extended =
-        |value: Option<CobId>| value.is_some_and(|cob_id| cob_id.is_valid() && cob_id.is_extended());
+/// What a node is configured for and does not do in the simulation: the reason, and the service.
+fn unserved(name: &str, device: &Device) -> Vec<(String, String)> {
+    let extended = |value: Option<CobId>| {
+        let cob_id = value.filter(|cob_id| cob_id.is_valid() && cob_id.is_extended())?;
+        Some(format!("the CAN-ID {:08X}h of 29 bits", cob_id.can_id(0)))
+    };
     let services = [(0x1005, "SYNC"), (0x1014, "EMCY")].into_iter().filter_map(|(index, service)| {
         let cob_id = device.value(index, 0).and_then(|value| CobId::from_value(&value));
-        is_extended(cob_id).then(|| (service.to_owned(), "a CAN-ID of 29 bits"))
+        Some((extended(cob_id)?, format!("{service} of `{name}`")))
     });
     let pdos = device.pdos().filter(|pdo| pdo.is_valid() == Some(true) && pdo.mapped().next().is_some());
     let pdos = pdos.filter_map(|pdo| {
         let is_requested = pdo.kind == PdoKind::Tpdo && matches!(pdo.transmission_type, Some(252 | 253));
-        let reason = match () {
-            () if pdo.is_multiplexed() => "multiplexed objects",
-            () if is_extended(pdo.cob_id) => "a CAN-ID of 29 bits",
-            () if is_requested => "a transmission on request",
-            () => return None,
+        let reason = match extended(pdo.cob_id) {
+            _ if pdo.is_multiplexed() => "multiplexed objects".to_owned(),
+            Some(reason) => reason,
+            None if is_requested => "a transmission on request".to_owned(),
+            None => return None,
         };
-        Some((pdo.to_string(), reason))
+        Some((reason, format!("{pdo} of `{name}`")))
     });
-    let sentence = |(service, reason)| format!("{service} of `{name}` has {reason}, which is not simulated");
-    services.chain(pdos).map(sentence).collect()
+    services.chain(pdos).collect()
 }

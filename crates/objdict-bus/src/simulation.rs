@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use objdict_device::NmtState;
+use objdict_device::{NmtState, error_code};
 
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::frame::BusFrame;
@@ -68,6 +68,9 @@ impl Default for Conditions {
         Self { response: MILLISECOND, after: 100 * MILLISECOND, limit: 60_000 * MILLISECOND, frames: 500_000 }
     }
 }
+
+/// The most frames of a node that wait for the bus. A node with all its PDOs has fewer at once.
+const QUEUE: usize = 10_000;
 
 /// How long the manager must have waited for boot-up messages alone until no node is expected any more.
 const PATIENCE: u64 = 1500 * MILLISECOND;
@@ -180,6 +183,9 @@ impl Simulation {
             if self.frames >= self.conditions.frames {
                 return Some(Cut::Frames);
             }
+            if self.nodes.iter().flatten().any(|node| node.queue.len() > QUEUE) {
+                return Some(Cut::Overload);
+            }
             self.arbitrate();
             let next = self.next();
             if next > self.conditions.limit {
@@ -213,11 +219,14 @@ impl Simulation {
     }
 
     /// Counts an emergency. A node that starts by itself may disturb others until the manager has configured it, so an error that
-    /// is over before all nodes are as they must be is none.
+    /// is over before all nodes are as they must be is none. Neither is a PDO that is longer than its mapping, whose first bytes
+    /// the node takes.
     fn take_emergency(&mut self, sender: usize, data: &[u8]) {
         let run = &mut self.runs[sender];
         run.emergencies += 1;
+        const TOO_LONG: [u8; 2] = error_code::PDO_TOO_LONG.to_le_bytes();
         match data {
+            _ if data.starts_with(&TOO_LONG) => {}
             [_, _, 0, ..] if self.arrived.is_none() => run.errors = 0,
             [0, 0, ..] => {}
             _ => run.errors += usize::from(run.state == Some(NmtState::Operational)),

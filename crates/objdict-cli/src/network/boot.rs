@@ -340,7 +340,7 @@ impl<'r> BootReport<'r> {
                 let why = match cut {
                     Some(Cut::Time) => ", the time limit",
                     Some(Cut::Frames) => ", too many frames",
-                    None => "",
+                    Some(Cut::Overload) | None => "",
                 };
                 format!("not booted: ended after {} ms{why}, {rate}, {frames}", milliseconds(end / 1000))
             }
