@@ -3,15 +3,16 @@
 use std::collections::HashSet;
 
 use crate::network::{Network, Node};
+use crate::source::portable;
 
 impl Network {
-    /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes). It is the name of
-    /// the node; of names that are one on systems which do not distinguish upper and lower case, the later ones get the node-ID
-    /// (`plc-5`).
+    /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes). It is the
+    /// [portable](portable) name of the node; of names that are one on systems which do not distinguish upper and lower case, the
+    /// later ones get the node-ID (`plc-5`).
     pub fn file_stems(&self) -> Vec<String> {
         let mut taken: HashSet<String> = HashSet::new();
         let stem = |node: &Node| {
-            let name = &node.name.value;
+            let name = portable(&node.name.value);
             let numbered = node.node_id.map(|node_id| format!("{name}-{}", node_id.value));
             let further = (2..).map(|number| format!("{name}-{number}"));
             let mut stems = std::iter::once(name.clone()).chain(numbered).chain(further);
@@ -38,5 +39,8 @@ mod tests {
         let nodes = vec![node("PLC", 1), node("plc", 5), node("left", 2), node("Plc-5", 3), node("plc", 5)];
         let network = Network { nodes, ..Network::default() };
         assert_eq!(network.file_stems(), ["PLC", "plc-5", "left", "Plc-5-3", "plc-2"]);
+        let nodes = vec![node("a:b", 1), node("a/b", 5), node("CON", 2)];
+        let network = Network { nodes, ..Network::default() };
+        assert_eq!(network.file_stems(), ["a_b", "a_b-5", "_CON"]);
     }
 }

@@ -4,16 +4,12 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use super::error::OutputError;
-
-/// Names that Windows keeps for devices, in any case and with any extension (Microsoft, *Naming Files, Paths, and Namespaces*).
-const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
-
-const RESERVED: &str = "Windows reserves it for a device";
+use objdict_model::source::{is_device_name, unportable};
 
 /// Refuses the name of a file in a folder, with `/` between its parts, that leads out of the folder or that Windows does not
 /// allow.
 pub(super) fn require_portable(name: &str) -> Result<(), OutputError> {
-    match name.split('/').find_map(defect) {
+    match name.split('/').find_map(unportable) {
         Some(reason) => Err(OutputError::Name { name: name.to_owned(), reason }),
         None => Ok(()),
     }
@@ -21,33 +17,12 @@ pub(super) fn require_portable(name: &str) -> Result<(), OutputError> {
 
 /// The same for a file that an argument names, whose folder is given. `NUL` is what Windows calls `/dev/null`.
 pub(super) fn require_file(path: &Path) -> Result<(), OutputError> {
-    match path.file_name().and_then(OsStr::to_str).filter(|name| name.contains('.') && is_device(name)) {
-        Some(name) => Err(OutputError::Name { name: name.to_owned(), reason: RESERVED }),
+    let name = path.file_name().and_then(OsStr::to_str);
+    let name = name.filter(|name| name.contains('.') && is_device_name(name));
+    match name.and_then(|name| Some((name, unportable(name)?))) {
+        Some((name, reason)) => Err(OutputError::Name { name: name.to_owned(), reason }),
         None => Ok(()),
     }
-}
-
-/// Why a name without separators is not valid on every system.
-fn defect(part: &str) -> Option<&'static str> {
-    let is_forbidden = |character: char| character.is_control() || "<>:\"|?*\\".contains(character);
-    match part {
-        "" | "." | ".." => Some("it leads to another folder"),
-        _ if part.contains(is_forbidden) => Some("Windows does not allow its characters"),
-        _ if part.ends_with(['.', ' ']) => Some("Windows does not allow a dot or a blank at its end"),
-        _ if is_device(part) => Some(RESERVED),
-        _ => None,
-    }
-}
-
-/// Whether Windows takes a name for a device: `con`, `AUX.txt`, `com1 .log`.
-pub(super) fn is_device(name: &str) -> bool {
-    let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end_matches(' ').to_ascii_uppercase();
-    let port = stem.strip_prefix("COM").or_else(|| stem.strip_prefix("LPT"));
-    DEVICES.contains(&stem.as_str())
-        || port.is_some_and(|number| {
-            matches!(number, "\u{B9}" | "\u{B2}" | "\u{B3}")
-                || matches!(number.as_bytes(), [digit] if digit.is_ascii_digit())
-        })
 }
 
 #[cfg(test)]

@@ -7,8 +7,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::names::is_device;
-use objdict_model::source::shown;
+use objdict_model::source::{is_device_name, shown};
 
 /// What became of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +54,7 @@ pub(super) fn prepare(path: &Path, contents: &[u8]) -> io::Result<Prepared> {
         Ok(Prepared::Done(Saved::Written))
     };
     // of `NUL` Windows knows nothing else
-    if cfg!(windows) && path.file_name().and_then(OsStr::to_str).is_some_and(is_device) {
+    if cfg!(windows) && path.file_name().and_then(OsStr::to_str).is_some_and(is_device_name) {
         return to_device();
     }
     let Ok(found) = fs::metadata(path) else { return beside(path, None, contents) };

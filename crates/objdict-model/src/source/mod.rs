@@ -2,6 +2,7 @@
 
 mod edit;
 mod encoding;
+mod file_name;
 mod folder;
 mod hash;
 mod line_index;
@@ -14,6 +15,7 @@ use std::sync::OnceLock;
 
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding, transliterate};
+pub use file_name::{is_device_name, portable, unportable};
 pub use folder::{Buffers, CONFIG_FILE, Folder, FolderError, absolute, is_file, with_buffers};
 pub use hash::{Fnv, hash};
 pub use line_index::{LineColumn, LineIndex};
