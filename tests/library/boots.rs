@@ -326,6 +326,110 @@ fn two_pdos_of_an_undescribed_manager_need_two_can_ids() {
     assert_eq!(found(&file, Severity::Error), [expected]);
 }
 
+/// An RPDO without entries is switched off, one that maps fewer bytes takes the first ones, and one that maps more takes none.
+#[test]
+fn an_rpdo_takes_the_bytes_that_it_maps() {
+    let cases = [
+        ("[]", None, true),
+        ("[\"6040\"]", Some((Severity::Warning, "takes 16 bits of the 48")), true),
+        ("[\"6040\", \"607A\"]", None, true),
+        ("[\"607A\", \"6040\", \"6040\"]", Some((Severity::Error, "takes 64 bits of the 48")), false),
+    ];
+    let head = "[bus]\nbit-rate = 250\nmanager = \"m\"\nunused-pdos = \"off\"\n[manager]\nid = 1\n";
+    let drive = |name: &str, id: u8| format!("[node.{name}]\nfile = \"network/servo.eds\"\nid = {id}\n");
+    let sent =
+        "tpdo.1 = { cob-id = 0x185, transmission = 255, map = [\"6041\", \"6064\"], event-timer = 10 }\n";
+    for (map, finding, is_booted) in cases {
+        let received = format!("rpdo.1 = {{ cob-id = 0x185, transmission = 255, map = {map} }}\n");
+        let text = format!("{head}{}{sent}{}{received}", drive("a", 5), drive("b", 6));
+        let file = read(&text, &fixtures().join("network.toml"));
+        let findings = file.check();
+        let found: Vec<_> = findings.iter().filter(|found| found.rule.name() == "pdo-length").collect();
+        let is_expected = match (found.as_slice(), finding) {
+            ([], None) => true,
+            ([found], Some((severity, text))) => {
+                found.severity == severity && found.message.to_string().contains(text)
+            }
+            _ => false,
+        };
+        assert!(
+            is_expected,
+            "{map}: {:?}",
+            findings.iter().map(|f| f.message.to_string()).collect::<Vec<_>>()
+        );
+        let plant = file.install(file.boot_files()).unwrap().plant;
+        assert_eq!(boot(&plant, &Conditions::default()).is_booted(), is_booted, "{map}");
+        assert!(is_booted == !findings.has_errors(), "{map}: {:?}", errors(&findings));
+    }
+}
+
+/// A node that monitors the manager by two keys has one time, or an error.
+#[test]
+fn two_keys_about_the_manager_have_one_meaning() {
+    let head =
+        "[bus]\nbit-rate = 250\nmanager = \"m\"\nunused-pdos = \"off\"\n[manager]\nid = 1\nheartbeat = 100\n";
+    for (time, is_contradicted) in [("500ms", true), ("300ms", false), ("3x", false), ("2.5x", true)] {
+        let node = "[node.a]\nfile = \"network/servo.eds\"\nid = 5\nwatches-manager = true\n";
+        let text = format!("{head}{node}watches = {{ m = \"{time}\" }}\n");
+        let file = read(&text, &fixtures().join("network.toml"));
+        let found = found(&file, Severity::Error);
+        let expected = "contradictory-values: `a` gives `m` up after ";
+        match is_contradicted {
+            true => {
+                assert!(matches!(found.as_slice(), [one] if one.starts_with(expected)), "{time}: {found:?}");
+            }
+            false => assert_eq!(found, [""; 0], "{time}"),
+        }
+        let device = &file.compiled().unwrap().slaves[0].device;
+        let consumers: Vec<_> = device.services().heartbeat_consumers.iter().map(|of| of.node_id).collect();
+        assert_eq!(consumers, [1], "{time}");
+    }
+}
+
+/// A fault is told once, at its cause: a manager or a node that is not read, a value that is refused, and its download.
+#[test]
+fn a_fault_is_one_finding() {
+    let head = "[bus]\nbit-rate = 250\nmanager = \"m\"\nsync = \"20ms\"\nunused-pdos = \"off\"\n";
+    let manager = "[manager]\nid = 1\n";
+    let node = |name: &str, id: u8, keys: &str| {
+        format!("[node.{name}]\nfile = \"network/servo.eds\"\nid = {id}\n{keys}")
+    };
+    let linked = "[[link]]\nfrom = \"a.6041\"\nto = [\"m\", \"b.6040\"]\n";
+    let both =
+        node("a", 5, "watches = { b = \"500ms\" }\n") + &node("b", 6, "heartbeat = \"100ms\"\n") + linked;
+    let sdo = "[[node.a.sdo]]\nentry = \"6060\"\nvalue = [99, 5]\n";
+    let texts = [
+        (format!("{head}[manager]\nid = 200\n{both}"), "out-of-range"),
+        (format!("{head}[manager]\nheartbeat = 100\n{both}"), "unknown-node"),
+        (format!("{head}{both}"), "unknown-node"),
+        (format!("{head}{manager}{both}").replace("id = 6", "id = 200"), "out-of-range"),
+        (
+            format!("{head}{manager}{}", both.replace("servo.eds\"\nid = 6", "no.eds\"\nid = 6")),
+            "unreadable-node",
+        ),
+        (format!("{head}{manager}{}{sdo}", node("a", 5, "")), "invalid-value"),
+    ];
+    let found = |text: &str| {
+        let findings = read(text, &fixtures().join("network.toml")).check();
+        findings.iter().map(|found| format!("{}: {}", found.rule.name(), found.message)).collect::<Vec<_>>()
+    };
+    assert_eq!(found(&format!("{head}{manager}{both}")), [""; 0]);
+    for (text, rule) in texts {
+        let found = found(&text);
+        assert!(matches!(found.as_slice(), [one] if one.starts_with(rule)), "{text}\n{found:?}");
+    }
+}
+
+/// Of a CAN-ID of 29 bits, which is not simulated, there is one note.
+#[test]
+fn a_service_that_is_not_simulated_has_one_note() {
+    let file = node("network/servo.eds", "tpdo.1 = { cob-id = 0x20012345, transmission = 255 }");
+    let run = boot(&file.install(file.boot_files()).unwrap().plant, &Conditions::default());
+    let expected =
+        "RPDO 1 of `m` and TPDO 1 of `a` have the CAN-ID 00012345h of 29 bits, which is not simulated";
+    assert_eq!((run.not_simulated(), run.is_booted()), (vec![expected.to_owned()], true));
+}
+
 /// dcfgen takes a configured value of an EDS for what the node has, and so does the boot.
 #[test]
 fn configured_values_of_an_eds_are_there_at_power_on() {

@@ -50,6 +50,16 @@ use objdict_model::source::{
 use objdict_network as network;
 use objdict_network::{Compiled, Network, NetworkLock, RequestedValue, Resolved, Said, resolve};
 
+/// What rules report of nodes whose counterpart is missing.
+const FOLLOWING: [&str; 6] = [
+    "network/unknown-node",
+    "network/unknown-node-id",
+    "network/no-heartbeat-consumer",
+    "network/rpdo-without-sender",
+    "network/tpdo-without-receiver",
+    "network/no-sync-sender",
+];
+
 /// Whether a file may be a network by its name.
 pub fn may_be_network(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
@@ -174,13 +184,30 @@ impl NetworkFile {
         self.findings.iter().take(self.of_text).filter(|finding| finding.severity == Severity::Error)
     }
 
-    /// The problems of the text and of the network that it describes, in the order of the text; errors in keys come first.
+    /// Whether an error of the text leaves out the manager or a node, so that others miss it.
+    fn lacks_nodes(&self) -> bool {
+        let network = self.network();
+        let manager = network.and_then(|network| network.manager.as_ref()?.node_id);
+        let nodes = network.map_or(&[][..], |network| &network.nodes);
+        let has_all = manager.is_some() && nodes.iter().all(|node| node.node_id.is_some());
+        self.text_errors().any(|error| !has_all || error.rule.id == UNREADABLE_NODE.id)
+    }
+
+    /// The problems of the text and of the network that it describes, in the order of the text; errors in keys come first. What
+    /// only follows from a node that the text leaves out is none.
     pub fn check(&self) -> Findings {
         let mut findings = self.findings.clone();
         if let Some(resolved) = &self.resolved {
             network::check(resolved.network(), resolved.compiled(), &mut findings);
             effective::check(resolved.network(), resolved.compiled(), &mut findings);
         }
+        let lacks_nodes = self.lacks_nodes();
+        let mut position = 0;
+        let mut findings = findings.filter_map(|finding| {
+            position += 1;
+            let follows = lacks_nodes && position > self.of_text && FOLLOWING.contains(&finding.rule.id);
+            (!follows).then_some(finding)
+        });
         findings.sort_by_key(|finding| {
             let start = match finding.labels.first().map(|label| &label.at) {
                 Some(At::Span(span)) => span.start,

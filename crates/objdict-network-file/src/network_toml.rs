@@ -75,11 +75,12 @@ impl NetworkReader<'_, '_> {
         };
         if let Some(manager) = &mut manager {
             manager.node = node;
-            if let Some(named) = named {
-                manager.name = named;
+            if let Some(named) = &named {
+                manager.name.clone_from(named);
             }
         }
-        self.sync(&bus, manager.as_mut());
+        let is_stated = settings.is_some() || named.is_some();
+        self.sync(&bus, manager.as_mut(), is_stated);
         network.manager = manager;
     }
 
@@ -88,7 +89,7 @@ impl NetworkReader<'_, '_> {
         Some(self.descriptions.expanded(&folder.value))
     }
 
-    fn sync(&mut self, bus: &KeyedTable<'_>, manager: Option<&mut Manager>) {
+    fn sync(&mut self, bus: &KeyedTable<'_>, manager: Option<&mut Manager>, is_stated: bool) {
         let findings = &mut *self.findings;
         let period = bus.time("sync", findings);
         let window = bus.time("sync-window", findings);
@@ -99,12 +100,13 @@ impl NetworkReader<'_, '_> {
                 manager.sync_window = window.unwrap_or_default();
                 manager.sync_overflow = overflow.unwrap_or_default();
             }
-            (None, Some(period)) => {
+            // what is wrong with a stated manager has a finding
+            (None, Some(period)) if !is_stated => {
                 let finding =
                     Diagnostic::new(&MISSING_KEY, period.at, "`sync` needs a manager, which sends it");
                 findings.push(finding.help("add `manager` with the name of a node"));
             }
-            (None, None) => {}
+            (None, _) => {}
         }
     }
 

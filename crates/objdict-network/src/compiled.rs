@@ -28,6 +28,8 @@ pub struct Slave {
     pub(crate) services: OnceCell<Services>,
     /// Where the network file has the final values of entries.
     pub(crate) origins: Origins,
+    /// Where it has values that later ones replace, by index.
+    pub(crate) former: Vec<(u16, Span)>,
     /// The downloads that configure it.
     pub downloads: ConciseDcf,
     /// Those of [`arranged`](Self::arranged), once they were asked for.

@@ -45,12 +45,15 @@ impl Slave {
         self.origins.get(&(index, sub)).copied()
     }
 
-    /// Where the network file has the final values of an object; of a PDO those of both of its objects.
+    /// Where the network file has the values of an object, replaced ones among them; of a PDO those of both of its objects.
     pub(crate) fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
         let other = (0x1400..0x1C00).contains(&index).then_some(index ^ 0x0200);
         let objects = [index].into_iter().chain(other);
-        let entries = objects.flat_map(|index| self.origins.range((index, 0)..=(index, u8::MAX)));
-        entries.map(|(_, span)| At::Span(*span))
+        objects.flat_map(|index| {
+            let last = self.origins.range((index, 0)..=(index, u8::MAX)).map(|(_, span)| *span);
+            let former = self.former.iter().filter(move |(of, _)| *of == index).map(|(_, span)| *span);
+            last.chain(former).map(At::Span)
+        })
     }
 
     /// The device as its DCF describes it: with its effective values, and apart from them the downloads that

@@ -40,6 +40,8 @@ pub(super) struct Compiler<'n, 'f> {
     /// What is written to each entry.
     written: BTreeMap<(u16, u8), WrittenValues>,
     pub(super) origins: Origins,
+    /// Where the network file has values that later ones replace, by index.
+    pub(super) former: Vec<(u16, Span)>,
     /// The position of the node in the network.
     pub(super) position: usize,
     pub(super) node_id: u8,
@@ -61,6 +63,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
             part: FilePart::Key,
             written: BTreeMap::new(),
             origins: Origins::new(),
+            former: Vec::new(),
             position,
             node_id,
             mode,
@@ -202,7 +205,8 @@ impl<'n, 'f> Compiler<'n, 'f> {
         self.check(at, value, said);
         let parts = self.written.entry((at.index, sub)).or_default();
         parts.insert(self.part, (said, data.clone()));
-        self.origins.insert((at.index, sub), said);
+        let former = self.origins.insert((at.index, sub), said).filter(|former| *former != said);
+        self.former.extend(former.map(|former| (at.index, former)));
         let download = Download::new(at.index, sub, data);
         self.device.assign(download.assignment(&self.device).as_slice());
         self.downloads.push(download);

@@ -20,7 +20,8 @@ use crate::manager::complete;
 use crate::model::{Address, Field, Part as DevicePart, Place};
 use crate::network::{DownloadRequest, Manager, Network, Node, RequestedValue, Said};
 use crate::rules::{
-    HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, SILENT_NODE, UNKNOWN_NODE_ID,
+    CONTRADICTION, HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, SILENT_NODE,
+    UNKNOWN_NODE_ID,
 };
 use crate::source::Span;
 
@@ -139,6 +140,7 @@ fn slave(
         guard_time,
         identity: identity::expected(network, node, compiler.node_id, compiler.mode),
         origins: std::mem::take(&mut compiler.origins),
+        former: std::mem::take(&mut compiler.former),
         device: std::mem::take(&mut compiler.device),
     }
 }
@@ -279,8 +281,21 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
     let place = own.or_else(|| subs.iter().find(|&&(_, consumer)| unused(consumer))).map(|&(sub, _)| sub);
     let finding = |message| Diagnostic::new(&NO_HEARTBEAT_CONSUMER, request.at, message);
     let name = &compiler.node.name.value;
+    let watched = compiler.node.heartbeat.watched.iter().find(|watch| watch.value.node == manager.name.value);
     match (place, time) {
-        (Some(sub), Some(time)) => put(compiler, sub, u32::from(manager_id) << 16 | u32::from(time)),
+        (Some(sub), Some(time)) => {
+            let wanted = u32::from(manager_id) << 16 | u32::from(time);
+            let present = own.map_or(wanted, |&(_, present)| present);
+            match watched.filter(|_| compiler.origins.contains_key(&(CONSUMERS, sub))) {
+                Some(watched) if present != wanted => {
+                    let finding =
+                        twice_watched(compiler, manager, (present, wanted), (watched.at, request.at));
+                    compiler.findings.push(finding);
+                }
+                Some(_) => {}
+                None => put(compiler, sub, wanted),
+            }
+        }
         (Some(_), None) => compiler.findings.push(too_long(request.at, manager.heartbeat.factor, producer)),
         (None, _) if subs.is_empty() => compiler.findings.push(
             finding(say!("`{}` has no 1016h, so it cannot monitor the manager", name))
@@ -292,6 +307,21 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
                 .help("free one by a download of 0, or do not let it monitor the manager"),
         ),
     }
+}
+
+/// A node that monitors the manager with two times: by `watches`, and by `watches-manager`.
+fn twice_watched(
+    compiler: &Compiler<'_, '_>,
+    manager: &Manager,
+    (present, wanted): (u32, u32),
+    (watched, requested): (Span, Span),
+) -> Diagnostic {
+    let (name, manager) = (&compiler.node.name.value, &manager.name.value);
+    let (present, wanted) = (present & 0xFFFF, wanted & 0xFFFF);
+    let message =
+        say!("`{}` gives `{}` up after {} ms, but also after {} ms", name, manager, present, wanted);
+    let finding = Diagnostic::new(&CONTRADICTION, watched, message).label(requested, "the other time");
+    finding.help("remove one of the two").understood()
 }
 
 /// A finding about an entry that the node does not have.
