@@ -317,6 +317,41 @@ fn compare_edits(name: &str, base: &Value, edits: &[NetworkEdit]) -> BTreeSet<St
     accepted
 }
 
+/// What cannot be built is compared too, and names that no system allows for files are replaced in the same way everywhere.
+#[test]
+fn a_network_has_no_difference_from_itself() {
+    let folder = folder();
+    let folder = folder.path();
+    let servo = fs::read_to_string(folder.join("servo.eds")).unwrap().replace("\r\n", "\n");
+    let faulty = servo.replacen("[1017]\n", "[1017]\nParameterValue=abc\n", 1);
+    fs::write(folder.join("faulty.eds"), &faulty).unwrap();
+    assert_ne!(servo, faulty);
+    let network = "[bus]\nbit-rate = 250\nmanager = \"m\"\n[manager]\nid = 1\n".to_owned();
+    let node = |name: &str, id: u8| format!("[node.{name:?}]\nfile = \"servo.eds\"\nid = {id}\n");
+    let network = network + &node("CON", 5) + &node("a:b", 6) + &node("a/b", 7);
+    fs::write(folder.join("n.toml"), &network).unwrap();
+    fs::write(folder.join("faulty.toml"), network.replacen("servo.eds", "faulty.eds", 1)).unwrap();
+    for name in ["n.toml", "faulty.toml"] {
+        assert_eq!(diff(folder, name, name), (String::new(), 0), "{name}");
+    }
+    assert_eq!(diff(folder, "n.toml", "faulty.toml").1, 1);
+    let file = read(folder, "n.toml");
+    assert!(!file.check().has_errors());
+    let built: BTreeSet<String> = file
+        .build(DcfgenMode::Corrected)
+        .unwrap()
+        .dcfs()
+        .unwrap()
+        .into_iter()
+        .map(|file| file.name)
+        .collect();
+    assert_eq!(built, ["_CON.dcf", "a_b-7.dcf", "a_b.dcf", "m.dcf"].map(str::to_owned).into());
+    let mut docs = Command::new(crate::program());
+    assert!(docs.current_dir(folder).args(["docs", "n.toml", "-o", "docs"]).status().unwrap().success());
+    let pages: BTreeSet<String> = built.iter().map(|name| name.replace(".dcf", ".html")).collect();
+    assert!(pages.iter().all(|page| folder.join("docs").join(page).is_file()));
+}
+
 #[test]
 fn no_difference_is_reported_if_and_only_if_all_outputs_are_the_same() {
     let schema = schema::network_toml();

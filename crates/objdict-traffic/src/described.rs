@@ -16,7 +16,7 @@ pub struct DescribedNode {
     pub device: Device,
     /// The name of the file.
     pub file: String,
-    /// Whether values are those after a configuration: of a DCF, or of a node of a network.
+    /// Whether values are those after a configuration: of a DCF, or of a node that the manager of a network configures.
     pub is_configured: bool,
 }
 
@@ -37,6 +37,7 @@ impl Descriptions {
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else { return };
         self.is_network = true;
         self.bit_rate = self.bit_rate.or(network.bit_rate.as_ref().map(|rate| rate.value));
+        let manager = network.manager.as_ref().and_then(|manager| manager.node);
         self.nodes.extend(compiled.nodes().map(|slave| {
             let mut device = slave.device.clone();
             if network.is_made(slave.node) {
@@ -48,7 +49,7 @@ impl Descriptions {
                 node_id: Some(slave.node_id),
                 device,
                 file: file.source.name().to_owned(),
-                is_configured: true,
+                is_configured: manager != Some(slave.node),
             }
         }));
     }

@@ -20,7 +20,7 @@ use objdict_network::{
     BootPlan, Compiled, DcfgenMode, End, LelyOptions, Network, NodeRow, Overview, Service, Slave, Timing,
     TimingOptions,
 };
-use objdict_network_file::{Build, BuiltFile, ConfiguredNode, NetworkFile};
+use objdict_network_file::{Build, BuildError, BuiltFile, ConfiguredNode, NetworkFile};
 use objdict_node::download::{ConciseDcf, Differences};
 use objdict_project::line_diff::changes;
 
@@ -80,7 +80,8 @@ impl<'f> ComparedNetwork<'f> {
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else {
             return Err(Failure::new("the file describes no network"));
         };
-        let mut nodes = build.configured_nodes().map_err(Failure::new)?;
+        // what cannot be built is compared with the outputs
+        let mut nodes = build.configured_nodes().unwrap_or_default();
         for ConfiguredNode { device, .. } in &mut nodes {
             device.kind = DeviceKind::Node;
             if let Some(node) = &mut device.commissioning {
@@ -183,10 +184,17 @@ impl<'f> ComparedNetwork<'f> {
         if let Some(times) = Timing::new(self.network, self.compiled, &options) {
             files.push(json("timing", serde_json::to_value(timing::TimingJson::new("", &times, &options)))?);
         }
+        let failed = |name: &str, error: BuildError| {
+            vec![BuiltFile { name: name.to_owned(), bytes: error.to_string().into_bytes() }]
+        };
         if self.network.manager.is_some() {
-            files.extend(self.build.lely(&LelyOptions::default()).map_err(Failure::new)?);
+            let lely = self.build.lely(&LelyOptions::default());
+            files.extend(lely.unwrap_or_else(|error| failed("lely", error)));
         }
-        files.extend(self.build.concise().map_err(Failure::new)?);
+        files.extend(self.build.concise().unwrap_or_else(|error| failed("concise", error)));
+        if let Err(error) = self.build.configured_nodes() {
+            files.extend(failed("dcf", error));
+        }
         files.extend(self.build.bus_yml().into_iter().take(1));
         Ok(files)
     }
