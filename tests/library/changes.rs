@@ -8,7 +8,9 @@ use std::fs;
 use objdict::diagnostic::Applicability;
 use objdict::format::{self, Description, Format, WriteOptions, json};
 use objdict::lint::changes::{Audience, ChangeVerdict, DeviceChange, ReleaseFacts, compare, release, rules};
-use objdict::model::{ClockTime, Compact, Date, Device, DeviceKind, Entry, Object, ObjectType, Value};
+use objdict::model::{
+    Access, ClockTime, Compact, Date, Device, DeviceKind, Entry, Object, ObjectType, Value,
+};
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::planted::plant;
@@ -266,8 +268,25 @@ fn a_compact_object_is_its_entries() {
         device.objects.insert(0x2000, object);
         device
     };
-    let changes = compare(&device(object), &device(described));
+    let changes = compare(&device(object.clone()), &device(described.clone()));
     assert!(changes.is_empty(), "{}", shown(&changes));
+    // what no entry takes from the object
+    let both = Object { subs: described.subs, ..object };
+    let edited = |edit: fn(&mut Object)| {
+        let mut other = both.clone();
+        edit(&mut other);
+        compare(&device(both.clone()), &device(other))
+    };
+    assert_eq!(edited(|_| ()).len(), 0);
+    let edits: [fn(&mut Object); 4] = [
+        |object| object.main.access = Some(Access::Ro),
+        |object| object.main.default = None,
+        |object| object.compact.as_mut().unwrap().values.clear(),
+        |object| _ = object.subs.remove(2),
+    ];
+    for (number, edit) in edits.into_iter().enumerate() {
+        assert!(!edited(edit).is_empty(), "{number}");
+    }
 }
 
 #[test]

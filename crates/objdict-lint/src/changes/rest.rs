@@ -9,7 +9,7 @@ use super::audience::{Affected, Audience};
 use super::objects::pdo_of;
 use super::{DeviceChange, DeviceComparison, Spot, rules};
 use crate::diagnostic::say;
-use crate::model::{Device, Field, FileInfo, Identity, Modules, ObjectList, Part, Place};
+use crate::model::{Compact, Device, Field, FileInfo, Identity, Modules, Object, ObjectList, Part, Place};
 
 /// A longer datum is not shown.
 const LONGEST: usize = 60;
@@ -143,6 +143,7 @@ fn changes_of(index: Option<u16>, all: &[DeviceChange]) -> impl Iterator<Item = 
 /// A device without what does not count: who wrote it when, comments, the form of what it states, and what other rules see
 /// everything of.
 fn counted(device: &Device, other: &Device) -> Device {
+    let stated = &device.objects;
     let mut device = Device { comments: None, ..device.expanded().into_owned() };
     let FileInfo { languages, device_class, extra, invalid_values, .. } =
         device.file_info.unwrap_or_default();
@@ -160,6 +161,28 @@ fn counted(device: &Device, other: &Device) -> Device {
         members.dedup();
         *device.lists.get_mut(list) = Some(members);
     }
-    device.objects.iter_mut().for_each(|(_, object)| object.sub_number = None);
+    for (index, object) in device.objects.iter_mut() {
+        object.sub_number = None;
+        if let Some((stated, compact)) = stated.get(index).and_then(|of| Some((of, of.compact.as_deref()?))) {
+            keep_unused(object, stated, compact);
+        }
+    }
     device
+}
+
+/// Gives an expanded object what it states for all its entries, or for one of them, and what no entry has: those described one by
+/// one have their own values.
+fn keep_unused(object: &mut Object, stated: &Object, compact: &Compact) {
+    let is_described = |sub: u8| stated.subs.get(sub).is_some();
+    let mut unused = compact.clone();
+    unused.names.retain(|(sub, _)| is_described(*sub));
+    unused.values.retain(|(sub, _)| is_described(*sub));
+    unused.denotations.retain(|(sub, _)| is_described(*sub));
+    let is_idle = (1..=compact.count).all(is_described);
+    if is_idle {
+        object.main = stated.main.clone();
+    }
+    if is_idle || !(unused.names.is_empty() && unused.values.is_empty() && unused.denotations.is_empty()) {
+        object.compact = Some(Box::new(unused));
+    }
 }
