@@ -70,6 +70,16 @@ fn foreign_files_are_known_whatever_they_are_called() {
 }
 
 #[test]
+fn a_network_of_one_node_is_known_in_every_style() {
+    let block = "master:\n  node_id: 1\na:\n  node_id: 5\n  dcf: servo.eds\n";
+    for text in [block, "master: {node_id: 1}\na: {node_id: 5, dcf: servo.eds}\n"] {
+        for name in ["bus.yml", "x"] {
+            assert_eq!(kind(name, text), ContentKind::BusConfiguration, "{name}: {text}");
+        }
+    }
+}
+
+#[test]
 fn devices_are_known_without_a_name() {
     for (name, path) in files("eds") {
         let found = identify("", &fs::read(path).unwrap());

@@ -134,8 +134,10 @@ fn bus_configuration(content: &ExaminedContent<'_>, text: &str) -> Option<Identi
         "master",
     ];
     let mut found: Vec<&str> = Vec::new();
-    for line in text.lines() {
-        let Some((key, _)) = line.split_once(':') else { continue };
+    // keys begin lines, and those of `{node_id: 1, dcf: a.eds}` follow others
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with('#'));
+    for part in lines.flat_map(|line| line.split(['{', ','])) {
+        let Some((key, _)) = part.split_once(':') else { continue };
         let key = key.trim().trim_start_matches("- ").trim_matches(['"', '\'']);
         let known = NEEDED.into_iter().chain(USUAL).find(|known| *known == key);
         if let Some(known) = known.filter(|known| !found.contains(known)) {
