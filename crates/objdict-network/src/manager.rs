@@ -22,6 +22,8 @@ const CONSUMERS: u16 = 0x1016;
 
 const EMERGENCIES: u16 = 0x1028;
 
+const REQUEST_NMT: u16 = 0x1F82;
+
 /// What the manager knows of the nodes, by node-ID.
 #[derive(Clone, Copy)]
 pub(crate) struct Knowledge<'a> {
@@ -113,7 +115,7 @@ impl<'a> Knowledge<'a> {
             known(0x1F55, "Expected software identification", self.software()),
             known(0x1F80, "NMT startup", vec![(0, self.manager.startup.to_number())]),
             known(0x1F81, "NMT slave assignment", self.assignments()),
-            bytes(known(0x1F82, "Request NMT", Vec::new())),
+            bytes(known(REQUEST_NMT, "Request NMT", Vec::new())),
             known(0x1F84, "Device type identification", self.identities(0)),
             known(0x1F85, "Vendor identification", self.identities(1)),
             known(0x1F86, "Product code", self.identities(2)),
@@ -158,13 +160,23 @@ impl NodeListObject {
             main.default = Some(value(1 << 31));
         }
         // a command has a sub-index for all nodes (CiA 302-2)
-        let count = NODES + u8::from(self.access == Access::Wo);
+        let count = NODES + u8::from(matches!(self.index, 0x1F25 | REQUEST_NMT));
         let mut values: Vec<(u8, Value)> =
             self.values.iter().map(|(sub, number)| (*sub, value(*number))).collect();
         values.sort_by_key(|(sub, _)| *sub);
         let compact = Some(Box::new(Compact { count, values, ..Compact::default() }));
-        Object { main, compact, ..Object::default() }
+        let object = Object { main, compact, ..Object::default() };
+        if self.index == REQUEST_NMT { with_command(&object) } else { object }
     }
+}
+
+/// A list of nodes whose last sub-index commands all of them, and cannot be read.
+pub(crate) fn with_command(object: &Object) -> Object {
+    let mut object = object.expanded().into_owned();
+    if let Some(all) = object.subs.get_mut(NODES + 1) {
+        all.access = Some(Access::Wo);
+    }
+    object
 }
 
 /// Gives a described manager the values that follow from the nodes. Those that its own DCF has remain in a network that is as
@@ -179,7 +191,8 @@ pub(crate) fn complete(network: &Network, compiled: &mut Compiled) {
             // what has no value is added to be complete, not to be known
             own.device.objects.insert(index, known.object());
             if let Some(list) = ObjectList::of(index) {
-                own.device.lists.get_mut(list).get_or_insert_default().push(index);
+                let list = own.device.lists.get_mut(list).get_or_insert_default();
+                list.insert(list.partition_point(|member| *member < index), index);
             }
             continue;
         }

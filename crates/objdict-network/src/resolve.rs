@@ -10,7 +10,8 @@ use crate::configure::{PdoName, Setting};
 use crate::connect::connect;
 use crate::diagnostic::Findings;
 use crate::lely::{LelyOptions, lely_master, mirrored_numbers};
-use crate::model::{Assignment, Device, DeviceKind, PdoKind, Value};
+use crate::manager::with_command;
+use crate::model::{Access, Assignment, Device, DeviceKind, PdoKind, Value};
 use crate::network::{Manager, Network, Node, Said};
 use crate::watch::watch;
 
@@ -65,8 +66,25 @@ fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnc
     let Some(manager) = &mut network.manager else { return };
     manager.node = Some(network.nodes.len());
     manager.is_made = true;
-    let mut device = read(master.dcf);
+    let mut device = read(master.dcf).expanded().into_owned();
     device.kind = DeviceKind::Node;
+    // what one line for all entries cannot say: the history is empty, and like mappings it has a number that can be written
+    for (index, object) in device.objects.iter_mut() {
+        match (index, object.subs.get_mut(0)) {
+            (0x1003, Some(count)) => {
+                (count.access, count.default) = (Some(Access::Rw), Some(Value::Unsigned(0)))
+            }
+            (0x1600..=0x17FF | 0x1A00..=0x1BFF, Some(count)) => count.access = Some(Access::Rw),
+            (0x1F82, _) => *object = with_command(object),
+            _ => {}
+        }
+    }
+    // it is as new as the newest description that it follows from
+    let dates = network.nodes.iter().filter_map(|node| node.device.file_info.as_ref());
+    let newest = dates.filter_map(|info| info.creation_date.zip(info.creation_time)).max();
+    let info = device.file_info.get_or_insert_default();
+    (info.creation_date, info.creation_time) = newest.unzip();
+    info.eds_version = Some("4.0".to_owned());
     // the text states network 1, which contradicts nodes whose DCFs state another one
     device.commissioning.get_or_insert_default().net_number = None;
     if manager.serial_number != 0 {

@@ -77,7 +77,8 @@ impl Build<'_> {
 fn add(device: &mut Device, index: u16, object: Object) {
     device.objects.insert(index, object);
     if let Some(list) = ObjectList::of(index) {
-        device.lists.get_mut(list).get_or_insert_default().push(index);
+        let list = device.lists.get_mut(list).get_or_insert_default();
+        list.insert(list.partition_point(|member| *member < index), index);
     }
 }
 
