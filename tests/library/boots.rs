@@ -373,7 +373,7 @@ fn two_keys_about_the_manager_have_one_meaning() {
         let text = format!("{head}{node}watches = {{ m = \"{time}\" }}\n");
         let file = read(&text, &fixtures().join("network.toml"));
         let found = found(&file, Severity::Error);
-        let expected = "contradictory-values: `a` gives `m` up after ";
+        let expected = "contradictory-values: 1016h:01 of `a` is set to ";
         match is_contradicted {
             true => {
                 assert!(matches!(found.as_slice(), [one] if one.starts_with(expected)), "{time}: {found:?}");

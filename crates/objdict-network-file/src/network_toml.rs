@@ -100,7 +100,7 @@ impl NetworkReader<'_, '_> {
                 manager.sync_window = window.unwrap_or_default();
                 manager.sync_overflow = overflow.unwrap_or_default();
             }
-            // what is wrong with a stated manager has a finding
+            // an error of a stated manager has its own finding
             (None, Some(period)) if !is_stated => {
                 let finding =
                     Diagnostic::new(&MISSING_KEY, period.at, "`sync` needs a manager, which sends it");

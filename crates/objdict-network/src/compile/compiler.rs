@@ -19,6 +19,8 @@ use crate::source::Span;
 /// Which part of a network file gives an entry its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum FilePart {
+    /// A key that follows from others, such as `watches`.
+    Implied,
     /// A key, or a link.
     Key,
     /// `set`.

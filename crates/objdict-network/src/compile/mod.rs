@@ -20,8 +20,7 @@ use crate::manager::complete;
 use crate::model::{Address, Field, Part as DevicePart, Place};
 use crate::network::{DownloadRequest, Manager, Network, Node, RequestedValue, Said};
 use crate::rules::{
-    CONTRADICTION, HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, SILENT_NODE,
-    UNKNOWN_NODE_ID,
+    HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, SILENT_NODE, UNKNOWN_NODE_ID,
 };
 use crate::source::Span;
 
@@ -92,6 +91,7 @@ fn slave(
     for &(sub, value) in &node.error_behavior {
         compiler.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
     }
+    compiler.part = FilePart::Implied;
     node.implied.iter().for_each(|setting| compiler.set(setting));
     compiler.part = FilePart::Setting;
     node.settings.iter().for_each(|setting| compiler.set(setting));
@@ -281,21 +281,8 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
     let place = own.or_else(|| subs.iter().find(|&&(_, consumer)| unused(consumer))).map(|&(sub, _)| sub);
     let finding = |message| Diagnostic::new(&NO_HEARTBEAT_CONSUMER, request.at, message);
     let name = &compiler.node.name.value;
-    let watched = compiler.node.heartbeat.watched.iter().find(|watch| watch.value.node == manager.name.value);
     match (place, time) {
-        (Some(sub), Some(time)) => {
-            let wanted = u32::from(manager_id) << 16 | u32::from(time);
-            let present = own.map_or(wanted, |&(_, present)| present);
-            match watched.filter(|_| compiler.origins.contains_key(&(CONSUMERS, sub))) {
-                Some(watched) if present != wanted => {
-                    let finding =
-                        twice_watched(compiler, manager, (present, wanted), (watched.at, request.at));
-                    compiler.findings.push(finding);
-                }
-                Some(_) => {}
-                None => put(compiler, sub, wanted),
-            }
-        }
+        (Some(sub), Some(time)) => put(compiler, sub, u32::from(manager_id) << 16 | u32::from(time)),
         (Some(_), None) => compiler.findings.push(too_long(request.at, manager.heartbeat.factor, producer)),
         (None, _) if subs.is_empty() => compiler.findings.push(
             finding(say!("`{}` has no 1016h, so it cannot monitor the manager", name))
@@ -307,21 +294,6 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
                 .help("free one by a download of 0, or do not let it monitor the manager"),
         ),
     }
-}
-
-/// A node that monitors the manager with two times: by `watches`, and by `watches-manager`.
-fn twice_watched(
-    compiler: &Compiler<'_, '_>,
-    manager: &Manager,
-    (present, wanted): (u32, u32),
-    (watched, requested): (Span, Span),
-) -> Diagnostic {
-    let (name, manager) = (&compiler.node.name.value, &manager.name.value);
-    let (present, wanted) = (present & 0xFFFF, wanted & 0xFFFF);
-    let message =
-        say!("`{}` gives `{}` up after {} ms, but also after {} ms", name, manager, present, wanted);
-    let finding = Diagnostic::new(&CONTRADICTION, watched, message).label(requested, "the other time");
-    finding.help("remove one of the two").understood()
 }
 
 /// A finding about an entry that the node does not have.
