@@ -359,7 +359,7 @@ fn an_rpdo_takes_the_bytes_that_it_maps() {
         );
         let plant = file.install(file.boot_files()).unwrap().plant;
         assert_eq!(boot(&plant, &Conditions::default()).is_booted(), is_booted, "{map}");
-        assert!(is_booted == !findings.has_errors(), "{map}: {:?}", errors(&findings));
+        assert_ne!(is_booted, findings.has_errors(), "{map}: {:?}", errors(&findings));
     }
 }
 

@@ -72,7 +72,7 @@ fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnc
     for (index, object) in device.objects.iter_mut() {
         match (index, object.subs.get_mut(0)) {
             (0x1003, Some(count)) => {
-                (count.access, count.default) = (Some(Access::Rw), Some(Value::Unsigned(0)))
+                (count.access, count.default) = (Some(Access::Rw), Some(Value::Unsigned(0)));
             }
             (0x1600..=0x17FF | 0x1A00..=0x1BFF, Some(count)) => count.access = Some(Access::Rw),
             (0x1F82, _) => *object = with_command(object),
