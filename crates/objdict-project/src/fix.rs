@@ -134,8 +134,8 @@ pub fn fix_for_readers(description: Description, safety: Applicability, options:
 }
 
 /// The findings with those fixes alone offered ([`Fix::is_offered`](objdict_model::diagnostic::Fix::is_offered)) that [`fix`] makes of this
-/// text at once: no two of them touch each other, and each fixes its finding and causes no other. In a large file some may be
-/// missing where others do harm.
+/// text at once: no two of them touch each other, and each fixes its finding and causes no other. Of those that do harm together, some
+/// may be missing.
 pub fn with_sound_fixes(
     description: &Description,
     findings: Findings,
@@ -243,18 +243,22 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         accepted
     }
 
-    /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them; else those
-    /// where something is wrong then are tried apart from the others; where all are, each half is.
+    /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them.
     fn narrow(&mut self, accepted: Vec<usize>, numbers: &[usize]) -> Vec<usize> {
         let mut all = accepted.clone();
         all.extend(numbers);
-        let harm = match self.attempt(&all) {
+        match self.attempt(&all) {
             Ok(outcome) => {
                 self.best = Some(outcome).filter(|_| !self.is_offer);
-                return all;
+                all
             }
-            Err(harm) => harm,
-        };
+            Err(harm) => self.part(accepted, numbers, &harm),
+        }
+    }
+
+    /// As [`narrow`](Self::narrow), of `numbers` that do harm together: those where something is wrong then are tried apart from the
+    /// others; where all are, each half is.
+    fn part(&mut self, accepted: Vec<usize>, numbers: &[usize], harm: &[FindingKey]) -> Vec<usize> {
         if self.left == 0 {
             return accepted;
         }
@@ -269,12 +273,21 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let is_harmless =
             |&number: &usize| !harm.iter().any(|harm| self.candidates[number].key.is_near(harm));
         let (mut first, mut second): (Vec<_>, Vec<_>) = numbers.iter().copied().partition(is_harmless);
-        if first.is_empty() || second.is_empty() {
+        let is_apart = !first.is_empty() && !second.is_empty();
+        if !is_apart {
             first = numbers.to_vec();
             second = first.split_off(numbers.len() / 2);
         }
+        let all = accepted.len() + first.len();
         let accepted = self.narrow(accepted, &first);
-        self.narrow(accepted, &second)
+        if accepted.len() < all {
+            self.narrow(accepted, &second)
+        } else if is_apart && self.is_offer {
+            accepted
+        } else {
+            // with these, it is what was tried already
+            self.part(accepted, &second, harm)
+        }
     }
 
     /// Whether all of these are fixes of one rule that did harm often enough.

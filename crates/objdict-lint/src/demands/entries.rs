@@ -3,7 +3,7 @@
 use super::objects::set;
 use super::{Against, Expected};
 use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, joined, say};
-use crate::model::{Access, DataType, Field, TypeKind};
+use crate::model::{Access, DataType, Field, ObjectType, TypeKind};
 use crate::profile::Mapping;
 use crate::with_others;
 
@@ -21,9 +21,15 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
     let document = at.document();
     let message = say!("{} has data type `{}`; {} requires {!}", at, data_type, document, types);
     let finding = Diagnostic::new(rule, at.place().field(Field::DataType), message);
-    let code = format!("0x{:04X}", at.facts.data_types.first().map_or(0, |data_type| data_type.0));
+    let required = at.facts.data_types.first().copied().unwrap_or(DataType(0));
+    let code = format!("0x{:04X}", required.0);
     let finding = finding.help(say!("write `{}`", Argument::setting(Field::DataType, &code)));
-    findings.push(finding.fix(set(at.place(), Field::DataType, code)));
+    // other rules refuse a number out of its range, and a VAR with the type DOMAIN
+    let is_var =
+        at.sub.is_none() && at.entry.object_type.is_none_or(|object_type| object_type == ObjectType::Var);
+    let is_clear = at.entry.fits_type(required) && !(is_var && required == DataType::DOMAIN);
+    let fix = is_clear.then(|| set(at.place(), Field::DataType, code));
+    findings.push(Diagnostic { fix, ..finding });
 }
 
 /// Reports a different access type.

@@ -95,6 +95,23 @@ impl Entry {
         self.access.or((self.object_type == Some(ObjectType::Domain)).then_some(Access::Rw))
     }
 
+    /// The limits and values that are stated, with their names in JSON.
+    pub(super) fn values(&self) -> impl Iterator<Item = (&'static str, &Value)> {
+        let values = [
+            ("default", self.default.as_ref()),
+            ("low_limit", self.low_limit.as_ref()),
+            ("high_limit", self.high_limit.as_ref()),
+            ("configured", self.configured_value()),
+        ];
+        values.into_iter().filter_map(|(name, value)| Some((name, value?)))
+    }
+
+    /// Whether the limits and values still have a meaning with another data type: whether all numbers are in its range.
+    pub fn fits_type(&self, data_type: DataType) -> bool {
+        let Some((low, high)) = data_type.integer_range() else { return true };
+        self.values().filter_map(|(_, value)| value.as_integer()).all(|number| (low..=high).contains(&number))
+    }
+
     /// Whether a PDO may carry the entry.
     pub fn is_mappable(&self) -> bool {
         self.pdo_mapping.is_some_and(PdoMapping::is_mappable)

@@ -108,14 +108,7 @@ crate::error_messages! { Unfit: {
 } }
 
 fn check(entry: &Entry) -> Result<(), Unfit> {
-    let values = [
-        ("default", entry.default.as_ref()),
-        ("low_limit", entry.low_limit.as_ref()),
-        ("high_limit", entry.high_limit.as_ref()),
-        ("configured", entry.configured_value()),
-    ];
-    let values = values.into_iter().filter_map(|(field, value)| Some((field, value?)));
-    values.into_iter().try_for_each(|(field, value)| fits(field, value, entry.data_type))
+    entry.values().try_for_each(|(field, value)| fits(field, value, entry.data_type))
 }
 
 fn fits(field: &'static str, value: &Value, data_type: Option<DataType>) -> Result<(), Unfit> {

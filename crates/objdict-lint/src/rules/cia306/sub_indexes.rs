@@ -1,6 +1,8 @@
 //! Sub-index 0, `SubNumber`, the elements of ARRAYs and RECORDs, and sections of sub-indexes that do not match their object.
 
-use crate::diagnostic::{Argument, Change, Findings, Fix, Severity, Text, counted, listing, say, sub_index};
+use crate::diagnostic::{
+    Argument, Change, Diagnostic, Findings, Fix, Severity, Text, counted, listing, say, sub_index,
+};
 use crate::model::{
     Access, DataType, Device, Entry, Field, Object, ObjectList, ObjectType, Part, Place, Value,
 };
@@ -209,7 +211,8 @@ fn sub_0_type(at: &EntryAt<'_>, findings: &mut Findings) {
         let message = say!("sub-index 0 of {:04X}h is {}, not UNSIGNED8", at.index, data_type);
         let finding = SUB_0_TYPE.at(at.field(Field::DataType), message);
         let fix = Fix::risky(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");
-        findings.push(finding.help(say!("write `{DataType=0x0005}`")).fix(fix));
+        let finding = Diagnostic { fix: at.entry.fits_type(expected).then_some(fix), ..finding };
+        findings.push(finding.help(say!("write `{DataType=0x0005}`")));
     }
 }
 
