@@ -7,6 +7,8 @@ use crate::frame::BusFrame;
 
 /// The longest value of an SDO, in bytes.
 const LONGEST: usize = 1 << 16;
+/// What most devices need: a check of a node begins with clean buffers.
+const SHORT: usize = 1 << 9;
 
 /// Nanoseconds of a millisecond.
 pub(crate) const MILLISECOND: u64 = 1_000_000;
@@ -26,8 +28,8 @@ trait LiveServices: NodeServices {
     fn dictionary(&self) -> &LiveDictionary;
 }
 
-impl<D: Dictionary, const C: usize, const R: usize, const T: usize, const N: usize> NodeServices
-    for Node<D, LONGEST, C, R, T, N>
+impl<D: Dictionary, const B: usize, const C: usize, const R: usize, const T: usize, const N: usize>
+    NodeServices for Node<D, B, C, R, T, N>
 {
     fn boot(&mut self, now: u64) -> Frame {
         Self::boot(self, now)
@@ -68,11 +70,11 @@ const FEW: usize = 16;
 const ALL: usize = 512;
 
 /// A node with these PDOs, in so much room.
-fn node<D: Dictionary, const C: usize, const P: usize, const N: usize>(
+fn node<D: Dictionary, const B: usize, const C: usize, const P: usize, const N: usize>(
     node_id: u8,
     dictionary: D,
     [rpdos, tpdos]: &[Vec<u16>; 2],
-) -> Box<Node<D, LONGEST, C, P, P, N>> {
+) -> Box<Node<D, B, C, P, P, N>> {
     let padded = |indexes: &[u16]| std::array::from_fn(|at| indexes.get(at).copied().unwrap_or(0));
     Box::new(Node::new(node_id, dictionary, Pdos::new(padded(rpdos), padded(tpdos))))
 }
@@ -84,24 +86,25 @@ fn has_few(pdos: &[Vec<u16>; 2]) -> bool {
 fn services(node_id: u8, dictionary: LiveDictionary, is_manager: bool) -> Box<dyn LiveServices> {
     let pdos = dictionary.pdos();
     match (has_few(&pdos), is_manager) {
-        (true, false) => node::<_, 1, FEW, 127>(node_id, dictionary, &pdos),
-        (false, false) => node::<_, 1, ALL, 127>(node_id, dictionary, &pdos),
+        (true, false) => node::<_, LONGEST, 1, FEW, 127>(node_id, dictionary, &pdos),
+        (false, false) => node::<_, LONGEST, 1, ALL, 127>(node_id, dictionary, &pdos),
         // a manager monitors its nodes itself
-        (true, true) => node::<_, 1, FEW, 0>(node_id, dictionary, &pdos),
-        (false, true) => node::<_, 1, ALL, 0>(node_id, dictionary, &pdos),
+        (true, true) => node::<_, LONGEST, 1, FEW, 0>(node_id, dictionary, &pdos),
+        (false, true) => node::<_, LONGEST, 1, ALL, 0>(node_id, dictionary, &pdos),
     }
 }
 
-/// A node alone, with a second SDO server, over any dictionary with these PDOs.
+/// A node alone, with a second SDO server, over any dictionary with these PDOs and values of at most `longest` bytes.
 pub(crate) fn lone<D: Dictionary + 'static>(
     node_id: u8,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
+    longest: usize,
 ) -> Box<dyn NodeServices> {
-    if has_few(pdos) {
-        node::<_, 2, FEW, 127>(node_id, dictionary, pdos)
-    } else {
-        node::<_, 2, ALL, 127>(node_id, dictionary, pdos)
+    match (has_few(pdos), longest <= SHORT) {
+        (true, true) => node::<_, SHORT, 2, FEW, 127>(node_id, dictionary, pdos),
+        (true, false) => node::<_, LONGEST, 2, FEW, 127>(node_id, dictionary, pdos),
+        (false, _) => node::<_, LONGEST, 2, ALL, 127>(node_id, dictionary, pdos),
     }
 }
 

@@ -154,10 +154,10 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
 ) -> Conformance {
     let device = PowerOn::Defaults.values_of(device);
     let live = LiveDictionary::of_table(&device, node_id);
-    let pdos = live.pdos();
+    let (pdos, longest) = (live.pdos(), live.longest());
     let described = DescribedEntries::new(&device, node_id, &live);
     let dictionary = dictionary(live);
-    let bench = || Bench::new(&described, node(&described, dictionary.clone(), &pdos));
+    let bench = || Bench::new(&described, node(&described, dictionary.clone(), &pdos, longest));
     let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
         service: check.service,
         name: check.name.to_owned(),
@@ -174,12 +174,13 @@ fn node<D: Dictionary + 'static>(
     described: &DescribedEntries,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
+    longest: usize,
 ) -> Box<dyn NodeServices> {
     let node_id = described.node_id;
     if !program::is_described(described) {
-        return crate::node::lone(node_id, dictionary, pdos);
+        return crate::node::lone(node_id, dictionary, pdos, longest);
     }
-    crate::node::lone(node_id, program::with_memory(dictionary), pdos)
+    crate::node::lone(node_id, program::with_memory(dictionary), pdos, longest)
 }
 
 fn verdict(step: CheckStep) -> Verdict {
