@@ -52,11 +52,16 @@ pub const PORTABILITY: &str = "portability";
 
 /// Applies all rules to one device. Objects that are disabled are no part of it.
 pub fn check(described: &Device, options: &Options) -> Findings {
+    check_without(described, options, "")
+}
+
+/// As [`check`], without the rules of a group, such as `naming`.
+pub fn check_without(described: &Device, options: &Options, without: &str) -> Findings {
     let mut findings = Findings::new();
     let enabled = described.without_disabled();
     let device = &*enabled;
     let facts = Facts::new(device, options);
-    for rule in asked_for(options) {
+    for rule in asked_for(options, without) {
         match rule.check {
             Check::Device(check) => check(device, &mut findings),
             Check::Described(check) => check(described, &mut findings),
@@ -66,7 +71,7 @@ pub fn check(described: &Device, options: &Options) -> Findings {
         }
     }
     check_demands(&facts, &mut findings);
-    check_objects(device, options, &mut findings);
+    check_objects(device, asked_for(options, without), &mut findings);
     match enabled {
         Cow::Owned(_) => rules::renumbered(described, findings),
         Cow::Borrowed(_) => findings,
@@ -90,9 +95,9 @@ pub fn check_configured(device: &Device, origin: &Device) -> Findings {
 }
 
 /// The rules that apply; rules about other tools only if tools are selected.
-fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> {
+fn asked_for(options: &Options, without: &str) -> impl Iterator<Item = &'static Rule> {
     let for_tools = !options.tools.is_empty();
-    rules_of(move |group| for_tools || group != PORTABILITY)
+    rules_of(move |group| group != without && (for_tools || group != PORTABILITY))
 }
 
 /// One walk over the documents that apply, for all rules of their groups.
@@ -127,10 +132,10 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 /// One walk over the objects for all rules that check one object or one entry at a time.
-fn check_objects(device: &Device, options: &Options, findings: &mut Findings) {
+fn check_objects(device: &Device, rules: impl Iterator<Item = &'static Rule>, findings: &mut Findings) {
     let mut object_checks = Vec::new();
     let mut entry_checks = Vec::new();
-    for rule in asked_for(options) {
+    for rule in rules {
         match rule.check {
             Check::Object(check) => object_checks.push(check),
             Check::Entry(check) => entry_checks.push(check),

@@ -3,7 +3,7 @@
 
 use objdict_lint as lint;
 use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, SourceLabel};
-use objdict_model::model::{Part, Place};
+use objdict_model::model::{Device, Part, Place};
 use objdict_network::{Compiled, Network};
 
 /// Warnings about values without an effect, which no rule about networks reports.
@@ -22,14 +22,16 @@ fn is_of_pdo(label: &SourceLabel) -> bool {
 /// Reports what the network file gives the nodes.
 pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     let options = lint::Options::default();
+    // names are no errors, and do not depend on the network
+    let check = |device: &Device| lint::check_without(device, &options, "naming");
     let is_reported =
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
     for slave in compiled.nodes() {
-        let found = lint::without_disabled(&slave.device, lint::check(&slave.device, &options));
+        let found = lint::without_disabled(&slave.device, check(&slave.device));
         let node = &network.nodes[slave.node];
         // of a DCF for another node, what fits that node only
         let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
-        let own = is_of_other.then(|| lint::check(&node.device, &options));
+        let own = is_of_other.then(|| check(&node.device));
         // the PDOs of a made description are counterparts of PDOs of the nodes, where faults are reported
         let is_made = network.is_made(slave.node);
         let is_own = |finding: &&Diagnostic| !is_made || !finding.labels.iter().any(is_of_pdo);

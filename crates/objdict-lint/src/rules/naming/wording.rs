@@ -315,7 +315,15 @@ fn place_of_other<'a, T: PartialEq>(
 
 /// Whether names are the same but for blanks, case and signs. The asterisk of values in increments counts (CiA 402).
 fn is_alike(name: &str, other: &str) -> bool {
-    name == other || plain(name).eq(plain(other))
+    // the first signs differ mostly
+    let is_ascii = |text: &str| text.as_bytes().first().is_some_and(u8::is_ascii_alphanumeric);
+    let may_be = || match (name.as_bytes(), other.as_bytes()) {
+        ([first, ..], [second, ..]) if is_ascii(name) && is_ascii(other) => {
+            first.eq_ignore_ascii_case(second)
+        }
+        _ => true,
+    };
+    name == other || may_be() && plain(name).eq(plain(other))
 }
 
 fn plain(name: &str) -> impl Iterator<Item = char> {
