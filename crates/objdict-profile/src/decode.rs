@@ -45,9 +45,11 @@ pub fn of_object(
     // CiA documents do not define manufacturer-specific objects
     let blocks = if MANUFACTURER.contains(&index) { 0..0 } else { 0..super::MAX_BLOCKS };
     let is_composed = device.profile() == Some(0xFFFF);
+    let of_block = |block| super::number_of(device, block).and_then(of_number);
+    let only = if is_composed || blocks.is_empty() { None } else { of_block(0) };
     let own = blocks.clone().filter_map(move |block| {
-        let number = super::number_of(device, if is_composed { block } else { 0 })?;
-        let profile = of_number(number).filter(|profile| block == 0 || profile.repeats)?;
+        let profile = if is_composed { of_block(block) } else { only };
+        let profile = profile.filter(|profile| block == 0 || profile.repeats)?;
         Some((profile, profile.object_in(block, index)?))
     });
     // an object of managers is one of CiA 302 in a device that has no other of them, too
