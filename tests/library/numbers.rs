@@ -18,7 +18,6 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
 
 use crate::fix::folders;
-use crate::network::new_folder;
 use crate::support;
 use crate::support::skips::sample;
 
@@ -155,9 +154,11 @@ fn of_settings(texts: &[&str], data_type: DataType, _: &str) -> Read {
 }
 
 fn of_downloads(network: &str, texts: &[&str], data_type: DataType) -> Read {
-    let folder = new_folder(&format!("numbers-{}", data_type.0));
+    // the tests of this file use the same doors at once
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
     std::fs::write(folder.join("a.eds"), plain(texts, data_type)).unwrap();
-    let file = NetworkFile::read(SourceFile::from_text("network", network), &folder, &Default::default());
+    let file = NetworkFile::read(SourceFile::from_text("network", network), folder, &Default::default());
     let node = &file.compiled().unwrap().slaves[0];
     let number = |position| {
         let download = node.downloads.0.iter().find(|download| download.index == index(position))?;

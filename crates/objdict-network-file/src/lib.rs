@@ -186,10 +186,11 @@ impl NetworkFile {
 
     /// Whether an error of the text leaves out the manager or a node, so that others miss it.
     fn lacks_nodes(&self) -> bool {
-        let network = self.network();
-        let manager = network.and_then(|network| network.manager.as_ref()?.node_id);
-        let nodes = network.map_or(&[][..], |network| &network.nodes);
-        let has_all = manager.is_some() && nodes.iter().all(|node| node.node_id.is_some());
+        let has_all = self.network().is_none_or(|network| {
+            let has_manager = network.manager.as_ref().is_none_or(|manager| manager.node_id.is_some());
+            let has_nodes = network.nodes.iter().all(|node| node.node_id.is_some());
+            has_manager && has_nodes && !network.lacks_manager
+        });
         self.text_errors().any(|error| !has_all || error.rule.id == UNREADABLE_NODE.id)
     }
 

@@ -79,8 +79,8 @@ impl NetworkReader<'_, '_> {
                 manager.name.clone_from(named);
             }
         }
-        let is_stated = settings.is_some() || named.is_some();
-        self.sync(&bus, manager.as_mut(), is_stated);
+        network.lacks_manager = manager.is_none() && (settings.is_some() || named.is_some());
+        self.sync(&bus, manager.as_mut(), network.lacks_manager);
         network.manager = manager;
     }
 
@@ -89,7 +89,7 @@ impl NetworkReader<'_, '_> {
         Some(self.descriptions.expanded(&folder.value))
     }
 
-    fn sync(&mut self, bus: &KeyedTable<'_>, manager: Option<&mut Manager>, is_stated: bool) {
+    fn sync(&mut self, bus: &KeyedTable<'_>, manager: Option<&mut Manager>, lacks_manager: bool) {
         let findings = &mut *self.findings;
         let period = bus.time("sync", findings);
         let window = bus.time("sync-window", findings);
@@ -100,8 +100,8 @@ impl NetworkReader<'_, '_> {
                 manager.sync_window = window.unwrap_or_default();
                 manager.sync_overflow = overflow.unwrap_or_default();
             }
-            // an error of a stated manager has its own finding
-            (None, Some(period)) if !is_stated => {
+            // a manager that cannot be read has its own finding
+            (None, Some(period)) if !lacks_manager => {
                 let finding =
                     Diagnostic::new(&MISSING_KEY, period.at, "`sync` needs a manager, which sends it");
                 findings.push(finding.help("add `manager` with the name of a node"));

@@ -21,6 +21,8 @@ pub struct Network {
     pub bit_rate: Option<Said<u16>>,
     /// The manager, which configures and starts the other nodes (CiA 302-2).
     pub manager: Option<Manager>,
+    /// Whether the file has a manager that cannot be read, so that the other nodes miss it.
+    pub lacks_manager: bool,
     /// The nodes, in the order of the file. A manager that the file does not describe is the last one once the network is
     /// resolved.
     pub nodes: Vec<Node>,
