@@ -7,7 +7,7 @@ use crate::source::portable;
 
 impl Network {
     /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes). It is the
-    /// [portable](portable) name of the node; of names that are one on systems which do not distinguish upper and lower case, the
+    /// name of the node, made [`portable`]; of names that are one on systems which do not distinguish upper and lower case, the
     /// later ones get the node-ID (`plc-5`).
     pub fn file_stems(&self) -> Vec<String> {
         let mut taken: HashSet<String> = HashSet::new();

@@ -8,9 +8,7 @@ use crate::compiled::{Compiled, DcfgenMode, Slave};
 use crate::diagnostic::{Diagnostic, say};
 use crate::download::Order;
 use crate::identity::number;
-use crate::model::{
-    Access, Assignment, Compact, DataType, Device, Entry, Object, ObjectList, ObjectType, Value,
-};
+use crate::model::{Access, Assignment, Compact, DataType, Device, Entry, Object, ObjectType, Value};
 use crate::network::{Boot, Manager, Network, Startup};
 use crate::rules::CONTRADICTION;
 use crate::source::Span;
@@ -190,10 +188,7 @@ pub(crate) fn complete(network: &Network, compiled: &mut Compiled) {
         if own.device.object(index).is_none() {
             // what has no value is added to be complete, not to be known
             own.device.objects.insert(index, known.object());
-            if let Some(list) = ObjectList::of(index) {
-                let list = own.device.lists.get_mut(list).get_or_insert_default();
-                list.insert(list.partition_point(|member| *member < index), index);
-            }
+            own.device.lists.add(index);
             continue;
         }
         let values = if index == CONSUMERS { placed(&own.device, &known.values) } else { known.values };

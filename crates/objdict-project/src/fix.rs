@@ -134,8 +134,8 @@ pub fn fix_for_readers(description: Description, safety: Applicability, options:
 }
 
 /// The findings with those fixes alone offered ([`Fix::is_offered`](objdict_model::diagnostic::Fix::is_offered)) that [`fix`] makes of this
-/// text at once: no two of them touch each other, and each fixes its finding and causes no other. Of those that do harm together, some
-/// may be missing.
+/// text at once: no two of them touch each other, and each fixes its finding and causes no other. If some do harm together,
+/// others at their places may be missing.
 pub fn with_sound_fixes(
     description: &Description,
     findings: Findings,

@@ -64,8 +64,7 @@ pub(super) fn run(format: Format, bytes: &[u8]) {
             asked += 1;
             send(Request::new(asked.into(), method.to_owned(), params).into());
         };
-        let ending = if format == Format::Toml { "toml" } else { format.name() };
-        let uri = format!("{FILE}.{}", ending.to_ascii_lowercase());
+        let uri = format!("{FILE}.{}", format.name().to_ascii_lowercase());
         let document = json!({ "uri": uri });
         ask("initialize", json!({ "capabilities": {} }));
         note("initialized", json!({}));

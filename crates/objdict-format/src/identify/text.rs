@@ -134,7 +134,7 @@ fn bus_configuration(content: &ExaminedContent<'_>, text: &str) -> Option<Identi
         "master",
     ];
     let mut found: Vec<&str> = Vec::new();
-    // keys begin lines, and those of `{node_id: 1, dcf: a.eds}` follow others
+    // a key begins a line, or follows a brace or a comma, as in `{node_id: 1, dcf: a.eds}`
     let lines = text.lines().filter(|line| !line.trim_start().starts_with('#'));
     for part in lines.flat_map(|line| line.split(['{', ','])) {
         let Some((key, _)) = part.split_once(':') else { continue };

@@ -17,8 +17,8 @@ pub use infer::infer;
 
 use demanded::Demanded;
 use objdict_model::model::{
-    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, Entry, FileInfo, MappedObject, Object,
-    ObjectList, PdoKind, Value,
+    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, Entry, FileInfo, MappedObject, Object, PdoKind,
+    Value,
 };
 use objdict_profile as profile;
 use objdict_profile::default_mapping::PdoMap;
@@ -94,11 +94,7 @@ pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
         objects::ObjectMaker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     for &index in indexes {
         maker.add(device, index);
-        if let Some(list) = ObjectList::of(index) {
-            let members = device.lists.get_mut(list).get_or_insert_default();
-            let at = members.partition_point(|&member| member < index);
-            members.insert(at, index);
-        }
+        device.lists.add(index);
     }
 }
 

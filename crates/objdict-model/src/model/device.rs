@@ -147,6 +147,14 @@ impl ObjectLists {
         }
     }
 
+    /// Adds an object to its list, before the next higher index. A definition of a data type has no list.
+    pub fn add(&mut self, index: u16) {
+        if let Some(list) = ObjectList::of(index) {
+            let members = self.get_mut(list).get_or_insert_default();
+            members.insert(members.partition_point(|&member| member < index), index);
+        }
+    }
+
     /// Whether one of the lists contains an index. The search is linear.
     pub fn contains(&self, index: u16) -> bool {
         ObjectList::ALL.into_iter().any(|list| self.get(list).contains(&index))

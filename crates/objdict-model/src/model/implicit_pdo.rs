@@ -51,9 +51,7 @@ impl Device {
             for (index, object) in objects {
                 let Some(index) = index else { continue };
                 device.objects.insert(index, object);
-                let list = device.lists.optional.get_or_insert_default();
-                let at = list.partition_point(|&other| other < index);
-                list.insert(at, index);
+                device.lists.add(index);
             }
         }
         Cow::Owned(device)

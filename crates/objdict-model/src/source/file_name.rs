@@ -8,7 +8,7 @@ pub fn unportable(name: &str) -> Option<&'static str> {
     match name {
         "" | "." | ".." => Some("it leads to another folder"),
         _ if name.contains(is_forbidden) => Some("Windows does not allow its characters"),
-        _ if name.ends_with(['.', ' ']) => Some("Windows does not allow a dot or a blank at its end"),
+        _ if name.ends_with(['.', ' ']) => Some("Windows does not allow a dot or a space at its end"),
         _ if is_device_name(name) => Some("Windows reserves it for a device"),
         _ => None,
     }

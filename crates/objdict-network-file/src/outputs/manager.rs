@@ -2,7 +2,7 @@
 
 use super::{Build, BuildError, BuiltFile};
 use objdict_model::model::{
-    Access, Assignment, Compact, DataType, Device, Entry, Object, ObjectList, ObjectType, Subs, Value,
+    Access, Assignment, Compact, DataType, Device, Entry, Object, ObjectType, Subs, Value,
 };
 use objdict_network::Slave;
 
@@ -76,10 +76,7 @@ impl Build<'_> {
 /// Adds an object to a dictionary and its lists.
 fn add(device: &mut Device, index: u16, object: Object) {
     device.objects.insert(index, object);
-    if let Some(list) = ObjectList::of(index) {
-        let list = device.lists.get_mut(list).get_or_insert_default();
-        list.insert(list.partition_point(|member| *member < index), index);
-    }
+    device.lists.add(index);
 }
 
 /// An array with a DOMAIN for each node.

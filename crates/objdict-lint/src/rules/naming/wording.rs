@@ -315,15 +315,11 @@ fn place_of_other<'a, T: PartialEq>(
 
 /// Whether names are the same but for blanks, case and signs. The asterisk of values in increments counts (CiA 402).
 fn is_alike(name: &str, other: &str) -> bool {
-    // the first signs differ mostly
-    let is_ascii = |text: &str| text.as_bytes().first().is_some_and(u8::is_ascii_alphanumeric);
-    let may_be = || match (name.as_bytes(), other.as_bytes()) {
-        ([first, ..], [second, ..]) if is_ascii(name) && is_ascii(other) => {
-            first.eq_ignore_ascii_case(second)
-        }
-        _ => true,
-    };
-    name == other || may_be() && plain(name).eq(plain(other))
+    // most names begin with different letters, which bytes show faster
+    let letter = |text: &str| text.bytes().next().filter(u8::is_ascii_alphanumeric);
+    let first = letter(name).zip(letter(other));
+    name == other
+        || first.is_none_or(|(one, other)| one.eq_ignore_ascii_case(&other)) && plain(name).eq(plain(other))
 }
 
 fn plain(name: &str) -> impl Iterator<Item = char> {
