@@ -24,7 +24,7 @@ use objdict_model::diagnostic::{Applicability, Findings, Severity, series};
 use objdict_model::model::DeviceKind;
 use objdict_model::source::{SourceFile, SourceOptions};
 use objdict_project::check::{last_eds, of_devices};
-use objdict_project::report::{Report, Subject, grouped};
+use objdict_project::report::{Report, Subject, by_place, grouped};
 use objdict_project::workspace::with_origin_beside;
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -339,11 +339,14 @@ impl<'a> Reporter<'a> {
     pub(super) fn report_on(
         &mut self,
         subject: Subject<'_>,
-        mut findings: Findings,
+        findings: Findings,
         deny: Severity,
     ) -> Result<(), Failure> {
+        let mut findings = if self.all { findings } else { by_place(subject, findings) };
         self.known.sift(subject, &mut findings);
-        let findings = if self.all { findings } else { grouped(subject, findings) };
+        if !self.all && self.report.is_for_people() {
+            findings = grouped(subject, findings);
+        }
         self.report.deny_from(deny);
         self.has_denied |= findings.worst() >= Some(deny);
         Ok(self.report.file(subject, &findings)?)

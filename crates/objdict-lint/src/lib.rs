@@ -40,7 +40,7 @@ pub(crate) use index_set::IndexSet;
 pub use options::Options;
 pub(crate) use respell::{ListFixes, respell, sub_0, with_members};
 pub use rule::Rule;
-pub(crate) use rule::{Check, EntryAt, EntryCheck, EntryOwner, with_others};
+pub(crate) use rule::{Check, EntryAt, EntryCheck, EntryOwner};
 pub(crate) use rules::rules_of;
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};

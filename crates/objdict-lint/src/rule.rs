@@ -4,7 +4,7 @@
 use crate::Drive;
 use crate::configured::ConfiguredDevice;
 use crate::demands::{Against, Applied, Expected};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text};
 use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
 use crate::{Facts, PdoFacts, stated};
 
@@ -22,18 +22,17 @@ impl Rule {
         Diagnostic::new(&self.info, place, message)
     }
 
-    /// Reports all `places` in one finding at the first one, if there is one; the further ones have the text `others`.
+    /// Reports the same at each of `places`.
     #[cfg(feature = "catalogue")]
-    pub(crate) fn report_all(
+    pub(crate) fn report_each(
         &'static self,
-        mut places: impl Iterator<Item = Place>,
-        others: &'static str,
+        places: impl Iterator<Item = Place>,
         (message, help): (impl Into<Text>, impl Into<Text>),
         findings: &mut Findings,
     ) {
-        if let Some(first) = places.next() {
-            let finding = self.at(first, message).help(help);
-            findings.push(with_others(finding, places.map(|place| (place, others))));
+        let (message, help) = (message.into(), help.into());
+        for place in places {
+            findings.push_with(&self.info, || self.at(place, message.clone()).help(help.clone()));
         }
     }
 }
@@ -135,27 +134,6 @@ impl EntryAt<'_> {
     pub(crate) fn holds_value(&self) -> bool {
         self.sub.is_some() || !self.object.object_type().has_subs() || self.object.compact.is_some()
     }
-}
-
-/// The maximum number of further places of one finding.
-const MAX_RELATED: usize = 8;
-
-/// A finding with the other places of the same problem; if they are many, the first ones and a count.
-pub(crate) fn with_others<T: Into<Text>>(
-    finding: Diagnostic,
-    places: impl Iterator<Item = (Place, T)>,
-) -> Diagnostic {
-    let mut places = places.peekable();
-    let mut finding = finding;
-    for shown in 1.. {
-        let Some((place, text)) = places.next() else { break };
-        if shown == MAX_RELATED && places.peek().is_some() {
-            let more = places.count();
-            return finding.label(place, say!("{}, and {} more", text.into(), more));
-        }
-        finding = finding.label(place, text);
-    }
-    finding
 }
 
 /// A [`Rule`]: the fields of [`rule_info!`](objdict_model::rule_info), with the check after the severity.

@@ -7,7 +7,7 @@ use super::uri::of_path;
 use objdict_model::diagnostic;
 use objdict_model::diagnostic::{Severity, SourceLabel, Text};
 use objdict_model::source::SourceFile;
-use objdict_project::report::{Subject, grouped};
+use objdict_project::report::{Subject, by_place};
 
 /// What diagnostics say that they are from.
 const SOURCE: &str = "objdict";
@@ -21,8 +21,8 @@ pub(super) fn of(analysis: &Analysis, uri: &str, unit: ColumnUnit) -> Vec<Diagno
     let mut made: Vec<Diagnostic> = analysis.errors.iter().map(|problem| maker.of_problem(problem)).collect();
     let of_devices = analysis.map_subjects(|subject, findings| {
         let maker = DiagnosticMaker { subject, uri, unit };
-        let findings = grouped(subject, findings.clone());
-        findings.iter().map(|finding| maker.of_finding(finding)).collect::<Vec<_>>()
+        let findings = by_place(subject, findings.clone());
+        findings.listed().map(|finding| maker.of_finding(finding)).collect::<Vec<_>>()
     });
     made.extend(of_devices.into_iter().flatten());
     made
@@ -47,12 +47,10 @@ impl DiagnosticMaker<'_> {
         }
     }
 
-    /// The diagnostic of a finding. The places that belong to it follow, and those of the findings of the same cause.
+    /// The diagnostic of a finding. The places that belong to it follow.
     pub(super) fn of_finding(&self, finding: &diagnostic::Diagnostic) -> Diagnostic {
         let related = finding.labels.iter().skip(1).filter_map(|label| self.related(label, &label.text));
-        let also =
-            finding.also.iter().filter_map(|other| self.related(other.labels.first()?, &other.message));
-        let related: Vec<_> = related.chain(also).take(MAX_RELATED).collect();
+        let related: Vec<_> = related.take(MAX_RELATED).collect();
         let help = finding.help.as_ref().map(Text::shown);
         Diagnostic {
             range: self.range_of(finding),

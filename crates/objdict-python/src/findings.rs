@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use objdict::check_with;
 use objdict::diagnostic::{Findings, Severity};
 use objdict::lint;
-use objdict::report::{Concise, Json, Report, Subject, grouped};
+use objdict::report::{Concise, Json, Report, Subject, by_place};
 use objdict::workspace::{self, Overrides, Workspace};
 use pyo3::prelude::*;
 
@@ -69,7 +69,7 @@ fn add(report: &mut impl Report, path: &Path, workspace: &mut Workspace) -> io::
         return report.file(subject, &findings);
     };
     let all = workspace::findings(description, &options(&first));
-    let mut all = all.into_iter().map(|findings| grouped(&**description, findings));
+    let mut all = all.into_iter().map(|findings| by_place(&**description, findings));
     all.try_for_each(|findings| report.file((&**description).into(), &findings))
 }
 
@@ -79,7 +79,7 @@ pub(crate) fn findings_of(shared: &SharedDescription) -> PyResult<(Subject<'_>, 
     Ok(match &shared.described {
         Described::Text(description) => {
             let subject = Subject::from(&**description);
-            (subject, grouped(subject, check_with(description, &options)))
+            (subject, by_place(subject, check_with(description, &options)))
         }
         Described::Model(device, source) => {
             (Subject::Text(source), options.severities.apply(lint::check(device, &options)))

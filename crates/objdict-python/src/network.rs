@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use objdict::format::network::{Build, BuildError, BuiltFile, NetworkFile, PathOptions};
 use objdict::network::{DcfgenMode, LelyOptions};
-use objdict::report::{Report, Subject, grouped};
+use objdict::report::{Report, Subject, by_place, grouped};
 use objdict::workspace::Workspace;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -28,7 +28,7 @@ pub(crate) fn check_network(py: Python<'_>, path: PathBuf) -> PyResult<(Vec<Name
             .collect();
         let findings = document(|report| {
             let mut subjects = Subject::of_network(&file, file.check()).into_iter();
-            subjects.try_for_each(|(subject, findings)| report.file(subject, &grouped(subject, findings)))
+            subjects.try_for_each(|(subject, findings)| report.file(subject, &by_place(subject, findings)))
         });
         Ok((nodes, findings?))
     })

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use objdict::format::input::Reading;
 use objdict::format::{Format, WriteOptions};
-use objdict::report::{Location, grouped};
+use objdict::report::{Location, by_place};
 use objdict::source::SourceFile;
 use serde_json::{Value, json};
 
@@ -74,8 +74,8 @@ fn checked(path: &Path, text: &str) -> Option<Vec<Value>> {
     let name = path.display().to_string();
     let (kind, source) = Reading::default().recognised(&name, text.as_bytes().to_vec()).ok()?;
     let description = objdict::format::read(source, kind.format()?);
-    let findings = grouped(&description, objdict::check(&description));
-    let found = findings.iter().map(|finding| {
+    let findings = by_place(&description, objdict::check(&description));
+    let found = findings.listed().map(|finding| {
         let at = Location::start_of((&description).into(), finding);
         let message = finding.message.shown().into_owned();
         json!([at.line - 1, finding.rule.id, finding.severity as u8, message])

@@ -5,7 +5,6 @@ use super::{Against, Expected};
 use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, joined, say};
 use crate::model::{Access, DataType, Field, ObjectType, TypeKind};
 use crate::profile::Mapping;
-use crate::with_others;
 
 /// Reports a different data type. Sub-index 0 has its own rule.
 pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
@@ -62,18 +61,11 @@ pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings:
         let length = at.entry.data_type.and_then(DataType::bit_length);
         at.entry.access != Some(Access::Const) && length.is_some()
     });
-    let mut places = marked.map(|at| at.place().field(Field::PdoMapping)).peekable();
-    let Some(first) = places.next() else { return };
-    let others: Vec<_> = places.collect();
-    let message = say!("{} is marked as mappable; {} does not allow it in a PDO", at, at.applied.document());
-    let mut fix = crate::diagnostic::Fix::risky(say!("write `{PDOMapping=0}`")).set(first.clone(), "0");
-    for place in &others {
-        fix = fix.set(place.clone(), "0");
+    for entry in marked {
+        let document = at.applied.document();
+        let message = say!("{} is marked as mappable; {} does not allow it in a PDO", entry, document);
+        let fix = set(entry.place(), Field::PdoMapping, "0".to_owned());
+        let place = entry.place().field(Field::PdoMapping);
+        findings.push(Diagnostic::new(rule, place, message).help(say!("write `{PDOMapping=0}`")).fix(fix));
     }
-    let help = match others.is_empty() {
-        true => say!("write `{PDOMapping=0}`"),
-        false => say!("write `{PDOMapping=0}` at each sub-index"),
-    };
-    let finding = Diagnostic::new(rule, first, message).help(help).fix(fix);
-    findings.push(with_others(finding, others.into_iter().map(|place| (place, "mappable here too"))));
 }

@@ -4,9 +4,12 @@ use std::collections::BTreeMap;
 
 use super::{Diagnostic, RuleInfo, Severity};
 
-/// The maximum number of findings kept per rule and file; further ones are only counted. This limits memory
-/// use for hostile files.
+/// The most findings of a rule and file that a report lists.
 pub const MAX_PER_RULE: u32 = 1000;
+
+/// With so many findings of a file, those of a rule above [`MAX_PER_RULE`] are only counted. This limits memory use for
+/// hostile files; real ones have fewer, so that baselines know all of theirs.
+const MAX_KEPT: usize = 20_000;
 
 /// The findings of one file.
 #[derive(Clone, Debug, Default)]
@@ -22,17 +25,17 @@ impl Findings {
         Self::default()
     }
 
-    /// Adds a finding, or only counts it if its rule already has [`MAX_PER_RULE`].
+    /// Adds a finding, or only counts it if there are too many ([`Self::is_full`]).
     pub fn push(&mut self, diagnostic: Diagnostic) {
+        let is_full = self.is_full(diagnostic.rule);
         let seen = self.seen.entry(diagnostic.rule.id).or_default();
         *seen = seen.saturating_add(1);
-        if *seen <= MAX_PER_RULE {
+        if !is_full {
             self.kept.push(diagnostic);
         }
     }
 
-    /// Adds a finding of `rule`, or only counts it without creating it if the rule already has
-    /// [`MAX_PER_RULE`].
+    /// Adds a finding of `rule`, or only counts it without creating it if there are too many ([`Self::is_full`]).
     pub fn push_with(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
         if self.is_full(rule) {
             let seen = self.seen.entry(rule.id).or_default();
@@ -57,10 +60,16 @@ impl Findings {
         Self { kept, seen, suppressed }
     }
 
-    /// Changes the list of kept findings; the counts stay.
+    /// Changes the list of kept findings: removed ones are not counted, joined ones ([`Diagnostic::also`]) are.
     #[must_use]
     pub fn rearrange(mut self, change: impl FnOnce(Vec<Diagnostic>) -> Vec<Diagnostic>) -> Self {
+        let omitted: Vec<(&'static str, u32)> = self.omitted().collect();
         self.kept = change(self.kept);
+        self.seen = places_of_rules(&self.kept);
+        for (rule, count) in omitted {
+            let seen = self.seen.entry(rule).or_default();
+            *seen = seen.saturating_add(count);
+        }
         self
     }
 
@@ -87,7 +96,7 @@ impl Findings {
 
     /// Whether no more findings of `rule` are kept, so that expensive searches can be skipped.
     pub fn is_full(&self, rule: &RuleInfo) -> bool {
-        self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
+        self.kept.len() >= MAX_KEPT && self.seen.get(rule.id).is_some_and(|&seen| seen >= MAX_PER_RULE)
     }
 
     /// Lowers the severities from the finding of this number on to at most `highest`.
@@ -153,12 +162,47 @@ impl Findings {
     }
 
     /// The rules with more findings than kept, each with the number omitted.
-    pub fn omitted(&self) -> impl Iterator<Item = (&'static str, u32)> + '_ {
-        self.seen
-            .iter()
-            .filter(|&(_, &seen)| seen > MAX_PER_RULE)
-            .map(|(&rule, &seen)| (rule, seen - MAX_PER_RULE))
+    pub fn omitted(&self) -> impl Iterator<Item = (&'static str, u32)> {
+        self.missing_in(&self.kept)
     }
+
+    /// The findings that a report lists: at most [`MAX_PER_RULE`] of each rule.
+    pub fn listed(&self) -> impl Iterator<Item = &Diagnostic> {
+        let mut listed: BTreeMap<&'static str, u32> = BTreeMap::new();
+        self.kept.iter().filter(move |finding| {
+            let count = listed.entry(finding.rule.id).or_default();
+            *count += 1;
+            *count <= MAX_PER_RULE
+        })
+    }
+
+    /// The rules with more findings than [listed](Self::listed), each with the number of the others.
+    pub fn unlisted(&self) -> impl Iterator<Item = (&'static str, u32)> {
+        self.missing_in(self.listed())
+    }
+
+    fn missing_in<'a>(
+        &'a self,
+        findings: impl IntoIterator<Item = &'a Diagnostic>,
+    ) -> impl Iterator<Item = (&'static str, u32)> {
+        let there = places_of_rules(findings);
+        let missing = |(rule, seen): (&&'static str, &u32)| {
+            (*rule, seen.saturating_sub(there.get(rule).copied().unwrap_or_default()))
+        };
+        let missing: Vec<_> = self.seen.iter().map(missing).filter(|(_, count)| *count > 0).collect();
+        missing.into_iter()
+    }
+}
+
+/// How many places of each rule are in findings.
+fn places_of_rules<'a>(findings: impl IntoIterator<Item = &'a Diagnostic>) -> BTreeMap<&'static str, u32> {
+    let mut places: BTreeMap<&'static str, u32> = BTreeMap::new();
+    for finding in findings {
+        let further = u32::try_from(finding.also.len()).unwrap_or(u32::MAX);
+        let count = places.entry(finding.rule.id).or_default();
+        *count = count.saturating_add(1).saturating_add(further);
+    }
+    places
 }
 
 impl<'a> IntoIterator for &'a Findings {
@@ -186,24 +230,51 @@ mod tests {
         findings
     }
 
+    const MANY: u32 = MAX_KEPT as u32;
+
+    #[test]
+    fn a_report_lists_some_of_a_rule_and_all_are_known() {
+        let findings = findings(MAX_PER_RULE + 5);
+        assert_eq!(findings.len(), MAX_PER_RULE as usize + 5);
+        assert_eq!(findings.omitted().count(), 0);
+        assert_eq!(findings.listed().count(), MAX_PER_RULE as usize);
+        assert_eq!(findings.unlisted().collect::<Vec<_>>(), [("test/test", 5)]);
+    }
+
     #[test]
     fn too_many_are_counted() {
-        let findings = findings(MAX_PER_RULE + 5);
-        assert_eq!(findings.len(), MAX_PER_RULE as usize);
+        static OTHER: RuleInfo = RuleInfo::bare("test/other", Severity::Note);
+        let mut findings = findings(MANY + 5);
+        assert_eq!(findings.len(), MAX_KEPT);
         assert_eq!(findings.omitted().collect::<Vec<_>>(), [("test/test", 5)]);
+        assert_eq!(findings.unlisted().collect::<Vec<_>>(), [("test/test", MANY + 5 - MAX_PER_RULE)]);
+        for _ in 0..MAX_PER_RULE + 3 {
+            findings.push(Diagnostic::new(&OTHER, Span::empty(0), "message"));
+        }
+        assert_eq!(findings.omitted().collect::<Vec<_>>(), [("test/other", 3), ("test/test", 5)]);
+    }
+
+    #[test]
+    fn what_is_rearranged_is_counted_by_place() {
+        let findings = findings(MANY + 5).rearrange(|mut kept| {
+            let also = kept.split_off(10);
+            kept[0].also = also;
+            kept.pop();
+            kept
+        });
+        assert_eq!(findings.omitted().collect::<Vec<_>>(), [("test/test", 5)]);
+        assert_eq!(findings.unlisted().collect::<Vec<_>>(), [("test/test", 5)]);
     }
 
     #[test]
     fn what_is_appended_keeps_as_many_as_there_is_room_for() {
-        for (first, second) in
-            [(0, MAX_PER_RULE + 5), (3, MAX_PER_RULE), (600, 600), (MAX_PER_RULE, 7), (2, 3)]
-        {
+        for (first, second) in [(0, MANY + 5), (3, MANY), (600, 600), (MANY, 7), (2, 3)] {
             let mut all = findings(first);
             all.append(findings(second));
             let total = first + second;
-            assert_eq!(all.len(), total.min(MAX_PER_RULE) as usize, "{first} and {second}");
+            assert_eq!(all.len(), total.min(MANY) as usize, "{first} and {second}");
             let omitted = all.omitted().map(|(_, count)| count).sum::<u32>();
-            assert_eq!(omitted, total.saturating_sub(MAX_PER_RULE), "{first} and {second}");
+            assert_eq!(omitted, total.saturating_sub(MANY), "{first} and {second}");
         }
     }
 }

@@ -132,6 +132,13 @@ impl Text {
         })
     }
 
+    /// Gives the numbers and texts of the file in the text, which stay when it is reworded.
+    pub fn each_value(&self, take: &mut dyn FnMut(&str)) {
+        if let TextContent::Template(_, arguments) = &self.content {
+            arguments.iter().for_each(|argument| argument.each_value(take));
+        }
+    }
+
     fn any(&self, is_meant: &dyn Fn(&Argument) -> bool) -> bool {
         let TextContent::Template(_, arguments) = &self.content else { return false };
         arguments.iter().any(|argument| argument.any(is_meant))
@@ -176,6 +183,17 @@ impl Argument {
         let mut text = String::new();
         let _ = self.write("", None, &mut text); // writing to a String cannot fail
         text
+    }
+
+    /// See [`Text::each_value`].
+    fn each_value(&self, take: &mut dyn FnMut(&str)) {
+        match self {
+            Self::Number(number) => take(&number.to_string()),
+            Self::Value(text) | Self::Setting(_, text) | Self::ValueOf(_, text) => take(text),
+            Self::Key(_) | Self::Section(_) => {}
+            Self::Text(text) | Self::OfLists(text) => text.each_value(take),
+            Self::Series(items, _) => items.iter().for_each(|item| item.each_value(take)),
+        }
     }
 
     /// See [`Text::pattern`].

@@ -39,13 +39,17 @@ impl<W: Write> Report for Concise<W> {
             return Ok(());
         }
         let name = one_line(subject.source().name());
-        for finding in findings {
+        for finding in findings.listed() {
             writeln!(self.out, "{}", finding.line(subject.source(), |at| subject.span_of(at)))?;
         }
-        for (rule, count) in findings.omitted() {
+        for (rule, count) in findings.unlisted() {
             writeln!(self.out, "{name}: {count} more findings of {rule} are not shown")?;
         }
         Ok(())
+    }
+
+    fn is_for_people(&self) -> bool {
+        true
     }
 
     fn finish(&mut self) -> io::Result<()> {

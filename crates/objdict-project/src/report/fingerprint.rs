@@ -7,13 +7,13 @@ use serde::{Serialize, Serializer};
 use super::Subject;
 use objdict_eds::ini::LineKind;
 use objdict_format::Description;
-use objdict_model::diagnostic::{At, Diagnostic};
+use objdict_model::diagnostic::{At, Diagnostic, Findings};
 use objdict_model::model::{Field, ModulePart, Part, Place};
 use objdict_model::source::{Fnv, Span};
 
 /// The name and version of the recipe, for outputs that name their fingerprints. A change of the recipe is a new version:
 /// otherwise users of stored fingerprints would get all findings as new ones.
-pub const FINGERPRINT_NAME: &str = "objdict/v1";
+pub const FINGERPRINT_NAME: &str = "objdict/v2";
 
 /// The most bytes of a line that count. An XDD may be one line, and a change far away is no change of the finding.
 const MAX_LINE: usize = 400;
@@ -21,11 +21,10 @@ const MAX_LINE: usize = 400;
 /// The bytes on each side of a label that count in a longer line.
 const CONTEXT: usize = 80;
 
-/// A hash of the subject of a finding, without its position: of the rule, the place in the model and the remark, and of
-/// its number among equal ones. Where the finding is about the text itself, the section and the text of the line count for
-/// the place, without blanks. Lines that move, list members that are numbered anew and another wording change nothing.
-///
-/// Of joined findings the place does not count, but what they say has in common: it stays when some of them are fixed.
+/// A hash of the subject of a finding, without its position: of the rule, the place in the model, the values and texts of
+/// the file that the message quotes, and of its number among equal ones. Where the finding is about the text itself, the
+/// section and the text of the line count for the place, without blanks. Lines that move, list members that are numbered
+/// anew, further places of the same kind and another wording change nothing.
 ///
 /// The name of the file is not part of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -94,23 +93,33 @@ pub fn fingerprints<'a, 's>(
         .collect()
 }
 
+/// The findings that a report lists, each with its fingerprint.
+pub(super) fn listed<'a>(
+    subject: Subject<'_>,
+    findings: &'a Findings,
+) -> impl Iterator<Item = (&'a Diagnostic, Fingerprint)> {
+    let prints = fingerprints(subject, findings);
+    let mut is_listed = findings.listed().peekable();
+    findings
+        .iter()
+        .zip(prints)
+        .filter(move |(finding, _)| is_listed.next_if(|listed| std::ptr::eq(*listed, *finding)).is_some())
+}
+
 fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fingerprint {
     let mut hash = Fnv::new();
     hash.field(finding.rule.id.as_bytes());
     if let Some(number) = subject.description().map(Description::number).filter(|number| *number > 0) {
         hash.field(&(number as u64).to_be_bytes());
     }
-    if let Some(other) = finding.also.first() {
-        // what the message says without the places; that of the first one counts them
-        hash.field(other.message.pattern().as_bytes());
-        hash.field(&[finding.severity as u8, u8::from(finding.fix.is_some())]);
-    } else if let Some(label) = finding.labels.first() {
+    if let Some(label) = finding.labels.first() {
         match &label.at {
             At::Place(place) | At::Node(_, place) => at_place(subject, place, &mut hash),
             At::Span(span) | At::Patch(_, span) => at_line(subject, sections, *span, &mut hash),
         }
         hash.field(label.text.shown().as_bytes());
     }
+    finding.message.each_value(&mut |value| hash.text(value));
     Fingerprint(hash.0)
 }
 
@@ -214,24 +223,22 @@ mod tests {
     }
 
     #[test]
-    fn joined_findings_are_known_by_their_cause() {
-        let prints = |objects: &[&str]| {
-            let object = |index: &&str| {
-                let limit = if index.ends_with('0') { "LowLimit" } else { "HighLimit" };
-                format!("[{index}]\nParameterName=A\nObjectType=7\nDataType=5\nAccessType=ro\n{limit}=1\n")
+    fn a_place_and_what_is_there_tell_findings_apart() {
+        let prints_of = |places: &[(&str, &str)]| {
+            let object = |(index, access): &(&str, &str)| {
+                format!("[{index}]\nParameterName=A\nObjectType=7\nDataType=5\nAccessType={access}\n")
             };
-            let text: String = objects.iter().map(object).collect();
-            let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
-            let findings = crate::report::grouped(&description, crate::check(&description));
-            let prints = fingerprints(&description, &findings);
-            let joined = findings.iter().zip(prints).filter(|(finding, _)| !finding.also.is_empty());
-            joined.map(|(finding, print)| (finding.rule.id, print)).collect::<Vec<_>>()
+            let all = prints(&places.iter().map(object).collect::<String>());
+            let all = all.into_iter().filter(|(rule, ..)| *rule == "cia306/invalid-value");
+            all.map(|(.., print)| print).collect::<Vec<_>>()
         };
-        let all = prints(&["2000", "2001", "2010", "2011", "2020", "2021"]);
-        assert!(all.iter().filter(|(rule, _)| *rule == "cia306/single-limit").count() == 2, "{all:?}");
-        assert_eq!(all, prints(&["2010", "2011", "2020", "2021"]), "the first place is fixed");
-        let distinct: HashSet<Fingerprint> = all.iter().map(|(_, print)| *print).collect();
-        assert_eq!(distinct.len(), all.len(), "{all:?}");
+        let two = prints_of(&[("2000", "rq"), ("2001", "rq")]);
+        let three = prints_of(&[("2000", "rq"), ("2001", "rq"), ("2002", "rq")]);
+        assert_eq!(two.len(), 2);
+        assert_eq!(three[..2], two, "a third place changes nothing at the others");
+        let other = prints_of(&[("2000", "rq"), ("2001", "rz")]);
+        assert_eq!(other[0], two[0]);
+        assert_ne!(other[1], two[1], "another mistake at the same place");
     }
 
     #[test]

@@ -57,10 +57,10 @@ impl<W: Write> Report for Github<W> {
         self.tally.take(subject, findings);
         let name = self.base.relative(subject.source().name());
         let file = property(&name);
-        for finding in findings {
+        for finding in findings.listed() {
             self.annotation(&file, subject, finding)?;
         }
-        for (rule, count) in findings.omitted() {
+        for (rule, count) in findings.unlisted() {
             writeln!(self.out, "{}: {count} more findings of {rule} are not shown", one_line(&name))?;
         }
         Ok(())

@@ -6,8 +6,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::fingerprint::listed;
 use super::path::RelativeBase;
-use super::{Fingerprint, Location, Report, Subject, fingerprints};
+use super::{Fingerprint, Location, Report, Subject};
 use objdict_model::diagnostic::one_line;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 
@@ -59,7 +60,7 @@ impl<W: Write> Gitlab<W> {
 impl<W: Write> Report for Gitlab<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let path = self.base.relative(subject.source().name());
-        for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
+        for (finding, fingerprint) in listed(subject, findings) {
             // all must differ; without the name of the file they stay when it moves. Those of one file are numbered upwards
             let number = self.seen.entry(fingerprint).or_default();
             let fingerprint = fingerprint.repeated(*number);

@@ -39,13 +39,22 @@ impl CommonCause {
     }
 }
 
+/// The findings of a file, each at its place, for programs, which tell a new place of a known mistake by it: only findings
+/// that another one explains are left out, such as the wrong count of a list in which a number is used twice.
+///
+/// [`grouped`] shows them to people.
+#[must_use]
+pub fn by_place<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
+    let subject = subject.into();
+    findings.rearrange(|kept| without_consequences(subject, kept))
+}
+
 /// Joins the findings of a file that have one cause: those of one rule that say the same but for the place and the values
 /// there. The first one gets the others ([`Diagnostic::also`]), and its message counts them. Findings that point at the
 /// same place stay apart, because only their messages distinguish them.
 ///
-/// Findings that another one explains are left out, such as the wrong count of a list in which a number is used twice.
-///
-/// Comments, baselines and fixes know each finding, so join what they leave.
+/// Findings that another one explains are left out, as [`by_place`] does. Comments, baselines and fixes know each finding,
+/// so join what they leave.
 #[must_use]
 pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
     let subject = subject.into();

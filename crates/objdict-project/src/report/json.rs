@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::group::joint_fix;
-use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, fingerprints};
+use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, fingerprint::listed};
 use objdict_model::diagnostic::{Applicability, Diagnostic, Findings, Severity, Text};
 use objdict_model::source::Span;
 
@@ -158,11 +158,11 @@ struct Omitted {
 struct FindingCounts {
     /// The number of files that were checked.
     files: usize,
-    /// The number of errors in `findings`.
+    /// The number of errors, listed or not.
     errors: usize,
-    /// The number of warnings in `findings`.
+    /// The number of warnings, listed or not.
     warnings: usize,
-    /// The number of notes in `findings`.
+    /// The number of notes, listed or not.
     notes: usize,
     /// The number of findings that comments or a baseline suppress.
     suppressed: usize,
@@ -198,7 +198,7 @@ impl<W: Write> Json<W> {
 
     fn findings(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let file = subject.source().name();
-        for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
+        for (finding, fingerprint) in listed(subject, findings) {
             self.start()?;
             self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
             self.is_empty = false;
@@ -218,7 +218,7 @@ impl<W: Write> Report for Json<W> {
             self.findings(subject, findings)?;
         }
         let file = subject.source().name();
-        for (rule, count) in findings.omitted() {
+        for (rule, count) in findings.unlisted() {
             self.omitted.push(Omitted { file: file.to_owned(), rule, count });
         }
         Ok(())

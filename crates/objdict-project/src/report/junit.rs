@@ -89,17 +89,17 @@ impl<W: Write> Report for Junit<W> {
 
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let name = one_line(&self.base.relative(subject.source().name()));
-        let failures = findings.iter().filter(|finding| finding.severity >= self.deny).count();
-        self.suite(&name, findings.len().max(1), failures, 0);
+        let failures = findings.listed().filter(|finding| finding.severity >= self.deny).count();
+        self.suite(&name, findings.listed().count().max(1), failures, 0);
         let mut seen = HashMap::new();
-        for finding in findings {
+        for finding in findings.listed() {
             self.case(&name, subject, finding, &mut seen);
         }
         if findings.is_empty() {
             self.xml.empty("testcase", [("name", "no findings"), ("classname", &*name)]);
         }
         let omitted: Vec<String> = findings
-            .omitted()
+            .unlisted()
             .map(|(rule, count)| format!("{count} more findings of {rule} are not shown"))
             .collect();
         if !omitted.is_empty() {

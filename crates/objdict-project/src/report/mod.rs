@@ -38,7 +38,7 @@ use objdict_model::source::{LineColumn, SourceFile, Span};
 
 pub use concise::Concise;
 pub use github::Github;
-pub use group::grouped;
+pub use group::{by_place, grouped};
 #[cfg(feature = "schema")]
 pub use json::CheckJson;
 #[cfg(feature = "xdd")]
@@ -85,6 +85,11 @@ pub trait Report {
     /// Sets the lowest severity that fails the run, for the files that follow.
     fn deny_from(&mut self, severity: Severity) {
         let _ = severity;
+    }
+
+    /// Whether people read it, who see findings of one cause as one ([`grouped`]), not each place ([`by_place`]).
+    fn is_for_people(&self) -> bool {
+        false
     }
 
     /// Ends the report. No file follows.
@@ -161,8 +166,8 @@ pub struct Tally {
     pub warnings: usize,
     /// Findings of severity note.
     pub notes: usize,
-    /// Findings that were only counted, because their rule had too many in one file.
-    pub omitted: usize,
+    /// Findings that a report does not list, because their rule has too many in one file.
+    pub unlisted: usize,
     /// Findings that the file, the configuration or a baseline says not to report.
     pub suppressed: usize,
     /// Whether the file that was added last is among those with findings.
@@ -190,17 +195,26 @@ impl Tally {
         self.files_with_findings += usize::from(self.has_last);
         for finding in findings {
             self.places += 1 + finding.also.len();
-            match finding.severity {
-                Severity::Error => self.errors += 1,
-                Severity::Warning => self.warnings += 1,
-                Severity::Note => self.notes += 1,
-            }
+            self.count(finding.severity, 1);
         }
-        self.omitted += findings.omitted().map(|(_, count)| count as usize).sum::<usize>();
+        for (rule, count) in findings.omitted() {
+            self.places += count as usize;
+            let of_rule = findings.iter().rfind(|finding| finding.rule.id == rule);
+            self.count(of_rule.map_or(Severity::Note, |finding| finding.severity), count as usize);
+        }
+        self.unlisted += findings.unlisted().map(|(_, count)| count as usize).sum::<usize>();
         self.suppressed += findings.suppressed() as usize;
     }
 
-    /// Number of reported findings of at least this severity.
+    fn count(&mut self, severity: Severity, findings: usize) {
+        *match severity {
+            Severity::Error => &mut self.errors,
+            Severity::Warning => &mut self.warnings,
+            Severity::Note => &mut self.notes,
+        } += findings;
+    }
+
+    /// Number of findings of at least this severity.
     pub fn at_least(&self, severity: Severity) -> usize {
         match severity {
             Severity::Error => self.errors,
@@ -229,8 +243,8 @@ impl fmt::Display for Tally {
             }
             f.write_str(&plural(self.files, "file"))?;
         }
-        if self.omitted > 0 {
-            write!(f, ", and {} more that are not shown", self.omitted)?;
+        if self.unlisted > 0 {
+            write!(f, ", {} of them not shown", self.unlisted)?;
         }
         match self.suppressed {
             0 => Ok(()),
@@ -247,10 +261,10 @@ mod tests {
     fn a_tally_reads_as_a_sentence() {
         let tally = Tally { files: 5, files_with_findings: 2, errors: 3, notes: 1, ..Tally::default() };
         assert_eq!(tally.to_string(), "3 errors, 1 note in 2 of 5 files");
-        let tally = Tally { files: 1, files_with_findings: 1, warnings: 1, omitted: 7, ..Tally::default() };
-        assert_eq!(tally.to_string(), "1 warning in 1 file, and 7 more that are not shown");
+        let tally = Tally { files: 1, files_with_findings: 1, warnings: 9, unlisted: 7, ..Tally::default() };
+        assert_eq!(tally.to_string(), "9 warnings in 1 file, 7 of them not shown");
         assert_eq!(Tally { files: 2, ..Tally::default() }.to_string(), "no findings in 2 files");
         assert_eq!(tally.at_least(Severity::Error), 0);
-        assert_eq!(tally.at_least(Severity::Warning), 1);
+        assert_eq!(tally.at_least(Severity::Warning), 9);
     }
 }

@@ -12,14 +12,14 @@ use objdict_model::source::{SourceFile, Span};
 pub fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
     let mut text = String::new();
     let name = one_line(subject.source().name());
-    for finding in findings {
+    for finding in findings.listed() {
         text.push_str(&finding.line(subject.source(), |at| subject.span_of(at)));
         text.push('\n');
         if let Some(help) = &finding.help {
             text.push_str(&format!("  help: {}\n", one_line(&help.shown())));
         }
     }
-    for (rule, count) in findings.omitted() {
+    for (rule, count) in findings.unlisted() {
         text.push_str(&format!("{name}: {count} more findings of {rule} are not shown\n"));
     }
     Ok(text)

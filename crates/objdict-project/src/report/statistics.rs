@@ -141,7 +141,7 @@ mod tests {
         let table = "\
 Findings  Files  Fixable  Severity  Rule
        2      2        0  error     test/few
-    1006      1        0  note      test/many
+    1006      1        0  warning   test/many
 
 ";
         assert_eq!(String::from_utf8(out).unwrap(), table);

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Fix, Severity, say};
 use crate::model::{CobId, DataType, DeviceKind, Field, Part, PdoKind, Place};
 use crate::rule::rules;
-use crate::{Facts, PdoFacts, is_unstated, stated, with_others};
+use crate::{Facts, PdoFacts, is_unstated, stated};
 
 rules! {
     source: "CiA 301 §7.5.2.35, §7.5.2.37";
@@ -120,7 +120,7 @@ fn pdo_parameter_without_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: 
 fn pdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
     let is_type = device.kind == DeviceKind::Type;
-    let mut on = facts.pdos.iter().filter_map(|of_pdo| {
+    let on = facts.pdos.iter().filter_map(|of_pdo| {
         let pdo = &of_pdo.pdo;
         let entry = pdo.communication?.subs.get(1)?;
         let cob_id = of_pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0)?;
@@ -128,15 +128,12 @@ fn pdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {
         let is_looked_at = pdo.number > 4 && is_type && !facts.is_restricted(&cob_id);
         (is_looked_at && entry.configured_value().is_none()).then_some((pdo, cob_id.cob_id))
     });
-    let Some((first, cob_id)) = on.next() else { return };
-    let message = say!("`{}` makes {} valid by default, although it has no predefined CAN-ID", cob_id, first);
-    let finding = PDO_VALID_BY_DEFAULT.at(device.value_place(first.communication_index(), 1), message);
-    let finding = finding.help(say!("set bit 31: `{}`", cob_id.disabled()));
-    let place = |index| device.value_place(index, 1);
-    findings.push(with_others(
-        finding,
-        on.map(|(pdo, _)| (place(pdo.communication_index()), say!("{} too", pdo))),
-    ));
+    for (pdo, cob_id) in on {
+        let message =
+            say!("`{}` makes {} valid by default, although it has no predefined CAN-ID", cob_id, pdo);
+        let finding = PDO_VALID_BY_DEFAULT.at(device.value_place(pdo.communication_index(), 1), message);
+        findings.push(finding.help(say!("set bit 31: `{}`", cob_id.disabled())));
+    }
 }
 
 fn pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
@@ -159,28 +156,27 @@ fn pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
 
 fn reserved_pdo_sub_index(facts: &Facts<'_>, findings: &mut Findings) {
     let pdos = facts.pdos.iter().map(|facts| &facts.pdo);
-    let with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?)));
-    let Some((first, _)) = with.clone().next() else { return };
-    let place = |index| Place::entry(index, 4);
-    let message = say!("{} has the reserved sub-index 4 in {:04X}h", first, first.communication_index());
-    let finding = RESERVED_PDO_SUB_INDEX.at(place(first.communication_index()), message);
-    let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
-    let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
-    let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
-    let fix = with.clone().fold(Fix::risky(say!("remove the {section}")), |fix, (pdo, _)| {
-        let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
-        let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
-        let fix = fix.remove(place(pdo.communication_index())).set(number, described.to_string());
-        let Some(object) = pdo.communication.filter(|object| object.highest_sub() == Some(4)) else {
-            return fix;
-        };
-        let highest = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub < 4).max().unwrap_or_default();
-        let count = Place::entry(pdo.communication_index(), 0).field(Field::DefaultValue);
-        fix.set(count, highest.to_string())
-    });
-    let finding = finding.fix(fix);
-    let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), say!("{} too", pdo)));
-    findings.push(with_others(finding, others));
+    for (pdo, object, entry) in pdos.filter_map(|pdo| {
+        let object = pdo.communication?;
+        Some((pdo, object, object.subs.get(4)?))
+    }) {
+        let index = pdo.communication_index();
+        let message = say!("{} has the reserved sub-index 4 in {:04X}h", pdo, index);
+        let finding = RESERVED_PDO_SUB_INDEX.at(Place::entry(index, 4), message);
+        let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
+        let is_compatible = entry.data_type == Some(DataType::UNSIGNED8);
+        let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
+        let described = stated::described_subs(object).saturating_sub(1);
+        let number = Place::object(index).field(Field::SubNumber);
+        let fix = Fix::risky(say!("remove the {section}"));
+        let mut fix = fix.remove(Place::entry(index, 4)).set(number, described.to_string());
+        if object.highest_sub() == Some(4) {
+            let below = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub < 4);
+            let count = Place::entry(index, 0).field(Field::DefaultValue);
+            fix = fix.set(count, below.max().unwrap_or_default().to_string());
+        }
+        findings.push(finding.fix(fix));
+    }
 }
 
 fn inhibit_above_event_timer(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Severity, say};
 use crate::model::{Device, Object, PdoKind, Place};
 use crate::rule::rules;
-use crate::{CobIdService, Facts, PdoFacts, stated, with_others};
+use crate::{CobIdService, Facts, PdoFacts, stated};
 
 rules! {
     "cia301/invalid-sync-counter" = INVALID_SYNC_COUNTER, Error, Facts(invalid_sync_counter);
@@ -91,11 +91,10 @@ fn invalid_sync_counter(facts: &Facts<'_>, findings: &mut Findings) {
     );
     let finding = INVALID_SYNC_COUNTER.at(place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
-    let others = broken.map(|(pdo, every)| {
+    findings.push(broken.fold(finding, |finding, (pdo, every)| {
         let at = device.value_place(pdo.communication_index(), 2);
-        (at, say!("{} has transmission type {}", pdo, every))
-    });
-    findings.push(with_others(finding, others));
+        finding.label(at, say!("{} has transmission type {}", pdo, every))
+    }));
 }
 
 fn invalid_sync_start_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
@@ -194,24 +193,19 @@ fn synchronous_pdo_without_sync(facts: &Facts<'_>, findings: &mut Findings) {
     if stated::is_there(device, 0x1005) {
         return;
     }
-    let mut synchronous = facts
-        .pdos
-        .iter()
-        .map(|facts| &facts.pdo)
-        .filter(|pdo| pdo.is_synchronous() && pdo.is_valid() == Some(true));
-    let Some(first) = synchronous.next() else { return };
-    let transmission_type = first.transmission_type.unwrap_or_default();
-    let message = say!(
-        "{} has the synchronous transmission type `{}`, but 1005h (COB-ID SYNC) is missing",
-        first,
-        transmission_type
-    );
-    let finding =
-        SYNCHRONOUS_PDO_WITHOUT_SYNC.at(device.value_place(first.communication_index(), 2), message);
-    let finding = finding.help("add 1005h (UNSIGNED32, default `0x80`), or use transmission type 254 or 255");
-    let place = |index| device.value_place(index, 2);
-    let others = synchronous.map(|pdo| (place(pdo.communication_index()), say!("{} too", pdo)));
-    findings.push(with_others(finding, others));
+    let pdos = facts.pdos.iter().map(|facts| &facts.pdo);
+    for pdo in pdos.filter(|pdo| pdo.is_synchronous() && pdo.is_valid() == Some(true)) {
+        let transmission_type = pdo.transmission_type.unwrap_or_default();
+        let message = say!(
+            "{} has the synchronous transmission type `{}`, but 1005h (COB-ID SYNC) is missing",
+            pdo,
+            transmission_type
+        );
+        let place = device.value_place(pdo.communication_index(), 2);
+        let finding = SYNCHRONOUS_PDO_WITHOUT_SYNC.at(place, message);
+        let help = "add 1005h (UNSIGNED32, default `0x80`), or use transmission type 254 or 255";
+        findings.push(finding.help(help));
+    }
 }
 
 fn time_producer_and_consumer(facts: &Facts<'_>, findings: &mut Findings) {

@@ -1,10 +1,10 @@
 //! Network managers: the start of the network and the slaves they are assigned.
 
+use crate::Facts;
 use crate::demands::{self, Against, Applied};
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Text, say};
 use crate::model::{DeviceKind, Field, Part, Place};
 use crate::rule::rules;
-use crate::{Facts, with_others};
 
 rules! {
     "cia302/contradictory-startup" = CONTRADICTORY_STARTUP, Warning, Against(contradictory_startup);
@@ -188,18 +188,16 @@ fn slave_not_assigned(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut 
         return;
     }
     let slaves = (1..=127).filter_map(|node| Some((node, at.object.value(node)?.as_integer()?)));
-    let mut wrong = slaves.filter_map(|(node, value)| {
+    for (node, value) in slaves {
         let is_own = at.device.node_id() == Some(node);
         let what = match (value & 1 == 1, is_own) {
             (true, true) => say!("node {} is its own slave", node),
             (false, false) if value != 0 => {
                 say!("`0x{:08X}` of node {} does not set bit 0 (slave of this master)", value, node)
             }
-            _ => return None,
+            _ => continue,
         };
-        Some((at.device.value_place(at.index, node), what))
-    });
-    let Some((place, what)) = wrong.next() else { return };
-    let finding = with_others(Diagnostic::new(rule, place, what), wrong);
-    findings.push(finding.help("set bit 0 of each slave, and write 0 for other nodes"));
+        let finding = Diagnostic::new(rule, at.device.value_place(at.index, node), what);
+        findings.push(finding.help("set bit 0 of each slave, and write 0 for other nodes"));
+    }
 }

@@ -7,7 +7,7 @@ use crate::model::{
     Access, DataType, Device, Entry, Field, Object, ObjectList, ObjectType, Part, Place, Value,
 };
 use crate::rule::rules;
-use crate::{EntryAt, Facts, IndexSet, ListFixes, demands, stated, sub_0, with_members, with_others};
+use crate::{EntryAt, Facts, IndexSet, ListFixes, demands, stated, sub_0, with_members};
 
 rules! {
     source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2";
@@ -409,25 +409,25 @@ fn stated_object_code(entry: &Entry) -> Option<i128> {
 
 fn array_of_mixed_access(device: &Device, findings: &mut Findings) {
     let objects = device.objects.range(0x2000..);
-    let mut mixed = objects.filter_map(|(&index, object)| Some((index, first_other_access(object)?)));
-    let Some((index, (first, other))) = mixed.next() else { return };
-    let place = |index, sub| Place::entry(index, sub).field(Field::AccessType);
-    let message = say!(
-        "sub-index {} of the ARRAY {:04X}h is `{}`, sub-index {} is `{}`",
-        sub_index(other.0),
-        index,
-        other.1,
-        sub_index(first.0),
-        first.1
-    );
-    let finding = ARRAY_OF_MIXED_ACCESS
-        .at(place(index, other.0), message)
-        .label(place(index, first.0), say!("`{}` here", first.1))
+    for (&index, object) in objects {
+        let Some((first, other)) = first_other_access(object) else { continue };
+        let place = |sub| Place::entry(index, sub).field(Field::AccessType);
+        let message = say!(
+            "sub-index {} of the ARRAY {:04X}h is `{}`, sub-index {} is `{}`",
+            sub_index(other.0),
+            index,
+            other.1,
+            sub_index(first.0),
+            first.1
+        );
+        let finding = ARRAY_OF_MIXED_ACCESS
+        .at(place(other.0), message)
+        .label(place(first.0), say!("`{}` here", first.1))
         .help(say!(
             "correct the access type, or write `{ObjectType=0x9}` (RECORD) where the device profile allows it"
         ));
-    let others = mixed.map(|(index, (_, (sub, access)))| (place(index, sub), say!("`{}` here", access)));
-    findings.push(with_others(finding, others));
+        findings.push(finding);
+    }
 }
 
 /// The first element of an ARRAY, and the first whose access type differs from it.

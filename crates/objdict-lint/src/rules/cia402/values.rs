@@ -3,7 +3,7 @@
 use crate::demands::Applied;
 use crate::diagnostic::{Findings, Severity, say};
 use crate::rule::rules;
-use crate::{Drive, Facts, with_others};
+use crate::{Drive, Facts};
 
 rules! {
     "cia402/enabled-by-default" = ENABLED_BY_DEFAULT, Warning, Drive(enabled_by_default);
@@ -75,13 +75,12 @@ fn microseconds(value: i128, index: i128) -> Option<i128> {
 fn zero_factor(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     for index in [0x604B, 0x604C].into_iter().chain(0x608F..=0x6097).chain([0x60A2]) {
-        let zero: Vec<u8> = [1, 2].into_iter().filter(|&sub| drive.value(index, sub) == Some(0)).collect();
-        let Some(&first) = zero.first() else { continue };
         let name = applied.profile.object(index).map_or("", |facts| facts.name);
-        let message = say!("{} ({}) is a ratio, but has the value `0`", drive.name(index), name);
-        let finding = ZERO_FACTOR.at(drive.value_place(index, first), message);
-        let others = zero.iter().skip(1).map(|&sub| (drive.value_place(index, sub), "also here"));
-        findings.push(with_others(finding, others).help("write 1 for no scaling"));
+        for sub in [1, 2].into_iter().filter(|&sub| drive.value(index, sub) == Some(0)) {
+            let message = say!("{} ({}) is a ratio, but has the value `0`", drive.name(index), name);
+            let finding = ZERO_FACTOR.at(drive.value_place(index, sub), message);
+            findings.push(finding.help("write 1 for no scaling"));
+        }
     }
 }
 
@@ -126,12 +125,11 @@ fn zero_speed(drive: Drive<'_>, findings: &mut Findings) {
         let entry = drive.object(index).and_then(|object| object.entry(sub));
         !MAYBE_OFF.contains(&index) && entry.is_some_and(|entry| entry.configured_value().is_some())
     };
-    // the configured ones first, because they are certain
-    let (configured, defaults): (Vec<_>, Vec<_>) = zeros.copied().partition(is_configured);
-    let mut all = configured.iter().chain(&defaults);
-    let Some(&(index, sub, _, name)) = all.next() else { return };
-    let finding = ZERO_SPEED.at(drive.value_place(index, sub), say!("the {} is `0`", name));
-    let others = all.map(|&(index, sub, _, name)| (drive.value_place(index, sub), say!("the {} too", name)));
-    let finding = with_others(finding, others).help("write a value that fits the machine");
-    findings.push(if configured.is_empty() { finding } else { finding.severity(Severity::Warning) });
+    for zero in zeros {
+        let &(index, sub, _, name) = zero;
+        let finding = ZERO_SPEED.at(drive.value_place(index, sub), say!("the {} is `0`", name));
+        let finding = finding.help("write a value that fits the machine");
+        // a value that was configured is certain
+        findings.push(if is_configured(zero) { finding.severity(Severity::Warning) } else { finding });
+    }
 }

@@ -1,10 +1,10 @@
 //! The scaling and limits of a channel.
 
+use crate::Facts;
 use crate::demands::{Applied, is_there};
 use crate::diagnostic::{Findings, say, series};
 use crate::model::{Object, Place};
 use crate::rule::rules;
-use crate::{Facts, with_others};
 
 rules! {
     "cia404/incomplete-scaling" = INCOMPLETE_SCALING, Warning, Applied(incomplete_scaling);
@@ -53,19 +53,17 @@ fn limit_min_above_max(facts: &Facts<'_>, _: &Applied<'_>, findings: &mut Findin
         };
         let number = |object: &Object, sub| object.value(sub).and_then(|value| value.as_real());
         let crossed = |&sub: &u8| matches!((number(low, sub), number(high, sub)), (Some(low), Some(high)) if low > high);
-        let channels: Vec<u8> = (1..=199).filter(crossed).collect();
-        let Some(&first) = channels.first() else { continue };
-        let message = say!(
-            "the lower limit `{}` of {:04X}h is above the upper limit `{}` of {:04X}h",
-            number(low, first).unwrap_or_default(),
-            lower,
-            number(high, first).unwrap_or_default(),
-            upper
-        );
-        let finding = LIMIT_MIN_ABOVE_MAX.at(facts.device.value_place(lower, first), message);
-        let finding = finding.label(facts.device.value_place(upper, first), "the upper limit");
-        let others = channels.iter().skip(1);
-        let others = others.map(|&sub| (facts.device.value_place(lower, sub), "also here"));
-        findings.push(with_others(finding, others).help("swap the values"));
+        for sub in (1..=199).filter(crossed) {
+            let message = say!(
+                "the lower limit `{}` of {:04X}h is above the upper limit `{}` of {:04X}h",
+                number(low, sub).unwrap_or_default(),
+                lower,
+                number(high, sub).unwrap_or_default(),
+                upper
+            );
+            let finding = LIMIT_MIN_ABOVE_MAX.at(facts.device.value_place(lower, sub), message);
+            let finding = finding.label(facts.device.value_place(upper, sub), "the upper limit");
+            findings.push(finding.help("swap the values"));
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::diagnostic::{Findings, Fix, Severity, say, series, sub_index};
 use crate::model::{DeviceKind, Field, MappedObject, PdoKind, Place};
 use crate::profile::{device_type_index, index_in};
 use crate::rule::rules;
-use crate::{Facts, MappedTo, PdoFacts, with_others};
+use crate::{Facts, MappedTo, PdoFacts};
 
 rules! {
     "cia406/cam-without-limits" = CAM_WITHOUT_LIMITS, Warning, Applied(cam_without_limits);
@@ -161,20 +161,19 @@ fn scaling_off(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings
     let device = facts.device;
     let at = |index: u16| index_in(applied.block, index);
     let control = facts.number(at(0x6000), 0);
-    let mut scaled = [0x6001, 0x6002].map(at).into_iter().filter(|&index| {
+    let scaled = [0x6001, 0x6002].map(at).into_iter().filter(|&index| {
         let entry = device.object(index).map(|object| &object.main);
         entry.is_some_and(|entry| {
             entry.configured_value().is_some_and(|value| entry.default.as_ref() != Some(value))
         })
     });
-    let Some(first) = scaled.next().filter(|_| control.is_some_and(|control| control & 4 == 0)) else {
-        return;
-    };
-    let message = say!("{:04X}h is configured, but bit 2 of {:04X}h switches scaling off", first, at(0x6000));
-    let finding = SCALING_OFF.at(device.value_place(first, 0), message);
-    let finding = finding.label(device.value_place(at(0x6000), 0), "bit 2 is not set");
-    let others = scaled.map(|index| (device.value_place(index, 0), "also here"));
-    findings.push(with_others(finding, others).help("set bit 2, or remove the values"));
+    for index in scaled.filter(|_| control.is_some_and(|control| control & 4 == 0)) {
+        let message =
+            say!("{:04X}h is configured, but bit 2 of {:04X}h switches scaling off", index, at(0x6000));
+        let finding = SCALING_OFF.at(device.value_place(index, 0), message);
+        let finding = finding.label(device.value_place(at(0x6000), 0), "bit 2 is not set");
+        findings.push(finding.help("set bit 2, or remove the values"));
+    }
 }
 
 fn unsupported_alarm(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {

@@ -1,11 +1,11 @@
 //! The measuring range of an encoder: resolution, revolutions, preset and limits.
 
+use crate::Facts;
 use crate::demands::Applied;
 use crate::diagnostic::{Findings, Fix, say};
 use crate::model::DeviceKind;
 use crate::profile::{device_type_index, index_in};
 use crate::rule::rules;
-use crate::{Facts, with_others};
 
 rules! {
     "cia406/different-measuring-range" = DIFFERENT_MEASURING_RANGE, Warning,
@@ -193,13 +193,13 @@ fn zero_resolution(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Find
     let value = |index: u16, sub: u8| device.object(index)?.value(sub)?.as_integer();
     let is_rotary =
         value(device_type_index(device, block), 0).is_some_and(|kind| (1..=5).contains(&(kind >> 16)));
-    let mut zeros = NON_ZERO_VALUES.iter().filter_map(|&(index, sub, of_rotary, name)| {
+    let zeros = NON_ZERO_VALUES.iter().filter_map(|&(index, sub, of_rotary, name)| {
         let index = index_in(block, index);
         let is_zero = value(index, sub) == Some(0) && (is_rotary || !of_rotary);
         is_zero.then(|| (device.value_place(index, sub), name))
     });
-    let Some((place, name)) = zeros.next() else { return };
-    let finding = ZERO_RESOLUTION.at(place, say!("{} is `0`", name));
-    let others = zeros.map(|(place, name)| (place, say!("{} too", name)));
-    findings.push(with_others(finding, others).help("write the value of the encoder"));
+    for (place, name) in zeros {
+        let finding = ZERO_RESOLUTION.at(place, say!("{} is `0`", name));
+        findings.push(finding.help("write the value of the encoder"));
+    }
 }

@@ -7,7 +7,7 @@ use crate::diagnostic::{Findings, Fix, say, sub_index};
 use crate::model::{DataType, Device, DeviceKind, Field, ModulePart, Object, Part, PdoKind, Place, TypeKind};
 use crate::profile::index_in;
 use crate::rule::rules;
-use crate::{EntryAt, Facts, PdoFacts, with_others};
+use crate::{EntryAt, Facts, PdoFacts};
 
 rules! {
     source: "Not in a standard";
@@ -277,12 +277,10 @@ fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
             entries_with_other_names(&against, &mut wrong);
         }
     }
-    let mut wrong = wrong.into_iter().map(|(place, text)| (place.field(Field::ParameterName), text));
-    let Some((place, message)) = wrong.next() else { return };
-    let finding = NAME_OF_OTHER_OBJECT.at(place, message);
-    findings.push(
-        with_others(finding, wrong).help("write the name that the document gives it, or move the object"),
-    );
+    for (place, message) in wrong {
+        let finding = NAME_OF_OTHER_OBJECT.at(place.field(Field::ParameterName), message);
+        findings.push(finding.help("write the name that the document gives it, or move the object"));
+    }
 }
 
 /// Adds the entries of an object that have the name of another one of its entries.
@@ -380,12 +378,11 @@ fn duplicate_denotation(device: &Device, findings: &mut Findings) {
             }
         }
     }
-    let mut repeated = repeated.into_iter();
-    let Some((first, second, name)) = repeated.next() else { return };
-    let message = say!("two entries have the denotation `{}`", name);
-    let finding = DUPLICATE_DENOTATION.at(second, message).label(first, "first here");
-    let others = repeated.map(|(_, place, name)| (place, say!("`{}` again", name)));
-    findings.push(with_others(finding, others).help("give each entry a unique denotation"));
+    for (first, second, name) in repeated {
+        let message = say!("two entries have the denotation `{}`", name);
+        let finding = DUPLICATE_DENOTATION.at(second, message).label(first, "first here");
+        findings.push(finding.help("give each entry a unique denotation"));
+    }
 }
 
 fn duplicate_module(device: &Device, findings: &mut Findings) {
@@ -407,7 +404,7 @@ fn duplicate_module(device: &Device, findings: &mut Findings) {
 
 fn duplicate_object_name(device: &Device, findings: &mut Findings) {
     let mut seen: HashMap<&str, u16> = HashMap::with_capacity(device.objects.len());
-    let mut repeated = device.objects.range(0x2000..).filter_map(|(&index, object)| {
+    let repeated = device.objects.range(0x2000..).filter_map(|(&index, object)| {
         let name = object.name();
         if name.is_empty() || object.orphan || (0x5800..0x6000).contains(&index) {
             return None;
@@ -417,13 +414,12 @@ fn duplicate_object_name(device: &Device, findings: &mut Findings) {
         let is_copy = index >= 0x6000 && (index - first).is_multiple_of(0x800);
         (first != index && !is_copy).then_some((first, index, name))
     });
-    let Some((first, second, name)) = repeated.next() else { return };
-    let place = |index| Place::object(index).field(Field::ParameterName);
-    let message = say!("{:04X}h and {:04X}h are both called `{}`", first, second, name);
-    let finding = DUPLICATE_OBJECT_NAME.at(place(second), message).label(place(first), "first here");
-    let others = repeated
-        .map(|(first, index, _)| (place(index), say!("and {:04X}h the same as {:04X}h", index, first)));
-    findings.push(with_others(finding, others).help("add a number or a word to the names"));
+    for (first, second, name) in repeated {
+        let place = |index| Place::object(index).field(Field::ParameterName);
+        let message = say!("{:04X}h and {:04X}h are both called `{}`", first, second, name);
+        let finding = DUPLICATE_OBJECT_NAME.at(place(second), message).label(place(first), "first here");
+        findings.push(finding.help("add a number or a word to the names"));
+    }
 }
 
 fn same_identifier(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

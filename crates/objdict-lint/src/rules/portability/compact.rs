@@ -139,7 +139,7 @@ fn compact_denotations(device: &Device, findings: &mut Findings) {
         "not all tools read the denotations of a compact object",
         say!("use `{[xxxxName]}`, or describe the sub-indexes individually"),
     );
-    COMPACT_DENOTATIONS.report_all(places, "the same here", texts, findings);
+    COMPACT_DENOTATIONS.report_each(places, texts, findings);
 }
 
 fn compact_names(device: &Device, findings: &mut Findings) {
@@ -147,7 +147,7 @@ fn compact_names(device: &Device, findings: &mut Findings) {
         !compact.names.is_empty() && !has_gap_in_names(compact)
     });
     let texts = ("not all tools read the names of a compact object", "describe the sub-indexes individually");
-    COMPACT_NAMES.report_all(places, "the same here", texts, findings);
+    COMPACT_NAMES.report_each(places, texts, findings);
 }
 
 /// Whether a name between 1 and the number of names is missing, which another rule reports.
@@ -163,7 +163,7 @@ fn compact_parameter_value(device: &Device, findings: &mut Findings) {
         say!("`{ParameterValue}` of a compact object configures all sub-indexes"),
         say!("write the values in `{[xxxxValue]}`"),
     );
-    COMPACT_PARAMETER_VALUE.report_all(places, "the same here", texts, findings);
+    COMPACT_PARAMETER_VALUE.report_each(places, texts, findings);
 }
 
 fn compact_storage(device: &Device, findings: &mut Findings) {
@@ -174,7 +174,7 @@ fn compact_storage(device: &Device, findings: &mut Findings) {
         say!("not all tools support `{CompactSubObj}` as the standard defines it"),
         "describe the sub-indexes individually",
     );
-    COMPACT_STORAGE.report_all(places, "the same here", texts, findings);
+    COMPACT_STORAGE.report_each(places, texts, findings);
 }
 
 /// Whether the object has no sections for its sub-indexes.
@@ -186,7 +186,7 @@ fn compact_values(device: &Device, findings: &mut Findings) {
     let places = compact_objects(device, Part::CompactValues, |_, compact| !compact.values.is_empty());
     let texts =
         ("not all tools read the values of a compact object", "describe the sub-indexes individually");
-    COMPACT_VALUES.report_all(places, "the same here", texts, findings);
+    COMPACT_VALUES.report_each(places, texts, findings);
 }
 
 fn implicit_pdo(device: &Device, findings: &mut Findings) {
@@ -292,7 +292,7 @@ fn report_empty_text(part: &Part, field: Field, text: Option<&str>, findings: &m
 fn file_reference(device: &Device, findings: &mut Findings) {
     let places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(file_field(entry)?)));
     let texts = ("not all tools load the file of this entry", "load the file in the application");
-    FILE_REFERENCE.report_all(places, "another one", texts, findings);
+    FILE_REFERENCE.report_each(places, texts, findings);
 }
 
 fn file_field(entry: &Entry) -> Option<Field> {
@@ -311,7 +311,7 @@ fn long_value(device: &Device, findings: &mut Findings) {
         place.field(field)
     });
     let texts = ("the value has more than four bytes", "write the entry from the application");
-    LONG_VALUE.report_all(places, "another one", texts, findings);
+    LONG_VALUE.report_each(places, texts, findings);
 }
 
 fn is_long_value(entry: &Entry) -> bool {
@@ -322,7 +322,7 @@ fn is_long_value(entry: &Entry) -> bool {
 fn time_value(device: &Device, findings: &mut Findings) {
     let places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(time_field(entry)?)));
     let texts = ("not all tools read times", "remove the value if 0 is acceptable");
-    TIME_VALUE.report_all(places, "another one", texts, findings);
+    TIME_VALUE.report_each(places, texts, findings);
 }
 
 fn time_field(entry: &Entry) -> Option<Field> {

@@ -155,7 +155,7 @@ fn denotation(device: &Device, findings: &mut Findings) {
         say!("not all tools read `{Denotation}`"),
         say!("repeat important denotations in `{ParameterName}`"),
     );
-    DENOTATION.report_all(places, "another one", texts, findings);
+    DENOTATION.report_each(places, texts, findings);
 }
 
 fn dynamic_channels(device: &Device, findings: &mut Findings) {
@@ -181,7 +181,7 @@ fn object_flags(device: &Device, findings: &mut Findings) {
         say!("not all configuration tools observe `{ObjFlags}`"),
         "check the values that the tool writes to these entries",
     );
-    OBJECT_FLAGS.report_all(places, "another one", texts, findings);
+    OBJECT_FLAGS.report_each(places, texts, findings);
 }
 
 fn object_links(device: &Device, findings: &mut Findings) {
@@ -191,7 +191,7 @@ fn object_links(device: &Device, findings: &mut Findings) {
     });
     let texts =
         ("some tools do not know object links", say!("use a copy without the {section} for the tool"));
-    OBJECT_LINKS.report_all(places, "the same here", texts, findings);
+    OBJECT_LINKS.report_each(places, texts, findings);
 }
 
 fn parameter_reference(device: &Device, findings: &mut Findings) {
@@ -201,7 +201,7 @@ fn parameter_reference(device: &Device, findings: &mut Findings) {
         })
         .map(|(place, _)| place.field(Field::ParamRefd));
     let texts = (say!("not all tools read `{ParamRefd}`"), "keep the original file");
-    PARAMETER_REFERENCE.report_all(places, "another one", texts, findings);
+    PARAMETER_REFERENCE.report_each(places, texts, findings);
 }
 
 fn safety_key(device: &Device, findings: &mut Findings) {
@@ -212,7 +212,7 @@ fn safety_key(device: &Device, findings: &mut Findings) {
     let places = supported.into_iter().chain(entries);
     let texts =
         (say!("{the key} belongs to CANopen Safety"), say!("use a copy without {the key} for the tool"));
-    SAFETY_KEY.report_all(places, "another one", texts, findings);
+    SAFETY_KEY.report_each(places, texts, findings);
 }
 
 fn safety_field(entry: &Entry) -> Option<Field> {
@@ -250,7 +250,7 @@ fn type_definition(device: &Device, findings: &mut Findings) {
         "some tools do not know data types defined in the file",
         "use standard types, and remove the definition",
     );
-    TYPE_DEFINITION.report_all(places, "the same here", texts, findings);
+    TYPE_DEFINITION.report_each(places, texts, findings);
 }
 
 fn mapped_bits(device: &Device, findings: &mut Findings) {

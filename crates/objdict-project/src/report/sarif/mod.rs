@@ -9,10 +9,11 @@ use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
 
+use super::fingerprint::listed;
 use super::group::joint_fix;
 use super::path::{RelativeBase, uri};
 use super::utf16::ColumnCounter;
-use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject, fingerprints};
+use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject};
 use log::{
     Artifact, ArtifactChange, ArtifactLocation, AssociatedRule, Content, Fix, FixProperties, Invocation,
     Location, LogicalLocation, Message, Notification, PhysicalLocation, Region, Replacement,
@@ -112,7 +113,7 @@ impl<W: Write> Sarif<W> {
 impl<W: Write> Report for Sarif<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let mut file = self.open(subject);
-        for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
+        for (finding, fingerprint) in listed(subject, findings) {
             let number = self.rule(finding.rule);
             self.start()?;
             self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
@@ -120,7 +121,7 @@ impl<W: Write> Report for Sarif<W> {
             let result = self.result(&mut file, finding, number, fingerprint);
             objdict_model::json::write(&mut self.out, &result)?;
         }
-        for (rule, count) in findings.omitted() {
+        for (rule, count) in findings.unlisted() {
             let text = format!("{}: {count} more findings of {rule} are not shown", subject.source().name());
             let associated = self.rule_numbers.get(rule).map(|&index| AssociatedRule { id: rule, index });
             self.notify("note", &text, associated);
@@ -170,11 +171,7 @@ impl<W: Write> Sarif<W> {
     ) -> Finding {
         let mut labels = finding.labels.iter();
         let primary = labels.next().map(|label| file.location(None, &label.at, &label.text.shown()));
-        let others = finding
-            .also
-            .iter()
-            .filter_map(|other| other.labels.first().map(|label| (&label.at, other.message.shown())));
-        let related = labels.map(|label| (&label.at, label.text.shown())).chain(others).enumerate();
+        let related = labels.map(|label| (&label.at, label.text.shown())).enumerate();
         let related = related.map(|(id, (at, text))| match at {
             At::Node(..) | At::Patch(..) => {
                 self.open(file.subject.of_label(at)).location(Some(id), at, &text)

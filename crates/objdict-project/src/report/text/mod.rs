@@ -97,7 +97,7 @@ impl<W: Write> Report for TextReport<W> {
         self.count_fixes(subject, findings);
         let excerpts = Excerpts::new(subject.source());
         let mut text = String::new();
-        let mut shown: Vec<&Diagnostic> = findings.iter().collect();
+        let mut shown: Vec<&Diagnostic> = findings.listed().collect();
         let more = if self.is_brief { shown.len().saturating_sub(MAX_BRIEF) } else { 0 };
         if more > 0 {
             shown.sort_by_key(|finding| Reverse(finding.severity));
@@ -113,10 +113,14 @@ impl<W: Write> Report for TextReport<W> {
         if more > 0 {
             writeln!(self.out, "{}: … and {more} more, shown with `--all`\n", excerpts.name())?;
         }
-        for (rule, count) in findings.omitted() {
+        for (rule, count) in findings.unlisted() {
             writeln!(self.out, "{}: {count} more findings of {rule} are not shown\n", excerpts.name())?;
         }
         Ok(())
+    }
+
+    fn is_for_people(&self) -> bool {
+        true
     }
 
     fn finish(&mut self) -> io::Result<()> {
@@ -332,7 +336,7 @@ mod tests {
         report.finish().unwrap();
         let shown = String::from_utf8(out).unwrap();
         assert!(shown.contains("a.eds: 3 more findings of test/test are not shown"));
-        assert!(shown.ends_with("1000 warnings in 1 file, and 3 more that are not shown\n"));
+        assert!(shown.ends_with("1003 warnings in 1 file, 3 of them not shown\n"));
     }
 
     proptest! {
