@@ -336,9 +336,17 @@ fn a_cache_changes_no_report() {
     fs::remove_file(file("objdict.toml")).unwrap();
     fs::write(file("minimal.eds"), minimal.replace("[1018sub1]", "[1018sub2]")).unwrap();
     assert!(found("minimal.eds"));
-    // and nothing else is written over
-    assert_eq!(check("check --cache minimal.eds").0, Some(2));
-    assert_eq!(check("check --cache mixed-eol.eds minimal.eds").0, Some(2));
+    // another file is not written over, and a cache that cannot be used makes the check slower alone
+    for cache in ["minimal.eds", "mixed-eol.eds", "."] {
+        let before = fs::read(file(cache)).ok();
+        let (code, stdout, stderr) = check(&format!("check minimal.eds --cache {cache}"));
+        let (expected, shown, _) = check("check minimal.eds");
+        assert_eq!((code, &stdout), (expected, &shown), "{cache}");
+        assert!(stderr.starts_with("note: ") && stderr.contains("so every file is checked"), "{stderr}");
+        assert_eq!(fs::read(file(cache)).ok(), before);
+    }
+    fs::write(file("known"), b"objdict cache 2\n\xFF\x00garbage\n").unwrap();
+    assert_eq!(check("check minimal.eds --cache known").0, check("check minimal.eds").0);
 }
 
 #[test]
@@ -373,4 +381,73 @@ fn a_configuration_is_checked_beside_its_eds() {
     }
     fs::copy("fixtures/dcf/drive-402-node8.dcf", file("io-401.eds")).unwrap();
     assert_eq!(found("io-401-node5.dcf").0, Some(0));
+}
+
+#[test]
+fn what_was_found_at_a_revision_is_not_reported_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("firmware/drive.eds");
+    let git = |line: &str| {
+        let identity = ["-c", "user.name=a", "-c", "user.email=a@b", "-c", "core.autocrlf=false"];
+        let output = Command::new("git")
+            .args(identity)
+            .args(line.split(' '))
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+    };
+    let check = |line: &str| {
+        let output = run(folder.path(), &format!("check --format concise {line}"));
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let text = fs::read_to_string("fixtures/eds/drive-402.eds").unwrap().replace("\r\n", "\n");
+    let with_mistakes = |count: usize| text.replacen("AccessType=rw\n", "AccessType=rq\n", count);
+    fs::create_dir(folder.path().join("firmware")).unwrap();
+    fs::write(&file, with_mistakes(2)).unwrap();
+    git("init --quiet");
+    git("add .");
+    git("commit --quiet -m first");
+    assert!(check("firmware --since HEAD").1.starts_with("no findings in 1 file"));
+    // one more of a known kind, behind lines that moved
+    fs::write(&file, format!("; moved\n{}", with_mistakes(3))).unwrap();
+    let (code, text) = check("firmware --since HEAD");
+    assert_eq!((code, text.matches("`rq` is not a valid").count()), (Some(1), 1), "{text}");
+    // a file that is new, and a revision that is none
+    fs::copy(&file, folder.path().join("firmware/other.eds")).unwrap();
+    assert!(check("firmware/other.eds --since HEAD").1.contains("; 2 more like this"));
+    assert_eq!(check("firmware --since nothing").0, Some(2));
+    assert_eq!(check("firmware --since=--output=x").0, Some(2));
+}
+
+#[test]
+fn services_get_paths_from_the_folder_of_the_repository() {
+    let folder = tempfile::tempdir().unwrap();
+    let below = folder.path().join("firmware");
+    fs::create_dir(&below).unwrap();
+    fs::copy("fixtures/broken/orphan-sub.eds", below.join("orphan-sub.eds")).unwrap();
+    let told = |format: &str, line: &str, variables: &[(&str, &Path)]| {
+        let line = format!("check --format {format} orphan-sub.eds {line}");
+        let mut command = Command::new(crate::program());
+        command.args(line.split_whitespace()).current_dir(&below);
+        for variable in ["GITHUB_WORKSPACE", "CI_PROJECT_DIR"] {
+            command.env_remove(variable);
+        }
+        command.envs(variables.iter().copied());
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    for (format, from_here, from_above) in [
+        ("github", "file=orphan-sub.eds", "file=firmware/orphan-sub.eds"),
+        ("gitlab", "\"path\":\"orphan-sub.eds\"", "\"path\":\"firmware/orphan-sub.eds\""),
+        ("sarif", "\"uri\":\"orphan-sub.eds\"", "\"uri\":\"firmware/orphan-sub.eds\""),
+        ("junit", "name=\"orphan-sub.eds\"", "name=\"firmware/orphan-sub.eds\""),
+    ] {
+        assert!(told(format, "", &[]).contains(from_here), "{format}");
+        for variable in ["GITHUB_WORKSPACE", "CI_PROJECT_DIR"] {
+            assert!(told(format, "", &[(variable, folder.path())]).contains(from_above), "{format}");
+        }
+        assert!(told(format, "--base ..", &[]).contains(from_above), "{format}");
+        // a job of another folder
+        assert!(told(format, "", &[("GITHUB_WORKSPACE", &folder.path().join("other"))]).contains(from_here));
+    }
 }

@@ -49,6 +49,7 @@ mod objdictgen;
 #[cfg(feature = "cli")]
 mod pages;
 mod patch;
+mod places;
 mod planted;
 #[cfg(feature = "full")]
 mod probe;

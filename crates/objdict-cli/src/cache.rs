@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use super::args::CheckArgs;
-use super::ending::Failure;
+use super::ending::note;
 use super::settings::CommandSettings;
 use super::written_files::save;
 use hmac_sha256::Hash;
@@ -36,23 +36,27 @@ fn add(hash: &mut Hash, bytes: &[u8]) {
 }
 
 impl Cache {
-    /// The cache at `path`, for a check with these arguments and what their files say.
-    ///
-    /// # Errors
-    /// When it cannot be read, or is another file.
-    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &CommandSettings) -> Result<Self, Failure> {
+    /// The cache at `path`, for a check with these arguments and what their files say. Without one the check is only slower,
+    /// so a note says why it cannot be used; another file is left as it is.
+    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &CommandSettings) -> Option<Self> {
         let text = match read_text(path, MAX_SIZE) {
             Ok(text) => text,
             Err(SourceError::Io { error, .. }) if error.kind() == std::io::ErrorKind::NotFound => {
                 HEAD.to_owned()
             }
-            Err(error) => return Err(Failure::new(error)),
+            Err(error) => {
+                note(&format!("note: {error}, so every file is checked\n"));
+                return None;
+            }
         };
         let mut lines = text.lines();
         let head = lines.next().unwrap_or_default();
         if !head.starts_with(CACHE) {
-            let message = format!("`{}` is not a cache of objdict", shown(path));
-            return Err(Failure::new(message).help("name a file that does not exist yet"));
+            note(&format!(
+                "note: `{}` is not a cache of objdict, so every file is checked\n  help: remove it, or name a file that does not exist yet\n",
+                shown(path)
+            ));
+            return None;
         }
         let mut hash = Hash::new();
         add(&mut hash, env!("CARGO_PKG_VERSION").as_bytes());
@@ -60,7 +64,7 @@ impl Cache {
         add(&mut hash, settings.contents().as_bytes());
         // a line that is corrupted is the hash of no file, and the file is checked
         let known = lines.filter(|_| head == HEAD).map(str::to_owned).collect();
-        Ok(Self { path: path.to_owned(), settings: hash, known })
+        Some(Self { path: path.to_owned(), settings: hash, known })
     }
 
     /// What a file with these contents is known by, and whether nothing was found in it.
@@ -76,17 +80,16 @@ impl Cache {
         (key, is_known)
     }
 
-    /// Replaces what is known by the files in which nothing was found now.
-    ///
-    /// # Errors
-    /// When it cannot be written.
-    pub(super) fn save(&self, mut clean: Vec<String>) -> Result<(), Failure> {
+    /// Replaces what is known by the files in which nothing was found now; a note says why it cannot be written.
+    pub(super) fn save(&self, mut clean: Vec<String>) {
         clean.sort_unstable();
         clean.dedup();
         let mut text = format!("{HEAD}\n");
         for key in clean {
             let _ = writeln!(text, "{key}");
         }
-        save(&self.path, text.as_bytes()).map(drop)
+        if let Err(failure) = save(&self.path, text.as_bytes()) {
+            note(&format!("note: {}, so the next check is as slow\n", failure.message));
+        }
     }
 }

@@ -9,6 +9,7 @@ use super::cache::Cache;
 use super::ending::{Failure, Outcome, note};
 use super::files::{InputFile, gather_with, is_source, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
+use super::git;
 use super::input::{CheckedInput, name_of, source_name};
 use super::parallel::in_order;
 use super::progress::give_way;
@@ -23,6 +24,7 @@ use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{Applicability, Findings, Severity, series};
 use objdict_model::model::DeviceKind;
 use objdict_model::source::{SourceFile, SourceOptions};
+use objdict_project::baseline::Baseline;
 use objdict_project::check::{last_eds, of_devices};
 use objdict_project::report::{Report, Subject, by_place, grouped};
 use objdict_project::workspace::with_origin_beside;
@@ -30,7 +32,7 @@ use objdict_project::workspace::with_origin_beside;
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = CommandSettings::new(&args.settings)?;
     let (files, failures) = gather_with(&args.files, &mut settings, is_source)?;
-    let cache = args.cache.as_deref().map(|path| Cache::open(path, args, &settings)).transpose()?;
+    let cache = args.cache.as_deref().and_then(|path| Cache::open(path, args, &settings));
     let worker = Worker { args, settings: &settings, cache: cache.as_ref() };
     if args.fixing.safety().is_some() {
         args.input.patch.none_with("`--fix`")?;
@@ -66,7 +68,9 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     let clean = std::mem::take(&mut reporter.clean);
     let outcome = reporter.finish(Some(&args.fixing))?;
     args.vendor_report.iter().try_for_each(|path| vendor.write(path))?;
-    cache.map_or(Ok(()), |cache| cache.save(clean))?;
+    if let Some(cache) = cache {
+        cache.save(clean);
+    }
     Ok(outcome)
 }
 
@@ -228,7 +232,12 @@ impl Worker<'_> {
             findings if is_offered => objdict_project::with_sound_fixes(description, findings, check),
             findings => findings,
         };
-        let findings = of_devices(&description, examine);
+        let mut findings = of_devices(&description, examine);
+        if let Some(revision) = &self.args.since
+            && let Err(failure) = self.sift(revision, file, &description, &mut findings, &check)
+        {
+            return Checked::Failed(failure);
+        }
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined {
             description,
@@ -239,6 +248,38 @@ impl Worker<'_> {
             unwritten,
             key,
         }))
+    }
+}
+
+impl Worker<'_> {
+    /// Takes away what is found in the file as git has it at a revision too; of one that is new everything stays.
+    fn sift(
+        &self,
+        revision: &str,
+        file: &InputFile,
+        description: &Description,
+        findings: &mut [Findings],
+        check: &dyn Fn(&Description) -> Findings,
+    ) -> Result<(), Failure> {
+        let Some(bytes) = git::read(revision, &file.path, self.args.input.size.max_size)? else {
+            return Ok(());
+        };
+        let patches = file.project.as_ref().map(|project| &project.patches[..]).unwrap_or_default();
+        let Ok(CheckedInput::Description(former)) = self.args.input.candidate(&file.path, bytes, patches)
+        else {
+            return Ok(());
+        };
+        let former = self.with_origin(&file.path, *former)?;
+        let mut known = Baseline::default();
+        former.map_devices(|device| known.add("", device, &by_place(device, check(device))));
+        let mut of_devices = findings.iter_mut();
+        description.map_devices(|device| {
+            if let Some(findings) = of_devices.next() {
+                *findings = by_place(device, std::mem::take(findings));
+                known.suppress("", device, findings, |_| false);
+            }
+        });
+        Ok(())
     }
 }
 

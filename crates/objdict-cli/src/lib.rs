@@ -23,6 +23,7 @@ mod files;
 mod fix;
 mod fmt;
 mod generate;
+mod git;
 mod help;
 mod identify;
 mod input;

@@ -1,16 +1,30 @@
 //! The reports that `check` writes.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::args::{Counting, ReportArgs, ReportFormat};
 use super::ending::Failure;
 use super::stdout::Output;
+use objdict_model::source::absolute;
 use objdict_project::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, TextReport};
 
-/// The report that was asked for. Services get paths as they are seen from the current folder.
+/// The folder of a project in a job of GitHub and of GitLab.
+const FOLDERS_OF_JOBS: [&str; 2] = ["GITHUB_WORKSPACE", "CI_PROJECT_DIR"];
+
+/// The folder from which services see paths: that of the repository, if this runs in a job below it.
+pub(super) fn base(stated: Option<&Path>) -> PathBuf {
+    let here = std::env::current_dir().unwrap_or_default();
+    if let Some(stated) = stated {
+        return absolute(stated);
+    }
+    let of_jobs = FOLDERS_OF_JOBS.iter().filter_map(std::env::var_os).map(|folder| absolute(folder.as_ref()));
+    of_jobs.into_iter().find(|folder| here.starts_with(folder)).unwrap_or(here)
+}
+
+/// The report that was asked for.
 pub(super) fn new<'a>(args: &ReportArgs, out: &'a mut Output) -> Result<Box<dyn Report + 'a>, Failure> {
     let detail = detail(args)?;
-    let base = std::env::current_dir().unwrap_or_else(|_| PathBuf::new());
+    let base = base(args.base.as_deref());
     Ok(match args.format {
         ReportFormat::Text => {
             let colour = out.colour();

@@ -92,7 +92,7 @@ impl DecodeArgs {
             DecodeFormat::Junit => ReportFormat::Junit,
             DecodeFormat::Csv => return None,
         };
-        Some(ReportArgs { format, detail: self.detail.clone() })
+        Some(ReportArgs { format, base: None, detail: self.detail.clone() })
     }
 }
 

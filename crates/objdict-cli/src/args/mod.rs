@@ -242,6 +242,9 @@ pub(super) struct CheckArgs {
     /// Remember in this file which files have no findings, and skip them as long as they and the settings stay the same
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
     pub cache: Option<PathBuf>,
+    /// Report only what was not found in git's version of each file at this revision, such as the base of a merge request
+    #[arg(long, value_name = "REV", conflicts_with_all = ["fix", "diff", "write_baseline"])]
+    pub since: Option<String>,
     #[command(flatten)]
     pub input: InputArgs,
     #[command(flatten)]

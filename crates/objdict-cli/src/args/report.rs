@@ -1,5 +1,7 @@
 //! How results are written.
 
+use std::path::PathBuf;
+
 use clap::ValueEnum;
 
 // How findings are reported.
@@ -8,6 +10,10 @@ pub(crate) struct ReportArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
+    /// Write paths in reports for services (sarif, github, gitlab, junit) relative to FOLDER; by default the repository's
+    /// folder in a job of GitHub or GitLab, otherwise the current folder
+    #[arg(long, value_name = "FOLDER")]
+    pub base: Option<PathBuf>,
     #[command(flatten)]
     pub detail: ReportDetailArgs,
 }
@@ -15,8 +21,8 @@ pub(crate) struct ReportArgs {
 // How much a report says.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ReportDetailArgs {
-    /// Report every finding separately: by default, findings with the same cause are merged, and the text report shows
-    /// 20 findings per file
+    /// Report every finding, also those that another finding explains, and each separately: by default, text and concise
+    /// merge findings with the same cause, and text shows 20 findings per file
     #[arg(long)]
     pub all: bool,
     /// Count the findings per rule; `=only` hides the findings themselves. For the formats text, concise and json

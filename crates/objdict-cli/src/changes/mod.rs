@@ -2,7 +2,6 @@
 
 mod against;
 mod choice;
-mod git;
 mod html;
 mod identifiers;
 mod json;
@@ -11,14 +10,13 @@ pub(super) mod release;
 mod side;
 mod text;
 
-use std::path::Path;
-
 pub(super) use self::choice::ChangeChoice;
 #[cfg(feature = "schema")]
 pub(super) use self::json::ChangesJson as ChangesDocument;
 use self::side::{ComparedSide, sides};
 use super::args::{DiffArgs, DiffFormat};
 use super::ending::{Failure, Outcome};
+use super::report;
 use super::settings::{CommandSettings, SettingsArgs};
 use super::stdout::Output;
 use objdict_lint::changes::{ChangeVerdict, DeviceChange, compare};
@@ -114,7 +112,7 @@ fn github(comparison: &ComparedDescriptions, out: &mut Output) -> Result<(), Fai
     let (here, gone): (Vec<&DeviceChange>, Vec<&DeviceChange>) =
         changes.iter().partition(|change| change.new_place.is_some());
     let mut raw = out.raw()?;
-    let mut report = Github::new(&mut raw).base(Path::new("."));
+    let mut report = Github::new(&mut raw).base(&report::base(None));
     for (side, changes) in [(old, gone), (new, here)] {
         let mut findings = Findings::new();
         changes.into_iter().for_each(|change| findings.push(change.finding()));

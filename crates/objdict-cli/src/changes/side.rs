@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::git;
 use crate::args::SidesArgs;
 use crate::ending::Failure;
+use crate::git;
 use crate::input::{FileKind, Input, InputArgs, name_of, source_name};
 use crate::settings::ConfigFileArgs;
 use objdict_format::Description;
@@ -32,7 +32,11 @@ pub(super) fn sides(
         None => read(&args.old)?,
         Some(revision) => {
             let file = format!("{revision}:{}", source_name(new));
-            let bytes = git::read(revision, new, input.size.max_size)?;
+            let bytes = git::read(revision, new, input.size.max_size)?.ok_or_else(|| {
+                let message = format!("git has no file `{}` at `{revision}`", name_of(new));
+                let help = "name the file of that revision with OLD and NEW: `git show REV:PATH` prints it";
+                Failure::new(message).help(help)
+            })?;
             let read = input.reading_with(&config.patches_of(new)?).read_one(&file, bytes)?;
             ComparedSide::new(file, read)?
         }

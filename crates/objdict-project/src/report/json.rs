@@ -38,7 +38,7 @@ pub struct CheckJson<'a> {
     /// With `--statistics`, the rules with findings: the highest severity first, then the most findings.
     #[schemars(skip_serializing_if = "Option::is_none")]
     statistics: Option<Vec<super::statistics::Statistic>>,
-    /// Rules with more than 1000 findings in a file.
+    /// Rules with more than 1000 findings in a file, of which `findings` has 1000.
     omitted: Vec<Omitted>,
     /// What was found in all files.
     summary: FindingCounts,
@@ -64,7 +64,8 @@ struct FindingJson<'a> {
     /// Other places that belong to the finding.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<Related<'a>>,
-    /// The other places of the same cause, in the order of the text. With `--all` each is a finding.
+    /// The other places of the same cause, where the document is shown to people, as by the page of `objdict open`; `check`
+    /// reports each place as a finding.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     places: Vec<Related<'a>>,
     /// 16 hex digits that identify the finding in its file, and stay when lines move, lists are renumbered or a message is

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use objdict_model::source::absolute;
+
 /// The folder that paths are relative to.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RelativeBase(Option<PathBuf>);
@@ -11,12 +13,13 @@ impl RelativeBase {
         Self(Some(folder.to_owned()))
     }
 
-    /// The way to a file from the folder; a path that leads elsewhere stays as it is.
+    /// The way to a file from the folder; a path that leads elsewhere stays as it is, and so does what is no path.
     pub(super) fn relative(&self, name: &str) -> String {
         // a drive has a shorter name than `\\?\C:`, which no URI can have
         let plain = name.strip_prefix(r"\\?\").filter(|rest| rest.as_bytes().get(1) == Some(&b':'));
         let path = Path::new(plain.unwrap_or(name));
-        let inside = self.0.as_deref().and_then(|base| path.strip_prefix(base).ok());
+        let full = if name.starts_with('<') { path.to_owned() } else { absolute(path) };
+        let inside = self.0.as_deref().and_then(|base| full.strip_prefix(base).ok());
         let shown = inside.unwrap_or(path).to_string_lossy();
         let shown = if cfg!(windows) { shown.replace('\\', "/") } else { shown.into_owned() };
         let mut rest = shown.as_str();
@@ -81,6 +84,12 @@ mod tests {
         ] {
             assert_eq!(base.relative(name), told);
         }
+        let here = std::env::current_dir().unwrap();
+        let above = RelativeBase::new(here.parent().unwrap());
+        let folder = here.file_name().unwrap().to_string_lossy();
+        assert_eq!(above.relative("src/a.eds"), format!("{folder}/src/a.eds"));
+        assert_eq!(above.relative("../other/a.eds"), "other/a.eds");
+        assert_eq!(above.relative("<stdin>"), "<stdin>");
         assert_eq!(RelativeBase::default().relative("/home/me/a.eds"), "/home/me/a.eds");
     }
 

@@ -5,13 +5,13 @@ use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::ending::Failure;
-use crate::input::name_of;
+use super::ending::Failure;
+use super::input::name_of;
 use objdict_format::ReadError;
 use objdict_model::source;
 
-/// The bytes of a file at a revision, as git has stored them.
-pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Vec<u8>, Failure> {
+/// The bytes of a file at a revision, as git has stored them; `None` if it has no such file there.
+pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Option<Vec<u8>>, Failure> {
     let name = path.file_name().filter(|_| path != Path::new("-"));
     let name =
         name.ok_or_else(|| Failure::new(format!("`{}` is not a file of a git repository", name_of(path))))?;
@@ -35,18 +35,24 @@ pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Vec<u8>
     let is_done = git.wait().is_ok_and(|status| status.success());
     match stored {
         Some(Err(error)) => Err(ReadError::from(error).into()),
-        Some(Ok(bytes)) if is_done => Ok(bytes),
+        Some(Ok(bytes)) if is_done => Ok(Some(bytes)),
+        _ if MISSING.iter().any(|text| complaint.contains(text)) => Ok(None),
         _ => Err(refused(revision, path, &complaint)),
     }
 }
+
+/// What git says of a file that is not there.
+const MISSING: [&str; 2] = ["does not exist", "but not in"];
 
 /// So much of what git says is read.
 const MAX_COMPLAINT: u64 = 4096;
 
 fn not_started(error: &io::Error) -> Failure {
     match error.kind() {
-        ErrorKind::NotFound => Failure::new("`--git` needs the program git, which is not in the path")
-            .help("install git, or give both files"),
+        ErrorKind::NotFound => {
+            Failure::new("the program git, which has the former version of the file, is not in the path")
+                .help("install git")
+        }
         _ => Failure::new(format!("git cannot be started: {error}")),
     }
 }
@@ -56,15 +62,11 @@ fn refused(revision: &str, path: &Path, complaint: &str) -> Failure {
     let name = name_of(path);
     let says = |text: &str| complaint.contains(text);
     if says("not a git repository") {
-        return Failure::new(format!("`{name}` is in no git repository")).help("give both files");
+        return Failure::new(format!("`{name}` is in no git repository"));
     }
     if says("invalid object name") || says("unknown revision") || says("bad revision") {
         let failure = Failure::new(format!("git has no revision `{revision}`"));
         return failure.help("fetch it first: `git fetch origin main` for `origin/main`");
-    }
-    if says("does not exist") || says("but not in") {
-        let help = "name the file of that revision with OLD and NEW: `git show REV:PATH` prints it";
-        return Failure::new(format!("git has no file `{name}` at `{revision}`")).help(help);
     }
     let first = complaint.lines().next().unwrap_or_default();
     Failure::new(format!("git cannot read `{name}` at `{revision}`: {first}"))
