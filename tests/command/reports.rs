@@ -253,7 +253,7 @@ fn assert_refers_to_what_is_listed(run: &Value, least: usize) {
         for location in list(result, "locations").iter().chain(list(result, "relatedLocations")) {
             assert!(is_listed(&location["physicalLocation"]["artifactLocation"]), "{location}");
         }
-        assert!(result["partialFingerprints"]["objdict/v1"].is_string(), "{result}");
+        assert!(result["partialFingerprints"]["objdict/v2"].is_string(), "{result}");
     }
 }
 

@@ -96,7 +96,7 @@ const DEVICES: &[Device] = &[
             "cia301/restricted-can-id 0x1821sub1 / DefaultValue",
         ],
         also: &[
-            "cia301/pdo-valid-by-default 0x1804sub1 / DefaultValue",
+            "cia301/pdo-valid-by-default",
             // 520h to 560h plus the node-ID reach the default SDO on the higher nodes
             "cia301/restricted-can-id 0x1819sub1 / DefaultValue",
             "cia301/restricted-can-id 0x181Asub1 / DefaultValue",
@@ -180,11 +180,14 @@ fn every_misprint_is_found_and_nothing_else() {
     for Device { name, main, also } in DEVICES {
         let found = found(name);
         let main: BTreeSet<String> = main.iter().map(|&finding| finding.to_owned()).collect();
-        let also: BTreeSet<String> = also.iter().map(|&finding| finding.to_owned()).collect();
+        // at one place, or a rule at any
+        let is_accepted = |finding: &str| {
+            also.iter().any(|also| *also == finding || finding.split(' ').next() == Some(*also))
+        };
         let missed: Vec<_> = main.difference(&found).collect();
         assert!(missed.is_empty(), "{name}: not found: {missed:#?}");
         let more: Vec<_> =
-            found.iter().filter(|finding| !main.contains(*finding) && !also.contains(*finding)).collect();
+            found.iter().filter(|finding| !main.contains(*finding) && !is_accepted(finding)).collect();
         assert!(more.is_empty(), "{name}: found, but nothing is wrong there: {more:#?}");
     }
 }

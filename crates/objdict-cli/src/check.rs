@@ -252,7 +252,7 @@ impl Worker<'_> {
 }
 
 impl Worker<'_> {
-    /// Takes away what is found in the file as git has it at a revision too; of one that is new everything stays.
+    /// Removes the findings that the file has at a revision of git too; of a new file everything stays.
     fn sift(
         &self,
         revision: &str,

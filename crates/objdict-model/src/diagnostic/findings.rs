@@ -29,7 +29,7 @@ impl Findings {
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let is_full = self.is_full(diagnostic.rule);
         let seen = self.seen.entry(diagnostic.rule.id).or_default();
-        *seen = seen.saturating_add(1);
+        *seen = seen.saturating_add(places_of(&diagnostic));
         if !is_full {
             self.kept.push(diagnostic);
         }
@@ -49,10 +49,10 @@ impl Findings {
     pub fn filter_map(self, mut change: impl FnMut(Diagnostic) -> Option<Diagnostic>) -> Self {
         let Self { kept, mut seen, suppressed } = self;
         let change = |diagnostic: Diagnostic| {
-            let rule = diagnostic.rule.id;
+            let (rule, places) = (diagnostic.rule.id, places_of(&diagnostic));
             let changed = change(diagnostic);
             if let Some(seen) = seen.get_mut(rule).filter(|_| changed.is_none()) {
-                *seen = seen.saturating_sub(1);
+                *seen = seen.saturating_sub(places);
             }
             changed
         };
@@ -87,7 +87,7 @@ impl Findings {
             if is_suppressed {
                 *suppressed = suppressed.saturating_add(1);
                 if let Some(seen) = seen.get_mut(finding.rule.id) {
-                    *seen = seen.saturating_sub(1);
+                    *seen = seen.saturating_sub(places_of(finding));
                 }
             }
             !is_suppressed
@@ -194,13 +194,17 @@ impl Findings {
     }
 }
 
+/// The number of places of a finding and those joined with it.
+fn places_of(finding: &Diagnostic) -> u32 {
+    u32::try_from(finding.also.len()).unwrap_or(u32::MAX).saturating_add(1)
+}
+
 /// How many places of each rule are in findings.
 fn places_of_rules<'a>(findings: impl IntoIterator<Item = &'a Diagnostic>) -> BTreeMap<&'static str, u32> {
     let mut places: BTreeMap<&'static str, u32> = BTreeMap::new();
     for finding in findings {
-        let further = u32::try_from(finding.also.len()).unwrap_or(u32::MAX);
         let count = places.entry(finding.rule.id).or_default();
-        *count = count.saturating_add(1).saturating_add(further);
+        *count = count.saturating_add(places_of(finding));
     }
     places
 }

@@ -39,7 +39,7 @@ impl CommonCause {
     }
 }
 
-/// The findings of a file, each at its place, for programs, which tell a new place of a known mistake by it: only findings
+/// The findings of a file, each at its place, by which programs recognise a new one of a known kind. Only those
 /// that another one explains are left out, such as the wrong count of a list in which a number is used twice.
 ///
 /// [`grouped`] shows them to people.

@@ -10,7 +10,7 @@ mod values;
 
 use super::keys::FieldKey;
 use super::section::{NameSpelling, SectionName, section_name};
-use crate::diagnostic::{Diagnostic, Findings, Fix, MAX_FIX_LINES, Text, say};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Text};
 use crate::ini::{self, Document};
 use crate::model::{Device, Entry, Field, Part};
 pub use crate::source::Span;
@@ -19,8 +19,6 @@ pub use rules::RULES;
 
 /// Adds the findings of the text from which `device` was read.
 pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
-    let mut spelling = spelling::Spellings::default();
-    let mut values = values::ReportedValues::default();
     let mut order = structure::ObjectOrder::default();
     let text = document.text();
     document.visit(
@@ -29,14 +27,12 @@ pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
             let name = header.name.of(text);
             let parsed = SectionName::parse(name);
             let section = CheckedSection { text, device, header, name, parsed: &parsed, ini: section };
-            spelling.check(&section, findings);
-            values.check(&section, findings);
+            spelling::check(&section, findings);
+            values::check(&section, findings);
             order.check(&section, findings);
         },
         |_| {},
     );
-    spelling.finish(findings);
-    values.finish(findings);
     structure::commented_sections(document, findings);
     loading::check(document, findings);
 }
@@ -103,49 +99,19 @@ impl SectionLine<'_> {
     }
 }
 
-/// Places with one cause, reported as one finding at the first place.
-#[derive(Default)]
-struct Together {
-    first: Option<(Span, Text)>,
-    others: usize,
-    edits: Vec<(Span, String)>,
-}
-
-impl Together {
-    fn add(&mut self, at: Span, message: impl FnOnce() -> Text) {
-        match self.first {
-            Some(_) => self.others += 1,
-            None => self.first = Some((at, message())),
+/// Reports a place, with the text that the fix writes: there, or at another span.
+fn report(
+    (rule, at): (&'static RuleInfo, Span),
+    help: &'static str,
+    fix: Option<(Span, String)>,
+    message: impl FnOnce() -> Text,
+    findings: &mut Findings,
+) {
+    findings.push_with(rule, || {
+        let finding = Diagnostic::new(rule, at, message()).help(help);
+        match fix {
+            Some((span, text)) => finding.fix(Fix::safe(help).replace(span, text)),
+            None => finding,
         }
-    }
-
-    /// A text for one of the places; no fix has more than [`MAX_FIX_LINES`].
-    fn fix(&mut self, at: Span, text: impl Into<String>) {
-        if self.edits.len() <= MAX_FIX_LINES {
-            self.edits.push((at, text.into()));
-        }
-    }
-
-    /// The finding for all places; `title` is the title of its fix.
-    fn finish(
-        self,
-        rule: &'static crate::diagnostic::RuleInfo,
-        help: &'static str,
-        title: &'static str,
-        findings: &mut Findings,
-    ) {
-        let Some((at, message)) = self.first else { return };
-        let message = match self.others {
-            0 => message,
-            others => {
-                say!("{}, and {} like this", message, crate::diagnostic::counted(others, "other", "others"))
-            }
-        };
-        let mut finding = Diagnostic::new(rule, at, message).help(help);
-        if (1..=MAX_FIX_LINES).contains(&self.edits.len()) {
-            let fix = Fix::safe(title);
-            finding.fix = Some(self.edits.into_iter().fold(fix, |fix, (at, text)| fix.replace(at, text)));
-        }
-        findings.push(finding);
-    }
+    });
 }

@@ -3,107 +3,89 @@
 use super::rules::{
     BLANKS_AFTER_SECTION, EMPTY_KEY, HEX_BAUD_RATE, HEX_COUNT, HEX_FLAG, KEY_CASE, SECTION_CASE,
 };
-use super::{CheckedSection, SectionLine, Together};
+use super::{CheckedSection, SectionLine, report};
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
 use crate::model::{Field, Part};
+use crate::source::Span;
 
-/// Findings that are reported once per file.
-#[derive(Default)]
-pub(super) struct Spellings {
-    blanks: Together,
-    sections: Together,
-    keys: Together,
-    /// `ObjectType`, `PDOMapping`, `ObjFlags`, `CompactSubObj`, numbers of `[DeviceInfo]`, and `AccessType` and `DefaultValue` of
-    /// structures without a value.
-    empty: [Together; 7],
+pub(super) fn check(section: &CheckedSection<'_>, findings: &mut Findings) {
+    check_blanks(section, findings);
+    if matches!(section.part(), Part::Section(_)) {
+        return;
+    }
+    check_name(section, findings);
+    for line in section.lines() {
+        check_key(section, &line, findings);
+        check_empty(section, &line, findings);
+        check_number(section, &line, findings);
+    }
 }
 
-impl Spellings {
-    pub(super) fn check(&mut self, section: &CheckedSection<'_>, findings: &mut Findings) {
-        self.check_blanks(section);
-        if matches!(section.part(), Part::Section(_)) {
-            return;
-        }
-        self.check_name(section);
-        for line in section.lines() {
-            self.check_key(section, &line);
-            self.check_empty(section, &line);
-            check_number(section, &line, findings);
-        }
+fn check_blanks(section: &CheckedSection<'_>, findings: &mut Findings) {
+    let line = section.header.line.of(section.text);
+    let header = line.trim_end_matches([' ', '\t']);
+    if header.len() < line.len() && header.ends_with(']') {
+        let end = section.header.line.end;
+        let spaces = Span::new(end - (line.len() - header.len()) as u32, end);
+        let message = || say!("`[{}]` is followed by spaces", section.name);
+        let at = section.header.name;
+        let fix = Some((spaces, String::new()));
+        report((&BLANKS_AFTER_SECTION, at), "remove the spaces", fix, message, findings);
     }
+}
 
-    pub(super) fn finish(self, findings: &mut Findings) {
-        let title = "write the names in the case of the standard";
-        self.sections.finish(&SECTION_CASE, "write the name in the case of the standard", title, findings);
-        let remove = "remove the spaces";
-        self.blanks.finish(&BLANKS_AFTER_SECTION, remove, remove, findings);
-        self.keys.finish(&KEY_CASE, "write the key in the case of the standard", title, findings);
-        for together in self.empty {
-            together.finish(&EMPTY_KEY, "remove the line", "remove the lines without a value", findings);
-        }
+fn check_name(section: &CheckedSection<'_>, findings: &mut Findings) {
+    let Some(standard) = section.standard_name() else { return };
+    let is_object = matches!(section.part(), Part::Object(_));
+    if standard == section.name || is_object || !standard.eq_ignore_ascii_case(section.name) {
+        return;
     }
-
-    fn check_blanks(&mut self, section: &CheckedSection<'_>) {
-        let line = section.header.line.of(section.text);
-        let header = line.trim_end_matches([' ', '\t']);
-        if header.len() < line.len() && header.ends_with(']') {
-            self.blanks.add(section.header.name, || say!("`[{}]` is followed by spaces", section.name));
-            let end = section.header.line.end;
-            self.blanks.fix(crate::source::Span::new(end - (line.len() - header.len()) as u32, end), "");
-        }
+    // tools accept the hex digits of an index or sub-index in both cases
+    let differs = |(a, b): (char, char)| a != b;
+    let letters = |name: &str| -> String { name.chars().filter(|c| !c.is_ascii_hexdigit()).collect() };
+    if letters(&standard).chars().zip(letters(section.name).chars()).any(differs) {
+        let at = section.header.name;
+        let help = "write the name in the case of the standard";
+        let message = || say!("`[{}]` is spelled `[{}]` in the standard", section.name, standard);
+        report((&SECTION_CASE, at), help, Some((at, standard.clone())), message, findings);
     }
+}
 
-    fn check_name(&mut self, section: &CheckedSection<'_>) {
-        let Some(standard) = section.standard_name() else { return };
-        let is_object = matches!(section.part(), Part::Object(_));
-        if standard == section.name || is_object || !standard.eq_ignore_ascii_case(section.name) {
-            return;
-        }
-        // tools accept the hex digits of an index or sub-index in both cases
-        let differs = |(a, b): (char, char)| a != b;
-        let letters = |name: &str| -> String { name.chars().filter(|c| !c.is_ascii_hexdigit()).collect() };
-        if letters(&standard).chars().zip(letters(section.name).chars()).any(differs) {
-            let at = section.header.name;
-            self.sections
-                .add(at, || say!("`[{}]` is spelled `[{}]` in the standard", section.name, standard));
-            self.sections.fix(at, standard);
-        }
-    }
-
-    fn check_key(&mut self, section: &CheckedSection<'_>, line: &SectionLine<'_>) {
-        let standard = match line.field() {
-            Some(field) => field.name(),
-            None => match section.part() {
-                Part::DummyUsage => with_head(line.name, "Dummy").into(),
-                Part::Comments => with_head(line.name, "Line").into(),
-                _ => return,
-            },
-        };
-        if standard != line.name {
-            self.keys.add(line.name_at, || say!("`{}` is spelled `{}` in the standard", line.name, standard));
-            self.keys.fix(line.name_at, standard);
-        }
-    }
-
-    /// Keys for which an empty value means the same as a missing key.
-    fn check_empty(&mut self, section: &CheckedSection<'_>, line: &SectionLine<'_>) {
-        if !line.value.is_empty() {
-            return;
-        }
-        let number = match line.field() {
-            Some(field) if *section.part() == Part::DeviceInfo && is_number(field) => 4,
-            _ if !matches!(section.part(), Part::Object(_) | Part::Entry(..)) => return,
-            Some(Field::ObjectType) => 0,
-            Some(Field::PdoMapping) if holds_value(section) => 1,
-            Some(Field::ObjFlags) => 2,
-            Some(Field::CompactSubObj) => 3,
-            Some(Field::AccessType) if !holds_value(section) => 5,
-            Some(Field::DefaultValue) if !holds_value(section) => 6,
+fn check_key(section: &CheckedSection<'_>, line: &SectionLine<'_>, findings: &mut Findings) {
+    let standard = match line.field() {
+        Some(field) => field.name(),
+        None => match section.part() {
+            Part::DummyUsage => with_head(line.name, "Dummy").into(),
+            Part::Comments => with_head(line.name, "Line").into(),
             _ => return,
-        };
-        let together = &mut self.empty[number];
-        together.add(line.name_at, || say!("`{}` has no value", line.name));
-        together.fix(whole_line(section.text, line), "");
+        },
+    };
+    if standard != line.name {
+        let help = "write the key in the case of the standard";
+        let fix = Some((line.name_at, standard.clone().into_owned()));
+        let message = || say!("`{}` is spelled `{}` in the standard", line.name, standard);
+        report((&KEY_CASE, line.name_at), help, fix, message, findings);
+    }
+}
+
+/// Keys for which an empty value means the same as a missing key.
+fn check_empty(section: &CheckedSection<'_>, line: &SectionLine<'_>, findings: &mut Findings) {
+    if !line.value.is_empty() {
+        return;
+    }
+    let is_meant = match line.field() {
+        Some(field) if *section.part() == Part::DeviceInfo && is_number(field) => true,
+        _ if !matches!(section.part(), Part::Object(_) | Part::Entry(..)) => false,
+        Some(Field::ObjectType | Field::ObjFlags | Field::CompactSubObj) => true,
+        Some(Field::PdoMapping) => holds_value(section),
+        // of a structure without a value
+        Some(Field::AccessType | Field::DefaultValue) => !holds_value(section),
+        _ => false,
+    };
+    if is_meant {
+        let fix = Some((whole_line(section.text, line), String::new()));
+        let message = || say!("`{}` has no value", line.name);
+        report((&EMPTY_KEY, line.name_at), "remove the line", fix, message, findings);
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::rules::{COMMENTED_SECTION, DUMMY_USAGE, SPARSE_NAMES, SUB_BEFORE_OBJECT};
-use super::{CheckedSection, Together};
+use super::{CheckedSection, report};
 use crate::diagnostic::{Diagnostic, Findings, Fix, listing, listing_or, say};
 use crate::ini::{Document, LineKind};
 use crate::model::{Field, Part, Place};
@@ -90,7 +90,7 @@ fn check_dummies(section: &CheckedSection<'_>, findings: &mut Findings) {
 /// Headers in comments that are followed by keys before the next header.
 pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
     let text = document.text();
-    let mut together = Together::default();
+    let help = "add a space after the `;`";
     let mut commented: Option<(Span, &str)> = None;
     for line in document.lines() {
         match line.kind {
@@ -107,15 +107,14 @@ pub(super) fn commented_sections(document: &Document, findings: &mut Findings) {
                 if let Some((at, shown)) = commented.take() {
                     let start = at.start - (shown.len() - shown.trim_start_matches(';').len()) as u32;
                     let span = Span::new(start, start + shown.len() as u32);
-                    together.add(span, || say!("keys follow the commented header `{}`", shown.trim_end()));
-                    together.fix(at, " ");
+                    let message = || say!("keys follow the commented header `{}`", shown.trim_end());
+                    let fix = Some((at, " ".to_owned()));
+                    report((&COMMENTED_SECTION, span), help, fix, message, findings);
                 }
             }
             LineKind::Blank | LineKind::Junk => {}
         }
     }
-    let help = "add a space after the `;`";
-    together.finish(&COMMENTED_SECTION, help, "add a space after the `;`", findings);
 }
 
 /// `[` with letters and digits up to the `]`.

@@ -4,117 +4,84 @@ use super::rules::{
     BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, NEGATIVE_HEX, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT,
     UNQUOTED_STRING,
 };
-use super::{CheckedSection, SectionLine, Together};
+use super::{CheckedSection, SectionLine, report};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{DataType, Field, Part, TypeKind};
 
-/// Findings that are reported once per file.
-#[derive(Default)]
-pub(super) struct ReportedValues {
-    reals: Together,
-    strings: Together,
-    limits: Together,
-    negative: Together,
-}
-
-impl ReportedValues {
-    pub(super) fn check(&mut self, section: &CheckedSection<'_>, findings: &mut Findings) {
-        let data_type = section.entry().and_then(|entry| entry.data_type);
-        for line in section.lines().filter(|line| !line.value.is_empty()) {
-            let is_value = match line.field() {
-                Some(Field::DefaultValue | Field::ParameterValue) => true,
-                Some(field @ (Field::LowLimit | Field::HighLimit)) => {
-                    self.check_real(data_type, &line);
-                    self.check_limit(data_type, field, &line);
-                    false
-                }
-                None => matches!(section.part(), Part::CompactValues(_)),
-                Some(_) => false,
-            };
-            if is_value {
-                self.check_real(data_type, &line);
-                self.check_string(data_type, &line);
-                self.check_negative(data_type, &line);
-                check_bare_node_id(data_type, &line, findings);
+pub(super) fn check(section: &CheckedSection<'_>, findings: &mut Findings) {
+    let data_type = section.entry().and_then(|entry| entry.data_type);
+    for line in section.lines().filter(|line| !line.value.is_empty()) {
+        let is_value = match line.field() {
+            Some(Field::DefaultValue | Field::ParameterValue) => true,
+            Some(field @ (Field::LowLimit | Field::HighLimit)) => {
+                check_real(data_type, &line, findings);
+                check_limit(data_type, field, &line, findings);
+                false
             }
-            if is_text(section, &line, is_value.then_some(data_type).flatten()) {
-                check_text(section, &line, findings);
-            }
-        }
-    }
-
-    pub(super) fn finish(self, findings: &mut Findings) {
-        let no_fix = "";
-        self.reals.finish(
-            &REAL_AS_DECIMAL,
-            "write the bits in hex, such as `0x3FC00000`, in a copy for this tool",
-            "write the bits of all REAL numbers",
-            findings,
-        );
-        self.strings.finish(
-            &UNQUOTED_STRING,
-            "put the text in quotes in a copy for dcf2dev; other tools read them as part of the text",
-            no_fix,
-            findings,
-        );
-        self.negative.finish(
-            &NEGATIVE_HEX,
-            "write the number in decimal",
-            "write negative hex numbers in decimal",
-            findings,
-        );
-        self.limits.finish(&LIMIT_NOT_READ, "check the limits in the application", no_fix, findings);
-    }
-
-    fn check_real(&mut self, data_type: Option<DataType>, line: &SectionLine<'_>) {
-        let is_real = matches!(data_type, Some(DataType::REAL32 | DataType::REAL64));
-        if is_real && line.value != "0" && !is_hex(line.value) {
-            self.reals.add(line.value_at, || say!("the REAL `{}` is not written as its bits", line.value));
-            if let Some(bits) = bits_of(line.value, data_type) {
-                self.reals.fix(line.value_at, bits);
-            }
-        }
-    }
-
-    fn check_string(&mut self, data_type: Option<DataType>, line: &SectionLine<'_>) {
-        let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
-        if is_string && !line.value.starts_with(['"', '\'']) {
-            self.strings.add(line.value_at, || say!("the string `{}` has no quotes", line.value));
-        }
-    }
-
-    fn check_negative(&mut self, data_type: Option<DataType>, line: &SectionLine<'_>) {
-        let digits = line.value.strip_prefix('-');
-        if data_type.is_some_and(DataType::is_integer) && digits.is_some_and(is_hex) {
-            self.negative.add(line.value_at, || say!("`{}` is a negative hex number", line.value));
-            let mut quirks = Quirks::default();
-            if let Ok(value) = literal::value_in_line(line.value, data_type, &mut quirks)
-                && !quirks.has(Quirk::TrailingComment)
-            {
-                self.negative.fix(line.value_at, literal::print(&value, literal::Spelling::default()));
-            }
-        }
-    }
-
-    fn check_limit(&mut self, data_type: Option<DataType>, field: &Field, line: &SectionLine<'_>) {
-        let Some(data_type) = data_type else { return };
-        let reason = match data_type {
-            _ if line.value.starts_with('$') => "a formula",
-            DataType::REAL32 | DataType::REAL64
-                if line.value.contains(['.', 'e', 'E']) && !is_hex(line.value) =>
-            {
-                "a REAL"
-            }
-            DataType::INTEGER24 | DataType::INTEGER40 | DataType::INTEGER48 | DataType::INTEGER56 => {
-                "of an integer type of unusual width"
-            }
-            _ => return,
+            None => matches!(section.part(), Part::CompactValues(_)),
+            Some(_) => false,
         };
-        self.limits.add(line.value_at, || say!("`{}` is {}", field, reason));
+        if is_value {
+            check_real(data_type, &line, findings);
+            check_string(data_type, &line, findings);
+            check_negative(data_type, &line, findings);
+            check_bare_node_id(data_type, &line, findings);
+        }
+        if is_text(section, &line, is_value.then_some(data_type).flatten()) {
+            check_text(section, &line, findings);
+        }
     }
 }
 
+fn check_real(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mut Findings) {
+    let is_real = matches!(data_type, Some(DataType::REAL32 | DataType::REAL64));
+    if is_real && line.value != "0" && !is_hex(line.value) {
+        let help = "write the bits in hex, such as `0x3FC00000`, in a copy for this tool";
+        let fix = bits_of(line.value, data_type).map(|bits| (line.value_at, bits));
+        let message = || say!("the REAL `{}` is not written as its bits", line.value);
+        report((&REAL_AS_DECIMAL, line.value_at), help, fix, message, findings);
+    }
+}
+
+fn check_string(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mut Findings) {
+    let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
+    if is_string && !line.value.starts_with(['"', '\'']) {
+        let help = "put the text in quotes in a copy for dcf2dev; other tools read them as part of the text";
+        let message = || say!("the string `{}` has no quotes", line.value);
+        report((&UNQUOTED_STRING, line.value_at), help, None, message, findings);
+    }
+}
+
+fn check_negative(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mut Findings) {
+    let digits = line.value.strip_prefix('-');
+    if data_type.is_some_and(DataType::is_integer) && digits.is_some_and(is_hex) {
+        let mut quirks = Quirks::default();
+        let value = literal::value_in_line(line.value, data_type, &mut quirks).ok();
+        let value = value.filter(|_| !quirks.has(Quirk::TrailingComment));
+        let fix = value.map(|value| (line.value_at, literal::print(&value, literal::Spelling::default())));
+        let message = || say!("`{}` is a negative hex number", line.value);
+        report((&NEGATIVE_HEX, line.value_at), "write the number in decimal", fix, message, findings);
+    }
+}
+
+fn check_limit(data_type: Option<DataType>, field: &Field, line: &SectionLine<'_>, findings: &mut Findings) {
+    let Some(data_type) = data_type else { return };
+    let reason = match data_type {
+        _ if line.value.starts_with('$') => "a formula",
+        DataType::REAL32 | DataType::REAL64
+            if line.value.contains(['.', 'e', 'E']) && !is_hex(line.value) =>
+        {
+            "a REAL"
+        }
+        DataType::INTEGER24 | DataType::INTEGER40 | DataType::INTEGER48 | DataType::INTEGER56 => {
+            "of an integer type of unusual width"
+        }
+        _ => return,
+    };
+    let message = || say!("`{}` is {}", field, reason);
+    report((&LIMIT_NOT_READ, line.value_at), "check the limits in the application", None, message, findings);
+}
 /// The bits of a REAL in hex; `None` where a comment would be lost.
 fn bits_of(text: &str, data_type: Option<DataType>) -> Option<String> {
     let mut quirks = Quirks::default();
