@@ -23,7 +23,8 @@ pub use rule::{Explained, HOME, PUBLISHED, Reach, RuleInfo, Selection, Stop, Too
 pub use safety::{Applicability, FixSafety};
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or, series, series_or};
 pub use words::{
-    counted, misspelled, nearest, one_line, plural, printable, printable_lines, sub_index, visible,
+    counted, counted_bits, misspelled, nearest, one_line, plural, printable, printable_lines, sub_index,
+    visible,
 };
 
 named! {

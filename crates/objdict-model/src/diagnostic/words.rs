@@ -7,6 +7,11 @@ pub fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
+/// "1 bit", "8 bits".
+pub fn counted_bits(bits: u8) -> String {
+    counted(bits.into(), "bit", "bits")
+}
+
 /// A sub-index for messages: decimal if below 10, else hex with `h`.
 pub fn sub_index(sub: u8) -> String {
     if sub < 10 { sub.to_string() } else { format!("{sub:X}h") }

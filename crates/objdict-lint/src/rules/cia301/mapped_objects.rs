@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Findings, Fix, Severity, Text, say};
+use crate::diagnostic::{Findings, Fix, Severity, Text, counted_bits, say};
 use crate::model::{Access, DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::rule::rules;
 use crate::{Facts, MappedTo, PdoFacts};
@@ -123,7 +123,7 @@ fn dummy_defect(kind: PdoKind, dummy: MappedObject) -> Option<(Text, Text)> {
     if dummy.sub != 0 {
         return Some((say!("has a dummy entry with sub-index {}, which must be 0", dummy.sub), right));
     }
-    let what = say!("has a dummy entry of {} bits, but {} has {}", dummy.bits, data_type, bits);
+    let what = say!("has a dummy entry of {}, but {} has {}", counted_bits(dummy.bits), data_type, bits);
     (bits != dummy.bits).then_some((what, right))
 }
 

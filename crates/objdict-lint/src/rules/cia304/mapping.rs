@@ -1,6 +1,6 @@
 //! The mapping of SRDOs, and the safety entries with their inverted copies.
 
-use crate::diagnostic::{Findings, Text, say, sub_index};
+use crate::diagnostic::{Findings, Text, counted_bits, say, sub_index};
 use crate::model::{DataType, Device, Field, MappedObject, Place};
 use crate::rule::rules;
 use crate::{Facts, MappedTo, Srdo};
@@ -215,7 +215,8 @@ fn wrong_mapping_length(facts: &Facts<'_>, findings: &mut Findings) {
         let MappedTo::Entry(entry) = target else { continue };
         let Some(data_type) = entry.data_type else { continue };
         let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
-        let message = say!("{} maps {}, but its data type {} has {} bits", srdo, mapped, data_type, bits);
+        let message =
+            say!("{} maps {}, but its data type {} has {}", srdo, mapped, data_type, counted_bits(bits));
         let finding = WRONG_MAPPING_LENGTH.at(place, message);
         let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);
         findings.push(finding.help(say!("write `0x{:08X}`", right)));

@@ -2,7 +2,7 @@
 //! scaling.
 
 use crate::demands::{self, Against, Applied, Expected};
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, RuleInfo, Severity, say, series};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, RuleInfo, Severity, counted_bits, say, series};
 use crate::model::{Device, MappedObject, Object, Part, PdoKind, Place};
 use crate::profile::{device_type_index, index_in, number_of};
 use crate::rule::rules;
@@ -183,9 +183,9 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
         let message = match pair.filter(|(found, right)| (found.index, found.sub) == (right.index, right.sub))
         {
             Some((found, right)) => say!(
-                "{} maps {} bits of {:04X}h:{:02X}, but CiA 401 maps {}",
+                "{} maps {} of {:04X}h:{:02X}, but CiA 401 maps {}",
                 pdo.pdo,
-                found.bits,
+                counted_bits(found.bits),
                 found.index,
                 found.sub,
                 right.bits
@@ -324,8 +324,8 @@ fn error_values(mode: u16) -> &'static [u16] {
 fn error_mode_without_value(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let block = at.applied.block;
     let mode = at.index - (index_in(block, at.facts.first) - at.facts.first);
-    let of_bits = [mode.saturating_add(0x10)];
-    let values = if matches!(mode, 0x6250..=0x6257) { &of_bits } else { error_values(mode) };
+    let counted_bits = [mode.saturating_add(0x10)];
+    let values = if matches!(mode, 0x6250..=0x6257) { &counted_bits } else { error_values(mode) };
     let mut indexes = values.iter().map(|&index| index_in(block, index));
     let Some(first) = indexes.clone().next().filter(|_| !at.object.orphan) else { return };
     if !indexes.any(|index| demands::is_there(at.device, index)) {

@@ -87,7 +87,8 @@ fn interpolation_without_data(drive: Drive<'_>, findings: &mut Findings) {
             INTERPOLATION_WITHOUT_DATA.at(drive.value_place(0x6502, 0), message)
         }
     };
-    findings.push(finding.help("describe the missing objects, or clear bit 6 of 6502h"));
+    findings
+        .push(finding.help(say!("describe the missing objects, or clear bit 6 of {}", drive.name(0x6502))));
 }
 
 /// Whether a cyclic mode requires the time, which another rule checks.

@@ -89,7 +89,7 @@ fn controlword_not_mapped(facts: &Facts<'_>, applied: &Applied<'_>, findings: &m
         if is_open || !is_mappable || pdos.clone().any(maps) {
             continue;
         }
-        let message = say!("no {} maps {} ({}) by default", kind, drive.name(index), name);
+        let message = say!("no {!} maps {} ({}) by default", kind, drive.name(index), name);
         let finding = CONTROLWORD_NOT_MAPPED.at(drive.place(index), message);
         let place = facts.device.value_place(first.pdo.mapping_index(), 1);
         let help = say!("map it as the first object: `0x{:04X}0010`", drive.index(index));

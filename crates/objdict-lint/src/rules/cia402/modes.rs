@@ -190,14 +190,18 @@ fn no_mode_selection(drive: Drive<'_>, findings: &mut Findings) {
     }
     let message = say!("{} is missing, so a master cannot select {}", drive.name(0x6060), series(names));
     let finding = NO_MODE_SELECTION.at(drive.value_place(0x6502, 0), message);
-    findings.push(finding.help("describe 6060h, the modes of operation (INTEGER8, `rw`)"));
+    findings
+        .push(finding.help(say!("describe {}, the modes of operation (INTEGER8, `rw`)", drive.name(0x6060))));
 }
 
 fn no_supported_modes(drive: Drive<'_>, findings: &mut Findings) {
     if drive.has(0x6040) && drive.lacks(0x6502) {
         let message = say!("{} (supported drive modes) is missing", drive.name(0x6502));
         let finding = NO_SUPPORTED_MODES.at(drive.place(0x6040), message);
-        findings.push(finding.help("describe 6502h (UNSIGNED32, `ro`) with the bits of the modes"));
+        findings.push(
+            finding
+                .help(say!("describe {} (UNSIGNED32, `ro`) with the bits of the modes", drive.name(0x6502))),
+        );
     }
 }
 

@@ -1,7 +1,7 @@
 //! The functions of an encoder: class C2, scaling, alarms and CAMs; and its TPDOs.
 
 use crate::demands::{self, Applied};
-use crate::diagnostic::{Findings, Fix, Severity, say, series, sub_index};
+use crate::diagnostic::{Findings, Fix, Severity, counted_bits, say, series, sub_index};
 use crate::model::{DeviceKind, Field, MappedObject, PdoKind, Place};
 use crate::profile::{device_type_index, index_in};
 use crate::rule::rules;
@@ -237,9 +237,9 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
         let MappedObject { index: found, sub, bits } = first.object;
         let message = match POSITION_OBJECTS.iter().find(|right| (right.index, right.sub) == (found, sub)) {
             Some(right) => say!(
-                "{} maps {} bits of {:04X}h:{:02X}, CiA 406 maps {}",
+                "{} maps {} of {:04X}h:{:02X}, CiA 406 maps {}",
                 pdo.pdo,
-                bits,
+                counted_bits(bits),
                 found,
                 sub,
                 right.bits
