@@ -88,7 +88,7 @@ fn git_is_needed() {
     let mut command = Command::new(crate::program());
     command.env("PATH", "").args(["diff", "--git", "HEAD", "fixtures/bases/drive.eds"]);
     let text = String::from_utf8(command.output().unwrap().stderr).unwrap();
-    let error = "error: `--git` needs the program git, which is not in the path\n";
+    let error = "error: the program git, which has the former version of the file, is not in the path\n";
     assert!(text.starts_with(error), "{text}");
 }
 
