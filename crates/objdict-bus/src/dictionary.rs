@@ -4,6 +4,7 @@
 //! generated one.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use objdict_device::{Abort, Attributes, Dictionary, Scope};
 use objdict_generate::{LiveEntry, Options, live_entries};
@@ -53,7 +54,7 @@ impl PowerOn {
 #[derive(Clone, Debug)]
 pub struct LiveDictionary {
     /// In ascending order.
-    entries: Vec<LiveEntry>,
+    entries: Arc<[LiveEntry]>,
     values: Vec<Vec<u8>>,
     /// What the node restarts with.
     stored: Vec<Vec<u8>>,
@@ -76,7 +77,7 @@ impl LiveDictionary {
 
     /// What a generated table with these options answers.
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
-        let entries = live_entries(&power_on.values_of(device), node_id, options);
+        let entries: Arc<[LiveEntry]> = live_entries(&power_on.values_of(device), node_id, options).into();
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
         Self { entries, stored: values.clone(), values, dropped: Vec::new(), is_any: false }
     }
@@ -90,11 +91,6 @@ impl LiveDictionary {
             indexes
         };
         [of(0x1400..=0x15FF), of(0x1800..=0x19FF)]
-    }
-
-    /// The bytes of the longest value.
-    pub(crate) fn longest(&self) -> usize {
-        self.entries.iter().map(|entry| entry.size.max(entry.value.len())).max().unwrap_or_default()
     }
 
     /// Whether there is an entry.

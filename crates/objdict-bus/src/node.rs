@@ -7,8 +7,6 @@ use crate::frame::BusFrame;
 
 /// The longest value of an SDO, in bytes.
 const LONGEST: usize = 1 << 16;
-/// What most devices need: a check of a node begins with clean buffers.
-const SHORT: usize = 1 << 9;
 
 /// Nanoseconds of a millisecond.
 pub(crate) const MILLISECOND: u64 = 1_000_000;
@@ -21,6 +19,8 @@ pub(crate) trait NodeServices {
     fn poll(&mut self, now: u64) -> Option<Frame>;
     fn next(&self, now: u64) -> Option<u64>;
     fn report(&mut self, code: u16);
+    /// The same node as it is now.
+    fn again(&self) -> Box<dyn NodeServices>;
 }
 
 /// The services of a simulated node, and its values.
@@ -28,8 +28,14 @@ trait LiveServices: NodeServices {
     fn dictionary(&self) -> &LiveDictionary;
 }
 
-impl<D: Dictionary, const B: usize, const C: usize, const R: usize, const T: usize, const N: usize>
-    NodeServices for Node<D, B, C, R, T, N>
+impl<
+    D: Dictionary + Clone + 'static,
+    const B: usize,
+    const C: usize,
+    const R: usize,
+    const T: usize,
+    const N: usize,
+> NodeServices for Node<D, B, C, R, T, N>
 {
     fn boot(&mut self, now: u64) -> Frame {
         Self::boot(self, now)
@@ -53,6 +59,10 @@ impl<D: Dictionary, const B: usize, const C: usize, const R: usize, const T: usi
 
     fn report(&mut self, code: u16) {
         Self::report(self, code, [0; 5]);
+    }
+
+    fn again(&self) -> Box<dyn NodeServices> {
+        Box::new(self.clone())
     }
 }
 
@@ -94,17 +104,15 @@ fn services(node_id: u8, dictionary: LiveDictionary, is_manager: bool) -> Box<dy
     }
 }
 
-/// A node alone, with a second SDO server, over any dictionary with these PDOs and values of at most `longest` bytes.
-pub(crate) fn lone<D: Dictionary + 'static>(
+/// A node alone, with a second SDO server, over any dictionary with these PDOs.
+pub(crate) fn lone<D: Dictionary + Clone + 'static>(
     node_id: u8,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
-    longest: usize,
 ) -> Box<dyn NodeServices> {
-    match (has_few(pdos), longest <= SHORT) {
-        (true, true) => node::<_, SHORT, 2, FEW, 127>(node_id, dictionary, pdos),
-        (true, false) => node::<_, LONGEST, 2, FEW, 127>(node_id, dictionary, pdos),
-        (false, _) => node::<_, LONGEST, 2, ALL, 127>(node_id, dictionary, pdos),
+    match has_few(pdos) {
+        true => node::<_, LONGEST, 2, FEW, 127>(node_id, dictionary, pdos),
+        false => node::<_, LONGEST, 2, ALL, 127>(node_id, dictionary, pdos),
     }
 }
 

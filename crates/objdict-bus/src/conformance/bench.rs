@@ -43,8 +43,8 @@ pub(super) struct Bench<'d> {
 }
 
 impl<'d> Bench<'d> {
-    pub(super) fn new(described: &'d DescribedEntries, mut node: Box<dyn NodeServices>) -> Self {
-        let boot_up = node.boot(0);
+    /// With a node that was switched on at the time 0, and what it sent then.
+    pub(super) fn new(described: &'d DescribedEntries, node: Box<dyn NodeServices>, boot_up: Frame) -> Self {
         let client = Client::new(described.node_id);
         let mut bench = Self { described, node, client, now: 0, boot_up };
         bench.run(GAP);

@@ -154,10 +154,11 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
 ) -> Conformance {
     let device = PowerOn::Defaults.values_of(device);
     let live = LiveDictionary::of_table(&device, node_id);
-    let (pdos, longest) = (live.pdos(), live.longest());
+    let pdos = live.pdos();
     let described = DescribedEntries::new(&device, node_id, &live);
-    let dictionary = dictionary(live);
-    let bench = || Bench::new(&described, node(&described, dictionary.clone(), &pdos, longest));
+    let mut node = node(&described, dictionary(live), &pdos);
+    let boot_up = node.boot(0);
+    let bench = || Bench::new(&described, node.again(), boot_up);
     let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
         service: check.service,
         name: check.name.to_owned(),
@@ -170,17 +171,16 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
 }
 
 /// The node, with a memory for a program if the description has one.
-fn node<D: Dictionary + 'static>(
+fn node<D: Dictionary + Clone + 'static>(
     described: &DescribedEntries,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
-    longest: usize,
 ) -> Box<dyn NodeServices> {
     let node_id = described.node_id;
     if !program::is_described(described) {
-        return crate::node::lone(node_id, dictionary, pdos, longest);
+        return crate::node::lone(node_id, dictionary, pdos);
     }
-    crate::node::lone(node_id, program::with_memory(dictionary), pdos, longest)
+    crate::node::lone(node_id, program::with_memory(dictionary), pdos)
 }
 
 fn verdict(step: CheckStep) -> Verdict {
