@@ -104,20 +104,21 @@ impl StuffedBits {
 
     /// The number of stuff bits.
     fn stuffed(&self) -> u32 {
-        // bits that differ from the one before them, from the left
-        let mut changes = (self.number ^ self.number >> 1) << (u128::BITS - self.count);
-        let (mut left, mut stuffed, mut last_is_stuffed) = (self.count, 0, false);
-        changes &= u128::MAX >> 1;
-        while left > 0 {
-            let equal = (changes << 1).leading_zeros().min(left - 1) + 1;
-            // a stuff bit at the end of the bits before is the first of these
-            let run = equal + u32::from(last_is_stuffed);
-            stuffed += run / 5;
-            last_is_stuffed = run.is_multiple_of(5);
-            changes = changes.checked_shl(equal).unwrap_or_default();
-            left -= equal;
+        // bits that equal the one before them, from the left
+        let mut equal = !(self.number ^ self.number >> 1) << (u128::BITS - self.count);
+        equal &= u128::MAX >> 1;
+        let mut stuffed = 0;
+        loop {
+            let four = equal & equal << 1;
+            let start = (four & four << 2).leading_zeros();
+            if start == u128::BITS {
+                return stuffed;
+            }
+            stuffed += 1;
+            // the next bit equals the stuff bit if it differs from the five before it, which no run has any more
+            let next = start + 4;
+            equal = (equal ^ (1 << 127) >> next) & u128::MAX >> next;
         }
-        stuffed
     }
 }
 
