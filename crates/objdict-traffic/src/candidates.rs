@@ -54,7 +54,7 @@ impl<'d> Candidates<'d> {
         self.seen[place] |= bit;
         let asked = decoded.sdo.filter(|sdo| is_answer && sdo.step == TransferStep::Value);
         let at = asked.and_then(|sdo| IDENTITY.iter().position(|entry| Some(*entry) == sdo.entry));
-        if let (Some(at), Some((bytes, _))) = (at, reader.transferred(decoded)) {
+        if let (Some(at), Some(bytes)) = (at, reader.transferred_bytes(decoded)) {
             let number = bytes.iter().rev().fold(0, |number, byte| number << 8 | i128::from(*byte));
             self.answers.entry(node_id).or_default()[at] = Some(number);
             self.is_news = true;

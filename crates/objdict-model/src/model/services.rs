@@ -96,8 +96,8 @@ impl Device {
 
     fn heartbeat_consumers(&self) -> Vec<HeartbeatConsumer> {
         let Some(object) = self.object(0x1016) else { return Vec::new() };
-        let consumers = (1..=127).filter_map(|sub| HeartbeatConsumer::from_number(sub, number(object, sub)?));
-        consumers.collect()
+        let subs = 1..=object.highest_sub().unwrap_or(0).min(127);
+        subs.filter_map(|sub| HeartbeatConsumer::from_number(sub, number(object, sub)?)).collect()
     }
 
     /// The channels whose parameters start at an index, at most 128.

@@ -1,5 +1,7 @@
 //! Logs of candump: `(1436509052.249713) can0 18B#0102040811`, and `  can0  18B   [5]  01 02 04 08 11` as it prints them.
 
+use memchr::memchr;
+
 use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
@@ -66,9 +68,9 @@ impl Candump {
 /// The time at the start of a line, and what is behind it.
 fn time(line: &[u8]) -> Option<(LogTime, &[u8])> {
     let line = line.trim_ascii_start().strip_prefix(b"(")?;
-    let end = line.iter().take(40).position(|byte| *byte == b')')?;
+    let end = memchr(b')', &line[..line.len().min(40)])?;
     let text = line[..end].trim_ascii();
-    let time = match text.iter().position(|byte| *byte == b' ') {
+    let time = match memchr(b' ', text) {
         Some(at) => LogTime::parse_date(&text[..at], text[at + 1..].trim_ascii())?,
         None => LogTime::parse(text, false)?,
     };

@@ -288,7 +288,7 @@ impl BusSums {
                     self.is_written_cut = true;
                     return;
                 }
-                if let Some((bytes, _)) = bus.reader.transferred(decoded) {
+                if let Some(bytes) = bus.reader.transferred_bytes(decoded) {
                     self.written.insert(key, kept(bytes).to_vec());
                 }
             }

@@ -17,7 +17,7 @@ use objdict_network::Service;
 pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
 pub use self::sdo::SdoTransfer;
 use self::sdo::Transfers;
-use self::signals::SignalPlace;
+use self::signals::{PdoContent, SignalPlace};
 pub use self::signals::{PdoSignal, SignalReading};
 use self::stale::Stale;
 use self::talker::{Nodes, TalkingNode};
@@ -127,7 +127,6 @@ impl<'a> FrameReader<'a> {
     pub fn decode(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
         let RawFrame { can_id, is_extended, is_remote, data } = *frame;
         let node_id = (can_id & 0x7F) as u8;
-        self.find_users();
         if is_extended || self.is_channel(frame) {
             return self.configured(frame);
         }
@@ -146,26 +145,24 @@ impl<'a> FrameReader<'a> {
 
     /// The values of a PDO.
     pub fn signals<'r>(&'r self, decoded: &DecodedFrame, frame: &'r RawFrame<'_>) -> Vec<PdoSignal<'r>> {
-        let signals = self.user(decoded, frame).and_then(|user| {
-            let node = self.nodes.get(user.node_id)?;
-            if user.content.is_multiplexed {
+        let signals = self.content(decoded, frame).and_then(|(node, content)| {
+            if content.is_multiplexed {
                 let (node, place, value) = self.multiplexed(node, frame)?;
                 return Some(vec![place.signal(node, Some(value)).into_owned()]);
             }
-            Some(user.content.signals(node, frame.data).collect())
+            Some(content.signals(node, frame.data).collect())
         });
         signals.unwrap_or_default()
     }
 
     /// The values of a PDO without their words, each with the node whose entry it is; without a type the bits are a number.
     pub fn values(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Vec<(u8, (u16, u8), Value)> {
-        let values = self.user(decoded, frame).and_then(|user| {
-            let node = self.nodes.get(user.node_id)?;
-            if user.content.is_multiplexed {
+        let values = self.content(decoded, frame).and_then(|(node, content)| {
+            if content.is_multiplexed {
                 let (node, place, value) = self.multiplexed(node, frame)?;
                 return Some(vec![(node.node_id, place.entry(), place.number(value))]);
             }
-            let values = user.content.values(frame.data);
+            let values = content.values(frame.data);
             Some(values.map(|(entry, value)| (node.node_id, entry, value)).collect())
         });
         values.unwrap_or_default()
@@ -185,7 +182,7 @@ impl<'a> FrameReader<'a> {
 
     /// The number of bytes of a PDO by its mapping, if that is known.
     pub fn mapped_bytes(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<usize> {
-        self.user(decoded, frame)?.content.bytes()
+        self.content(decoded, frame)?.1.bytes()
     }
 
     /// The SDO transfer of a frame, after it.
@@ -195,12 +192,17 @@ impl<'a> FrameReader<'a> {
 
     /// The value of an SDO transfer that is complete with this frame: its bytes, and the value where its type is known.
     pub fn transferred(&self, decoded: &DecodedFrame) -> Option<(&[u8], Option<Value>)> {
+        let bytes = self.transferred_bytes(decoded)?;
+        let node = decoded.node_id.and_then(|node_id| self.nodes.get(node_id));
+        Some((bytes, node.and_then(|node| node.value_of(decoded.sdo?.entry?, bytes))))
+    }
+
+    /// The bytes of that value.
+    pub fn transferred_bytes(&self, decoded: &DecodedFrame) -> Option<&[u8]> {
         let (node_id, sdo) = decoded.node_id.zip(decoded.sdo)?;
         let is_known = sdo.step.has_value() || sdo.step == TransferStep::Written;
         let entry = sdo.entry.filter(|_| is_known)?;
-        let bytes = self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry);
-        let value = self.nodes.get(node_id).and_then(|node| node.value_of(entry, bytes));
-        Some((bytes, value))
+        Some(self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry))
     }
 
     /// What a value of an entry is in a drawing.
@@ -243,10 +245,17 @@ impl<'a> FrameReader<'a> {
         Decoder::english(device, Some(node_id)).error_code(code.into())
     }
 
-    fn user(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<&CanIdUser> {
+    /// The node that has the PDO of a frame, and what it carries.
+    fn content(
+        &self,
+        decoded: &DecodedFrame,
+        frame: &RawFrame<'_>,
+    ) -> Option<(&TalkingNode<'a>, &PdoContent)> {
         let is_pdo = matches!(decoded.service, Some(Service::Pdo(_)));
         let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
-        user.filter(|user| is_pdo && Some(user.service) == decoded.service)
+        let user = user.filter(|user| is_pdo && Some(user.service) == decoded.service)?;
+        let node = self.nodes.get(user.node_id)?;
+        Some((node, user.content(node)))
     }
 
     /// An NMT command: a reset gives nodes back the values that they have then.
@@ -318,7 +327,7 @@ impl<'a> FrameReader<'a> {
         }
     }
 
-    /// Finds the services of nodes whose values have changed.
+    /// Finds the services of nodes whose values have changed, when a frame may be of one: a mapping is written entry by entry.
     fn find_users(&mut self) {
         for (node_id, stale) in std::mem::take(&mut self.stale) {
             if let Some(node) = self.nodes.get_mut(node_id) {
@@ -331,15 +340,20 @@ impl<'a> FrameReader<'a> {
     }
 
     /// Whether an SDO channel of a description has the CAN-ID that is a default one of a node without a description.
-    fn is_channel(&self, frame: &RawFrame<'_>) -> bool {
+    fn is_channel(&mut self, frame: &RawFrame<'_>) -> bool {
         let is_sdo = |user: &CanIdUser| matches!(user.service, Service::SdoRequest | Service::SdoResponse);
-        matches!(frame.can_id, 0x581..=0x5FF | 0x601..=0x67F)
-            && self.users.of(users::key(frame.can_id, false)).is_some_and(|(_, user)| is_sdo(user))
-            && !self.is_described((frame.can_id & 0x7F) as u8)
+        if !matches!(frame.can_id, 0x581..=0x5FF | 0x601..=0x67F)
+            || self.is_described((frame.can_id & 0x7F) as u8)
+        {
+            return false;
+        }
+        self.find_users();
+        self.users.of(users::key(frame.can_id, false)).is_some_and(|(_, user)| is_sdo(user))
     }
 
     /// A frame of a service whose CAN-ID is in the dictionary.
     fn configured(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
+        self.find_users();
         let key = users::key(frame.can_id, frame.is_extended);
         let Some((at, &CanIdUser { node_id, service, channel, .. })) = self.users.of(key) else {
             return self.predefined(frame);

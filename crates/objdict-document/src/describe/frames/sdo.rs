@@ -51,9 +51,9 @@ impl Transfers {
     }
 
     /// What is known of the value of a transfer, which has `length` bytes where the transfer does not say it.
-    pub(super) fn value(&self, channel: (u8, u16), length: Option<u8>) -> &[u8] {
+    pub(super) fn value(&self, channel: (u8, u16), length: impl FnOnce() -> Option<u8>) -> &[u8] {
         let Some(transfer) = self.0.get(&channel) else { return &[] };
-        let length = length.filter(|_| transfer.is_padded);
+        let length = if transfer.is_padded { length() } else { None };
         let shown = length.map_or(SHOWN, usize::from).min(transfer.data.len());
         &transfer.data[..shown]
     }

@@ -128,7 +128,7 @@ impl<'a> Nodes<'a> {
         entry: (u16, u8),
     ) -> &'t [u8] {
         let length = || self.get(channel.0)?.data_type(entry)?.byte_length();
-        transfers.value(channel, length())
+        transfers.value(channel, length)
     }
 
     /// `1017:00 Producer heartbeat time`.
@@ -308,7 +308,7 @@ impl TalkingNode<'_> {
     pub(super) fn learn_mapped(&mut self, stale: Stale) {
         let entries = |pdo: Pdo<'_>| -> Vec<_> {
             let objects = pdo.slots.iter().filter_map(|slot| slot.object);
-            objects.map(|object| (object.index, object.sub)).collect()
+            objects.filter(|object| !object.is_unused()).map(|object| (object.index, object.sub)).collect()
         };
         let entries: Vec<(u16, u8)> = match stale {
             Stale::Pdo(kind, number) => self.device.pdo(kind, number).map(entries).unwrap_or_default(),
@@ -320,7 +320,8 @@ impl TalkingNode<'_> {
 
     /// Adds an entry that no description has, as the documents define it, so that it can have a value.
     pub(super) fn learn(&mut self, (index, sub): (u16, u8)) {
-        if self.learnt.len() >= MAX_LEARNT || self.device.entry(index, sub).is_some() {
+        if self.learnt.len() >= MAX_LEARNT || self.device.object(index).is_some_and(|object| object.has(sub))
+        {
             return;
         }
         let facts = profile::of_object(&self.device, index)

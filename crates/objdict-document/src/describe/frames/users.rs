@@ -1,5 +1,6 @@
 //! Who uses which CAN-ID, by the dictionaries of the nodes.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use objdict_network::Service;
@@ -23,8 +24,21 @@ pub(super) struct CanIdUser {
     pub(super) service: Service,
     /// The number of an SDO channel, from 2 on.
     pub(super) channel: u16,
-    /// What a PDO carries.
-    pub(super) content: PdoContent,
+    /// What a PDO carries, once a frame of it was seen.
+    content: OnceCell<PdoContent>,
+}
+
+impl CanIdUser {
+    /// What a PDO of the node carries.
+    pub(super) fn content(&self, node: &TalkingNode<'_>) -> &PdoContent {
+        self.content.get_or_init(|| match self.service {
+            Service::Pdo(pdo) => {
+                let pdo = node.device.pdo(pdo.kind, pdo.number);
+                pdo.map(|pdo| PdoContent::new(node, &pdo)).unwrap_or_default()
+            }
+            _ => PdoContent::default(),
+        })
+    }
 }
 
 /// The services with CAN-IDs that nodes configure.
@@ -63,16 +77,13 @@ impl Users {
 
     fn add_pdo(&mut self, node: &TalkingNode<'_>, pdo: &Pdo<'_>) {
         if pdo.is_valid() == Some(true) {
-            let content = PdoContent::new(node, pdo);
-            self.add(node, pdo.cob_id, Service::pdo(pdo.kind, pdo.number), 0, content);
+            self.add(node, pdo.cob_id, Service::pdo(pdo.kind, pdo.number), 0);
         }
     }
 
     fn add_services(&mut self, node: &TalkingNode<'_>) {
         let services = node.device.services();
-        let mut add = |cob_id: Option<CobId>, service, channel| {
-            self.add(node, cob_id, service, channel, PdoContent::default());
-        };
+        let mut add = |cob_id, service, channel| self.add(node, cob_id, service, channel);
         add(services.sync.or(Some(CobId::new(predefined::SYNC.into()))), Service::Sync, 0);
         add(services.time.or(Some(CobId::new(predefined::TIME.into()))), Service::Time, 0);
         let emcy = services.emcy.or(Some(predefined::per_node(predefined::EMCY)));
@@ -87,18 +98,11 @@ impl Users {
         }
     }
 
-    fn add(
-        &mut self,
-        node: &TalkingNode<'_>,
-        cob_id: Option<CobId>,
-        service: Service,
-        channel: u16,
-        content: PdoContent,
-    ) {
+    fn add(&mut self, node: &TalkingNode<'_>, cob_id: Option<CobId>, service: Service, channel: u16) {
         let Some(cob_id) = cob_id else { return };
         let key = key(cob_id.can_id(node.node_id), cob_id.is_extended());
         if key != 0 {
-            let user = CanIdUser { node_id: node.node_id, service, channel, content };
+            let user = CanIdUser { node_id: node.node_id, service, channel, content: OnceCell::new() };
             self.0.entry(key).or_default().push(user);
         }
     }

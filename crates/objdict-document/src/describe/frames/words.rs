@@ -1,9 +1,9 @@
 //! Decoded frames in words, those of LSS (CiA 305) too.
 
 use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
-use super::signals::{self, Multiplexer, PdoSignal};
+use super::signals::{self, Multiplexer, PdoContent, PdoSignal};
 use super::talker::{MISSING, TalkingNode, named, other_length, raw_bytes};
-use super::{FrameReader, nmt_state, users};
+use super::{FrameReader, nmt_state};
 use crate::describe::{Decoder, time};
 use crate::model::PdoKind;
 use objdict_device::Abort;
@@ -61,14 +61,14 @@ impl FrameReader<'_> {
     fn pdo(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>, name: &str) -> String {
         let service = decoded.service.map_or_else(String::new, |service| service.to_string());
         let is_rpdo = matches!(decoded.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Rpdo);
-        let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
-        let is_multiplexed = user.is_some_and(|user| user.content.is_multiplexed);
+        let content = self.content(decoded, frame).map(|(_, content)| content);
+        let is_multiplexed = content.is_some_and(|content| content.is_multiplexed);
         let multiplexer = signals::multiplexed(frame.data).filter(|_| is_multiplexed);
         let owner = multiplexer.and_then(|(multiplexer, ..)| self.nodes.get(multiplexer.node_id()));
         let owner = owner.or_else(|| self.nodes.get(decoded.node_id?));
         let signals = self.signals(decoded, frame);
         let values: Vec<String> = signals.iter().map(|signal| signal_words(owner, signal)).collect();
-        let content = match (values.as_slice(), multiplexer) {
+        let text = match (values.as_slice(), multiplexer) {
             ([value, ..], Some((Multiplexer::To(0), ..))) => format!("to all nodes: {value}"),
             ([value, ..], Some((Multiplexer::To(node_id), ..))) => {
                 format!("to {}: {value}", self.nodes.name(node_id))
@@ -77,16 +77,16 @@ impl FrameReader<'_> {
                 format!("of {}: {value}", self.nodes.name(node_id))
             }
             ([], _) if is_multiplexed => format!("MPDO {}", raw_bytes(frame.data)),
-            ([], _) if user.is_some() && frame.data.is_empty() => "nothing is mapped".to_owned(),
-            ([], _) if user.is_some() => format!("{}, nothing is mapped", raw_bytes(frame.data)),
+            ([], _) if content.is_some() && frame.data.is_empty() => "nothing is mapped".to_owned(),
+            ([], _) if content.is_some() => format!("{}, nothing is mapped", raw_bytes(frame.data)),
             ([], _) => raw_bytes(frame.data),
             (values, None) => values.join(", "),
         };
-        let expected = self.mapped_bytes(decoded, frame);
+        let expected = content.and_then(PdoContent::bytes);
         let other =
             expected.and_then(|expected| other_length(frame.data.len(), expected)).unwrap_or_default();
         let mark = self.missing_mark(decoded);
-        format!("{}{name} {service}{mark}{other}: {content}", if is_rpdo { "to " } else { "" })
+        format!("{}{name} {service}{mark}{other}: {text}", if is_rpdo { "to " } else { "" })
     }
 
     /// What is said of a message that the description of its node lacks.
