@@ -25,11 +25,12 @@ mod stack;
 mod stated;
 
 use std::borrow::Cow;
+use std::cell::LazyCell;
 
 use objdict_model::{diagnostic, literal, model};
 use objdict_profile as profile;
 
-use crate::diagnostic::Findings;
+use crate::diagnostic::{Findings, RuleInfo};
 use crate::model::{Device, Object};
 
 use configured::ConfiguredDevice;
@@ -52,16 +53,17 @@ pub const PORTABILITY: &str = "portability";
 
 /// Applies all rules to one device. Objects that are disabled are no part of it.
 pub fn check(described: &Device, options: &Options) -> Findings {
-    check_without(described, options, "")
+    check_some(described, options, &|_| true)
 }
 
-/// As [`check`], without the rules of a group, such as `naming`.
-pub fn check_without(described: &Device, options: &Options, without: &str) -> Findings {
+/// As [`check`], with some of the rules.
+pub fn check_some(described: &Device, options: &Options, is_wanted: &dyn Fn(&RuleInfo) -> bool) -> Findings {
+    let asked_for = || asked_for(options).filter(|rule| is_wanted(&rule.info));
     let mut findings = Findings::new();
     let enabled = described.without_disabled();
     let device = &*enabled;
     let facts = Facts::new(device, options);
-    for rule in asked_for(options, without) {
+    for rule in asked_for() {
         match rule.check {
             Check::Device(check) => check(device, &mut findings),
             Check::Described(check) => check(described, &mut findings),
@@ -70,8 +72,8 @@ pub fn check_without(described: &Device, options: &Options, without: &str) -> Fi
             _ => {}
         }
     }
-    check_demands(&facts, &mut findings);
-    check_objects(device, asked_for(options, without), &mut findings);
+    check_demands(&facts, is_wanted, &mut findings);
+    check_objects(device, asked_for(), &mut findings);
     match enabled {
         Cow::Owned(_) => rules::renumbered(described, findings),
         Cow::Borrowed(_) => findings,
@@ -95,16 +97,17 @@ pub fn check_configured(device: &Device, origin: &Device) -> Findings {
 }
 
 /// The rules that apply; rules about other tools only if tools are selected.
-fn asked_for(options: &Options, without: &str) -> impl Iterator<Item = &'static Rule> {
+fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> + use<> {
     let for_tools = !options.tools.is_empty();
-    rules_of(move |group| group != without && (for_tools || group != PORTABILITY))
+    rules_of(move |group| for_tools || group != PORTABILITY)
 }
 
 /// One walk over the documents that apply, for all rules of their groups.
-fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
+fn check_demands(facts: &Facts<'_>, is_wanted: &dyn Fn(&RuleInfo) -> bool, findings: &mut Findings) {
     let applied = demands::applied(facts.device, facts.options);
     for one in &applied {
-        let rules: Vec<&Rule> = rules_of(|group| group == one.profile.group).collect();
+        let rules = rules_of(|group| group == one.profile.group).filter(|rule| is_wanted(&rule.info));
+        let rules: Vec<&Rule> = rules.collect();
         for rule in &rules {
             match rule.check {
                 Check::Applied(check) => check(facts, one, findings),
@@ -115,13 +118,19 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
                 _ => {}
             }
         }
+        let is_of_objects = |rule: &&Rule| matches!(rule.check, Check::Against(_) | Check::Expected(_));
+        let rules: Vec<&Rule> = rules.into_iter().filter(is_of_objects).collect();
+        if rules.is_empty() {
+            continue;
+        }
         for against in demands::against(facts.device, one) {
             let first = findings.len();
+            let entries = LazyCell::new(|| against.entries().collect::<Vec<_>>());
             for rule in &rules {
                 match rule.check {
                     Check::Against(check) => check(&rule.info, &against, findings),
                     Check::Expected(check) => {
-                        against.entries().for_each(|at| check(&rule.info, &at, findings));
+                        entries.iter().for_each(|at| check(&rule.info, at, findings));
                     }
                     _ => {}
                 }

@@ -2,7 +2,7 @@
 //! found here, at the place of the network file that gives the value.
 
 use objdict_lint as lint;
-use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, SourceLabel};
+use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity, SourceLabel};
 use objdict_model::model::{Device, Part, Place};
 use objdict_network::{Compiled, Network};
 
@@ -22,8 +22,9 @@ fn is_of_pdo(label: &SourceLabel) -> bool {
 /// Reports what the network file gives the nodes.
 pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     let options = lint::Options::default();
-    // names are no errors, and do not depend on the network
-    let check = |device: &Device| lint::check_without(device, &options, "naming");
+    // no finding is more severe than its rule, unless it is about a list, which does not depend on the network
+    let is_wanted = |rule: &RuleInfo| rule.severity == Severity::Error || IDLE.contains(&rule.id);
+    let check = |device: &Device| lint::check_some(device, &options, &is_wanted);
     let is_reported =
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
     for slave in compiled.nodes() {

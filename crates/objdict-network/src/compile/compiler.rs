@@ -10,7 +10,7 @@ use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::download::{Beyond, Download, beyond, bytes_of, transferred_type};
 use crate::effective::before;
 use crate::literal::{self, NoValue};
-use crate::model::{Access, Address, Assignment, DataType, Device, Field, Place, Value, hex};
+use crate::model::{Access, Address, Assignment, DataType, Device, Field, Object, Place, Value, hex};
 use crate::network::{Node, Said};
 use crate::origin::because;
 use crate::rules::{CONTRADICTION, INVALID_SETTING, READ_ONLY_ENTRY};
@@ -97,8 +97,17 @@ impl<'n, 'f> Compiler<'n, 'f> {
 
     /// The number in an entry after the downloads so far, for dcfgen before all of them; 0 if it is not stated.
     pub(super) fn present(&self, index: u16, sub: u8) -> i128 {
-        let device = if self.mode == DcfgenMode::Exact { &self.node.device } else { &self.device };
-        let value = device.object(index).and_then(|object| object.value(sub));
+        self.number(self.object(index), sub)
+    }
+
+    /// The object after the downloads so far, for dcfgen before all of them.
+    pub(super) fn object(&self, index: u16) -> Option<&Object> {
+        if self.mode == DcfgenMode::Exact { &self.node.device } else { &self.device }.object(index)
+    }
+
+    /// The number in an entry of an object; 0 if it is not stated.
+    pub(super) fn number(&self, object: Option<&Object>, sub: u8) -> i128 {
+        let value = object.and_then(|object| object.value(sub));
         value.and_then(|value| value.integer_for(self.node_id)).unwrap_or(0)
     }
 
@@ -117,8 +126,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
     /// COB-ID of EMCY (1014h), unless it is not valid.
     pub(super) fn emcy(&self) -> Option<u32> {
         let is_strict = self.mode == DcfgenMode::Exact;
-        let object = if is_strict { &self.node.device } else { &self.device }.object(0x1014)?;
-        let stated = object.value(0).and_then(|value| value.integer_for(self.node_id));
+        let stated = self.object(0x1014)?.value(0).and_then(|value| value.integer_for(self.node_id));
         let number = match stated {
             Some(number) => u32::try_from(number).ok()?,
             None if is_strict => 0,

@@ -21,14 +21,15 @@ pub(super) fn states(compiler: &Compiler<'_, '_>) -> Vec<PdoState> {
 
 fn state(compiler: &Compiler<'_, '_>, pdo: PdoName) -> PdoState {
     let (communication, mapping) = indexes(pdo);
-    let count = compiler.present(communication, 0);
-    let number = |sub: u8| if i128::from(sub) <= count { compiler.present(communication, sub) } else { 0 };
+    let [parameters, slots] = [communication, mapping].map(|index| compiler.object(index));
+    let count = compiler.number(parameters, 0);
+    let number = |sub: u8| if i128::from(sub) <= count { compiler.number(parameters, sub) } else { 0 };
     let is_tpdo = pdo.kind == PdoKind::Tpdo;
     let timer = u16::try_from(number(5)).unwrap_or(0);
     let has_cob_id = count >= 1 && compiler.has(Address { index: communication, sub: Some(1) });
-    let mapped = u8::try_from(compiler.present(mapping, 0)).unwrap_or(0);
+    let mapped = u8::try_from(compiler.number(slots, 0)).unwrap_or(0);
     let objects = (1..=mapped).filter_map(|sub| {
-        let object = MappedObject::from_number(u32::try_from(compiler.present(mapping, sub)).ok()?);
+        let object = MappedObject::from_number(u32::try_from(compiler.number(slots, sub)).ok()?);
         (!object.is_unused()).then_some((sub, object))
     });
     PdoState {

@@ -4,7 +4,7 @@ use super::can_ids::{on_node, plain};
 use super::ends::Carried;
 use crate::compiled::Slave;
 use crate::configure::PdoName;
-use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
+use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Object, Pdo, PdoKind};
 use crate::source::Span;
 use crate::{LinkParameters, Node, PdoRequest};
 
@@ -73,12 +73,13 @@ impl NodePdos {
         let device = slave.map_or(&node.device, |slave| &slave.device).with_implicit_pdos();
         let stated = |pdo: &Pdo<'_>| {
             let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
-            let said = |index, sub| slave.and_then(|slave| slave.said(index, sub));
-            said(communication, 1).or_else(|| (0..=64).find_map(|sub| said(mapping, sub)))
+            let slave = slave?;
+            let mapped = || slave.origins.range((mapping, 0)..=(mapping, 64)).next().map(|(_, at)| *at);
+            slave.said(communication, 1).or_else(mapped)
         };
         let pdos = device.pdos().filter(|pdo| pdo.communication.is_some());
         let pdos = pdos.map(|pdo| {
-            let mut candidate = CandidatePdo::of(&device, &pdo, node.node_id.map(|said| said.value));
+            let mut candidate = CandidatePdo::of(&pdo, node.node_id.map(|said| said.value));
             let is_requested = node.pdos.iter().any(|request| request.pdo == name_of(&pdo));
             candidate.stated = stated(&pdo).filter(|_| !is_requested);
             candidate.is_used = is_requested || candidate.stated.is_some();
@@ -158,13 +159,13 @@ impl NodePdos {
 }
 
 impl CandidatePdo {
-    fn of(device: &Device, pdo: &Pdo<'_>, node_id: Option<u8>) -> Self {
+    fn of(pdo: &Pdo<'_>, node_id: Option<u8>) -> Self {
         let name = name_of(pdo);
-        let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
-        let is_writable = |index, sub| {
-            let entry = device.entry(index, sub);
+        let is_writable = |object: Option<&Object>, sub| {
+            let entry = object.and_then(|object| object.entry(sub));
             entry.is_some_and(|entry| entry.access.is_none_or(Access::is_writable))
         };
+        let [communication, mapping] = [pdo.communication, pdo.mapping];
         let slots = (1..=64).take_while(|sub| is_writable(mapping, *sub)).count();
         let parameters = [
             (2, pdo.transmission_type.map(u32::from)),
