@@ -14,9 +14,9 @@ use objdict_document::VariantsPage;
 use objdict_format::Description;
 use objdict_format::input::Reading;
 use objdict_format::scaffold;
-use objdict_format::scaffold::{FEATURES, FeatureValue};
+use objdict_format::scaffold::{FEATURES, FeatureValue, Features};
 use objdict_model::json::Version;
-use objdict_model::model::{Device, PdoKind};
+use objdict_model::model::PdoKind;
 
 /// So many characters of a cell are shown.
 const CELL: usize = 100;
@@ -67,7 +67,8 @@ pub(super) fn run(args: &VariantsArgs, out: &mut Output) -> Result<Outcome, Fail
     let file = name_of(&args.file);
     let none = || Failure::new(format_args!("`{file}` has no variants")).help(HELP);
     let Input::Description(base) = input else { return Err(none()) };
-    let variants = base.map_devices(|variant| Variant::new(&base, variant));
+    let (_, of_base) = scaffold::infer(base.device());
+    let variants = base.map_devices(|variant| Variant::new(&base, &of_base, variant));
     if variants.len() == 1 {
         return Err(none());
     }
@@ -97,7 +98,7 @@ fn write_table(variants: &[Variant], out: &mut Output) -> io::Result<()> {
 }
 
 impl Variant {
-    fn new(base: &Description, variant: &Description) -> Self {
+    fn new(base: &Description, of_base: &Features, variant: &Description) -> Self {
         let device = variant.device();
         let [known, own] = [base.device(), device].map(|device| &device.objects);
         let missing_in = |one: &objdict_model::model::Objects, other: &objdict_model::model::Objects| {
@@ -111,7 +112,7 @@ impl Variant {
             objects: own.len(),
             rpdos: device.pdo_count(PdoKind::Rpdo),
             tpdos: device.pdo_count(PdoKind::Tpdo),
-            features: features(base.device(), variant),
+            features: features(of_base, variant),
             added: missing_in(own, known),
             removed: missing_in(known, own),
             different: own.keys().copied().filter(is_other).collect(),
@@ -143,13 +144,15 @@ impl Variant {
 }
 
 /// The features of the device, or of a variant those that are different.
-fn features(base: &Device, variant: &Description) -> BTreeMap<&'static str, String> {
-    let (_, of_base) = scaffold::infer(base);
-    let (_, own) = scaffold::infer(variant.device());
+fn features(of_base: &Features, variant: &Description) -> BTreeMap<&'static str, String> {
+    let own = variant.variant().map(|_| scaffold::infer(variant.device()).1);
     let stated = FEATURES.iter().filter_map(|feature| {
-        let value = own.get(feature.word);
-        let is_shown = variant.variant().is_none() || value != of_base.get(feature.word);
-        Some((feature.word, value.filter(|_| is_shown)?))
+        let known = of_base.get(feature.word);
+        let value = match &own {
+            Some(own) => own.get(feature.word).filter(|value| known.as_ref() != Some(value)),
+            None => known,
+        };
+        Some((feature.word, value?))
     });
     let stated = stated.map(|(word, value)| {
         let text = match value {
