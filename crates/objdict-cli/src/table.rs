@@ -18,7 +18,8 @@ impl<const N: usize> TextTable<N> {
     }
 
     pub(crate) fn row(&mut self, cells: [String; N]) {
-        self.rows.push(cells.map(|cell| fit(&cell, self.limit)));
+        let limit = self.limit;
+        self.rows.push(cells.map(|cell| if is_plain(&cell, limit) { cell } else { fit(&cell, limit) }));
     }
 
     pub(crate) const fn is_empty(&self) -> bool {
@@ -33,17 +34,25 @@ impl<const N: usize> TextTable<N> {
         let widths: [usize; N] = std::array::from_fn(width);
         let headings = self.headings.map(str::to_owned);
         let has_headings = headings.iter().any(|heading| !heading.is_empty());
+        let blanks = " ".repeat(widths.iter().max().unwrap_or(&0) + 2);
+        let mut line = String::new();
         for row in has_headings.then_some(&headings).into_iter().chain(&self.rows) {
-            let mut line = String::new();
+            line.clear();
             for (cell, &width) in row.iter().zip(&widths).filter(|(_, width)| **width > 0) {
                 let padding = width.saturating_sub(cell.chars().count());
                 line.push_str(cell);
-                line.extend(std::iter::repeat_n(' ', padding + 2));
+                line.push_str(&blanks[..padding + 2]);
             }
             writeln!(out, "{}", line.trim_end())?;
         }
         Ok(())
     }
+}
+
+/// Whether a text is what [`fit`] makes of it.
+fn is_plain(text: &str, limit: usize) -> bool {
+    text.len() <= limit
+        && text.bytes().all(|byte| matches!(byte, b' '..=b'~') && !matches!(byte, b'#' | b':'))
 }
 
 /// A text as one line of at most `limit` characters, safe for a terminal.

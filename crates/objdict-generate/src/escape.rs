@@ -45,10 +45,14 @@ pub(super) fn c_comment(text: &str) -> String {
 /// For the text of a comment for Doxygen: what would be a command, a tag, an entity or a link is escaped.
 pub(super) fn doxygen(text: &str) -> String {
     let comment = c_comment(text);
+    let is_special = |c| matches!(c, '\\' | '@' | '<' | '>' | '&' | '#' | '%' | '$' | '"');
+    if !comment.bytes().any(|byte| byte == b':' || is_special(byte.into())) {
+        return comment;
+    }
     let mut escaped = String::with_capacity(comment.len() + 8);
     for (at, c) in comment.char_indices() {
         let is_scope = comment[at..].starts_with("::") && !escaped.ends_with(':');
-        if is_scope || matches!(c, '\\' | '@' | '<' | '>' | '&' | '#' | '%' | '$' | '"') {
+        if is_scope || is_special(c) {
             escaped.push('\\');
         }
         escaped.push(c);

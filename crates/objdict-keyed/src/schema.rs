@@ -18,7 +18,8 @@ pub fn object(keys: &[Key]) -> Value {
         properties.insert(former.to_owned(), property);
     }
     let required: Vec<&str> = keys.iter().filter(|key| key.is_required).map(|key| key.name).collect();
-    let mut map = json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    let mut map = json!({ "type": "object", "properties": null, "additionalProperties": false });
+    map["properties"] = properties.into();
     if !required.is_empty() {
         map["required"] = required.into();
     }
@@ -61,12 +62,19 @@ fn shape(shape: &Shape) -> Value {
         }
         Shape::Numerals(low, high) => json!({ "type": "array", "items": integer(*low, *high) }),
         Shape::Map(keys) => object(keys),
-        Shape::Named(keys) => json!({ "type": "object", "additionalProperties": object(keys) }),
-        Shape::List(keys) => json!({ "type": "array", "items": object(keys) }),
-        Shape::Numbered(low, high, keys) => by_number(*low, *high, &object(keys)),
-        Shape::Numbers((low, high), values) => by_number(*low, *high, &integer(values.0, values.1)),
+        Shape::Named(keys) => with("object", "additionalProperties", object(keys)),
+        Shape::List(keys) => with("array", "items", object(keys)),
+        Shape::Numbered(low, high, keys) => by_number(*low, *high, object(keys)),
+        Shape::Numbers((low, high), values) => by_number(*low, *high, integer(values.0, values.1)),
         Shape::Foreign => json!({}),
     }
+}
+
+/// A type with a field that is moved: `json!` would copy it at each level.
+fn with(type_name: &str, key: &str, value: Value) -> Value {
+    let mut map = json!({ "type": type_name });
+    map[key] = value;
+    map
 }
 
 fn integer(low: i128, high: i128) -> Value {
@@ -76,7 +84,7 @@ fn integer(low: i128, high: i128) -> Value {
 
 /// A map by number. JSON has no keys but texts, so the pattern has those of the range: shorter ones, those that are less at a
 /// digit, and the highest.
-fn by_number(low: i128, high: i128, values: &Value) -> Value {
+fn by_number(low: i128, high: i128, values: Value) -> Value {
     let highest = high.to_string();
     let mut numbers = if low == 0 { vec!["0".to_owned()] } else { Vec::new() };
     numbers.extend((1..highest.len()).map(|digits| format!("[1-9][0-9]{{{}}}", digits - 1)));
@@ -86,5 +94,7 @@ fn by_number(low: i128, high: i128, values: &Value) -> Value {
         numbers.extend(less.map(|last| format!("{}[{first}-{last}][0-9]{{{behind}}}", &highest[..at])));
     }
     let pattern = format!("^({}|{highest})$", numbers.join("|"));
-    json!({ "type": "object", "patternProperties": { pattern: values }, "additionalProperties": false })
+    let mut map = with("object", "patternProperties", Map::from_iter([(pattern, values)]).into());
+    map["additionalProperties"] = false.into();
+    map
 }

@@ -88,17 +88,21 @@ fn escaped(json: String) -> String {
         return json;
     }
     let mut escaped = String::with_capacity(json.len());
-    let mut characters = json.chars().peekable();
-    while let Some(character) = characters.next() {
-        let is_mark = character == '#' && characters.peek() == Some(&'#');
-        if is_mark || (character != '\n' && visible(character) != character) {
+    let mut rest = &*json;
+    while let Some(at) = rest.bytes().position(|byte| byte == b'#' || !is_plain(byte)) {
+        let (plain, special) = rest.split_at(at);
+        let mut characters = special.chars();
+        let character = characters.next().unwrap_or_default();
+        escaped.push_str(plain);
+        if special.starts_with("##") || visible(character) != character {
             // all of these are in the basic plane
             escaped.push_str(&format!("\\u{:04x}", u32::from(character)));
         } else {
             escaped.push(character);
         }
+        rest = characters.as_str();
     }
-    escaped
+    escaped + rest
 }
 
 #[cfg(test)]
