@@ -15,9 +15,11 @@ const LONGEST_LITERAL: usize = 500;
 
 /// For a line of a Rust comment (`//` or `///`): in backticks, so that rustdoc does not interpret markup.
 pub(super) fn code_span(text: &str) -> String {
-    let plain = printable(text).replace('`', "'");
-    let plain = plain.trim();
-    if plain.is_empty() { "(no name)".to_owned() } else { format!("`{plain}`") }
+    let plain = printable(text);
+    match plain.trim() {
+        "" => "(no name)".to_owned(),
+        plain => ["`", &*plain.replace('`', "'"), "`"].concat(),
+    }
 }
 
 /// For the text of a C comment: no `*/`, no `/*`, no trigraph.
@@ -72,8 +74,13 @@ pub(super) fn shown(text: &str) -> String {
 
 /// A string literal of Rust.
 pub(super) fn rust_text(text: &str) -> String {
-    let plain = printable(text).replace('\\', "\\\\").replace('"', "\\\"");
-    format!("\"{}\"", plain.trim())
+    let plain = printable(text);
+    match plain.trim() {
+        plain if plain.contains(['\\', '"']) => {
+            format!("\"{}\"", plain.replace('\\', "\\\\").replace('"', "\\\""))
+        }
+        plain => ["\"", plain, "\""].concat(),
+    }
 }
 
 /// The text on one line, without unsafe characters.

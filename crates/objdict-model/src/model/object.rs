@@ -262,7 +262,7 @@ impl Object {
         }
         let name = match of_sub(&compact.names, sub) {
             Some(name) => name.clone(),
-            None => format!("{}{sub}", self.main.name).into(),
+            None => [&*self.main.name, &*sub.to_string()].concat().into(),
         };
         let mut entry = Entry {
             name,
