@@ -14,7 +14,7 @@ use super::error::OutputError;
 use super::folder::{FoundFile, OutputFolder};
 use super::manifest::{Hash, Manifest, NAME, WriteLog};
 use super::names::require_portable;
-use super::save::{ENDING, NewFile, Temporary, pending, put};
+use super::save::{NewFile, Temporary, pending, put};
 use super::used::Used;
 
 /// A file that is to be in the folder.
@@ -80,15 +80,8 @@ impl FolderReplacement<'_> {
     /// Removes what runs have left that were killed.
     fn clean_up(&self) {
         let names = self.manifest.files.keys().map(String::as_str);
-        for left in Temporary::left_in(self.folder, &names.chain([NAME]).collect::<Vec<_>>()) {
-            let _ = fs::remove_file(left);
-        }
-        let (Some(parent), Some(name)) = (self.folder.parent(), self.folder.file_name()) else { return };
-        for left in Temporary::left_in(parent, &[&name.to_string_lossy()]) {
-            if left.is_dir() && is_abandoned(&left) {
-                let _ = fs::remove_dir_all(left);
-            }
-        }
+        Temporary::clean_up_in(self.folder, &names.chain([NAME]).collect::<Vec<_>>());
+        Temporary::clean_up(self.folder);
     }
 
     /// Builds the folder beside the one that is there and exchanges both. Whether that was possible.
@@ -97,28 +90,27 @@ impl FolderReplacement<'_> {
             return Ok(false);
         }
         let Ok(new) = Temporary::folder_beside(self.folder) else { return Ok(false) };
-        let _lock = locked(&new.0)?;
-        if !has_owner_of(&new.0, self.folder) {
+        if !has_owner_of(&new.path, self.folder) {
             return Ok(false);
         }
-        fs::set_permissions(&new.0, fs::metadata(self.folder)?.permissions())?;
+        fs::set_permissions(&new.path, fs::metadata(self.folder)?.permissions())?;
         let wanted = |name: &str| self.wanted.iter().find(|file| file.name == name);
         for name in self.manifest.files.keys() {
-            let (old, path) = (self.folder.join(name), new.0.join(name));
+            let (old, path) = (self.folder.join(name), new.path.join(name));
             match wanted(name).filter(|file| file.found != FoundFile::Same) {
                 Some(file) => write(&path, file.contents, &old)?,
                 None if !old.exists() => {}
                 None => fs::hard_link(&old, &path).or_else(|_| fs::copy(&old, &path).map(|_| ()))?,
             }
         }
-        write(&new.0.join(NAME), self.manifest.text().as_bytes(), &self.folder.join(NAME))?;
+        write(&new.path.join(NAME), self.manifest.text().as_bytes(), &self.folder.join(NAME))?;
         // no signal ends the process before this is done
         let _pending = pending();
-        if exchange(&new.0, self.folder).is_err() {
+        if exchange(&new.path, self.folder).is_err() {
             return Ok(false);
         }
         // what came into the old folder in the meantime
-        for entry in fs::read_dir(&new.0)?.flatten().filter(|entry| !self.is_known(entry)) {
+        for entry in fs::read_dir(&new.path)?.flatten().filter(|entry| !self.is_known(entry)) {
             fs::rename(entry.path(), self.folder.join(entry.file_name()))?;
         }
         Ok(true)
@@ -151,7 +143,7 @@ impl FolderReplacement<'_> {
     fn in_place(&self, origin: &str) -> io::Result<()> {
         let beside = |path: PathBuf, contents: &[u8]| {
             let (_, new) = Temporary::beside(&path)?;
-            write(&new.0, contents, &path).map(|()| NewFile { path, new, backup: None })
+            write(&new.path, contents, &path).map(|()| NewFile { path, new, backup: None })
         };
         let changed = || self.wanted.iter().filter(|file| file.found != FoundFile::Same);
         let new = changed().map(|file| beside(self.folder.join(file.name), file.contents));
@@ -224,18 +216,6 @@ fn locked(_: &Path) -> io::Result<Option<()>> {
     Ok(None)
 }
 
-/// Whether the run that made a folder has ended.
-#[cfg(unix)]
-fn is_abandoned(folder: &Path) -> bool {
-    use nix::fcntl::{Flock, FlockArg};
-    File::open(folder).is_ok_and(|file| Flock::lock(file, FlockArg::LockExclusiveNonblock).is_ok())
-}
-
-#[cfg(not(unix))]
-fn is_abandoned(_: &Path) -> bool {
-    false
-}
-
 #[cfg(unix)]
 fn has_one_name(file: &fs::Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -271,23 +251,5 @@ impl Temporary {
     /// A new folder, to be renamed to `path`.
     fn folder_beside(path: &Path) -> io::Result<Self> {
         Self::make(path, |path| fs::create_dir(path)).map(|((), made)| made)
-    }
-
-    /// What killed runs have left in a folder beside files of these names.
-    fn left_in(folder: &Path, names: &[&str]) -> Vec<PathBuf> {
-        let is_left = |name: &str| {
-            let rest = name.strip_prefix('.').and_then(|name| name.strip_suffix(ENDING));
-            let parts = rest.and_then(|rest| rest.rsplit_once('.'));
-            parts.is_some_and(|(name, random)| {
-                names.contains(&name)
-                    && random.len() == 16
-                    && random.bytes().all(|byte| byte.is_ascii_hexdigit())
-            })
-        };
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        entries
-            .filter(|entry| entry.file_name().to_str().is_some_and(is_left))
-            .map(|entry| entry.path())
-            .collect()
     }
 }

@@ -62,6 +62,7 @@ pub(super) fn prepare(path: &Path, contents: &[u8]) -> io::Result<Prepared> {
         () if found.is_dir() => Err(io::Error::other("it is a directory")),
         () if !found.is_file() || is_of_system(path) => to_device(),
         () if found.len() == contents.len() as u64 && fs::read(path)? == contents => {
+            Temporary::clean_up(&replaced(path));
             Ok(Prepared::Done(Saved::Unchanged))
         }
         () if found.permissions().readonly() => Err(io::Error::other("it is read-only")),
@@ -74,12 +75,17 @@ fn is_of_system(path: &Path) -> bool {
     path.starts_with("/dev") || path.starts_with("/proc")
 }
 
+/// Behind a link, the file that it names is replaced and not the link.
+fn replaced(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
 fn beside(path: &Path, found: Option<&Metadata>, contents: &[u8]) -> io::Result<Prepared> {
-    // behind a link, the file that it names is replaced and not the link
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let path = replaced(path);
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         fs::create_dir_all(folder)?;
     }
+    Temporary::clean_up(&path);
     let (mut file, new) = Temporary::beside(&path)?;
     file.write_all(contents)?;
     file.sync_data()?;
@@ -108,7 +114,7 @@ pub(super) fn put(mut files: Vec<NewFile>) -> io::Result<()> {
     let mut pending = pending();
     let mut moves = Moves::default();
     leaving.iter().try_for_each(|(path, away)| moves.rename(path, away))?;
-    renamed().try_for_each(|file| moves.rename(&file.new.0, &file.path))?;
+    renamed().try_for_each(|file| moves.rename(&file.new.path, &file.path))?;
     files.iter_mut().try_for_each(|file| overwrite(file, &mut pending))?;
     moves.done.clear();
     leaving.iter().for_each(|(_, away)| _ = fs::remove_file(away));
@@ -165,7 +171,7 @@ pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information>
 fn overwrite(file: &mut NewFile, pending: &mut Vec<PathBuf>) -> io::Result<()> {
     let Some(backup) = file.backup.take() else { return Ok(()) };
     let copy = |from: &Temporary| {
-        fs::write(&file.path, fs::read(&from.0)?)?;
+        fs::write(&file.path, fs::read(&from.path)?)?;
         OpenOptions::new().write(true).open(&file.path)?.sync_data()
     };
     let Err(error) = copy(&file.new) else {
@@ -176,18 +182,24 @@ fn overwrite(file: &mut NewFile, pending: &mut Vec<PathBuf>) -> io::Result<()> {
         file.backup = Some(backup);
         return Err(error);
     }
-    let error = io::Error::other(format!("{error}; its former contents are in `{}`", shown(&backup.0)));
-    pending.retain(|path| *path != backup.0);
+    let error = io::Error::other(format!("{error}; its former contents are in `{}`", shown(&backup.path)));
+    pending.retain(|path| *path != backup.path);
     std::mem::forget(backup);
     Err(error)
 }
 
 /// A file or folder beside another, so that renaming it stays on one disk. It is removed in the end, if it is still there.
 #[derive(Debug)]
-pub(super) struct Temporary(pub(super) PathBuf);
+pub(super) struct Temporary {
+    pub(super) path: PathBuf,
+    _lock: Option<lock::Lock>,
+}
 
 /// The last extension of temporary files.
-pub(super) const ENDING: &str = ".new";
+const ENDING: &str = ".new";
+
+/// So many temporary files are locked at once; some systems open no more than 256 files.
+const MAX_LOCKS: usize = 100;
 
 impl Temporary {
     /// A new file, to be renamed to `path`.
@@ -201,8 +213,12 @@ impl Temporary {
             let mut pending = pending();
             match make(&temporary) {
                 Ok(made) => {
-                    pending.push(temporary.clone());
-                    return Ok((made, Self(temporary)));
+                    let _lock = if pending.len() < MAX_LOCKS { lock::of(&temporary) } else { None };
+                    // another run may have had the lock first, and removed it
+                    if temporary.exists() {
+                        pending.push(temporary.clone());
+                        return Ok((made, Self { path: temporary, _lock }));
+                    }
                 }
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
@@ -217,6 +233,30 @@ impl Temporary {
         path.with_file_name(format!(".{name}.{random:016x}{ENDING}"))
     }
 
+    /// Removes what runs that were killed have left beside `path`.
+    pub(super) fn clean_up(path: &Path) {
+        let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else { return };
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        Self::clean_up_in(folder, &[&name.to_string_lossy()]);
+    }
+
+    /// Removes what they have left in a folder beside files of these names.
+    pub(super) fn clean_up_in(folder: &Path, names: &[&str]) {
+        let is_left = |name: &str| {
+            let rest = name.strip_prefix('.').and_then(|name| name.strip_suffix(ENDING));
+            let parts = rest.and_then(|rest| rest.rsplit_once('.'));
+            parts.is_some_and(|(name, random)| {
+                names.contains(&name)
+                    && random.len() == 16
+                    && random.bytes().all(|byte| byte.is_ascii_hexdigit())
+            })
+        };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        for entry in entries.filter(|entry| entry.file_name().to_str().is_some_and(is_left)) {
+            lock::if_abandoned(&entry.path(), Self::remove);
+        }
+    }
+
     fn remove(path: &Path) {
         // after a renaming there is nothing to remove
         if fs::remove_file(path).is_err() && path.is_dir() {
@@ -227,8 +267,8 @@ impl Temporary {
 
 impl Drop for Temporary {
     fn drop(&mut self) {
-        Self::remove(&self.0);
-        pending().retain(|path| *path != self.0);
+        Self::remove(&self.path);
+        pending().retain(|path| *path != self.path);
     }
 }
 
@@ -254,7 +294,7 @@ impl PrivateFile {
         std::os::unix::fs::DirBuilderExt::mode(&mut folder, 0o700);
         let beside = std::env::temp_dir().join("objdict");
         let ((), folder) = Temporary::make(&beside, |path| folder.create(path))?;
-        let path = folder.0.join(name);
+        let path = folder.path.join(name);
         let mut options = OpenOptions::new();
         #[cfg(unix)]
         std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
@@ -268,6 +308,54 @@ pub fn abandon(end: impl FnOnce()) {
     let pending = pending();
     pending.iter().for_each(|path| Temporary::remove(path));
     end();
+}
+
+/// Locks of temporary files, which end with the process that has them.
+#[cfg(all(unix, feature = "command"))]
+mod lock {
+    use std::fs::File;
+    use std::path::Path;
+
+    use nix::fcntl::{Flock, FlockArg};
+
+    pub(super) type Lock = Flock<File>;
+
+    /// The lock of a new file or folder; `None` where the file system has none.
+    pub(super) fn of(path: &Path) -> Option<Lock> {
+        Flock::lock(File::open(path).ok()?, FlockArg::LockExclusive).ok()
+    }
+
+    /// Removes it unless a process has its lock, which is kept until then, so that none gets it.
+    pub(super) fn if_abandoned(path: &Path, remove: impl Fn(&Path)) {
+        // to open a pipe would wait for its other end
+        if path.symlink_metadata().is_ok_and(|found| found.is_file() || found.is_dir())
+            && let Ok(file) = File::open(path)
+            && let Ok(_lock) = Flock::lock(file, FlockArg::LockExclusiveNonblock)
+        {
+            remove(path);
+        }
+    }
+}
+
+/// Without locks, a file that a process still needs is younger than a minute.
+#[cfg(not(all(unix, feature = "command")))]
+mod lock {
+    use std::fs;
+    use std::path::Path;
+    use std::time::Duration;
+
+    pub(super) type Lock = ();
+
+    pub(super) fn of(_: &Path) -> Option<Lock> {
+        None
+    }
+
+    pub(super) fn if_abandoned(path: &Path, remove: impl Fn(&Path)) {
+        let age = fs::metadata(path).and_then(|found| found.modified()).map(|time| time.elapsed());
+        if matches!(age, Ok(Ok(age)) if age > Duration::from_secs(60)) {
+            remove(path);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -292,8 +380,31 @@ mod tests {
     fn an_interrupted_command_leaves_no_temporary_file() {
         let folder = tempfile::tempdir().unwrap();
         let (_, temporary) = Temporary::beside(&folder.path().join("od.c")).unwrap();
-        assert!(temporary.0.exists());
-        abandon(|| assert!(!temporary.0.exists()));
+        assert!(temporary.path.exists());
+        abandon(|| assert!(!temporary.path.exists()));
+    }
+
+    /// A killed process has no lock any more.
+    #[test]
+    fn what_a_killed_run_has_left_is_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("od.c");
+        let left = |random: &str, name: &str| {
+            let left = folder.path().join(format!(".{name}.{random}.new"));
+            let file = File::create(&left).unwrap();
+            file.set_modified(std::time::SystemTime::UNIX_EPOCH).unwrap();
+            left
+        };
+        let others = [left("0123456789abcdef", "od.h"), left("new", "od.c")];
+        // when it is written, and when it is as it should be
+        for _ in 0..2 {
+            let left = left("0123456789abcdef", "od.c");
+            save(&path, b"1").unwrap();
+            assert!(!left.exists() && others.iter().all(|path| path.exists()));
+        }
+        let (_, used) = Temporary::beside(&path).unwrap();
+        save(&path, b"2").unwrap();
+        assert!(used.path.exists(), "another run is writing it");
     }
 
     #[test]
