@@ -10,7 +10,7 @@ use super::misspelt;
 use super::order::Rank;
 use super::read::embedded_in;
 use super::section::{NameSpelling, SectionName};
-use crate::ini::{Document, Line, LineKind, Lines, Section, headers};
+use crate::ini::{Document, Line, LineKind, Lines, Section};
 use crate::model::{EMBEDDED_SECTION, Field, Part, Place};
 use crate::source::Span;
 
@@ -36,7 +36,7 @@ impl SectionLocator {
         let state = RandomState::new();
         let mut found = Vec::new();
         let mut misspelt = Vec::new();
-        for line in headers(document.text()) {
+        for line in document.headers() {
             if let LineKind::Section { name } = line.kind {
                 let name = SectionName::parse(name.of(document.text()));
                 let sections =
@@ -115,7 +115,7 @@ impl SectionLocator {
     pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
         let text = document.text();
         self.outline.get_or_init(|| {
-            let ranked = headers(text).filter_map(|line| match line.kind {
+            let ranked = document.headers().filter_map(|line| match line.kind {
                 LineKind::Section { name } => {
                     Some((Rank::of(&SectionName::parse(name.of(text)).part), line.span.start))
                 }

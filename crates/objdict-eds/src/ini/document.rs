@@ -68,6 +68,11 @@ impl Document {
         Lines::new(self.text())
     }
 
+    /// The lines with section headers, in order.
+    pub fn headers(&self) -> impl Iterator<Item = Line> {
+        super::headers(self.text())
+    }
+
     /// The bytes of the file, composed from its lines: always equal to the bytes that were read.
     pub fn print(&self) -> Vec<u8> {
         if self.source.is_read_only() {

@@ -162,7 +162,7 @@ struct Sections(Vec<Span>);
 impl Sections {
     fn new(subject: Subject<'_>) -> Self {
         let document = subject.description().and_then(Description::document);
-        let lines = document.into_iter().flat_map(|document| document.lines());
+        let lines = document.into_iter().flat_map(|document| document.headers());
         Self(
             lines
                 .filter_map(|line| match line.kind {

@@ -204,7 +204,7 @@ impl<'a> EdsRewriter<'a> {
                 LineKind::Section { name } => Some((SectionName::parse(name.of(text)).part, line.span.start)),
                 _ => None,
             };
-            self.document.lines().filter_map(of_line).collect()
+            self.document.headers().filter_map(of_line).collect()
         });
         let found = headers.iter().filter(|(part, _)| wanted(part));
         found.filter_map(|(_, start)| self.document.section_at(*start)).collect()
