@@ -61,7 +61,7 @@ impl Subs {
         match self.position(sub) {
             Ok(at) => Some(std::mem::replace(&mut self.0[at].1, entry)),
             Err(at) => {
-                self.0.insert(at, (sub, entry));
+                self.add(at, sub, entry);
                 None
             }
         }
@@ -70,10 +70,18 @@ impl Subs {
     /// Mutable access to the entry at a sub-index, which is created if missing.
     pub fn get_or_insert(&mut self, sub: u8) -> &mut Entry {
         let at = self.position(sub).unwrap_or_else(|at| {
-            self.0.insert(at, (sub, Entry::default()));
+            self.add(at, sub, Entry::default());
             at
         });
         &mut self.0[at].1
+    }
+
+    fn add(&mut self, at: usize, sub: u8, entry: Entry) {
+        if self.0.is_empty() {
+            // a file may have nothing but objects with one entry, and a list makes room for four
+            self.0.reserve_exact(1);
+        }
+        self.0.insert(at, (sub, entry));
     }
 
     /// Removes an entry.
