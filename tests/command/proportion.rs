@@ -28,8 +28,25 @@ const REPEATED: [(&str, &[u8]); 17] = [
     ("sub", b"[2000sub1]\nDataType=x\n"),
 ];
 
+/// What a file has after a small device, with its number, and how many bytes of it: nearly as many objects and sections as commands
+/// process in so short a file.
+const NUMBERED: [(&str, fn(usize) -> String, usize); 4] = [
+    ("objects", |number| format!("[{:X}]\n", 0x2000 + number), 44_000),
+    ("orphans", |number| format!("[{:X}sub0]\n", 0x2000 + number), 70_000),
+    (
+        "variables",
+        |number| format!("[{:X}]\nParameterName=a\nDataType=5\nAccessType=rw\n", 0x2000 + number),
+        350_000,
+    ),
+    (
+        "entries",
+        |number| format!("[{:X}sub{:X}]\nDataType=5\n", 0x2000 + number / 255, number % 255),
+        300_000,
+    ),
+];
+
 /// What is run with a file `F`.
-const LINES: [&str; 26] = [
+const LINES: [&str; 34] = [
     "check F",
     "check F --all --jobs 2 --eds minimal.eds --node-id 5 --statistics --deny note --severity naming=off --compat lely --compat codesys",
     "check F --format concise --dialect canopeneditor --ignore naming --select cia306 --no-config",
@@ -56,6 +73,14 @@ const LINES: [&str; 26] = [
     "configure F --node-id 5 --bit-rate 125 -o new.dcf",
     "identify F",
     "release minimal.eds F --diff",
+    "show F --format json",
+    "diff F minimal.eds --format json",
+    "diff minimal.eds F --format html",
+    "generate F --target canopennode,lely --force -o generated",
+    "network check F minimal.eds",
+    "network show F",
+    "network diff minimal.eds F",
+    "network build F --target concise -o built",
 ];
 
 /// What tries fixes: several texts are in memory, and a difference has each line of two.
@@ -65,11 +90,18 @@ const FIXING: [&str; 3] =
 /// What a process takes for nothing.
 const PROCESS: usize = 12 << 20;
 
-fn write(folder: &Path, repeated: &[u8], bytes: usize) -> usize {
+/// What the README allows it for parts that are shorter than what is made of them.
+const ALLOWANCE: usize = 50_000_000;
+
+fn write(folder: &Path, rest: impl IntoIterator<Item = u8>) -> usize {
     let mut text = fs::read("fixtures/eds/minimal.eds").unwrap();
-    text.extend(repeated.iter().cycle().take(bytes));
+    text.extend(rest);
     fs::write(folder.join("F.eds"), &text).unwrap();
     text.len()
+}
+
+fn repeat(folder: &Path, repeated: &[u8], bytes: usize) -> usize {
+    write(folder, repeated.iter().copied().cycle().take(bytes))
 }
 
 fn folder() -> tempfile::TempDir {
@@ -95,15 +127,29 @@ fn runs(folder: &Path, line: &str, bytes: usize) -> bool {
 #[test]
 fn memory_is_in_proportion_to_the_file() {
     let folder = folder();
-    let lines = LINES.iter().map(|line| (line, 200_000, 20));
+    let sizes = [50_000, 200_000].into_iter().cycle();
+    let lines = LINES.iter().zip(sizes).map(|(line, bytes)| (line, bytes, 20));
     // each text is tried many times
     let lines = lines.chain(FIXING.iter().map(|line| (line, 20_000, 60)));
     let runs_of = |(name, repeated)| {
         lines.clone().map(move |(line, bytes, factor)| (name, repeated, line, bytes, factor))
     };
     for (name, repeated, line, bytes, factor) in sample(REPEATED.into_iter().flat_map(runs_of)) {
-        let size = write(folder.path(), repeated, bytes);
+        let size = repeat(folder.path(), repeated, bytes);
         assert!(runs(folder.path(), line, PROCESS + factor * size), "{line}: {size} bytes of {name}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn many_small_parts_take_no_more_than_is_promised() {
+    let folder = folder();
+    let lines = || LINES.into_iter().chain(FIXING);
+    let runs_of = |(name, part, bytes)| lines().map(move |line| (name, part, bytes, line));
+    // each takes a second
+    for (name, part, bytes, line) in sample(NUMBERED.into_iter().flat_map(runs_of)).into_iter().step_by(4) {
+        let size = write(folder.path(), (0..).flat_map(|number| part(number).into_bytes()).take(bytes));
+        assert!(runs(folder.path(), line, ALLOWANCE + 20 * size), "{line}: {size} bytes of {name}");
     }
 }
 
@@ -135,7 +181,7 @@ fn time_is_in_proportion_to_the_file() {
     // each takes seconds
     for (name, repeated, line) in sample(all).into_iter().step_by(20) {
         let [one, two] = [4_000, 32_000].map(|bytes| {
-            write(folder.path(), repeated, bytes);
+            repeat(folder.path(), repeated, bytes);
             instructions(folder.path(), line)
         });
         // quadratic growth is 64 times as much

@@ -25,9 +25,13 @@ const MAX_OFFER_BYTES: usize = 8 << 20;
 /// So many texts are read and checked, however small they are.
 const MAX_TRIALS: usize = 1000;
 
+/// An object or entry takes the time and memory of so many bytes more; its text may be ten bytes long.
+const BYTES_PER_PART: usize = 128;
+
 /// How many texts of the size of a description are tried.
 fn trials(description: &Description, bytes: usize, least: usize) -> u32 {
-    let affordable = bytes / description.source().text().len().max(1);
+    let parts: usize = description.device().objects.values().map(|object| 1 + object.subs.len()).sum();
+    let affordable = bytes / (description.source().text().len() + parts * BYTES_PER_PART).max(1);
     affordable.clamp(least, MAX_TRIALS) as u32
 }
 

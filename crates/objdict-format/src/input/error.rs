@@ -32,11 +32,11 @@ pub enum ReadError {
         /// The limit.
         limit: usize,
     },
-    /// It has more sections, elements or values than allowed.
+    /// It has more sections, elements, objects or values than allowed.
     TooManyParts {
         /// The file.
         name: String,
-        /// `sections`, `elements` or `values`.
+        /// `sections`, `elements`, `objects` or `values`.
         what: &'static str,
         /// How many.
         count: usize,

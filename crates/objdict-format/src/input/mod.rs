@@ -170,6 +170,10 @@ pub const DEFAULT_MAX_ENTRIES: usize = 25_000;
 const BYTES_PER_PART: usize = 64;
 const VALUES_PER_PART: usize = 16;
 
+/// As many for an object, of which pages, tables and differences have a few kilobytes: real devices have hundreds.
+const BYTES_PER_OBJECT: usize = 256;
+const ENTRIES_PER_OBJECT: usize = 4;
+
 /// How many values go with an entry that is allowed, for the limits of what takes less memory.
 pub(crate) const VALUES_PER_ENTRY: usize = 10;
 
@@ -189,7 +193,8 @@ pub struct Reading {
     pub max_size: u64,
     /// How many entries objects in compact storage (`CompactSubObj`) may have in all, and one more for each 64 bytes: what is made of
     /// the device has each. JSON may have ten times as many values, and one more for each 16 bytes; a text may have a sixteenth of
-    /// that as sections or elements, and one more for each 64 bytes.
+    /// that as sections or elements, and one more for each 64 bytes. A device may have a quarter of it as objects, and one more for
+    /// each 256 bytes.
     pub max_entries: usize,
     /// Whether a device as JSON keeps the objects that are disabled, for what writes it again.
     pub keep_disabled: bool,
@@ -238,10 +243,11 @@ impl Reading {
     /// As [`open`](Self::open).
     pub fn read(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
         let (kind, source) = self.recognised(name, bytes)?;
+        let bytes = source.text().len();
         if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
             // what only looks at the text takes little memory for a section
             let count = memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count();
-            self.limited_parts(name, "sections", count, source.text().len())?;
+            self.limited_parts(name, "sections", count, bytes)?;
         }
         let input = match kind.format() {
             Some(format) => Input::Description(Box::new(self.described(source, format)?)),
@@ -250,7 +256,7 @@ impl Reading {
             #[cfg(not(feature = "full"))]
             None => return Err(ReadError::NotBuilt { name: name.to_owned(), kind }),
         };
-        self.limited(name, &input)?;
+        self.limited(name, &input, bytes)?;
         let input = match input {
             Input::Device(device) if !self.keep_disabled => match device.without_disabled() {
                 Cow::Owned(enabled) => Input::Device(Box::new(enabled)),
@@ -301,17 +307,22 @@ impl Reading {
         self.max_entries.saturating_mul(VALUES_PER_ENTRY)
     }
 
-    /// Refuses a device that would take too much memory expanded.
-    fn limited(&self, name: &str, input: &Input) -> Result<(), ReadError> {
-        let (device, bytes) = match input {
-            Input::Description(description) => (description.device(), description.source().text().len()),
-            Input::Device(device) => (&**device, 0),
+    /// Refuses a device that would take too much memory expanded, of a text of so many bytes.
+    fn limited(&self, name: &str, input: &Input, bytes: usize) -> Result<(), ReadError> {
+        let device = match input {
+            Input::Description(description) => description.device(),
+            Input::Device(device) => &**device,
             #[cfg(feature = "full")]
             _ => return Ok(()),
         };
-        let count = device.compact_entries();
-        let (name, limit) = (name.to_owned(), self.max_entries.saturating_add(bytes / BYTES_PER_PART));
-        if count > limit { Err(ReadError::TooManyEntries { name, count, limit }) } else { Ok(()) }
+        let (name, count) = (name.to_owned(), device.compact_entries());
+        let limit = self.max_entries.saturating_add(bytes / BYTES_PER_PART);
+        if count > limit {
+            return Err(ReadError::TooManyEntries { name, count, limit });
+        }
+        let (count, what) = (device.objects.len(), "objects");
+        let limit = self.max_entries / ENTRIES_PER_OBJECT + bytes / BYTES_PER_OBJECT;
+        if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
     }
 
     /// As [`read`](Self::read), of several devices the one that was asked for.
