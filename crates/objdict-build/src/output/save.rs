@@ -213,11 +213,11 @@ impl Temporary {
             let mut pending = pending();
             match make(&temporary) {
                 Ok(made) => {
-                    let _lock = if pending.len() < MAX_LOCKS { lock::of(&temporary) } else { None };
+                    let lock = if pending.len() < MAX_LOCKS { lock::of(&temporary) } else { None };
                     // another run may have had the lock first, and removed it
                     if temporary.exists() {
                         pending.push(temporary.clone());
-                        return Ok((made, Self { path: temporary, _lock }));
+                        return Ok((made, Self { path: temporary, _lock: lock }));
                     }
                 }
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use serde::{Serialize, Serializer};
 
 use super::Subject;
-use objdict_eds::ini::LineKind;
+use objdict_eds::ini::{Document, LineKind};
 use objdict_format::Description;
 use objdict_model::diagnostic::{At, Diagnostic, Findings};
 use objdict_model::model::{Field, ModulePart, Part, Place};
@@ -162,7 +162,7 @@ struct Sections(Vec<Span>);
 impl Sections {
     fn new(subject: Subject<'_>) -> Self {
         let document = subject.description().and_then(Description::document);
-        let lines = document.into_iter().flat_map(|document| document.headers());
+        let lines = document.into_iter().flat_map(Document::headers);
         Self(
             lines
                 .filter_map(|line| match line.kind {
