@@ -93,6 +93,11 @@ impl LiveDictionary {
         [of(0x1400..=0x15FF), of(0x1800..=0x19FF)]
     }
 
+    /// The bytes of the longest value.
+    pub(crate) fn longest(&self) -> usize {
+        self.entries.iter().map(|entry| entry.size.max(entry.value.len())).max().unwrap_or_default()
+    }
+
     /// Whether there is an entry.
     pub(crate) fn has(&self, index: u16, sub: u8) -> bool {
         self.find(index, sub).is_ok()

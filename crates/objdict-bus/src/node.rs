@@ -7,6 +7,8 @@ use crate::frame::BusFrame;
 
 /// The longest value of an SDO, in bytes.
 const LONGEST: usize = 1 << 16;
+/// What most devices need: each check copies a node with its buffers.
+const SHORT: usize = 1 << 9;
 
 /// Nanoseconds of a millisecond.
 pub(crate) const MILLISECOND: u64 = 1_000_000;
@@ -104,15 +106,17 @@ fn services(node_id: u8, dictionary: LiveDictionary, is_manager: bool) -> Box<dy
     }
 }
 
-/// A node alone, with a second SDO server, over any dictionary with these PDOs.
+/// A node alone, with a second SDO server, over any dictionary with these PDOs and values of at most `longest` bytes.
 pub(crate) fn lone<D: Dictionary + Clone + 'static>(
     node_id: u8,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
+    longest: usize,
 ) -> Box<dyn NodeServices> {
-    match has_few(pdos) {
-        true => node::<_, LONGEST, 2, FEW, 127>(node_id, dictionary, pdos),
-        false => node::<_, LONGEST, 2, ALL, 127>(node_id, dictionary, pdos),
+    match (has_few(pdos), longest <= SHORT) {
+        (true, true) => node::<_, SHORT, 2, FEW, 127>(node_id, dictionary, pdos),
+        (true, false) => node::<_, LONGEST, 2, FEW, 127>(node_id, dictionary, pdos),
+        (false, _) => node::<_, LONGEST, 2, ALL, 127>(node_id, dictionary, pdos),
     }
 }
 

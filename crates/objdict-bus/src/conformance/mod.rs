@@ -154,9 +154,9 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
 ) -> Conformance {
     let device = PowerOn::Defaults.values_of(device);
     let live = LiveDictionary::of_table(&device, node_id);
-    let pdos = live.pdos();
+    let (pdos, longest) = (live.pdos(), live.longest());
     let described = DescribedEntries::new(&device, node_id, &live);
-    let mut node = node(&described, dictionary(live), &pdos);
+    let mut node = node(&described, dictionary(live), &pdos, longest);
     let boot_up = node.boot(0);
     let bench = || Bench::new(&described, node.again(), boot_up);
     let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
@@ -175,12 +175,13 @@ fn node<D: Dictionary + Clone + 'static>(
     described: &DescribedEntries,
     dictionary: D,
     pdos: &[Vec<u16>; 2],
+    longest: usize,
 ) -> Box<dyn NodeServices> {
     let node_id = described.node_id;
     if !program::is_described(described) {
-        return crate::node::lone(node_id, dictionary, pdos);
+        return crate::node::lone(node_id, dictionary, pdos, longest);
     }
-    crate::node::lone(node_id, program::with_memory(dictionary), pdos)
+    crate::node::lone(node_id, program::with_memory(dictionary), pdos, longest)
 }
 
 fn verdict(step: CheckStep) -> Verdict {
