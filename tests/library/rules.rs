@@ -352,6 +352,23 @@ fn every_finding_has_a_help() {
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
+/// A network runs those rules for its nodes whose severity is error.
+#[test]
+fn no_finding_about_a_device_is_more_severe_than_its_rule() {
+    // about lists, which no network changes
+    let is_list = |id| id == "cia306/wrong-object-list";
+    let more_severe = |path: PathBuf| -> Vec<String> {
+        let examined = Examined::new(&path);
+        let of_devices = examined.findings().iter().filter(|finding| finding.rule.id.starts_with("cia"));
+        let found =
+            of_devices.filter(|found| found.severity > found.rule.severity && !is_list(found.rule.id));
+        found.map(|finding| format!("{}: {}", path.display(), finding.message)).collect()
+    };
+    let bad = rule_folders().into_iter().flat_map(|(_, folder)| devices(&folder, "bad"));
+    let found: Vec<String> = bad.flat_map(more_severe).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
 #[test]
 fn a_valid_configuration_is_clean_beside_the_description_of_its_type() {
     for path in devices(&support::fixtures().join("dcf"), "") {
