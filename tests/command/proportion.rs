@@ -28,9 +28,12 @@ const REPEATED: [(&str, &[u8]); 17] = [
     ("sub", b"[2000sub1]\nDataType=x\n"),
 ];
 
+/// A text that has its number.
+type NumberedText = fn(usize) -> String;
+
 /// What a file has after a small device, with its number, and how many bytes of it: nearly as many objects and sections as commands
 /// process in so short a file.
-const NUMBERED: [(&str, fn(usize) -> String, usize); 4] = [
+const NUMBERED: [(&str, NumberedText, usize); 4] = [
     ("objects", |number| format!("[{:X}]\n", 0x2000 + number), 44_000),
     ("orphans", |number| format!("[{:X}sub0]\n", 0x2000 + number), 70_000),
     (

@@ -22,7 +22,7 @@ fn is_of_pdo(label: &SourceLabel) -> bool {
 /// Reports what the network file gives the nodes.
 pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     let options = lint::Options::default();
-    // no finding is more severe than its rule, unless it is about a list, which does not depend on the network
+    // a rule of a lower severity has errors only about lists and `CompactSubObj`, which do not depend on the network
     let is_wanted = |rule: &RuleInfo| rule.severity == Severity::Error || IDLE.contains(&rule.id);
     let check = |device: &Device| lint::check_some(device, &options, &is_wanted);
     let is_reported =

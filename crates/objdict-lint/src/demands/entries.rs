@@ -3,7 +3,7 @@
 use super::objects::set;
 use super::{Against, Expected};
 use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, joined, say};
-use crate::model::{Access, DataType, Field, ObjectType, TypeKind};
+use crate::model::{Access, DataType, Field, ObjectType, Part, TypeKind};
 use crate::profile::Mapping;
 
 /// Reports a different data type. Sub-index 0 has its own rule.
@@ -62,8 +62,12 @@ pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings:
         at.entry.access != Some(Access::Const) && length.is_some()
     });
     for entry in marked {
+        let what = match entry.place().part {
+            Part::Entry(..) => say!("{}", entry),
+            _ => say!("{}", at),
+        };
         let document = at.applied.document();
-        let message = say!("{} is marked as mappable; {} does not allow it in a PDO", entry, document);
+        let message = say!("{} is marked as mappable; {} does not allow it in a PDO", what, document);
         let fix = set(entry.place(), Field::PdoMapping, "0".to_owned());
         let place = entry.place().field(Field::PdoMapping);
         findings.push(Diagnostic::new(rule, place, message).help(say!("write `{PDOMapping=0}`")).fix(fix));
