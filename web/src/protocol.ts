@@ -49,7 +49,7 @@ export type Request =
   | { do: "open"; name: string }
   | { do: "close" | "state" | "original" | "bytes" | "outline" | "undo" | "redo" | "modules" | "network" | "build"; document: number }
   | { do: "form"; document: number; index: number }
-  | { do: "check"; document: number; fixes?: boolean; tools?: string[] }
+  | { do: "check"; document: number; fixes?: boolean; places?: boolean; tools?: string[] }
   | { do: "edit"; document: number; edits: TextEdit[] }
   | { do: "encode"; document: number; encoding: string }
   | { do: "change"; document: number; changes: FieldChange[] }

@@ -64,7 +64,7 @@ test("the findings are those of the command", { skip: noCommand }, () => {
       const origin = /^LastEDS=(.+?)\s*$/im.exec(answer.ok.state.text)?.[1];
       const isAlone = !origin || !existsSync(join(dirname(path), origin));
       if (isAlone && !(answer.ok.state.devices > 1 && /\.toml$/.test(path))) {
-        const found = call(workbench, { do: "check", document: 0, fixes: true }).ok;
+        const found = call(workbench, { do: "check", document: 0, fixes: true, places: true }).ok;
         assert.deepEqual(found.findings, expected.findings, name);
         assert.deepEqual(found.summary, expected.summary, name);
         compared++;
@@ -90,7 +90,7 @@ test("so are those of the files in a folder", { skip: noCommand || (!process.env
     } else {
       const origin = /^LastEDS=(.+?)\s*$/im.exec(answer.ok.state.text)?.[1];
       if (origin && existsSync(join(dirname(path), origin))) continue;
-      const found = call(workbench, { do: "check", document: 0, fixes: true }).ok;
+      const found = call(workbench, { do: "check", document: 0, fixes: true, places: true }).ok;
       const expected = JSON.parse(printed.stdout.toString());
       assert.deepEqual({ ...found, version: 1 }, expected, name);
       compared++;
@@ -109,7 +109,7 @@ test("what other tools would say is what the command says", { skip: noCommand },
   const printed = objdict("check", "--no-config", "--format", "json", "--compat", tools.join(","), name);
   const expected = JSON.parse(printed.stdout.toString());
   assert.ok(expected.findings.some((finding) => finding.rule.startsWith("portability/")));
-  assert.deepEqual(call(workbench, { do: "check", document: 0, fixes: true, tools }).ok.findings, expected.findings);
+  assert.deepEqual(call(workbench, { do: "check", document: 0, fixes: true, places: true, tools }).ok.findings, expected.findings);
   workbench.free();
 });
 

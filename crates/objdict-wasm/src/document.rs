@@ -10,7 +10,7 @@ use objdict::format::network::NetworkFile;
 use objdict::format::patch::{self, Patch};
 use objdict::lint::Options;
 use objdict::model::{Device, Field};
-use objdict::report::{Json, Report as _, Subject, grouped};
+use objdict::report::{Json, Report as _, Subject, by_place, grouped};
 use objdict::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 use serde::{Deserialize, Serialize};
 
@@ -156,8 +156,13 @@ impl EditedDocument {
     }
 
     /// The document of `objdict check --format json`. Which fixes are `offered` takes some more checks of the text; without them, no
-    /// finding has one.
-    pub(crate) fn report(&self, offered: bool, options: &Options) -> Result<String, BadRequest> {
+    /// finding has one. The findings are `by_place`, or those of one cause are joined.
+    pub(crate) fn report(
+        &self,
+        offered: bool,
+        is_by_place: bool,
+        options: &Options,
+    ) -> Result<String, BadRequest> {
         let description = self.description()?;
         let check = |description: &Description| objdict::check_with(description, options);
         let examine = |description: &Description| {
@@ -172,7 +177,8 @@ impl EditedDocument {
             let mut found = found.into_iter();
             let each = description.map_devices(|device| {
                 let findings = found.next().unwrap_or_default();
-                report.file(device.into(), &grouped(device, findings))
+                let shown = if is_by_place { by_place } else { grouped };
+                report.file(device.into(), &shown(device, findings))
             });
             each.into_iter().collect()
         })

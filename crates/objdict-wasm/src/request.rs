@@ -54,6 +54,9 @@ enum PageRequest {
         document: usize,
         #[serde(default)]
         fixes: bool,
+        /// Each place as a finding of its own, as `check --format json` has them; people see those of one cause as one.
+        #[serde(default)]
+        places: bool,
         /// The tools whose reactions count, as with `--compat`.
         #[serde(default)]
         tools: Vec<String>,
@@ -266,8 +269,8 @@ impl Workbench {
                     })?,
                 )
             }
-            PageRequest::Check { document, fixes, tools } => {
-                self.document(document)?.report(fixes, &options(&tools)?)
+            PageRequest::Check { document, fixes, places, tools } => {
+                self.document(document)?.report(fixes, places, &options(&tools)?)
             }
             PageRequest::Tools {} => data(Tool::ALL.into_iter().map(Tool::name).collect::<Vec<_>>()),
             PageRequest::Edit { document, edits } => self.change(document, |document| document.edit(edits)),
