@@ -13,10 +13,12 @@ from canopen_objdict import Device, Network, ObjdictError, check, concise, load
 
 def test_findings_have_places_and_fixes(fixtures: Path) -> None:
     findings = load(fixtures / "broken/c-suffix-numbers.eds").findings
-    found = next(finding for finding in findings if finding.rule == "cia306/number-suffix")
+    suffixes = [finding for finding in findings if finding.rule == "cia306/number-suffix"]
+    found = suffixes[0]
+    assert len({finding.line for finding in suffixes}) == len(suffixes) > 1
     assert (found.severity, found.line, found.column) == ("warning", 207, 14)
     assert found.path.endswith("c-suffix-numbers.eds") and str(found).startswith(f"{found.path}:207:14: warning")
-    assert found.place is not None and found.related and len(found.fingerprint) == 16
+    assert found.place is not None and len(found.fingerprint) == 16
     assert found.fixes[0].safety == "safe" and found.fixes[0].edits[0].line == 207
 
 

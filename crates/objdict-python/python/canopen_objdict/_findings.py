@@ -102,10 +102,9 @@ def of_document(document: str) -> Iterator[Finding]:
 
 def _finding(row: dict[str, Any]) -> Finding:
     path = row["file"]
-    others = [*row.get("related", ()), *row.get("places", ())]
     related = tuple(
         Related(other["message"], other.get("file", path), other["line"], other["column"], other.get("place"))
-        for other in others
+        for other in row.get("related", ())
     )
     fix = row.get("fix")
     return Finding(
