@@ -115,7 +115,7 @@ impl StuffedBits {
                 return stuffed;
             }
             stuffed += 1;
-            // the next bit equals the stuff bit if it differs from the five before it, which no run has any more
+            // the next bit equals the stuff bit if it differs from the five bits before it, which no longer count for a run
             let next = start + 4;
             equal = (equal ^ (1 << 127) >> next) & u128::MAX >> next;
         }

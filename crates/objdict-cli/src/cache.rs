@@ -36,8 +36,8 @@ fn add(hash: &mut Hash, bytes: &[u8]) {
 }
 
 impl Cache {
-    /// The cache at `path`, for a check with these arguments and what their files say. Without one the check is only slower,
-    /// so a note says why it cannot be used; another file is left as it is.
+    /// The cache at `path`, for a check with these arguments and the contents of their files. If it cannot be used, the check
+    /// is only slower, so a note gives the reason; a file that is not a cache is not changed.
     pub(super) fn open(path: &Path, args: &CheckArgs, settings: &CommandSettings) -> Option<Self> {
         let text = match read_text(path, MAX_SIZE) {
             Ok(text) => text,
@@ -80,7 +80,7 @@ impl Cache {
         (key, is_known)
     }
 
-    /// Replaces what is known by the files in which nothing was found now; a note says why it cannot be written.
+    /// Replaces the known files by `clean`, the files without findings of this run. If that fails, a note gives the reason.
     pub(super) fn save(&self, mut clean: Vec<String>) {
         clean.sort_unstable();
         clean.dedup();

@@ -251,6 +251,18 @@ impl Worker<'_> {
     }
 }
 
+fn amend_all(
+    path: &Path,
+    description: Description,
+    safety: Applicability,
+    options: &Options,
+) -> Option<(Description, Option<Amended>)> {
+    let count = description.device_count();
+    amend(path, description, 0..count, |description| {
+        objdict_project::fix_for_readers(description, safety, options)
+    })
+}
+
 impl Worker<'_> {
     /// Removes the findings that the file has at a revision of git too; of a new file everything stays.
     fn sift(
@@ -271,31 +283,21 @@ impl Worker<'_> {
         };
         let former = self.with_origin(&file.path, *former)?;
         let mut known = Baseline::default();
-        former.map_devices(|device| known.add("", device, &by_place(device, check(device))));
+        let reported = |device: &Description, findings| match self.args.report.detail.all {
+            true => findings,
+            false => by_place(device, findings),
+        };
+        former.map_devices(|device| known.add("", device, &reported(device, check(device))));
         let mut of_devices = findings.iter_mut();
         description.map_devices(|device| {
             if let Some(findings) = of_devices.next() {
-                *findings = by_place(device, std::mem::take(findings));
+                *findings = reported(device, std::mem::take(findings));
                 known.suppress("", device, findings, |_| false);
             }
         });
         Ok(())
     }
-}
 
-fn amend_all(
-    path: &Path,
-    description: Description,
-    safety: Applicability,
-    options: &Options,
-) -> Option<(Description, Option<Amended>)> {
-    let count = description.device_count();
-    amend(path, description, 0..count, |description| {
-        objdict_project::fix_for_readers(description, safety, options)
-    })
-}
-
-impl Worker<'_> {
     /// The configuration of a node with the description of its type: the one that was said, else the one that `LastEDS` names, if
     /// it is in the same folder.
     fn with_origin(&self, path: &Path, description: Description) -> Result<Description, Failure> {

@@ -41,7 +41,7 @@ pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Option<
     }
 }
 
-/// What git says of a file that is not there.
+/// Parts of the messages of git about a missing file.
 const MISSING: [&str; 2] = ["does not exist", "but not in"];
 
 /// So much of what git says is read.

@@ -11,7 +11,8 @@ use objdict_project::report::{Concise, Detail, Github, Gitlab, Json, Junit, Repo
 /// The folder of a project in a job of GitHub and of GitLab.
 const FOLDERS_OF_JOBS: [&str; 2] = ["GITHUB_WORKSPACE", "CI_PROJECT_DIR"];
 
-/// The folder from which services see paths: that of the repository, if this runs in a job below it.
+/// The folder that paths in reports for services are relative to: the repository's in a job that runs in or below it,
+/// otherwise the current one.
 pub(super) fn base(stated: Option<&Path>) -> PathBuf {
     let here = std::env::current_dir().unwrap_or_default();
     if let Some(stated) = stated {

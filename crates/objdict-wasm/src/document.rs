@@ -156,7 +156,7 @@ impl EditedDocument {
     }
 
     /// The document of `objdict check --format json`. Which fixes are `offered` takes some more checks of the text; without them, no
-    /// finding has one. The findings are `by_place`, or those of one cause are joined.
+    /// finding has one. Findings of one cause are joined unless `is_by_place`.
     pub(crate) fn report(
         &self,
         offered: bool,

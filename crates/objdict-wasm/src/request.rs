@@ -54,7 +54,7 @@ enum PageRequest {
         document: usize,
         #[serde(default)]
         fixes: bool,
-        /// Each place as a finding of its own, as `check --format json` has them; people see those of one cause as one.
+        /// Whether each place is a separate finding, as in `check --format json`; otherwise findings of one cause are joined.
         #[serde(default)]
         places: bool,
         /// The tools whose reactions count, as with `--compat`.

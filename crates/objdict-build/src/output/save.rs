@@ -233,14 +233,14 @@ impl Temporary {
         path.with_file_name(format!(".{name}.{random:016x}{ENDING}"))
     }
 
-    /// Removes what runs that were killed have left beside `path`.
+    /// Removes the temporary files that killed runs left next to `path`.
     pub(super) fn clean_up(path: &Path) {
         let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else { return };
         let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         Self::clean_up_in(folder, &[&name.to_string_lossy()]);
     }
 
-    /// Removes what they have left in a folder beside files of these names.
+    /// Removes the temporary files that killed runs left in a folder for files of these names.
     pub(super) fn clean_up_in(folder: &Path, names: &[&str]) {
         let is_left = |name: &str| {
             let rest = name.strip_prefix('.').and_then(|name| name.strip_suffix(ENDING));
@@ -384,7 +384,7 @@ mod tests {
         abandon(|| assert!(!temporary.path.exists()));
     }
 
-    /// A killed process has no lock any more.
+    /// A killed process no longer holds its lock.
     #[test]
     fn what_a_killed_run_has_left_is_removed() {
         let folder = tempfile::tempdir().unwrap();

@@ -21,8 +21,8 @@ pub(crate) struct ReportArgs {
 // How much a report says.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ReportDetailArgs {
-    /// Report every finding, also those that another finding explains, and each separately: by default, text and concise
-    /// merge findings with the same cause, and text shows 20 findings per file
+    /// Report every finding separately, even if another one explains it: by default, text and concise merge findings with
+    /// the same cause, and text shows 20 findings per file
     #[arg(long)]
     pub all: bool,
     /// Count the findings per rule; `=only` hides the findings themselves. For the formats text, concise and json

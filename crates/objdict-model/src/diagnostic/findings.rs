@@ -7,8 +7,8 @@ use super::{Diagnostic, RuleInfo, Severity};
 /// The most findings of a rule and file that a report lists.
 pub const MAX_PER_RULE: u32 = 1000;
 
-/// With so many findings of a file, those of a rule above [`MAX_PER_RULE`] are only counted. This limits memory use for
-/// hostile files; the worst of several hundred real ones has 2,015, so that baselines know all of theirs.
+/// Once a file has this many findings, further findings of a rule that has [`MAX_PER_RULE`] are only counted. This limits
+/// memory use for hostile files. The worst of several hundred real files has 2,015, so baselines contain all of them.
 const MAX_KEPT: usize = 4_000;
 
 /// The findings of one file.

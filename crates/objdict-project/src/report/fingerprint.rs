@@ -23,8 +23,8 @@ const CONTEXT: usize = 80;
 
 /// A hash of the subject of a finding, without its position: of the rule, the place in the model, the values and texts of
 /// the file that the message quotes, and of its number among equal ones. Where the finding is about the text itself, the
-/// section and the text of the line count for the place, without blanks. Lines that move, list members that are numbered
-/// anew, further places of the same kind and another wording change nothing.
+/// section and the text of the line count for the place, without blanks. Moved lines, renumbered list
+/// members, further places of the same kind and another wording change nothing.
 ///
 /// The name of the file is not part of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

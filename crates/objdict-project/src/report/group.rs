@@ -39,10 +39,10 @@ impl CommonCause {
     }
 }
 
-/// The findings of a file, each at its place, by which programs recognise a new one of a known kind. Only those
-/// that another one explains are left out, such as the wrong count of a list in which a number is used twice.
+/// The findings of a file, each at its place, so that programs can recognise a new one of a known kind. Findings that
+/// another one explains are left out, such as the wrong count of a list in which a number is used twice.
 ///
-/// [`grouped`] shows them to people.
+/// [`grouped`] is the form for reading.
 #[must_use]
 pub fn by_place<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
     let subject = subject.into();
