@@ -33,6 +33,12 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         None
     }
 
+    /// Where the objects of the dictionary are written, by index, in the order of the text; an object may have several spans. Empty
+    /// where that is not known.
+    fn objects(&self) -> Vec<(u16, Span)> {
+        Vec::new()
+    }
+
     /// How many devices it describes, without variants.
     fn device_count(&self) -> usize {
         1

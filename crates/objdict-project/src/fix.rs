@@ -10,8 +10,8 @@ use crate::compat::with_refused_spellings;
 use objdict_format as format;
 use objdict_format::{Description, Syntax};
 use objdict_lint::Options;
-use objdict_model::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
-use objdict_model::model::Part;
+use objdict_model::diagnostic::{Applicability, At, Change, Diagnostic, Findings, Fix, Severity};
+use objdict_model::model::{Device, Part};
 use objdict_model::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
 /// Texts of so many bytes together are read and checked to fix a file, which takes a few seconds, but at least [`MIN_TRIALS`]. The fixes
@@ -140,6 +140,9 @@ pub fn fix_for_readers(description: Description, safety: Applicability, options:
 /// The findings with those fixes alone offered ([`Fix::is_offered`](objdict_model::diagnostic::Fix::is_offered)) that [`fix`] makes of this
 /// text at once: no two of them touch each other, and each fixes its finding and causes no other. If some do harm together,
 /// others at their places may be missing.
+///
+/// Fixes are proven on the text without the objects that they have nothing to do with, if the findings that they fix are found in
+/// that too; [`fix`] proves them on the whole text.
 pub fn with_sound_fixes(
     description: &Description,
     findings: Findings,
@@ -149,6 +152,7 @@ pub fn with_sound_fixes(
     let trials = trials(description, MAX_OFFER_BYTES, 0);
     let mut trials =
         Trials { is_offer: true, ..Trials::new(description, &findings, &candidates, &check, trials) };
+    trials.omit_unrelated_objects();
     let offers: BTreeSet<_> = trials.run().into_iter().map(|number| candidates[number].finding).collect();
     findings.rearrange(|mut kept| {
         for (number, finding) in kept.iter_mut().enumerate() {
@@ -156,6 +160,49 @@ pub fn with_sound_fixes(
         }
         kept
     })
+}
+
+/// The objects that a fix adds to object lists.
+fn listed(device: &Device, fix: &Fix) -> Vec<u16> {
+    let mut added = Vec::new();
+    for change in &fix.changes {
+        if let Change::List(list, indexes) = change {
+            let before: BTreeSet<u16> = device.lists.get(*list).iter().copied().collect();
+            added.extend(indexes.iter().filter(|index| !before.contains(index)));
+        }
+    }
+    added
+}
+
+/// Where the objects are written that fixes have nothing to do with. They have to do with the objects that they change or whose
+/// findings they fix, those of the same name, those that PDOs map, the communication profile, and if they change a profile, with that.
+fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec<Span> {
+    let (device, mut objects) = (description.device(), description.object_spans());
+    let mut related = BTreeSet::new();
+    for (span, _) in candidates.iter().flat_map(|candidate| &candidate.edits) {
+        let from = objects.partition_point(|(_, written)| written.end < span.start);
+        let edited = objects[from..].iter().take_while(|(_, written)| written.start <= span.end);
+        related.extend(edited.map(|(index, _)| *index));
+    }
+    related.extend(candidates.iter().filter_map(|candidate| candidate.key.1.as_ref()?.object()));
+    related.extend(candidates.iter().flat_map(|candidate| &candidate.listed));
+    let name = |index: &u16| {
+        let name = &device.objects.get(index)?.main.name;
+        Some(name.split_whitespace().flat_map(str::chars).flat_map(char::to_lowercase).collect::<String>())
+    };
+    let names: BTreeSet<_> = related.iter().filter_map(name).collect();
+    let is_profile = |index: u16| index >= 0x6000;
+    let is_profile_related = related.iter().any(|&index| is_profile(index));
+    related.extend(device.pdos().flat_map(|pdo| pdo.mapped().map(|object| object.index).collect::<Vec<_>>()));
+    objects.retain(|(index, _)| {
+        let is_named = || name(index).is_some_and(|name| names.contains(&name));
+        let is_related = *index < 0x2000
+            || related.contains(index)
+            || is_profile_related && is_profile(*index)
+            || is_named();
+        !is_related
+    });
+    objects.into_iter().map(|(_, span)| span).collect()
 }
 
 /// A fix as what it does to the text.
@@ -167,6 +214,8 @@ struct Candidate {
     key: FindingKey,
     edits: Vec<(Span, String)>,
     encoding: Option<Encoding>,
+    /// What it adds to object lists.
+    listed: Vec<u16>,
 }
 
 /// The fixes to be made in one round: those that do not touch one that was taken before. Safe ones come first.
@@ -193,7 +242,8 @@ fn candidates(
         let (message, title) = (finding.message.to_string(), fix.title.to_string());
         let applied = AppliedFix { rule: finding.rule.id, message, title };
         let (safety, key) = (fix.safety, FindingKey::of(finding));
-        Some(Candidate { applied, safety, finding: number, key, edits, encoding })
+        let listed = listed(description.device(), fix);
+        Some(Candidate { applied, safety, finding: number, key, edits, encoding, listed })
     });
     candidates.collect()
 }
@@ -205,6 +255,8 @@ struct Trials<'a, F> {
     is_encoding_given: bool,
     candidates: &'a [Candidate],
     check: &'a F,
+    /// What is left out of the text in which the fixes are tried.
+    omitted: Vec<Span>,
     before: Counts,
     /// How many more texts may be tried.
     left: u32,
@@ -226,9 +278,37 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let before = Counts::of(findings);
         let source = description.source();
         let is_encoding_given = Encoding::detect(&source.to_bytes()) != source.encoding();
-        let (best, harmful) = (None, Vec::new());
+        let (best, harmful, omitted) = (None, Vec::new(), Vec::new());
         let is_offer = false;
-        Self { description, is_encoding_given, candidates, check, before, left, is_offer, best, harmful }
+        Self {
+            description,
+            is_encoding_given,
+            candidates,
+            check,
+            omitted,
+            before,
+            left,
+            is_offer,
+            best,
+            harmful,
+        }
+    }
+
+    /// Leaves the objects out that no fix has to do with, unless a finding that is to be fixed goes with them.
+    fn omit_unrelated_objects(&mut self) {
+        self.omitted = unrelated_objects(self.description, self.candidates);
+        if self.omitted.is_empty() {
+            return;
+        }
+        let counts = self.amended(&[]).map(|(description, _)| Counts::of(&(self.check)(&description)));
+        let is_found = |counts: &Counts| {
+            let mut keys = self.candidates.iter().map(|candidate| &candidate.key);
+            keys.all(|key| counts.parts.get(key) == self.before.parts.get(key))
+        };
+        match counts.filter(is_found) {
+            Some(counts) => self.before = counts,
+            None => self.omitted.clear(),
+        }
     }
 
     /// The fixes that are made in this round, in the order of their findings. Safe ones are tried first, because they must
@@ -318,6 +398,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
     fn amended(&self, numbers: &[usize]) -> Option<(Description, BTreeMap<&'a FindingKey, u32>)> {
         let source = self.description.source();
         let mut edits = Edits::new(source);
+        self.omitted.iter().for_each(|span| edits.replace(*span, ""));
         let mut encoding = source.encoding();
         let mut fixed = BTreeMap::new();
         for &number in numbers {

@@ -151,14 +151,16 @@ impl SectionLocator {
             }
             _ => None,
         };
-        let mut lines = Lines::from(text, header).skip(1).take_while(|line| !is_header(line));
-        // most sections are short
-        if let Some(value) = lines.by_ref().take(SHORT).find_map(value_of) {
-            return Some(value);
-        }
-        lines.next()?;
-        let hash = hash(&self.state, &name.to_ascii_lowercase());
         let mut sections = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        if !sections.contains_key(&header) {
+            let mut lines = Lines::from(text, header).skip(1).take_while(|line| !is_header(line));
+            // most sections are short
+            if let Some(value) = lines.by_ref().take(SHORT).find_map(value_of) {
+                return Some(value);
+            }
+            lines.next()?;
+        }
+        let hash = hash(&self.state, &name.to_ascii_lowercase());
         let keys = sections.entry(header).or_insert_with(|| self.read_keys(text, header));
         let from = keys.partition_point(|(other, _)| *other < hash);
         let candidates = keys[from..].iter().take_while(|(other, _)| *other == hash);
@@ -183,6 +185,24 @@ impl SectionLocator {
             _ => None,
         }
     }
+}
+
+/// The sections of each object, in order.
+pub fn objects(document: &Document) -> Vec<(u16, Span)> {
+    let text = document.text();
+    let mut found = Vec::new();
+    // backwards, because a section ends where the next one starts
+    let headers: Vec<Line> = document.headers().collect();
+    let mut end = text.len() as u32;
+    for line in headers.into_iter().rev() {
+        if let LineKind::Section { name } = line.kind {
+            let object = SectionName::parse(name.of(text)).part.object();
+            found.extend(object.map(|index| (index, Span::new(line.span.start, end))));
+            end = line.span.start;
+        }
+    }
+    found.reverse();
+    found
 }
 
 /// The comment line that holds an embedded datum, or the first of all.

@@ -27,7 +27,7 @@ pub use additions::{additions, stated, stored};
 pub use configure::{to_dcf, to_eds};
 pub use fix::edits;
 pub use keys::is_key;
-pub use locate::SectionLocator;
+pub use locate::{SectionLocator, objects};
 pub use misspelt::is_key_of;
 pub use read::read;
 pub use section::SectionName;

@@ -46,6 +46,10 @@ impl DescriptionText for IniText {
         self.locator().place_at(&self.document, at)
     }
 
+    fn objects(&self) -> Vec<(u16, Span)> {
+        eds::objects(&self.document)
+    }
+
     fn findings(&self) -> Findings {
         let mut findings = Findings::new();
         ini::findings::lines::check(&self.document, &mut findings);

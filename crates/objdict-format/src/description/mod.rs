@@ -226,6 +226,12 @@ impl Description {
         self.device
     }
 
+    /// Where the objects of the dictionary are written, by index, in the order of the text; an object may have several spans. Empty
+    /// where that is not known.
+    pub fn object_spans(&self) -> Vec<(u16, Span)> {
+        self.text.objects()
+    }
+
     /// The span of a place of the model in the text; `None` for what has no text.
     pub fn locate(&self, place: &Place) -> Option<Span> {
         self.text.locate(place)

@@ -77,6 +77,10 @@ impl DescriptionText for XmlText {
         self.locator().place_at(&self.tree, at)
     }
 
+    fn objects(&self) -> Vec<(u16, Span)> {
+        self.locator().objects(&self.tree)
+    }
+
     fn device_count(&self) -> usize {
         xdd::containers(&self.tree).len().max(1)
     }

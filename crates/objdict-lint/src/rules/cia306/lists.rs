@@ -1,5 +1,6 @@
 //! The object lists, object links and the other standard sections.
 
+use std::cell::OnceCell;
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, Severity, Text, counted, say};
@@ -133,18 +134,21 @@ fn listed_object_missing(device: &Device, findings: &mut Findings) {
     }
     let mut fixes = ListFixes::new();
     for list in ObjectList::ALL {
-        let described =
-            || device.lists.get(list).iter().copied().filter(|index| device.objects.contains_key(index));
+        let is_described = |index: &u16| device.objects.contains_key(index);
+        let described = OnceCell::new();
         for (number, index) in (1..).zip(device.lists.get(list)) {
-            if !device.objects.contains_key(index) {
+            if !is_described(index) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message =
                     say!("{:04X}h is listed, but {section} `{}` is missing", index, Part::Object(*index));
                 let finding = LISTED_OBJECT_MISSING.at(place, message);
                 let mut finding = finding.help(listed_object_help(device, *index));
-                finding.fix = fixes.next(device.lists.get(list), || {
+                let listed = device.lists.get(list);
+                finding.fix = fixes.next(listed, || {
+                    let described: &Vec<u16> =
+                        described.get_or_init(|| listed.iter().copied().filter(is_described).collect());
                     let fix = Fix::risky("remove all list entries without a description");
-                    fix.with(Change::List(list, described().collect()))
+                    fix.with(Change::List(list, described.clone()))
                 });
                 findings.push(finding);
             }

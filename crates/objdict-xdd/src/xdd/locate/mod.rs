@@ -95,6 +95,14 @@ impl ElementLocator {
         Some(Place { part, field: known.and_then(|(_, known)| known.field()) })
     }
 
+    /// The element of each object, in the order of the text; of an index that is defined twice, the first.
+    pub fn objects(&self, tree: &Tree) -> Vec<(u16, Span)> {
+        let mut found: Vec<_> =
+            self.objects.iter().map(|(&index, &id)| (index, tree.element(id).span())).collect();
+        found.sort_by_key(|(_, span)| span.start);
+        found
+    }
+
     /// The object that an item of a list refers to.
     fn item(&self, tree: &Tree, list: ObjectList, field: Option<&Field>) -> Option<Span> {
         let Some(Field::Item(number)) = field else { return None };
