@@ -56,7 +56,7 @@ rules! {
 
     "cia301/sdo-node-id" = SDO_NODE_ID, Warning, Facts(sdo_node_id);
     summary: "an SDO channel has the wrong node-ID",
-    checks: "Whether sub-index 3 of each active SDO channel except the default SDO is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, states that node.",
+    checks: "Whether sub-index 3 of each active SDO channel except the default SDO is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, uses both of one node and states that node.",
     why: "Tools find the peer of the channel by the node-ID. With a wrong node-ID, the channel reaches no node or is shown for the wrong one.",
     example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`",
     remedy: "Write the node-ID of the peer.",
@@ -199,6 +199,17 @@ fn sdo_cob_ids_exchanged(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
+    for (request, response) in facts.sdo_channels() {
+        let ends = (server_of(facts, request, 0x600), server_of(facts, response, 0x580));
+        if let (Some(asked), Some(heard)) = ends
+            && asked != heard
+        {
+            let message = say!("{} asks node {}, but listens to node {}", request.service, asked, heard);
+            let finding = SDO_NODE_ID.at(facts.device.value_place(response.index, response.sub), message);
+            let finding = finding.label(facts.device.value_place(request.index, request.sub), "the request");
+            findings.push(finding.help("write the CAN-IDs of one node"));
+        }
+    }
     let requests = facts.cob_ids.iter().filter(|cob_id| match cob_id.service {
         CobIdService::ServerRequest(number) => number > 1,
         service => matches!(service, CobIdService::ClientRequest(_)),
@@ -211,7 +222,7 @@ fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
             say!("{} has the node-ID `{}`, which is not from 1 to 127", service, node)
         } else if own == Some(node) {
             say!("{} has the node-ID {}, which is the node itself", service, node)
-        } else if let Some(server) = default_server(facts, request).filter(|&server| server != node) {
+        } else if let Some(server) = server_of(facts, request, 0x600).filter(|&server| server != node) {
             say!("{} uses the default SDO of node {}, but has the node-ID {}", service, server, node)
         } else {
             continue;
@@ -223,14 +234,13 @@ fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// The node whose default SDO a client uses.
-fn default_server(facts: &Facts<'_>, request: &CobIdUse) -> Option<i128> {
-    let is_client = matches!(request.service, CobIdService::ClientRequest(_));
-    if !is_client || request.cob_id.depends_on_node_id() && facts.device.node_id().is_none() {
-        return None;
-    }
-    let can_id = request.cob_id.can_id(*facts.node_ids().start());
-    (0x601..=0x67F).contains(&can_id).then_some(i128::from(can_id) - 0x600)
+/// The node whose default SDO has the CAN-ID of a client, which is this `base` plus its node-ID.
+fn server_of(facts: &Facts<'_>, cob_id: &CobIdUse, base: u32) -> Option<i128> {
+    let is_client =
+        matches!(cob_id.service, CobIdService::ClientRequest(_) | CobIdService::ClientResponse(_));
+    let is_known = !cob_id.cob_id.depends_on_node_id() || facts.device.node_id().is_some();
+    let node = cob_id.cob_id.can_id(*facts.node_ids().start()).checked_sub(base)?;
+    (is_client && is_known && cob_id.is_in_use() && (1..=127).contains(&node)).then_some(node.into())
 }
 
 fn sdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {

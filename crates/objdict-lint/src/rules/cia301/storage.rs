@@ -19,11 +19,11 @@ rules! {
     "cia301/invalid-configuration-date" = INVALID_CONFIGURATION_DATE, Warning,
         Facts(invalid_configuration_date);
     summary: "the configuration date is impossible",
-    checks: "Whether 1020h, verify configuration, is 0 in an EDS, and in a DCF contains a time below 86400000 ms and a date with it.",
+    checks: "Whether 1020h, verify configuration, is 0 in an EDS, and in a DCF contains a time below 86400000 ms and a date with it. The times that a manager expects of its nodes, 1F27h, are below 86400000 ms too.",
     why: "A manager that reads its own date from 1020h assumes that the device is configured and writes nothing. A new device with a date, or one with an impossible time, is never configured or is configured at every start.",
     example: "`[1020sub2]` with `ParameterValue=90000000`",
     remedy: "Write the days since 1984-01-01 to sub-index 1 and the milliseconds since midnight to sub-index 2; 0 to both in an EDS.",
-    source: "CiA 301 §7.5.2.23",
+    source: "CiA 301 §7.5.2.23; CiA 302-3 (1F27h)",
 
     "cia301/storage-signature-as-default" = STORAGE_SIGNATURE_AS_DEFAULT, Warning,
         Device(storage_signature_as_default), fix Unsafe;
@@ -62,6 +62,16 @@ fn incomplete_eds_storage(device: &Device, findings: &mut Findings) {
 const MILLISECONDS_OF_DAY: i128 = 86_400_000;
 
 fn invalid_configuration_date(facts: &Facts<'_>, findings: &mut Findings) {
+    let beyond_day = |index: u16, sub: u8, time: i128| {
+        let message = say!("{} ms since midnight is more than a day ({} ms)", time, MILLISECONDS_OF_DAY);
+        let finding = INVALID_CONFIGURATION_DATE.at(facts.device.value_place(index, sub), message);
+        finding.help("write the milliseconds since midnight")
+    };
+    for node in 1..=127 {
+        if let Some(time) = facts.number(0x1F27, node).filter(|&time| time >= MILLISECONDS_OF_DAY) {
+            findings.push(beyond_day(0x1F27, node, time));
+        }
+    }
     let (Some(date), Some(time)) = (facts.number(0x1020, 1), facts.number(0x1020, 2)) else { return };
     let place = |sub| facts.device.value_place(0x1020, sub);
     let is_type = facts.device.kind == DeviceKind::Type;
@@ -75,8 +85,7 @@ fn invalid_configuration_date(facts: &Facts<'_>, findings: &mut Findings) {
             .at(place(if date == 0 { 2 } else { 1 }), message)
             .help("write 0 to sub-indexes 1 and 2")
     } else if time >= MILLISECONDS_OF_DAY {
-        let message = say!("{} ms since midnight is more than a day ({} ms)", time, MILLISECONDS_OF_DAY);
-        INVALID_CONFIGURATION_DATE.at(place(2), message).help("write the milliseconds since midnight")
+        beyond_day(0x1020, 2, time)
     } else if date == 0 && time != 0 {
         let message = "the configuration time is set without a date";
         INVALID_CONFIGURATION_DATE.at(place(1), message).help("write the days since 1984-01-01")

@@ -30,6 +30,14 @@ rules! {
     remedy: "Add 1005h, or remove the object.",
     source: "CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22",
 
+    "cia301/sync-period-too-short" = SYNC_PERIOD_TOO_SHORT, Warning, Facts(sync_period_too_short);
+    summary: "the SYNC period is shorter than a bus allows",
+    checks: "Whether 1006h, the communication cycle period, is 0 or at least 100 µs, configured or default.",
+    why: "At 1 Mbit/s a SYNC message alone takes about 50 µs, and each PDO of the cycle up to 135 µs. Such a value is usually a time in milliseconds, where the object has microseconds.",
+    example: "`[1006]` with `DefaultValue=10`, for 10 ms",
+    remedy: "Write the period in microseconds: 10000 for 10 ms.",
+    source: "CiA 301 §7.5.2.6",
+
     "cia301/sync-producer-without-period" = SYNC_PRODUCER_WITHOUT_PERIOD, Warning,
         Facts(sync_producer_without_period);
     summary: "the device produces SYNC but has no communication cycle period",
@@ -172,6 +180,22 @@ fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
             .at(device.value_place(0x1006, 0), message)
             .label(device.value_place(0x1005, 0), "bit 30 is set");
         findings.push(finding.help("write the period in microseconds, or clear bit 30 of 1005h"));
+    }
+}
+
+/// In microseconds. A SYNC message has 44 to 52 bits, and one synchronous PDO of 0 bytes as many.
+const SHORTEST_SYNC_PERIOD: i128 = 100;
+
+fn sync_period_too_short(facts: &Facts<'_>, findings: &mut Findings) {
+    let Some(period) = facts.number(0x1006, 0) else { return };
+    if (1..SHORTEST_SYNC_PERIOD).contains(&period) {
+        let message = say!("the SYNC period is `{}` µs, shorter than the messages of a cycle", period);
+        let finding = SYNC_PERIOD_TOO_SHORT.at(facts.device.value_place(0x1006, 0), message);
+        findings.push(finding.help(say!(
+            "write the period in microseconds, `{}` for {} ms",
+            period * 1000,
+            period
+        )));
     }
 }
 

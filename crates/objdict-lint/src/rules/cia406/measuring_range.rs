@@ -43,11 +43,11 @@ rules! {
 
     "cia406/revolutions-of-single-turn" = REVOLUTIONS_OF_SINGLE_TURN, Warning,
         Applied(revolutions_of_single_turn);
-    summary: "a single-turn encoder has more than one revolution",
-    checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1. Type 3 is not checked because it counts revolutions.",
+    summary: "the number of revolutions contradicts the type of the encoder",
+    checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1, and of type 2 (absolute, multi-turn) above 1. Type 3 is not checked because it counts revolutions.",
     why: "Either the type is wrong, or a master that multiplies resolution and revolutions computes a wrong measuring range.",
     example: "`[1000]` with `DefaultValue=0x00010196`, `[6502]` with `DefaultValue=4096`",
-    remedy: "Write 1, or the type of a multi-turn encoder.",
+    remedy: "Correct the type in 1000h or the revolutions in 6502h.",
     source: "CiA 406 (1000h, 6502h)",
 
     "cia406/value-beyond-resolution" = VALUE_BEYOND_RESOLUTION, Warning, Applied(value_beyond_resolution);
@@ -151,12 +151,21 @@ fn revolutions_of_single_turn(facts: &Facts<'_>, applied: &Applied<'_>, findings
     let value = |index: u16| device.object(index)?.value(0)?.as_integer();
     let (device_type, index) = (device_type_index(device, block), index_in(block, 0x6502));
     let (Some(kind), Some(revolutions)) = (value(device_type), value(index)) else { return };
-    if kind >> 16 == 1 && revolutions > 1 {
-        let message = say!("a single-turn encoder has `{}` revolutions", revolutions);
-        let finding = REVOLUTIONS_OF_SINGLE_TURN.at(device.value_place(index, 0), message);
-        let finding = finding.label(device.value_place(device_type, 0), "type 1, single-turn");
-        findings.push(finding.help("write 1 or the type of a multi-turn encoder"));
-    }
+    let (message, label, help) = match (kind >> 16, revolutions) {
+        (1, 2..) => (
+            say!("a single-turn encoder has `{}` revolutions", revolutions),
+            "type 1, single-turn",
+            "write 1 or the type of a multi-turn encoder",
+        ),
+        (2, 1) => (
+            "a multi-turn encoder has only `1` revolution".into(),
+            "type 2, multi-turn",
+            "write the number of revolutions or the type of a single-turn encoder",
+        ),
+        _ => return,
+    };
+    let finding = REVOLUTIONS_OF_SINGLE_TURN.at(device.value_place(index, 0), message);
+    findings.push(finding.label(device.value_place(device_type, 0), label).help(help));
 }
 
 fn value_beyond_resolution(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
