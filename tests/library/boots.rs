@@ -15,7 +15,7 @@ use objdict::network::DcfgenMode;
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::network::new_folder;
-use crate::planted::mistakes;
+use crate::planted::{mistakes, table};
 use crate::support::skips::{sample, skip};
 use crate::support::{files_below, fixtures};
 
@@ -512,7 +512,7 @@ fn edited_networks_keep_the_law() {
 
 #[test]
 fn planted_mistakes_keep_the_law() {
-    let table = fs::read_to_string(fixtures().join("planted.txt")).unwrap();
+    let table = table();
     let is_network = |name: &str| [".toml", ".yml"].iter().any(|ending| name.ends_with(ending));
     let planted = mistakes(&table).into_iter().filter(|mistake| is_network(mistake.file)).map(|mistake| {
         let path = fixtures().join(mistake.file);

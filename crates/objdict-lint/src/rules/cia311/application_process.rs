@@ -11,7 +11,7 @@ rules! {
 
     "cia311/unfitting-type" = UNFITTING_TYPE, Warning, Device(unfitting_type);
     summary: "a type of the application process does not fit the entry that has it",
-    checks: "Whether the members of a struct that divides a number into bit fields are inside the number and do not share bits, the values of an `enum` are in the range of the data type, and the only `subrange` of an array that begins at 0 or 1 does not end behind the last sub-index. One finding for each type.",
+    checks: "Whether the members of a struct that divides a number into bit fields are inside the number and do not share bits, the values of an `enum` are in the range of the data type, and the only `subrange` of an array that begins at 0 or 1 ends at the last sub-index. One finding for each type.",
     why: "Tools show a bit under two names, or none; generated code reads other bits than the device writes.",
     example: r#"`<varDeclaration start="4" size="5" …>` after `<varDeclaration start="2" size="3" …>` in one struct"#,
     remedy: "Correct `start` and `size` of the members, the values or the subrange, or the entry.",
@@ -38,7 +38,7 @@ fn unfitting_type(device: &Device, findings: &mut Findings) {
     };
     for (&index, object) in &device.objects {
         if let Some(definition) = meanings.type_of(&object.main)
-            && let Some(problem) = excess_of_array(object, definition)
+            && let Some(problem) = other_end_of_array(object, definition)
         {
             report(definition, Place::object(index), problem);
         }
@@ -74,14 +74,14 @@ fn bit_field_defect(word: &BitStruct<'_>) -> Option<Text> {
     None
 }
 
-/// How the type of an array exceeds its object.
-fn excess_of_array(object: &Object, definition: &TypeDefinition) -> Option<Text> {
+/// How the type of an array ends elsewhere than its object.
+fn other_end_of_array(object: &Object, definition: &TypeDefinition) -> Option<Text> {
     let TypeShape::Array { ranges, .. } = &definition.shape else { return None };
     let [range] = &**ranges else { return None };
     let (low, high) = (range.low.trim().parse::<i64>().ok()?, range.high.trim().parse::<i64>().ok()?);
     let last = object.highest_sub().filter(|_| object.object_type().has_subs())?;
-    let is_beyond = (0..=1).contains(&low) && high > last.into();
-    is_beyond.then(|| say!("its elements end at {}, the sub-indexes at {}", high, last))
+    let is_other = (0..=1).contains(&low) && high != i64::from(last);
+    is_other.then(|| say!("its elements end at {}, the sub-indexes at {}", high, last))
 }
 
 fn value_without_name(device: &Device, findings: &mut Findings) {
