@@ -60,6 +60,7 @@ pub struct LiveDictionary {
     stored: Vec<Vec<u8>>,
     /// Storage that 1011h marked to be dropped at the next reset, by sub-index.
     dropped: Vec<u8>,
+    node_id: u8,
     /// Whether it represents any device with the description, and not only one with the services of `objdict-device`.
     is_any: bool,
 }
@@ -79,7 +80,7 @@ impl LiveDictionary {
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
         let entries: Arc<[LiveEntry]> = live_entries(&power_on.values_of(device), node_id, options).into();
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
-        Self { entries, stored: values.clone(), values, dropped: Vec::new(), is_any: false }
+        Self { entries, stored: values.clone(), values, dropped: Vec::new(), node_id, is_any: false }
     }
 
     /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
@@ -272,6 +273,10 @@ impl Dictionary for LiveDictionary {
 
     fn serves_more(&self) -> bool {
         self.is_any
+    }
+
+    fn own_node_id(&self) -> Option<u8> {
+        Some(self.node_id)
     }
 
     fn can_store(&self, _: u8) -> bool {

@@ -183,6 +183,11 @@ pub trait Dictionary {
         false
     }
 
+    /// The node-ID of the values, if it is known: a node does not monitor itself.
+    fn own_node_id(&self) -> Option<u8> {
+        None
+    }
+
     /// Whether values can be stored by a sub-index of 1010h.
     fn can_store(&self, sub: u8) -> bool {
         let _ = sub;
@@ -264,6 +269,10 @@ impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
 
     fn restart(&mut self, scope: Scope, node_id: u8) {
         self.set_defaults(node_id, |index| scope.contains(index));
+    }
+
+    fn own_node_id(&self) -> Option<u8> {
+        Some(self.node_id())
     }
 
     fn locate(&self, index: u16, sub: u8) -> Result<Place, Abort> {

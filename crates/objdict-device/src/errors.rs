@@ -20,6 +20,8 @@ const WAITING: usize = 4;
 
 /// Error codes that the services of a node report (CiA 301 §7.2.7.1).
 pub mod error_code {
+    /// Stored values are lost.
+    pub const DATA_SET: u16 = 0x6300;
     /// CAN messages were lost.
     pub const CAN_OVERRUN: u16 = 0x8110;
     /// The CAN controller is error passive.

@@ -2,7 +2,7 @@
 
 use embedded_storage::nor_flash::NorFlash;
 
-use crate::{Abort, Storage};
+use crate::{Abort, Storage, crc};
 
 /// Room for the unit in which a flash is written, in bytes.
 pub(crate) const UNIT: usize = 64;
@@ -76,43 +76,114 @@ impl<F: NorFlash> Region<F> {
     }
 }
 
-/// Storage groups in a flash, each in its own part, which is erased before it is written. If the power fails in between, the group
-/// begins with its defaults.
+/// Storage groups in a flash, each in two banks that are written in turn: the last image stays valid until the next one is written, so a
+/// power failure at any time loses nothing that was stored. Each image erases one bank: a bank wears out by every second one.
 #[derive(Clone, Debug)]
 pub struct FlashStorage<F> {
     region: Region<F>,
-    /// Bytes for each group.
-    part: u32,
+    /// Bytes of a bank.
+    bank: u32,
+}
+
+/// What is written to a bank after its image: number of the image, its length and a CRC of all, little-endian.
+const HEADER: usize = 10;
+
+/// The last image of a group.
+#[derive(Clone, Copy)]
+struct Kept {
+    /// Where its bank starts.
+    offset: u32,
+    number: u32,
+    /// 0 if the group was erased.
+    length: usize,
 }
 
 impl<F: NorFlash> FlashStorage<F> {
-    /// Parts of the same size for a number of groups; `None` if there is no room.
+    /// Two banks of the same size for each of a number of groups; `None` if there is no room.
     pub fn new(region: Region<F>, groups: usize) -> Option<Self> {
-        let units = (region.length() as usize / F::ERASE_SIZE).checked_div(groups)?;
-        let part = u32::try_from(units * F::ERASE_SIZE).ok()?;
-        (part > 0).then_some(Self { region, part })
+        let units = (region.length() as usize / F::ERASE_SIZE).checked_div(groups.checked_mul(2)?)?;
+        let bank = u32::try_from(units * F::ERASE_SIZE).ok()?;
+        (bank as usize > UNIT).then_some(Self { region, bank })
     }
 
-    fn offset(&self, group: usize, length: usize) -> Result<u32, Abort> {
-        let offset = u32::try_from(group).ok().and_then(|group| group.checked_mul(self.part));
-        offset.filter(|_| length <= self.part as usize).ok_or(Abort::OutOfMemory)
+    /// Where the banks of a group start.
+    fn banks(&self, group: usize) -> Result<[u32; 2], Abort> {
+        let first = u32::try_from(group).ok().and_then(|group| group.checked_mul(2 * self.bank));
+        let first = first.ok_or(Abort::OutOfMemory)?;
+        self.region.within(first, 2 * self.bank as usize)?;
+        Ok([first, first + self.bank])
+    }
+
+    /// The image in a bank, if it is whole.
+    fn kept(&mut self, offset: u32) -> Result<Option<Kept>, Abort> {
+        let mut header = [0; HEADER];
+        self.region.read(offset, &mut header)?;
+        let [a, b, c, d, e, f, g, h, check @ ..] = header;
+        let (number, length) = (u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h]) as usize);
+        if length > self.bank as usize - UNIT {
+            return Ok(None);
+        }
+        let mut found = crc(0, &[a, b, c, d, e, f, g, h]);
+        let mut unit = [0; UNIT];
+        for start in (0..length).step_by(UNIT) {
+            let unit = unit.get_mut(..UNIT.min(length - start)).unwrap_or_default();
+            self.region.read(offset + (UNIT + start) as u32, unit)?;
+            found = crc(found, unit);
+        }
+        Ok((found == u16::from_le_bytes(check)).then_some(Kept { offset, number, length }))
+    }
+
+    /// The last image of a group.
+    fn last(&mut self, group: usize) -> Result<Option<Kept>, Abort> {
+        let [first, second] = self.banks(group)?;
+        Ok(match (self.kept(first)?, self.kept(second)?) {
+            // numbers begin again after the highest one
+            (Some(one), Some(other)) if one.number.wrapping_sub(other.number) as i32 > 0 => Some(one),
+            (one, other) => other.or(one),
+        })
+    }
+
+    /// Whether nothing was ever written to a group.
+    fn is_blank(&mut self, group: usize) -> Result<bool, Abort> {
+        let mut headers = [0; 2 * HEADER];
+        for (offset, header) in self.banks(group)?.into_iter().zip(headers.chunks_exact_mut(HEADER)) {
+            self.region.read(offset, header)?;
+        }
+        Ok(headers == [0xFF; 2 * HEADER])
     }
 }
 
 impl<F: NorFlash> Storage for FlashStorage<F> {
     fn save(&mut self, group: usize, image: &[u8]) -> Result<(), Abort> {
-        let offset = self.offset(group, image.len())?;
-        self.region.erase(offset, self.part)?;
-        self.region.write(offset, image)
+        if image.len() > self.bank as usize - UNIT {
+            return Err(Abort::OutOfMemory);
+        }
+        let ([first, second], last) = (self.banks(group)?, self.last(group)?);
+        let offset = if last.is_some_and(|last| last.offset == first) { second } else { first };
+        let number = last.map_or(0, |last| last.number.wrapping_add(1)).to_le_bytes();
+        let length = (image.len() as u32).to_le_bytes();
+        let check = crc(crc(crc(0, &number), &length), image).to_le_bytes();
+        self.region.erase(offset, self.bank)?;
+        self.region.write(offset + UNIT as u32, image)?;
+        let mut header = [0; HEADER];
+        header.iter_mut().zip(number.iter().chain(&length).chain(&check)).for_each(|(to, from)| *to = *from);
+        self.region.write(offset, &header)
     }
 
     fn load(&mut self, group: usize, image: &mut [u8]) -> Result<(), Abort> {
-        let offset = self.offset(group, image.len())?;
-        self.region.read(offset, image)
+        image.fill(0xFF);
+        match self.last(group)? {
+            Some(kept) => {
+                let length = kept.length.min(image.len());
+                let image = image.get_mut(..length).unwrap_or_default();
+                self.region.read(kept.offset + UNIT as u32, image)
+            }
+            None if self.is_blank(group)? => Ok(()),
+            None => Err(Abort::NoData),
+        }
     }
 
     fn erase(&mut self, group: usize) -> Result<(), Abort> {
-        let offset = self.offset(group, 0)?;
-        self.region.erase(offset, self.part)
+        self.save(group, &[])
     }
 }

@@ -38,6 +38,7 @@ impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
 impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
     forward! { dictionary:
         fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
+        fn own_node_id(self: &Self) -> Option<u8>;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn restart(self: &mut Self, scope: Scope, node_id: u8);
         fn begin_read(self: &mut Self, index: u16, sub: u8) -> Result<Option<usize>, Abort>;

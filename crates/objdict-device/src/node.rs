@@ -11,10 +11,10 @@ use crate::{
 };
 
 /// What a node does after a communication error.
-const ERROR_BEHAVIOUR: u16 = 0x1029;
+pub(crate) const ERROR_BEHAVIOUR: u16 = 0x1029;
 
 /// Whether the node starts by itself.
-const STARTUP: u16 = 0x1F80;
+pub(crate) const STARTUP: u16 = 0x1F80;
 
 /// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, `R` RPDOs, `T` TPDOs and room to monitor `N` other nodes,
 /// where each service works in the NMT states that CiA 301 gives it. The generated file has a type and a constructor with the numbers
@@ -34,6 +34,8 @@ pub struct Node<D, const BUFFER: usize, const CHANNELS: usize, const R: usize, c
     consumers: HeartbeatConsumer<N>,
     errors: Errors,
     servers: [SdoServer<BUFFER>; CHANNELS],
+    /// Whether the node stops after its emergency message, which it could not send in this state.
+    is_stopping: bool,
 }
 
 /// What became of a frame that the node received.
@@ -102,11 +104,13 @@ impl<
             consumers: HeartbeatConsumer::new(),
             errors: Errors::new(node_id),
             servers: servers(node_id),
+            is_stopping: false,
         }
     }
 
-    /// Gives a node that waits for [`Node::boot`] another node-ID, such as the one that LSS configured. The values that depend on it
-    /// become the defaults for it.
+    /// Gives a node that waits for [`Node::boot`] another node-ID, such as the one that LSS configured. All values are those of
+    /// power-on: what was stored, and otherwise the defaults. Values that were stored with their default for another node-ID are the
+    /// defaults for this one.
     pub fn set_node_id(&mut self, node_id: u8) {
         self.nmt = Nmt::new(node_id);
         self.errors = Errors::new(node_id);
@@ -220,14 +224,18 @@ impl<
 
     /// Reports an error of the device: the error register and the history have it, and an emergency message says it. `code` is that
     /// of CiA 301 or of a device profile, such as 8110h or 2310h; the first two bytes distinguish errors of one code, and each is
-    /// reported once until [`Node::resolve`]. After a communication error, bus-off or a lost heartbeat, the node does what 1029h says.
+    /// reported once until [`Node::resolve`]. After a communication error, bus-off or a lost heartbeat, the node does what 1029h says; if
+    /// it stops, its emergency message leaves before, unless its inhibit time is not over.
     pub fn report(&mut self, code: u16, vendor: [u8; 5]) {
         let is_new = self.errors.report(&mut self.dictionary, code, vendor);
         if is_new && matches!(code, error_code::HEARTBEAT | error_code::BUS_OFF) {
             let behaviour = self.dictionary.number(ERROR_BEHAVIOUR, 1).unwrap_or(0);
             match (behaviour, self.state()) {
                 (0, NmtState::Operational) => self.enter(NmtState::PreOperational),
-                (2, NmtState::Operational | NmtState::PreOperational) => self.enter(NmtState::Stopped),
+                (2, NmtState::Operational | NmtState::PreOperational) => {
+                    self.pdos.stop();
+                    self.is_stopping = true;
+                }
                 _ => {}
             }
         }
@@ -252,6 +260,7 @@ impl<
 
     /// The services that the new state does not have end.
     fn enter(&mut self, state: NmtState) {
+        self.is_stopping = false;
         self.nmt.enter(state);
         match state {
             NmtState::Operational => return self.pdos.start(),
@@ -267,6 +276,12 @@ impl<
     /// The next frame to send at a time in microseconds: heartbeat, SYNC, emergency message, TPDO, or what an SDO server has to say.
     pub fn poll(&mut self, now: u64) -> Option<Frame> {
         self.look_for_losses(now);
+        if self.is_stopping {
+            if let Some(emergency) = self.errors.poll(now) {
+                return Some(emergency);
+            }
+            self.enter(NmtState::Stopped);
+        }
         if let Some(frame) = self.nmt.poll(now) {
             return Some(frame);
         }
@@ -297,6 +312,9 @@ impl<
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         let always = earlier(self.nmt.next(now), self.consumers.next());
+        if self.is_stopping {
+            return Some(now);
+        }
         if !self.nmt.communicates() {
             return always.filter(|_| self.state() != NmtState::Initialising);
         }

@@ -169,6 +169,7 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
 impl<V: Dictionary, F: NorFlash> Dictionary for WithProgram<V, F> {
     forward! { data:
         fn serves_more(self: &Self) -> bool;
+        fn own_node_id(self: &Self) -> Option<u8>;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
         fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;

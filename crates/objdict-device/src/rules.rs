@@ -3,6 +3,7 @@
 
 use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::heartbeat::{CONSUMER_TIME, monitored};
+use crate::node::{ERROR_BEHAVIOUR, STARTUP};
 use crate::pdo::mapping::Mapped;
 use crate::pdo::transmission_type::is_event_driven;
 use crate::services::{RESTORE, STORE, Services};
@@ -16,6 +17,17 @@ const DUMMIES: [u8; 7] = [1, 8, 16, 32, 8, 16, 32];
 /// The COB-ID of TIME; its bits 30 and 31 say that the node sends and receives it.
 const TIME: u16 = 0x1012;
 const SENDS_TIME: u32 = 1 << 30;
+const RECEIVES_TIME: u32 = 1 << 31;
+
+/// The window of SYNC, and node guarding.
+const SYNC_WINDOW: u16 = 0x1007;
+const GUARD_TIME: u16 = 0x100C;
+const LIFE_TIME_FACTOR: u16 = 0x100D;
+/// The bits of 1F80h that make the node a master, or that only a master heeds. Bit 3 does not switch anything on.
+const MASTER_BITS: u64 = 0b0111_0011;
+
+/// The bit of the COB-ID of a TPDO that says that remote frames are not answered.
+const NO_REMOTE_FRAMES: u32 = 1 << 30;
 
 /// The COB-IDs of the emergency messages of other nodes.
 const EMCY_CONSUMER: u16 = 0x1028;
@@ -116,6 +128,9 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
     value: u64,
 ) -> Result<(), Refusal> {
     let word = value as u32;
+    if !dictionary.serves_more() {
+        defined(!switches_on(index, sub, value) || dictionary.number(index, sub) == Ok(value))?;
+    }
     match (index, sub) {
         (errors::HISTORY, 0) => defined(value == 0),
         (sync::COB_ID, 0) => check_sync::<D, S>(dictionary, word),
@@ -123,8 +138,10 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
         (RESTORE, 1..) => ensure(value == u32::from_le_bytes(*b"load").into(), Refusal::Signature),
         (sync::OVERFLOW, 0) => check_overflow(dictionary, value),
         (TIME, 0) => {
-            defined(word & SENDS_TIME == 0 || dictionary.serves_more())?;
-            check_cob_id(dictionary, index, sub, word, |old| old & (SENDS_TIME | NOT_VALID) == 0)
+            check_cob_id(dictionary, index, sub, word, |old| old & (SENDS_TIME | RECEIVES_TIME) == 0)
+        }
+        (ERROR_BEHAVIOUR, 1..) => {
+            defined(matches!(value, 0..=2) || value >= 0x80 && dictionary.serves_more())
         }
         (errors::COB_ID, 0) | (EMCY_CONSUMER, 1..=0x7F) => {
             check_cob_id(dictionary, index, sub, word, is_not_valid)
@@ -134,6 +151,18 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
         (0x1400..=0x15FF | 0x1800..=0x19FF, _) => check_communication(dictionary, index, sub, value),
         (0x1600..=0x17FF | 0x1A00..=0x1BFF, _) => check_mapping(dictionary, index, sub, value),
         _ => Ok(()),
+    }
+}
+
+/// Whether a value asks for a service that only an application has.
+const fn switches_on(index: u16, sub: u8, value: u64) -> bool {
+    let word = value as u32;
+    match (index, sub) {
+        (SYNC_WINDOW | GUARD_TIME | LIFE_TIME_FACTOR, 0) => value != 0,
+        (TIME, 0) => word & (SENDS_TIME | RECEIVES_TIME) != 0,
+        (EMCY_CONSUMER, 1..=0x7F) | (0x1280..=0x12FF, 1 | 2) => value != 0 && !is_not_valid(word),
+        (STARTUP, 0) => value & MASTER_BITS != 0,
+        _ => false,
     }
 }
 
@@ -202,6 +231,7 @@ fn check_consumer<D: Dictionary + ?Sized, S: Services>(
     value: u64,
 ) -> Result<(), Refusal> {
     let Some((node_id, _)) = monitored(value) else { return Ok(()) };
+    defined(dictionary.own_node_id() != Some(node_id))?;
     let mut is_it = |other: u8| {
         let other = if other == sub { None } else { dictionary.number(CONSUMER_TIME, other).ok() };
         other.and_then(monitored).is_some_and(|(other, _)| other == node_id)
@@ -254,6 +284,12 @@ fn check_communication<D: Dictionary + ?Sized>(
     match sub {
         1 => {
             let new = value as u32;
+            // a master that never sets bit 30 disables the PDO first, and is followed
+            let answers_remote = is_tpdo && new & (NOT_VALID | NO_REMOTE_FRAMES) == 0;
+            if answers_remote && !dictionary.serves_more() {
+                let had = dictionary.number(index, 1).is_ok_and(|old| old as u32 & NO_REMOTE_FRAMES == 0);
+                defined(had)?;
+            }
             check_cob_id(dictionary, index, 1, new, is_not_valid)?;
             ensure(is_not_valid(new) || !is_sync(dictionary, new), Refusal::SharedWithSync)
         }

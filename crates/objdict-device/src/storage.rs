@@ -1,7 +1,7 @@
 //! Values that are stored on command (1010h, 1011h).
 
 use crate::dictionary::{Place, Scope, forward};
-use crate::table::{AnyGroup, Data, Table};
+use crate::table::{AnyGroup, Data, ImageError, Table};
 use crate::{Abort, Attributes, Dictionary};
 
 /// A table with storage groups. The generated file implements it.
@@ -18,10 +18,10 @@ pub trait Storage {
     /// Why the image is not kept, such as [`Abort::Hardware`].
     fn save(&mut self, group: usize, image: &[u8]) -> Result<(), Abort>;
 
-    /// Copies the image of a group; what was never kept may be any bytes.
+    /// Copies the image of a group. Where none was ever kept, or it was erased, all bytes are the same, such as FFh.
     ///
     /// # Errors
-    /// Why it cannot be read.
+    /// Why it cannot be read: [`Stored::lost`] tells the application.
     fn load(&mut self, group: usize, image: &mut [u8]) -> Result<(), Abort>;
 
     /// Forgets the image of a group.
@@ -31,33 +31,88 @@ pub trait Storage {
     fn erase(&mut self, group: usize) -> Result<(), Abort>;
 }
 
+/// Stored values that could not be read, so that the defaults are used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Loss {
+    /// The number of the storage group.
+    pub group: usize,
+    /// Why.
+    pub reason: LossReason,
+}
+
+/// Why stored values could not be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum LossReason {
+    /// The memory has no valid image, or cannot be read.
+    Memory(Abort),
+    /// The image is damaged, or that of another table.
+    Image(ImageError),
+}
+
+/// The bytes after an image: the node-ID that its values are for, and its complement. Images of version 0.1 have neither.
+const TRAILER: usize = 2;
+
 /// The values of a device with storage: they begin with what was stored, 1010h stores them, and after 1011h they are the defaults from
-/// the next reset on. `IMAGE` is the size of the largest image; the generated file has a type with it.
+/// the next reset on. A value with `$NODEID` that was stored with its default follows the node-ID. `IMAGE` is the size of the largest
+/// image with two bytes for the node-ID; the generated file has a type with it.
 #[derive(Clone, Debug)]
 pub struct Stored<V, S, const IMAGE: usize> {
     /// The values.
     pub data: V,
     /// The memory.
     pub storage: S,
+    lost: Option<Loss>,
+}
+
+impl<V, S, const IMAGE: usize> Stored<V, S, IMAGE> {
+    /// The first group whose values were stored and could not be read, at power-on and at the resets since; an application reports it
+    /// as the error [`DATA_SET`](crate::error_code::DATA_SET).
+    #[must_use]
+    pub const fn lost(&self) -> Option<Loss> {
+        self.lost
+    }
 }
 
 impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Stored<Data<D, RAM>, S, IMAGE> {
     /// The values at power-on: those that were stored, else the defaults for a node-ID.
     pub fn new(node_id: u8, storage: S) -> Self {
-        let mut stored = Self { data: Data::new(node_id), storage };
+        let mut stored = Self { data: Data::new(node_id), storage, lost: None };
         stored.load(Scope::All);
         stored
     }
 
     fn load(&mut self, scope: Scope) {
         for (number, group) in D::GROUPS.iter().enumerate() {
-            let mut image = [0; IMAGE];
-            let Some(image) = image.get_mut(..group.image_size()) else { continue };
-            if self.storage.load(number, image).is_ok() {
-                // what was never stored, or by another version, has another layout: the defaults stay
-                let _ = self.data.load_image(group, image, |index| scope.contains(index));
+            if let Err(reason) = self.load_group(number, group, scope) {
+                self.lost.get_or_insert(Loss { group: number, reason });
             }
         }
+    }
+
+    fn load_group(&mut self, number: usize, group: &AnyGroup<D>, scope: Scope) -> Result<(), LossReason> {
+        let mut kept = [0; IMAGE];
+        let kept = kept.get_mut(..group.image_size() + TRAILER).unwrap_or_default();
+        self.storage.load(number, kept).map_err(LossReason::Memory)?;
+        if kept.iter().all(|byte| kept.first() == Some(byte)) {
+            return Ok(());
+        }
+        let Some((image, &mut [node_id, complement])) = kept.split_last_chunk_mut() else { return Ok(()) };
+        let saved_by = (complement == !node_id).then_some(node_id);
+        let loaded = self.data.load_image(group, image, saved_by, |index| scope.contains(index));
+        loaded.map_err(LossReason::Image)
+    }
+
+    fn save_group(&mut self, number: usize, group: &AnyGroup<D>) -> Result<(), Abort> {
+        let mut kept = [0; IMAGE];
+        let kept = kept.get_mut(..group.image_size() + TRAILER).ok_or(Abort::OutOfMemory)?;
+        if let Some((image, trailer)) = kept.split_last_chunk_mut() {
+            self.data.save_image(group, image);
+            let node_id = self.data.node_id();
+            *trailer = [node_id, !node_id];
+        }
+        self.storage.save(number, kept)
     }
 
     /// Does something with each group that a sub-index of 1010h and 1011h is about.
@@ -83,6 +138,7 @@ impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Dictionary
         fn read(self: &mut Self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort>;
         fn write(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn serves_more(self: &Self) -> bool;
+        fn own_node_id(self: &Self) -> Option<u8>;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
         fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;
@@ -105,12 +161,7 @@ impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Dictionary
     }
 
     fn store(&mut self, sub: u8) -> Result<(), Abort> {
-        self.each_group(sub, |stored, number, group| {
-            let mut image = [0; IMAGE];
-            let image = image.get_mut(..group.image_size()).ok_or(Abort::OutOfMemory)?;
-            stored.data.save_image(group, image);
-            stored.storage.save(number, image)
-        })
+        self.each_group(sub, Self::save_group)
     }
 
     fn restore(&mut self, sub: u8) -> Result<(), Abort> {

@@ -3,7 +3,81 @@
 use crate::dictionary::{Place, Scope, entry_at, forward};
 use crate::services::{RESTORE, STORE};
 use crate::table::{Data, Entry, Handle, Hooked, Hooks, Typed, Variable};
-use crate::{Abort, Attributes, Dictionary};
+use crate::{Abort, Attributes, Dictionary, Grouped, Storage, Stored};
+
+/// Values that can call hooks: [`Data`], with or without storage.
+pub trait Watchable<H>: Dictionary {
+    /// The table of the values.
+    type Table: Hooked;
+
+    /// Calls the hook before an entry is read, if it has one.
+    ///
+    /// # Errors
+    /// What the hook answered.
+    fn before_read(&mut self, hooks: &mut H, entry: &Entry<Self::Table>) -> Result<(), Abort>;
+
+    /// Like [`Dictionary::write`], with hooks.
+    ///
+    /// # Errors
+    /// Why the value is not valid, or what the hook answered; the value is unchanged.
+    fn write_with(&mut self, hooks: &mut H, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+
+    /// Sets a value as an SDO does; access does not matter.
+    ///
+    /// # Errors
+    /// As [`Watchable::write_with`].
+    fn set_with<T: Typed + ?Sized, A: Variable>(
+        &mut self,
+        hooks: &mut H,
+        handle: Handle<Self::Table, T, A>,
+        value: T::Value<'_>,
+    ) -> Result<(), Abort>;
+}
+
+impl<D: Hooked, H: Hooks<Self>, const RAM: usize> Watchable<H> for Data<D, RAM> {
+    type Table = D;
+
+    fn before_read(&mut self, hooks: &mut H, entry: &Entry<D>) -> Result<(), Abort> {
+        let calls = entry.is_hooked() && entry.is_readable();
+        if calls { hooks.before_read(self, entry.index(), entry.sub()) } else { Ok(()) }
+    }
+
+    fn write_with(&mut self, hooks: &mut H, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.write_with(hooks, index, sub, bytes)
+    }
+
+    fn set_with<T: Typed + ?Sized, A: Variable>(
+        &mut self,
+        hooks: &mut H,
+        handle: Handle<D, T, A>,
+        value: T::Value<'_>,
+    ) -> Result<(), Abort> {
+        self.set_with(hooks, handle, value)
+    }
+}
+
+impl<D: Hooked + Grouped, S: Storage, H: Hooks<Data<D, RAM>>, const RAM: usize, const IMAGE: usize>
+    Watchable<H> for Stored<Data<D, RAM>, S, IMAGE>
+{
+    type Table = D;
+
+    fn before_read(&mut self, hooks: &mut H, entry: &Entry<D>) -> Result<(), Abort> {
+        self.data.before_read(hooks, entry)
+    }
+
+    fn write_with(&mut self, hooks: &mut H, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.data.write_with(hooks, index, sub, bytes)
+    }
+
+    fn set_with<T: Typed + ?Sized, A: Variable>(
+        &mut self,
+        hooks: &mut H,
+        handle: Handle<D, T, A>,
+        value: T::Value<'_>,
+    ) -> Result<(), Abort> {
+        self.data.set_with(hooks, handle, value)
+    }
+}
 
 /// The values of a device with the hooks of its application, which are called for SDOs, RPDOs and [`Watched::set`] alike, and a flag
 /// for each entry that was written. `FLAGS` is a byte for every eight entries; the generated file has a type with it.
@@ -24,16 +98,14 @@ impl<V, H, const FLAGS: usize> Watched<V, H, FLAGS> {
     }
 }
 
-impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize>
-    Watched<Data<D, RAM>, H, FLAGS>
-{
+impl<V: Watchable<H>, H, const FLAGS: usize> Watched<V, H, FLAGS> {
     /// Sets a value as an SDO does, hooks and limits included; access does not matter.
     ///
     /// # Errors
     /// Why the value is not valid, or what a hook answered; the value is unchanged.
     pub fn set<T: Typed + ?Sized, A: Variable>(
         &mut self,
-        handle: Handle<D, T, A>,
+        handle: Handle<V::Table, T, A>,
         value: T::Value<'_>,
     ) -> Result<(), Abort> {
         self.data.set_with(&mut self.hooks, handle, value)?;
@@ -42,30 +114,36 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize>
     }
 
     /// Whether the entry was written since the last call.
-    pub fn take_changed(&mut self, entry: &Entry<D>) -> bool {
+    pub fn take_changed(&mut self, entry: &Entry<V::Table>) -> bool {
         let Some((byte, bit)) = self.flag(entry) else { return false };
         let was_changed = *byte & bit != 0;
         *byte &= !bit;
         was_changed
     }
 
-    fn raise(&mut self, entry: &Entry<D>) {
+    fn raise(&mut self, entry: &Entry<V::Table>) {
         if let Some((byte, bit)) = self.flag(entry) {
             *byte |= bit;
         }
     }
 
-    fn flag(&mut self, entry: &Entry<D>) -> Option<(&mut u8, u8)> {
+    fn flag(&mut self, entry: &Entry<V::Table>) -> Option<(&mut u8, u8)> {
         let row = entry.row()?;
         Some((self.changed.get_mut(row / 8)?, 1 << (row % 8)))
     }
+
+    /// Whether the application does what an entry of 1010h or 1011h says.
+    fn is_command_hooked(index: u16, sub: u8) -> bool {
+        Entry::<V::Table>::find(index, sub).is_ok_and(Entry::is_hooked)
+    }
 }
 
-impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Dictionary
-    for Watched<Data<D, RAM>, H, FLAGS>
-{
+/// Storage beneath stores and restores; without it, a hook of 1010h or 1011h does, which is called with the signature as the value.
+impl<V: Watchable<H>, H, const FLAGS: usize> Dictionary for Watched<V, H, FLAGS> {
     forward! { data:
         fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
+        fn serves_more(self: &Self) -> bool;
+        fn own_node_id(self: &Self) -> Option<u8>;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn restart(self: &mut Self, scope: Scope, node_id: u8);
         fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
@@ -74,7 +152,8 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Di
     }
 
     fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
-        self.data.read_with(&mut self.hooks, index, sub, buffer)
+        self.data.before_read(&mut self.hooks, Entry::find(index, sub)?)?;
+        self.data.read(index, sub, buffer)
     }
 
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
@@ -84,28 +163,30 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Di
     }
 
     fn number_at(&mut self, place: Place) -> Result<u64, Abort> {
-        let entry = entry_at::<D>(place)?;
-        if entry.is_hooked() && entry.is_readable() {
-            self.hooks.before_read(&mut self.data, entry.index(), entry.sub())?;
-        }
+        self.data.before_read(&mut self.hooks, entry_at(place)?)?;
         self.data.number_at(place)
     }
 
     fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {
-        let entry = entry_at::<D>(place)?;
+        let entry = entry_at::<V::Table>(place)?;
         self.write(entry.index(), entry.sub(), bytes)
     }
 
     fn can_store(&self, sub: u8) -> bool {
-        Entry::<D>::find(STORE, sub).is_ok_and(Entry::is_hooked)
+        self.data.can_store(sub) || Self::is_command_hooked(STORE, sub)
     }
 
     fn store(&mut self, sub: u8) -> Result<(), Abort> {
-        if self.can_store(sub) { self.write(STORE, sub, b"save") } else { Err(Abort::CannotStore) }
+        if !self.data.can_store(sub) && Self::is_command_hooked(STORE, sub) {
+            return self.write(STORE, sub, b"save");
+        }
+        self.data.store(sub)
     }
 
     fn restore(&mut self, sub: u8) -> Result<(), Abort> {
-        let is_hooked = Entry::<D>::find(RESTORE, sub).is_ok_and(Entry::is_hooked);
-        if is_hooked { self.write(RESTORE, sub, b"load") } else { Err(Abort::CannotStore) }
+        if !self.data.can_store(sub) && Self::is_command_hooked(RESTORE, sub) {
+            return self.write(RESTORE, sub, b"load");
+        }
+        self.data.restore(sub)
     }
 }

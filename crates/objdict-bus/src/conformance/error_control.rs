@@ -19,6 +19,9 @@ checks! { "heartbeat":
     "7.5.2.32" "1029h sub 1 of 0: pre-operational after an error" |bench| behaviour(bench, Some(0), PRE_OPERATIONAL);
     "7.5.2.32" "1029h sub 1 of 1: no change of the state" |bench| behaviour(bench, Some(1), OPERATIONAL);
     "7.5.2.32" "1029h sub 1 of 2: stopped after an error" |bench| behaviour(bench, Some(2), STOPPED);
+    "7.5.2.32" "1029h sub 1 of 2: the emergency leaves before" last_words;
+    "7.5.2.32" "1029h sub 1: a reserved value is refused" |bench| bench.refuse(0x1029, 1, 5, Abort::InvalidValue);
+    "7.5.2.19" "1016h: the node itself is refused" |bench| { let own = u64::from(bench.described.node_id) << 16 | TIME; bench.refuse(0x1016, 1, own, Abort::InvalidValue) };
 }
 
 /// The node that is monitored: another one than that of the bench.
@@ -119,6 +122,14 @@ fn back(bench: &mut Bench<'_>) -> CheckStep {
     let mut sent: Vec<_> = bench.send(node, &[OPERATIONAL]).into_iter().map(|frame| (0, frame)).collect();
     sent.retain(|(_, frame)| frame.id() == id);
     expect_message(&sent, 0, 0)
+}
+
+fn last_words(bench: &mut Bench<'_>) -> CheckStep {
+    bench.write(0x1029, 1, 2)?;
+    let id = super::emergency::can_id(bench)?;
+    lose_after(bench, |_| Ok(()))?;
+    let messages = bench.listen(id, 2 * TIME * MS);
+    expect_message(&messages, 0x8130, 0x10)
 }
 
 fn behaviour(bench: &mut Bench<'_>, value: Option<u64>, expected: u8) -> CheckStep {

@@ -2,11 +2,12 @@
 
 use std::ops::RangeInclusive;
 
+use objdict_device::Abort;
 use objdict_generate::{UNSERVED, Unserved};
 
 use super::bench::Bench;
 use super::described::{DescribedEntries, DescribedEntry};
-use super::{CheckStep, ConformanceCheck, Verdict, absent, checks, verdict};
+use super::{CheckStep, ConformanceCheck, Verdict, absent, checks, impossible, verdict};
 
 const SERVICE: &str = "not served";
 
@@ -15,6 +16,30 @@ checks! { SERVICE:
     "7.2.2" "PDO requests by remote frames" remote;
     "7.3.3" "CAN-IDs of 29 bits" extended;
     "CiA 302-3" "programs after the first one" further_programs;
+    "7.5.2.7" "1007h: a window is refused" |bench| refused(bench, 0x1007, 0, 1000);
+    "7.5.2.11" "100Ch: a guard time is refused" |bench| refused(bench, 0x100C, 0, 100);
+    "7.5.2.12" "100Dh: a life time factor is refused" |bench| refused(bench, 0x100D, 0, 3);
+    "7.5.2.31" "1028h: an emergency consumer is refused" |bench| refused(bench, 0x1028, 1, 0x83);
+    "7.5.2.34" "1280h: an SDO client is refused" |bench| refused(bench, 0x1280, 1, 0x603);
+    "CiA 302-2" "1F80h: an NMT master is refused" |bench| refused(bench, 0x1F80, 0, 1);
+    "7.5.2.37" "1800h sub 1: remote frames are refused" remote_frames;
+}
+
+/// A value that would switch a service on.
+fn refused(bench: &mut Bench<'_>, index: u16, sub: u8, number: u64) -> CheckStep {
+    if bench.described.number(index, sub) == number {
+        return impossible(format!("{index:04X}h is {number} already"));
+    }
+    bench.refuse(index, sub, number, Abort::InvalidValue)
+}
+
+fn remote_frames(bench: &mut Bench<'_>) -> CheckStep {
+    const NO_REMOTE_FRAMES: u64 = 1 << 30;
+    let cob_id = bench.described.number(0x1800, 1);
+    if cob_id & NO_REMOTE_FRAMES == 0 {
+        return impossible("bit 30 of 1800h sub-index 1 is clear already");
+    }
+    bench.refuse(0x1800, 1, cob_id & !NO_REMOTE_FRAMES, Abort::InvalidValue)
 }
 
 fn not_served_if(has: bool, what: &str) -> CheckStep {

@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
-use super::stored::{Group, ImageError, check, save};
-use super::{Data, Table};
+use super::stored::{Group, ImageError, check, members, save};
+use super::{Data, Table, part};
 
 /// A storage group whose size is not part of its type.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,8 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         save(self.bytes.get(group.places()).unwrap_or_default(), group.layout, image);
     }
 
-    /// Reads the values of some objects of a group from an image without checking limits.
+    /// Reads the values of some objects of a group from an image without checking limits. A value that was the default for the
+    /// node-ID `saved_by` is the default for the present node-ID afterwards.
     ///
     /// # Errors
     /// Why the image is not valid; no value changes.
@@ -61,8 +62,17 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         &mut self,
         group: &AnyGroup<D>,
         image: &[u8],
+        saved_by: Option<u8>,
         is_loaded: impl Fn(u16) -> bool,
     ) -> Result<(), ImageError> {
-        self.take(group.places(), check(image, group.image_size, group.layout)?, is_loaded)
+        self.take(group.places(), check(image, group.image_size, group.layout)?, &is_loaded)?;
+        let Some(saved_by) = saved_by.filter(|&node_id| node_id != self.node_id()) else { return Ok(()) };
+        for entry in members::<D>(group.places()).filter(|entry| entry.adds_node_id()) {
+            let default = entry.default_number(saved_by).to_le_bytes();
+            if is_loaded(entry.index()) && self.value(entry) == Some(part(&default, 0, entry.size())) {
+                self.set_default(entry);
+            }
+        }
+        Ok(())
     }
 }

@@ -112,7 +112,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
     }
 }
 
-fn members<D: Table>(places: core::ops::Range<usize>) -> impl Iterator<Item = &'static Entry<D>> {
+pub(super) fn members<D: Table>(places: core::ops::Range<usize>) -> impl Iterator<Item = &'static Entry<D>> {
     D::ENTRIES.iter().filter(move |entry| places.contains(&entry.ram()))
 }
 

@@ -188,6 +188,7 @@ fn a_valid_pdo_keeps_its_parameters() {
     assert_eq!(device.write(0x1800, 6, &[241]), Err(Abort::InvalidValue));
     assert_eq!(device.cob_id(0x1800, 0x4000_0185), Ok(()));
     assert_eq!(device.cob_id(0x1800, 0x4000_0186), Err(Abort::InvalidValue));
+    assert_eq!(device.cob_id(0x1800, 0x185), Err(Abort::InvalidValue), "remote frames are not answered");
     assert_eq!(device.write(0x1800, 3, &[2, 0]), Err(Abort::InvalidValue));
     assert_eq!(device.write(0x1800, 3, &[1, 0]), Ok(()), "as it is");
     assert_eq!(device.write(0x1800, 6, &[1]), Err(Abort::InvalidValue));

@@ -13,7 +13,12 @@ fn device() -> Device {
         (0x1006, 0, 0),
         (0x1010, 1, 1),
         (0x1011, 1, 1),
-        (0x1012, 0, 0x8000_0100),
+        (0x1007, 0, 0),
+        (0x1012, 0, 0x100),
+        (0x1028, 1, 0x8000_0000),
+        (0x1280, 1, 0x8000_0000),
+        (0x1280, 2, 0x8000_0000),
+        (0x1F80, 0, 4),
         (0x1014, 0, 0x85),
         (0x1016, 1, 0),
         (0x1016, 2, 0),
@@ -28,6 +33,8 @@ fn device() -> Device {
     let map = words
         .into_iter()
         .fold(Map::default(), |map, (index, sub, value)| map.number(index, sub, UNSIGNED32, value));
+    let map =
+        map.number(0x100C, 0, UNSIGNED16, 0).number(0x100D, 0, UNSIGNED8, 3).number(0x1029, 1, UNSIGNED8, 0);
     let map =
         map.number(0x1003, 0, UNSIGNED8, 0).number(0x1003, 1, UNSIGNED32, 0).number(0x1019, 0, UNSIGNED8, 0);
     let mut device = Device::new(5, map.number(0x1017, 0, UNSIGNED16, 0), Pdos::new([0x1400], [0, 0]));
@@ -62,9 +69,25 @@ fn a_write_that_no_service_follows_is_refused() {
         (0x1019, 0, 1, INVALID),
         (0x1019, 0, 241, INVALID),
         (0x1019, 0, 240, Ok(())),
-        // TIME is not sent
+        // what is not served is not switched on; what the description switched on stays
+        (0x1007, 0, 1000, INVALID),
+        (0x1007, 0, 0, Ok(())),
+        (0x100C, 0, 100, INVALID),
+        (0x100D, 0, 3, Ok(())),
+        (0x100D, 0, 0, Ok(())),
+        (0x100D, 0, 3, INVALID),
+        (0x1028, 1, 0x83, INVALID),
+        (0x1028, 1, 0x8000_0083, Ok(())),
+        (0x1280, 1, 0x603, INVALID),
+        (0x1280, 1, 0x8000_0603, Ok(())),
+        (0x1F80, 0, 1, INVALID),
+        (0x1F80, 0, 0x10, INVALID),
+        (0x1F80, 0, 0, Ok(())),
         (0x1012, 0, 0x4000_0100, INVALID),
-        (0x1012, 0, 0x8000_0180, INVALID),
+        (0x1012, 0, 0x8000_0100, INVALID),
+        (0x1012, 0, 0x180, Ok(())),
+        (0x1029, 1, 2, Ok(())),
+        (0x1029, 1, 5, INVALID),
         (0x1014, 0, 0x86, INVALID),
         (0x1014, 0, 0xA000_0085, INVALID),
         (0x1014, 0, 0x8000_0085, Ok(())),

@@ -375,7 +375,11 @@ pub type Watched<H> = objdict_device::Watched<Data, H, {}>;
 #[allow(dead_code, unreachable_pub)]
 pub type Stored<S> = objdict_device::Stored<Data, S, {}>;
 
-", self::largest_image(self.table));
+/// The values with that memory and the hooks of the application.
+#[allow(dead_code, unreachable_pub)]
+pub type WatchedStored<S, H> = objdict_device::Watched<Stored<S>, H, {}>;
+
+", self::largest_image(self.table), self.rows.len().div_ceil(8));
             }
             put!(out, "/// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, and with the PDOs of this device.
 #[allow(dead_code, unreachable_pub)]

@@ -106,9 +106,9 @@ impl<'a> RustView<'a> {
     }
 }
 
-/// The size of the largest image of a storage group in bytes.
+/// The size of the largest image of a storage group in bytes, with the two bytes of the node-ID that `Stored` adds.
 fn largest_image(table: &DeviceTable) -> usize {
-    table.groups.iter().map(|group| group.image_size).max().unwrap_or(0)
+    table.groups.iter().map(|group| group.image_size + 2).max().unwrap_or(0)
 }
 
 /// One line per crate with derived traits.

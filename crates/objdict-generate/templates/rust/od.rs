@@ -160,6 +160,10 @@ impl objdict_device::Grouped for Od {
 #[allow(dead_code, unreachable_pub)]
 pub type Stored<S> = objdict_device::Stored<Data, S, {{ self::largest_image(table) }}>;
 
+/// The values with that memory and the hooks of the application.
+#[allow(dead_code, unreachable_pub)]
+pub type WatchedStored<S, H> = objdict_device::Watched<Stored<S>, H, {{ rows.len().div_ceil(8) }}>;
+
 {% endif -%}
 /// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, and with the PDOs of this device.
 #[allow(dead_code, unreachable_pub)]

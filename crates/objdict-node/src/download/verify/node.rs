@@ -189,6 +189,10 @@ impl Dictionary for AcceptingNode<'_> {
         self.written.retain(|&(index, _), _| !scope.contains(index));
     }
 
+    fn own_node_id(&self) -> Option<u8> {
+        self.node_id
+    }
+
     /// The description does not say what the device serves.
     fn serves_more(&self) -> bool {
         true

@@ -34,6 +34,8 @@ fn service((index, sub): EntryKey) -> Option<(IsOff, &'static str)> {
 const fn undefined((index, sub): EntryKey, cob_id: u32) -> &'static str {
     match (index, sub) {
         (0x1003, _) => "only 0 is valid, which clears the history",
+        (0x1016, _) => "a node does not monitor itself",
+        (0x1029, _) => "3 to 127 are reserved",
         (0x1019, _) => "the counter overflow is 0, or 2 to 240",
         (0x1005, _) if CobId::new(cob_id).stray_bits() == 0 => "without 1006h the device does not send SYNC",
         (0x1200, _) => "the COB-IDs of the default SDO server do not change",
