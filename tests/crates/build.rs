@@ -76,6 +76,9 @@ fn served(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
         options.node_id = Some(5);
         options.cell = Some(SharedCell::CriticalSection);
         options.groups = vec!["1000-1FFF=COMMUNICATION".parse()?, "6000-9FFF=APPLICATION".parse()?];
+        if name == "io_401" {
+            options.hooks = ["6202:1".parse()?].into();
+        }
         let generated = generate(&device, Target::RUST, &options)?;
         let contents = std::str::from_utf8(&generated.files[0].contents)?;
         let path = out.join(format!("{name}_runtime.rs"));

@@ -106,6 +106,11 @@ impl<F: NorFlash> FlashStorage<F> {
         (bank as usize > UNIT).then_some(Self { region, bank })
     }
 
+    /// The part of the flash, with its driver.
+    pub fn into_region(self) -> Region<F> {
+        self.region
+    }
+
     /// Where the banks of a group start.
     fn banks(&self, group: usize) -> Result<[u32; 2], Abort> {
         let first = u32::try_from(group).ok().and_then(|group| group.checked_mul(2 * self.bank));

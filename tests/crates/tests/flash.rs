@@ -6,17 +6,32 @@ use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashEr
 use objdict_device::{
     Abort, Attributes, Dictionary, FlashStorage, Frame, Node, Pdos, ProgramRequest, ProgramState,
 };
-use objdict_device::{Received, Region, Scope, Storage, WithProgram};
+use objdict_device::{Loss, LossReason, Received, Region, Scope, Storage, WithProgram};
 
 /// A flash in RAM: what is written must have been erased, in whole units.
 #[derive(Clone)]
 struct Ram {
     bytes: Vec<u8>,
+    /// So many bytes are still changed before the power fails.
+    power: usize,
 }
 
 impl Ram {
     fn new(size: usize) -> Self {
-        Self { bytes: vec![0xAA; size] }
+        Self { bytes: vec![0xAA; size], power: usize::MAX }
+    }
+
+    /// Changes bytes one after the other until the power fails, which leaves one that is neither.
+    fn change(&mut self, offset: usize, bytes: impl Iterator<Item = u8>) -> Result<(), Misuse> {
+        for (place, byte) in self.bytes[offset..].iter_mut().zip(bytes) {
+            if self.power == 0 {
+                *place ^= 0x5A;
+                return Err(Misuse);
+            }
+            self.power -= 1;
+            *place = byte;
+        }
+        Ok(())
     }
 }
 
@@ -54,17 +69,14 @@ impl NorFlash for Ram {
 
     fn erase(&mut self, from: u32, to: u32) -> Result<(), Misuse> {
         assert_eq!((from % 256, to % 256), (0, 0), "whole pages");
-        self.bytes[from as usize..to as usize].fill(0xFF);
-        Ok(())
+        self.change(from as usize, (from..to).map(|_| 0xFF))
     }
 
     fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Misuse> {
         let offset = offset as usize;
         assert_eq!((offset % 8, bytes.len() % 8), (0, 0), "whole units");
-        let place = &mut self.bytes[offset..offset + bytes.len()];
-        assert!(place.iter().all(|&byte| byte == 0xFF), "erased");
-        place.copy_from_slice(bytes);
-        Ok(())
+        assert!(self.bytes[offset..offset + bytes.len()].iter().all(|&byte| byte == 0xFF), "erased");
+        self.change(offset, bytes.iter().copied())
     }
 }
 
@@ -78,8 +90,8 @@ fn a_region_is_a_part_of_whole_pages() {
 #[test]
 fn groups_have_parts_of_their_own() {
     let region = Region::new(Ram::new(2048), 512, 2048).unwrap();
-    assert!(FlashStorage::new(region.clone(), 0).is_none() && FlashStorage::new(region.clone(), 7).is_none());
-    let mut storage = FlashStorage::new(region, 2).unwrap();
+    assert!(FlashStorage::new(region.clone(), 0).is_none() && FlashStorage::new(region.clone(), 4).is_none());
+    let mut storage = FlashStorage::new(region, 3).unwrap();
     let (one, other): (Vec<u8>, Vec<u8>) = ((0..101).collect(), (101..250).collect());
     storage.save(0, &[7; 3]).unwrap();
     storage.save(1, &other).unwrap();
@@ -91,8 +103,48 @@ fn groups_have_parts_of_their_own() {
     let mut read = vec![0; 149];
     storage.load(1, &mut read).unwrap();
     assert_eq!(read, other);
-    assert_eq!(storage.save(2, &one), Err(Abort::OutOfMemory));
-    assert_eq!(storage.save(0, &[0; 769]), Err(Abort::OutOfMemory));
+    storage.load(0, &mut read).unwrap();
+    assert_eq!(read, [0xFF; 149], "as if nothing was ever stored");
+    assert_eq!(storage.load(2, &mut read), Err(Abort::NoData), "neither an image nor an erased flash");
+    assert_eq!(storage.save(3, &one), Err(Abort::OutOfMemory));
+    assert_eq!(storage.save(0, &[0; 193]), Err(Abort::OutOfMemory));
+}
+
+/// Numbers that repeat.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % limit
+    }
+}
+
+/// Whenever the power fails, a group has what was stored last or what was being stored, and never its defaults.
+#[test]
+fn a_power_failure_loses_nothing_that_was_stored() {
+    const LENGTH: usize = 120;
+    let mut random = Random(59);
+    let (mut flash, mut stored) = (Ram::new(1024), vec![0xFF; LENGTH]);
+    flash.erase(0, 1024).unwrap();
+    let (mut old, mut new) = (0, 0);
+    for _ in 0..10_000 {
+        let is_erased = random.below(8) == 0;
+        let image: Vec<u8> =
+            (0..LENGTH).map(|_| if is_erased { 0xFF } else { random.below(256) as u8 }).collect();
+        // an image changes 256 bytes to erase and 136 to write
+        flash.power = random.below(400);
+        let mut storage = FlashStorage::new(Region::new(flash, 0, 1024).unwrap(), 2).unwrap();
+        let result = if is_erased { storage.erase(1) } else { storage.save(1, &image) };
+        // power-on
+        let mut kept = vec![0; LENGTH];
+        storage.load(1, &mut kept).unwrap();
+        assert!(kept == stored || kept == image, "power failed after {result:?}");
+        assert!(result.is_err() || kept == image, "what was answered ok is stored");
+        *(if kept == image { &mut new } else { &mut old }) += 1;
+        (flash, stored) = (storage.into_region().flash, kept);
+    }
+    assert!(old > 5000 && new > 100, "{old} old images and {new} new ones");
 }
 
 mod stored {
@@ -145,6 +197,88 @@ mod stored {
         node.receive(&Frame::new(0, &[129, 5]).unwrap(), 0);
         node.boot(0);
         assert_eq!((heartbeat(&mut node), output(&mut node)), (of_heartbeat, of_application));
+    }
+
+    /// An output that may not exceed 50, and how often it was written.
+    #[derive(Clone, Default)]
+    struct Valve(u32);
+
+    impl Hooks<Data> for Valve {
+        fn after_write(&mut self, data: &mut Data, change: Change<'_>) -> Result<(), Abort> {
+            assert_eq!((change.index(), change.sub()), (0x6202, 1));
+            self.0 += 1;
+            let mut value = [0];
+            data.read(0x6202, 1, &mut value)?;
+            if value[0] > 50 { Err(Abort::InvalidValue) } else { Ok(()) }
+        }
+    }
+
+    type Hooked = WatchedStored<FlashStorage<Ram>, Valve>;
+
+    fn node(node_id: u8, storage: FlashStorage<Ram>) -> Node<64, 1, Hooked> {
+        let values = WatchedStored::new(Stored::new(node_id, storage), Valve::default());
+        let mut node: Node<64, 1, Hooked> = Node::new(node_id, values, pdos());
+        node.boot(0);
+        node
+    }
+
+    fn storage() -> FlashStorage<Ram> {
+        let mut flash = Ram::new(2048);
+        flash.erase(0, 2048).unwrap();
+        FlashStorage::new(Region::new(flash, 0, 2048).unwrap(), 2).unwrap()
+    }
+
+    /// Hooks are called, and what was stored survives resets and power-on.
+    #[test]
+    fn stored_values_have_hooks() {
+        let mut first = node(5, storage());
+        assert_eq!(write(&mut first, 0x6202, 1, &[51]), Err(Abort::InvalidValue));
+        assert_eq!(write(&mut first, 0x6202, 1, &[49]), Ok(()));
+        assert_eq!(first.dictionary.hooks.0, 2);
+        assert_eq!(write(&mut first, 0x1010, 1, b"save"), Ok(()));
+        assert_eq!(write(&mut first, 0x6202, 1, &[7]), Ok(()));
+        first.receive(&Frame::new(0, &[129, 5]).unwrap(), 0);
+        first.boot(0);
+        assert_eq!(first.dictionary.number(0x6202, 1), Ok(49), "after a reset");
+        let mut second = node(5, first.dictionary.data.storage.clone());
+        assert_eq!(second.dictionary.number(0x6202, 1), Ok(49), "after power-on");
+        assert_eq!((write(&mut second, 0x1011, 1, b"load"), second.dictionary.data.lost()), (Ok(()), None));
+        second.receive(&Frame::new(0, &[129, 5]).unwrap(), 0);
+        second.boot(0);
+        assert_eq!(second.dictionary.number(0x6202, 1), Ok(0), "restored");
+    }
+
+    /// What was stored with its default follows the node-ID; what was stored with another value does not.
+    #[test]
+    fn stored_formulas_follow_the_node_id() {
+        let mut stored = node(5, storage());
+        let cob_id = |node: &mut Node<64, 1, Hooked>, index| node.dictionary.number(index, 1).unwrap();
+        write(&mut stored, 0x1801, 1, &0x8000_0285_u32.to_le_bytes()).unwrap();
+        write(&mut stored, 0x1801, 1, &0x0000_0185_u32.to_le_bytes()).unwrap();
+        write(&mut stored, 0x1010, 1, b"save").unwrap();
+        let mut moved = node(9, stored.dictionary.data.storage.clone());
+        assert_eq!((cob_id(&mut moved, 0x1800), cob_id(&mut moved, 0x1801)), (0x189, 0x185));
+        assert_eq!(moved.dictionary.number(0x1014, 0), Ok(0x89));
+        // an LSS master gives another one
+        moved.set_node_id(10);
+        moved.boot(0);
+        assert_eq!((cob_id(&mut moved, 0x1800), cob_id(&mut moved, 0x1801)), (0x18A, 0x185));
+    }
+
+    /// A damaged image is told, and the defaults are used.
+    #[test]
+    fn losses_are_told() {
+        let mut stored = node(5, storage());
+        write(&mut stored, 0x6202, 1, &[49]).unwrap();
+        write(&mut stored, 0x1010, 1, b"save").unwrap();
+        let mut flash = stored.dictionary.data.storage.into_region().flash;
+        flash.bytes[1024 + 64 + 7] ^= 1;
+        let storage = FlashStorage::new(Region::new(flash, 0, 2048).unwrap(), 2).unwrap();
+        let mut damaged = node(5, storage);
+        let loss = Loss { group: 1, reason: LossReason::Memory(Abort::NoData) };
+        assert_eq!(damaged.dictionary.data.lost(), Some(loss));
+        assert_eq!(damaged.dictionary.number(0x6202, 1), Ok(0));
+        assert_eq!(node(5, self::storage()).dictionary.data.lost(), None, "nothing was ever stored");
     }
 }
 
