@@ -4,7 +4,7 @@
 use super::Facts;
 use super::demands::{Applied, is_there};
 use crate::diagnostic::{Text, say};
-use crate::model::{Device, Entry, Object, Place};
+use crate::model::{Device, Entry, Object, PdoKind, Place};
 use crate::profile;
 
 /// An axis.
@@ -89,6 +89,16 @@ impl<'a> Drive<'a> {
     /// The place of the value of an entry.
     pub(crate) fn value_place(self, index: u16, sub: u8) -> Place {
         self.device.value_place(self.index(index), sub)
+    }
+
+    /// Whether a valid RPDO maps an entry.
+    pub(crate) fn is_received(self, index: u16, sub: u8) -> bool {
+        let mut pdos = self.device.pdos().filter(|pdo| pdo.kind == PdoKind::Rpdo);
+        pdos.any(|pdo| {
+            let is_mapped =
+                || pdo.mapped().any(|object| (object.index, object.sub) == (self.index(index), sub));
+            pdo.is_valid() != Some(false) && is_mapped()
+        })
     }
 
     /// The bits of the supported drive modes; `None` if the description does not state them.

@@ -65,18 +65,18 @@ static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_type
     (4132, 4132, SubList(3382, 15), SubList(0, 1), Optional, None, SubList(0, 0), SubList(41, 1), SubList(0, 0), SubList(3397, 72), High) // 1024h OS command mode
     (4133, 4133, SubList(3469, 21), SubList(6, 1), Optional, None, SubList(0, 0), SubList(37, 4), SubList(0, 0), SubList(3490, 79), High) // 1025h OS debugger interface
     (4134, 4134, SubList(3586, 9), SubList(1, 2), Optional, None, SubList(0, 0), SubList(42, 4), SubList(0, 0), SubList(3595, 77), High) // 1026h OS prompt
-    (4135, 4135, SubList(3678, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(46, 2), SubList(0, 0), SubList(3689, 57), High) // 1027h Module list
-    (4136, 4136, SubList(3764, 25), SubList(1, 2), Optional, None, SubList(0, 0), SubList(48, 2), SubList(0, 0), SubList(3789, 104), High) // 1028h Emergency consumer object
-    (4137, 4137, SubList(4008, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(50, 3), SubList(0, 0), SubList(4029, 96), High) // 1029h Error behavior object
-    (4608, 4608, SubList(4219, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(53, 4), SubList(0, 0), SubList(4239, 86), High) // 1200h SDO server parameter
-    (4609, 4735, SubList(4219, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(57, 4), SubList(0, 0), SubList(4325, 66), High) // 1201h SDO server parameter
-    (4736, 4863, SubList(4416, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(61, 4), SubList(0, 0), SubList(4436, 90), High) // 1280h SDO client parameter
-    (5120, 5631, SubList(4742, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(65, 7), SubList(0, 0), SubList(4770, 77), High) // 1400h RPDO communication parameter
-    (5632, 6143, SubList(4937, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(72, 2), SubList(0, 0), SubList(4959, 81), High) // 1600h RPDO mapping parameter
-    (6144, 6655, SubList(5181, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(74, 7), SubList(0, 0), SubList(5209, 52), High) // 1800h TPDO communication parameter
-    (6656, 7167, SubList(5305, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(81, 2), SubList(0, 0), SubList(5327, 59), High) // 1A00h TPDO mapping parameter
-    (8096, 8143, SubList(5411, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(83, 2), SubList(0, 0), SubList(5430, 74), High) // 1FA0h Object scanner list
-    (8144, 8191, SubList(5512, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(85, 2), SubList(0, 0), SubList(5535, 83), High) // 1FD0h Object dispatching list
+    (4135, 4135, SubList(3705, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(46, 2), SubList(0, 0), SubList(3716, 57), High) // 1027h Module list
+    (4136, 4136, SubList(3791, 25), SubList(1, 2), Optional, None, SubList(0, 0), SubList(48, 2), SubList(0, 0), SubList(3816, 104), High) // 1028h Emergency consumer object
+    (4137, 4137, SubList(4035, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(50, 3), SubList(0, 0), SubList(4056, 96), High) // 1029h Error behavior object
+    (4608, 4608, SubList(4246, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(53, 4), SubList(0, 0), SubList(4266, 86), High) // 1200h SDO server parameter
+    (4609, 4735, SubList(4246, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(57, 4), SubList(0, 0), SubList(4352, 66), High) // 1201h SDO server parameter
+    (4736, 4863, SubList(4443, 20), SubList(3, 2), Optional, None, SubList(0, 0), SubList(61, 4), SubList(0, 0), SubList(4463, 90), High) // 1280h SDO client parameter
+    (5120, 5631, SubList(4769, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(65, 7), SubList(0, 0), SubList(4797, 77), High) // 1400h RPDO communication parameter
+    (5632, 6143, SubList(4964, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(72, 2), SubList(0, 0), SubList(4986, 81), High) // 1600h RPDO mapping parameter
+    (6144, 6655, SubList(5208, 28), SubList(6, 1), Optional, None, SubList(0, 0), SubList(74, 7), SubList(0, 0), SubList(5236, 52), High) // 1800h TPDO communication parameter
+    (6656, 7167, SubList(5332, 22), SubList(3, 2), Optional, None, SubList(0, 0), SubList(81, 2), SubList(0, 0), SubList(5354, 59), High) // 1A00h TPDO mapping parameter
+    (8096, 8143, SubList(5438, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(83, 2), SubList(0, 0), SubList(5457, 74), High) // 1FA0h Object scanner list
+    (8144, 8191, SubList(5539, 23), SubList(1, 2), Optional, None, SubList(0, 0), SubList(85, 2), SubList(0, 0), SubList(5562, 83), High) // 1FD0h Object dispatching list
 );
 
 static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
@@ -126,47 +126,47 @@ static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name
     (1, 1, Some(Any), Mandatory, SubList(3569, 5), SubList(1, 1), SubList(9, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdIn
     (2, 2, Some(Any), Mandatory, SubList(3574, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdOut
     (3, 3, Some(Any), Optional, SubList(3580, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // StdErr
-    (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(3672, 6), SubList(3, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Module
+    (0, 0, Some(No), Mandatory, SubList(3672, 27), SubList(1, 1), SubList(0, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Number of connected modules
+    (1, 254, Some(No), Optional, SubList(3699, 6), SubList(3, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Module
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Optional, SubList(3746, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // Emergency consumer
+    (1, 127, Some(No), Optional, SubList(3773, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // Emergency consumer
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(3950, 19), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Communication error
-    (2, 254, Some(No), Optional, SubList(3969, 39), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Profile- or manufacturer-specific error
+    (1, 1, Some(No), Mandatory, SubList(3977, 19), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Communication error
+    (2, 254, Some(No), Optional, SubList(3996, 39), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(28, 1)) // Profile- or manufacturer-specific error
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(4148, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
-    (2, 2, Some(Any), Mandatory, SubList(4171, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
-    (3, 3, Some(No), Optional, SubList(4194, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
+    (1, 1, Some(Any), Mandatory, SubList(4175, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
+    (2, 2, Some(Any), Mandatory, SubList(4198, 23), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
+    (3, 3, Some(No), Optional, SubList(4221, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(4148, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
-    (2, 2, Some(Any), Mandatory, SubList(4171, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
-    (3, 3, Some(No), Optional, SubList(4194, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
+    (1, 1, Some(Any), Mandatory, SubList(4175, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
+    (2, 2, Some(Any), Mandatory, SubList(4198, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
+    (3, 3, Some(No), Optional, SubList(4221, 25), SubList(1, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO client
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(Any), Mandatory, SubList(4148, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
-    (2, 2, Some(Any), Mandatory, SubList(4171, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
-    (3, 3, Some(No), Mandatory, SubList(4391, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO server
+    (1, 1, Some(Any), Mandatory, SubList(4175, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID client to server
+    (2, 2, Some(Any), Mandatory, SubList(4198, 23), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(29, 4)) // COB-ID server to client
+    (3, 3, Some(No), Mandatory, SubList(4418, 25), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Node-ID of the SDO server
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(4526, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // COB-ID used by RPDO
-    (2, 2, Some(No), Mandatory, SubList(4678, 17), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(33, 1)) // Transmission type
-    (3, 3, Some(No), Optional, SubList(4695, 12), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0)) // Inhibit time
-    (4, 4, Some(No), Optional, SubList(4707, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
-    (5, 5, Some(No), Optional, SubList(4715, 11), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0)) // Event timer
-    (6, 6, Some(No), Optional, SubList(4726, 16), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
-    (0, 0, Some(No), Mandatory, SubList(4847, 44), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in RPDO
-    (1, 64, Some(No), Optional, SubList(4919, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
+    (1, 1, Some(No), Mandatory, SubList(4553, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(21, 3)) // COB-ID used by RPDO
+    (2, 2, Some(No), Mandatory, SubList(4705, 17), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(33, 1)) // Transmission type
+    (3, 3, Some(No), Optional, SubList(4722, 12), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0)) // Inhibit time
+    (4, 4, Some(No), Optional, SubList(4734, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
+    (5, 5, Some(No), Optional, SubList(4742, 11), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0)) // Event timer
+    (6, 6, Some(No), Optional, SubList(4753, 16), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
+    (0, 0, Some(No), Mandatory, SubList(4874, 44), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in RPDO
+    (1, 64, Some(No), Optional, SubList(4946, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(5071, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(37, 4)) // COB-ID used by TPDO
-    (2, 2, Some(No), Mandatory, SubList(4678, 17), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(41, 1)) // Transmission type
-    (3, 3, Some(No), Optional, SubList(4695, 12), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0)) // Inhibit time
-    (4, 4, Some(No), Optional, SubList(4707, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
-    (5, 5, Some(No), Optional, SubList(4715, 11), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0)) // Event timer
-    (6, 6, Some(No), Optional, SubList(4726, 16), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
-    (0, 0, Some(No), Mandatory, SubList(5261, 44), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in TPDO
-    (1, 64, Some(No), Optional, SubList(4919, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
+    (1, 1, Some(No), Mandatory, SubList(5098, 19), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(37, 4)) // COB-ID used by TPDO
+    (2, 2, Some(No), Mandatory, SubList(4705, 17), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(41, 1)) // Transmission type
+    (3, 3, Some(No), Optional, SubList(4722, 12), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(2352, 7), SubList(0, 0)) // Inhibit time
+    (4, 4, Some(No), Optional, SubList(4734, 8), SubList(0, 0), SubList(0, 0), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Reserved
+    (5, 5, Some(No), Optional, SubList(4742, 11), SubList(3, 1), SubList(2, 2), SubList(0, 0), None, SubList(1145, 2), SubList(0, 0)) // Event timer
+    (6, 6, Some(No), Optional, SubList(4753, 16), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // SYNC start value
+    (0, 0, Some(No), Mandatory, SubList(5288, 44), SubList(1, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Number of mapped application objects in TPDO
+    (1, 64, Some(No), Optional, SubList(4946, 18), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(34, 3)) // Application object
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(5407, 4), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(42, 3)) // Scan
+    (1, 254, Some(No), Optional, SubList(5434, 4), SubList(0, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(42, 3)) // Scan
     (0, 0, Some(No), Mandatory, SubList(1394, 27), SubList(1, 1), SubList(0, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 254, Some(No), Optional, SubList(5504, 8), SubList(8, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Dispatch
+    (1, 254, Some(No), Optional, SubList(5531, 8), SubList(8, 1), SubList(2, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Dispatch
 );
 
 static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
@@ -198,23 +198,23 @@ static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
     (16, 23, SubList(2454, 7), SubList(0, 0)) // node-ID
     (0, 15, SubList(2702, 14), SubList(0, 0)) // minor revision
     (16, 31, SubList(2716, 14), SubList(0, 0)) // major revision
-    (0, 7, SubList(3893, 8), SubList(10, 3)) // reaction
+    (0, 7, SubList(3920, 8), SubList(10, 3)) // reaction
     (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
     (29, 29, SubList(617, 5), SubList(0, 2)) // frame
-    (30, 30, SubList(4125, 10), SubList(13, 2)) // assignment
+    (30, 30, SubList(4152, 10), SubList(13, 2)) // assignment
     (31, 31, SubList(2265, 8), SubList(8, 2)) // validity
-    (0, 7, SubList(4545, 17), SubList(15, 3)) // transmission type
-    (0, 7, SubList(4891, 14), SubList(0, 0)) // length in bits
-    (8, 15, SubList(4905, 9), SubList(0, 0)) // sub-index
-    (16, 31, SubList(4914, 5), SubList(0, 0)) // index
+    (0, 7, SubList(4572, 17), SubList(15, 3)) // transmission type
+    (0, 7, SubList(4918, 14), SubList(0, 0)) // length in bits
+    (8, 15, SubList(4932, 9), SubList(0, 0)) // sub-index
+    (16, 31, SubList(4941, 5), SubList(0, 0)) // index
     (0, 28, SubList(611, 6), SubList(0, 0)) // CAN-ID
     (29, 29, SubList(617, 5), SubList(0, 2)) // frame
-    (30, 30, SubList(5040, 13), SubList(18, 2)) // remote frames
+    (30, 30, SubList(5067, 13), SubList(18, 2)) // remote frames
     (31, 31, SubList(2265, 8), SubList(8, 2)) // validity
-    (0, 7, SubList(4545, 17), SubList(20, 6)) // transmission type
-    (0, 7, SubList(4905, 9), SubList(0, 0)) // sub-index
-    (8, 23, SubList(4914, 5), SubList(0, 0)) // index
-    (24, 31, SubList(5386, 21), SubList(0, 0)) // number of sub-indexes
+    (0, 7, SubList(4572, 17), SubList(20, 6)) // transmission type
+    (0, 7, SubList(4932, 9), SubList(0, 0)) // sub-index
+    (8, 23, SubList(4941, 5), SubList(0, 0)) // index
+    (24, 31, SubList(5413, 21), SubList(0, 0)) // number of sub-indexes
 );
 
 static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
@@ -228,22 +228,22 @@ static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
     (1, 1, SubList(2071, 13)) // consumes TIME
     (0, 0, SubList(2273, 5)) // valid
     (1, 1, SubList(2278, 9)) // not valid
-    (0, 0, SubList(3901, 33)) // pre-operational, from operational
-    (1, 1, SubList(3934, 9)) // no change
-    (2, 2, SubList(3943, 7)) // stopped
-    (0, 0, SubList(4135, 6)) // static
-    (1, 1, SubList(4141, 7)) // dynamic
-    (0, 240, SubList(4562, 38)) // synchronous: counts with the next SYNC
-    (254, 254, SubList(4600, 35)) // event-driven, as the vendor defines
-    (255, 255, SubList(4635, 43)) // event-driven, as the device profile defines
-    (0, 0, SubList(5053, 7)) // allowed
-    (1, 1, SubList(5060, 11)) // not allowed
-    (0, 0, SubList(5090, 27)) // synchronous, after an event
-    (1, 240, SubList(5117, 27)) // synchronous, every nth SYNC
-    (252, 252, SubList(5144, 27)) // on request, sampled at SYNC
-    (253, 253, SubList(5171, 10)) // on request
-    (254, 254, SubList(4600, 35)) // event-driven, as the vendor defines
-    (255, 255, SubList(4635, 43)) // event-driven, as the device profile defines
+    (0, 0, SubList(3928, 33)) // pre-operational, from operational
+    (1, 1, SubList(3961, 9)) // no change
+    (2, 2, SubList(3970, 7)) // stopped
+    (0, 0, SubList(4162, 6)) // static
+    (1, 1, SubList(4168, 7)) // dynamic
+    (0, 240, SubList(4589, 38)) // synchronous: counts with the next SYNC
+    (254, 254, SubList(4627, 35)) // event-driven, as the vendor defines
+    (255, 255, SubList(4662, 43)) // event-driven, as the device profile defines
+    (0, 0, SubList(5080, 7)) // allowed
+    (1, 1, SubList(5087, 11)) // not allowed
+    (0, 0, SubList(5117, 27)) // synchronous, after an event
+    (1, 240, SubList(5144, 27)) // synchronous, every nth SYNC
+    (252, 252, SubList(5171, 27)) // on request, sampled at SYNC
+    (253, 253, SubList(5198, 10)) // on request
+    (254, 254, SubList(4627, 35)) // event-driven, as the vendor defines
+    (255, 255, SubList(4662, 43)) // event-driven, as the device profile defines
 );
 
 static COMMANDS: &[CommandRow] = &[];
@@ -313,7 +313,8 @@ static TEXTS: &str = concat!(
     "Says whether commands of 1023h run at once or are collected in a buffer.", "OS debugger interface",
     "Runs a command of the debugger in the device and answers with status and reply.", "StdIn", "StdOut",
     "StdErr", "OS prompt", "A character console of the device: one character in, one out, one for errors.",
-    "Module", "Module list", "Lists the modules that are plugged into a modular device.", "Emergency consumer",
+    "Number of connected modules", "Module", "Module list",
+    "Lists the modules that are plugged into a modular device.", "Emergency consumer",
     "Emergency consumer object",
     "The CAN-IDs of the EMCY messages that the device listens to; the sub-index is the node-ID of the sender.",
     "reaction", "pre-operational, from operational", "no change", "stopped", "Communication error",

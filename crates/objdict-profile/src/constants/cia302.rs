@@ -36,194 +36,202 @@ pub(super) static PROFILE: Profile = Profile {
 };
 
 static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_types, need, only, as_many_as, entries, source, about, confidence }:
-    (7936, 7936, SubList(0, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(0, 1), SubList(11, 4), SubList(15, 56), High) // 1F00h Request SDO
-    (7937, 7937, SubList(71, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(0, 1), SubList(11, 4), SubList(82, 43), High) // 1F01h Release SDO
-    (7938, 7938, SubList(148, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(1, 2), SubList(11, 4), SubList(167, 46), High) // 1F02h SDO manager COB-IDs
-    (7939, 7939, SubList(213, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(3, 3), SubList(11, 4), SubList(262, 111), High) // 1F03h SDO connections part 1
-    (7940, 7940, SubList(373, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(6, 3), SubList(11, 4), SubList(395, 59), High) // 1F04h SDO connections part 2
-    (7941, 7941, SubList(454, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(9, 3), SubList(11, 4), SubList(476, 59), High) // 1F05h SDO connections part 3
-    (7942, 7942, SubList(535, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(12, 3), SubList(11, 4), SubList(557, 60), High) // 1F06h SDO connections part 4
-    (7952, 7952, SubList(617, 28), SubList(0, 1), Optional, None, SubList(0, 0), SubList(15, 1), SubList(11, 4), SubList(645, 59), High) // 1F10h Dynamic SDO connection state
-    (7953, 7953, SubList(704, 12), SubList(0, 1), Optional, None, SubList(0, 0), SubList(16, 1), SubList(11, 4), SubList(716, 81), High) // 1F11h Slave failed
-    (7968, 7968, SubList(797, 9), SubList(1, 2), When(0), None, SubList(0, 0), SubList(17, 2), SubList(11, 4), SubList(806, 95), High) // 1F20h Store DCF
-    (7969, 7969, SubList(901, 21), SubList(1, 2), When(1), None, SubList(0, 0), SubList(19, 2), SubList(11, 4), SubList(922, 52), High) // 1F21h Storage format of DCF
-    (7970, 7970, SubList(974, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(21, 2), SubList(11, 4), SubList(985, 114), High) // 1F22h Concise DCF
-    (7971, 7971, SubList(1099, 22), SubList(1, 2), When(2), None, SubList(0, 0), SubList(23, 2), SubList(11, 4), SubList(1121, 72), High) // 1F23h Store EDS of NMT slave
-    (7972, 7972, SubList(1193, 21), SubList(1, 2), When(3), None, SubList(0, 0), SubList(25, 2), SubList(11, 4), SubList(1214, 57), High) // 1F24h Storage format of EDS
-    (7973, 7973, SubList(1271, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(27, 3), SubList(11, 4), SubList(1295, 82), High) // 1F25h Configure slave
-    (7974, 7974, SubList(1377, 27), SubList(1, 2), When(4), None, SubList(0, 0), SubList(30, 2), SubList(11, 4), SubList(1404, 97), High) // 1F26h Expected configuration date
-    (7975, 7975, SubList(1501, 27), SubList(1, 2), When(5), None, SubList(0, 0), SubList(32, 2), SubList(11, 4), SubList(1528, 97), High) // 1F27h Expected configuration time
-    (8016, 8016, SubList(1625, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(34, 3), SubList(11, 4), SubList(1637, 47), High) // 1F50h Program data
-    (8017, 8017, SubList(1684, 15), SubList(1, 2), When(6), None, SubList(0, 1), SubList(37, 3), SubList(11, 4), SubList(1757, 54), High) // 1F51h Program control
-    (8018, 8018, SubList(1861, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(40, 3), SubList(11, 4), SubList(1888, 56), High) // 1F52h Verify application software
-    (8019, 8019, SubList(1944, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(43, 2), SubList(11, 4), SubList(1978, 84), High) // 1F53h Expected application software date
-    (8020, 8020, SubList(2062, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(45, 2), SubList(11, 4), SubList(2096, 84), High) // 1F54h Expected application software time
-    (8021, 8021, SubList(2180, 32), SubList(1, 2), Optional, None, SubList(0, 0), SubList(47, 2), SubList(2212, 7), SubList(2219, 94), Medium) // 1F55h Expected software identification
-    (8022, 8022, SubList(2313, 31), SubList(1, 2), Optional, None, SubList(0, 0), SubList(49, 3), SubList(2212, 7), SubList(2344, 58), Medium) // 1F56h Program software identification
-    (8023, 8023, SubList(2402, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(52, 3), SubList(2212, 7), SubList(2614, 68), Medium) // 1F57h Flash status identification
-    (8024, 8024, SubList(2682, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(55, 2), SubList(2212, 7), SubList(2703, 83), Medium) // 1F58h Program data of nodes
-    (8032, 8032, SubList(2786, 24), SubList(0, 0), Optional, None, SubList(0, 0), SubList(0, 0), SubList(2810, 9), SubList(2819, 42), Medium) // 1F60h Redundancy configuration
-    (8048, 8048, SubList(2917, 15), SubList(3, 1), Optional, None, SubList(0, 0), SubList(57, 3), SubList(11, 4), SubList(2932, 59), High) // 1F70h Process picture
-    (8064, 8064, SubList(3209, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(60, 1), SubList(11, 4), SubList(3220, 82), High) // 1F80h NMT startup
-    (8065, 8065, SubList(3302, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(61, 2), SubList(11, 4), SubList(3507, 115), High) // 1F81h NMT slave assignment
-    (8066, 8066, SubList(3622, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(63, 3), SubList(11, 4), SubList(3633, 97), High) // 1F82h Request NMT
-    (8067, 8067, SubList(3730, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(66, 3), SubList(11, 4), SubList(3751, 69), High) // 1F83h Request node guarding
-    (8068, 8068, SubList(3820, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(69, 2), SubList(11, 4), SubList(3846, 97), High) // 1F84h Device type identification
-    (8069, 8069, SubList(3943, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(71, 2), SubList(11, 4), SubList(3964, 87), High) // 1F85h Vendor identification
-    (8070, 8070, SubList(4051, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(73, 2), SubList(11, 4), SubList(4063, 90), High) // 1F86h Product code
-    (8071, 8071, SubList(4153, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(75, 2), SubList(11, 4), SubList(4168, 93), High) // 1F87h Revision number
-    (8072, 8072, SubList(4261, 13), SubList(1, 2), Optional, None, SubList(0, 0), SubList(77, 2), SubList(11, 4), SubList(4274, 91), High) // 1F88h Serial number
-    (8073, 8073, SubList(4367, 9), SubList(0, 1), Optional, None, SubList(0, 0), SubList(79, 1), SubList(11, 4), SubList(4376, 69), High) // 1F89h Boot time
-    (8074, 8074, SubList(4445, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(80, 2), SubList(2212, 7), SubList(4466, 84), Medium) // 1F8Ah Restore configuration
-    (8080, 8080, SubList(4729, 35), SubList(0, 0), When(7), None, SubList(0, 0), SubList(82, 7), SubList(4764, 15), SubList(4779, 72), High) // 1F90h NMT flying master timing parameters
-    (8081, 8081, SubList(4966, 37), SubList(1, 2), Optional, None, SubList(0, 0), SubList(89, 4), SubList(4764, 15), SubList(5003, 81), High) // 1F91h Self-starting nodes timing parameters
+    (4138, 4138, SubList(7, 16), SubList(0, 1), Optional, None, SubList(0, 0), SubList(0, 1), SubList(23, 9), SubList(32, 76), High) // 102Ah NMT inhibit time
+    (7936, 7936, SubList(108, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(1, 1), SubList(119, 4), SubList(123, 56), High) // 1F00h Request SDO
+    (7937, 7937, SubList(179, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(1, 1), SubList(119, 4), SubList(190, 43), High) // 1F01h Release SDO
+    (7938, 7938, SubList(256, 19), SubList(1, 2), Optional, None, SubList(0, 0), SubList(2, 2), SubList(119, 4), SubList(275, 46), High) // 1F02h SDO manager COB-IDs
+    (7939, 7939, SubList(321, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(4, 3), SubList(119, 4), SubList(370, 111), High) // 1F03h SDO connections part 1
+    (7940, 7940, SubList(481, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(7, 3), SubList(119, 4), SubList(503, 59), High) // 1F04h SDO connections part 2
+    (7941, 7941, SubList(562, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(10, 3), SubList(119, 4), SubList(584, 59), High) // 1F05h SDO connections part 3
+    (7942, 7942, SubList(643, 22), SubList(1, 2), Optional, None, SubList(0, 0), SubList(13, 3), SubList(119, 4), SubList(665, 60), High) // 1F06h SDO connections part 4
+    (7952, 7952, SubList(725, 28), SubList(0, 1), Optional, None, SubList(0, 0), SubList(16, 1), SubList(119, 4), SubList(753, 59), High) // 1F10h Dynamic SDO connection state
+    (7953, 7953, SubList(812, 12), SubList(0, 1), Optional, None, SubList(0, 0), SubList(17, 1), SubList(119, 4), SubList(824, 81), High) // 1F11h Slave failed
+    (7968, 7968, SubList(905, 9), SubList(1, 2), When(0), None, SubList(0, 0), SubList(18, 2), SubList(119, 4), SubList(914, 95), High) // 1F20h Store DCF
+    (7969, 7969, SubList(1009, 21), SubList(1, 2), When(1), None, SubList(0, 0), SubList(20, 2), SubList(119, 4), SubList(1030, 52), High) // 1F21h Storage format of DCF
+    (7970, 7970, SubList(1082, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(22, 2), SubList(119, 4), SubList(1093, 114), High) // 1F22h Concise DCF
+    (7971, 7971, SubList(1207, 22), SubList(1, 2), When(2), None, SubList(0, 0), SubList(24, 2), SubList(119, 4), SubList(1229, 72), High) // 1F23h Store EDS of NMT slave
+    (7972, 7972, SubList(1301, 21), SubList(1, 2), When(3), None, SubList(0, 0), SubList(26, 2), SubList(119, 4), SubList(1322, 57), High) // 1F24h Storage format of EDS
+    (7973, 7973, SubList(1379, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(28, 3), SubList(119, 4), SubList(1403, 82), High) // 1F25h Configure slave
+    (7974, 7974, SubList(1485, 27), SubList(1, 2), When(4), None, SubList(0, 0), SubList(31, 2), SubList(119, 4), SubList(1512, 97), High) // 1F26h Expected configuration date
+    (7975, 7975, SubList(1609, 27), SubList(1, 2), When(5), None, SubList(0, 0), SubList(33, 2), SubList(119, 4), SubList(1636, 97), High) // 1F27h Expected configuration time
+    (8016, 8016, SubList(1733, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(35, 3), SubList(119, 4), SubList(1745, 47), High) // 1F50h Program data
+    (8017, 8017, SubList(1792, 15), SubList(1, 2), When(6), None, SubList(0, 1), SubList(38, 3), SubList(119, 4), SubList(1865, 54), High) // 1F51h Program control
+    (8018, 8018, SubList(1969, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(41, 3), SubList(119, 4), SubList(1996, 56), High) // 1F52h Verify application software
+    (8019, 8019, SubList(2052, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(44, 2), SubList(119, 4), SubList(2086, 84), High) // 1F53h Expected application software date
+    (8020, 8020, SubList(2170, 34), SubList(1, 2), Optional, None, SubList(0, 0), SubList(46, 2), SubList(119, 4), SubList(2204, 84), High) // 1F54h Expected application software time
+    (8021, 8021, SubList(2288, 32), SubList(1, 2), Optional, None, SubList(0, 0), SubList(48, 2), SubList(2320, 7), SubList(2327, 94), Medium) // 1F55h Expected software identification
+    (8022, 8022, SubList(2421, 31), SubList(1, 2), Optional, None, SubList(0, 0), SubList(50, 3), SubList(2320, 7), SubList(2452, 58), Medium) // 1F56h Program software identification
+    (8023, 8023, SubList(2510, 27), SubList(1, 2), Optional, None, SubList(0, 0), SubList(53, 3), SubList(2320, 7), SubList(2722, 68), Medium) // 1F57h Flash status identification
+    (8024, 8024, SubList(2790, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(56, 2), SubList(2320, 7), SubList(2811, 83), Medium) // 1F58h Program data of nodes
+    (8032, 8032, SubList(3064, 24), SubList(1, 2), Optional, None, SubList(0, 0), SubList(58, 6), SubList(23, 9), SubList(3088, 42), Medium) // 1F60h Redundancy configuration
+    (8048, 8048, SubList(3186, 15), SubList(3, 1), Optional, None, SubList(0, 0), SubList(64, 3), SubList(119, 4), SubList(3201, 59), High) // 1F70h Process picture
+    (8064, 8064, SubList(3478, 11), SubList(0, 1), Optional, None, SubList(0, 0), SubList(67, 1), SubList(119, 4), SubList(3489, 82), High) // 1F80h NMT startup
+    (8065, 8065, SubList(3571, 20), SubList(1, 2), Optional, None, SubList(0, 0), SubList(68, 2), SubList(119, 4), SubList(3776, 115), High) // 1F81h NMT slave assignment
+    (8066, 8066, SubList(3891, 11), SubList(1, 2), Optional, None, SubList(0, 0), SubList(70, 3), SubList(119, 4), SubList(3902, 97), High) // 1F82h Request NMT
+    (8067, 8067, SubList(3999, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(73, 3), SubList(119, 4), SubList(4020, 69), High) // 1F83h Request node guarding
+    (8068, 8068, SubList(4089, 26), SubList(1, 2), Optional, None, SubList(0, 0), SubList(76, 2), SubList(119, 4), SubList(4115, 97), High) // 1F84h Device type identification
+    (8069, 8069, SubList(4212, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(78, 2), SubList(119, 4), SubList(4233, 87), High) // 1F85h Vendor identification
+    (8070, 8070, SubList(4320, 12), SubList(1, 2), Optional, None, SubList(0, 0), SubList(80, 2), SubList(119, 4), SubList(4332, 90), High) // 1F86h Product code
+    (8071, 8071, SubList(4422, 15), SubList(1, 2), Optional, None, SubList(0, 0), SubList(82, 2), SubList(119, 4), SubList(4437, 93), High) // 1F87h Revision number
+    (8072, 8072, SubList(4530, 13), SubList(1, 2), Optional, None, SubList(0, 0), SubList(84, 2), SubList(119, 4), SubList(4543, 91), High) // 1F88h Serial number
+    (8073, 8073, SubList(4636, 9), SubList(0, 1), Optional, None, SubList(0, 0), SubList(86, 1), SubList(119, 4), SubList(4645, 69), High) // 1F89h Boot time
+    (8074, 8074, SubList(4714, 21), SubList(1, 2), Optional, None, SubList(0, 0), SubList(87, 2), SubList(2320, 7), SubList(4735, 84), Medium) // 1F8Ah Restore configuration
+    (8080, 8080, SubList(4998, 35), SubList(0, 0), When(7), None, SubList(0, 0), SubList(89, 7), SubList(5033, 15), SubList(5048, 72), High) // 1F90h NMT flying master timing parameters
+    (8081, 8081, SubList(5235, 37), SubList(1, 2), Optional, None, SubList(0, 0), SubList(96, 4), SubList(5033, 15), SubList(5272, 81), High) // 1F91h Self-starting nodes timing parameters
 );
 
 static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(1, 2), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 254, Some(No), Optional, SubList(142, 6), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // COB-ID
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, SubList(213, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 1
-    (2, 254, Some(No), Optional, SubList(213, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 1
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, SubList(373, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 2
-    (2, 254, Some(No), Optional, SubList(373, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 2
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, SubList(454, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 3
-    (2, 254, Some(No), Optional, SubList(454, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 3
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, SubList(535, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 4
-    (2, 254, Some(No), Optional, SubList(535, 22), SubList(0, 1), SubList(4, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // SDO connections part 4
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(797, 9), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Store DCF
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(901, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Storage format of DCF
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(974, 11), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Concise DCF
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1099, 22), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Store EDS of NMT slave
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1193, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Storage format of EDS
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1271, 15), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configure slave
-    (128, 128, Some(No), Optional, SubList(1286, 9), SubList(0, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1377, 27), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Expected configuration date
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1501, 27), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Expected configuration time
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(1625, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
-    (2, 254, Some(No), Optional, SubList(1625, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 1)) // Program control
-    (2, 254, Some(No), Optional, SubList(1684, 15), SubList(1, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 1)) // Program control
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Optional, SubList(1811, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software date
-    (2, 2, Some(No), Optional, SubList(1836, 25), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software time
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(1944, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software date
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(2062, 34), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software time
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(2180, 32), SubList(0, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected software identification
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2313, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
-    (2, 254, Some(No), Optional, SubList(2313, 31), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 1, Some(No), Mandatory, SubList(2402, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(1, 3)) // Flash status identification
-    (2, 254, Some(No), Optional, SubList(2402, 27), SubList(0, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(1, 3)) // Flash status identification
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(2682, 21), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data of nodes
-    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, SubList(2883, 14), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(4, 2)) // Selected range
-    (2, 2, Some(No), Mandatory, SubList(2897, 20), SubList(3, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Process image domain
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(6, 7))
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3302, 20), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(13, 9)) // NMT slave assignment
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3622, 11), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request NMT
-    (128, 128, Some(No), Optional, SubList(1286, 9), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3730, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request node guarding
-    (128, 128, Some(No), Optional, SubList(1286, 9), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3820, 26), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Device type identification
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(3943, 21), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Vendor identification
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4051, 12), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Product code
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4153, 15), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Revision number
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4261, 13), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // Serial number
-    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(3, 1), SubList(0, 0), Some(1), SubList(4365, 2), SubList(0, 0))
-    (0, 0, Some(No), Mandatory, SubList(235, 27), SubList(1, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
-    (1, 127, Some(No), Mandatory, SubList(4445, 21), SubList(1, 1), SubList(3, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Restore configuration
-    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, SubList(4550, 42), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4365, 2), SubList(0, 0)) // Timeout for detection of active NMT master
-    (2, 2, Some(No), Mandatory, SubList(4592, 33), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4365, 2), SubList(0, 0)) // NMT master negotiation time delay
-    (3, 3, Some(No), Mandatory, SubList(4625, 25), SubList(4, 2), SubList(9, 2), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // NMT master priority level
-    (4, 4, Some(No), Mandatory, SubList(4650, 18), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(4), SubList(4365, 2), SubList(0, 0)) // Priority time slot
-    (5, 5, Some(No), Mandatory, SubList(4668, 24), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(5), SubList(4365, 2), SubList(0, 0)) // CANopen device time slot
-    (6, 6, Some(No), Mandatory, SubList(4692, 37), SubList(2, 1), SubList(9, 2), SubList(0, 0), None, SubList(4365, 2), SubList(0, 0)) // Multiple NMT master detect cycle time
-    (0, 0, Some(No), Mandatory, SubList(125, 17), SubList(1, 1), SubList(4, 1), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
-    (1, 1, Some(No), Mandatory, SubList(4851, 53), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4365, 2), SubList(0, 0)) // Timeout for detection of an NMT master capable device
-    (2, 2, Some(No), Mandatory, SubList(4904, 48), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4365, 2), SubList(0, 0)) // Delay time for NMT master capable device request
-    (3, 3, Some(No), Mandatory, SubList(4952, 14), SubList(2, 1), SubList(9, 2), SubList(0, 0), Some(6), SubList(4365, 2), SubList(0, 0)) // Node time slot
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 7), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(233, 17), SubList(2, 1), SubList(2, 2), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 254, Some(No), Optional, SubList(250, 6), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(1), SubList(0, 0), SubList(0, 0)) // COB-ID
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(321, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 1
+    (2, 254, Some(No), Optional, SubList(321, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 1
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(481, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 2
+    (2, 254, Some(No), Optional, SubList(481, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 2
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(562, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 3
+    (2, 254, Some(No), Optional, SubList(562, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 3
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(0, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(643, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 4
+    (2, 254, Some(No), Optional, SubList(643, 22), SubList(1, 1), SubList(4, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // SDO connections part 4
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(0, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(905, 9), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Store DCF
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1009, 21), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Storage format of DCF
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1082, 11), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Concise DCF
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1207, 22), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Store EDS of NMT slave
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1301, 21), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Storage format of EDS
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1379, 15), SubList(1, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Configure slave
+    (128, 128, Some(No), Optional, SubList(1394, 9), SubList(1, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1485, 27), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Expected configuration date
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(1609, 27), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Expected configuration time
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(1733, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
+    (2, 254, Some(No), Optional, SubList(1733, 12), SubList(3, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(1792, 15), SubList(2, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 1)) // Program control
+    (2, 254, Some(No), Optional, SubList(1792, 15), SubList(2, 1), SubList(7, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 1)) // Program control
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, SubList(1919, 25), SubList(1, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software date
+    (2, 2, Some(No), Optional, SubList(1944, 25), SubList(1, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Application software time
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2052, 34), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software date
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2170, 34), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected application software time
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2288, 32), SubList(1, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Expected software identification
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(2421, 31), SubList(1, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
+    (2, 254, Some(No), Optional, SubList(2421, 31), SubList(1, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program software identification
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(3, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, SubList(2510, 27), SubList(1, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(1, 3)) // Flash status identification
+    (2, 254, Some(No), Optional, SubList(2510, 27), SubList(1, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(1, 3)) // Flash status identification
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(2790, 21), SubList(3, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Program data of nodes
+    (0, 0, Some(No), Mandatory, SubList(233, 17), SubList(2, 1), SubList(4, 1), SubList(5, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(2894, 21), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Maximum Tx delay time
+    (2, 2, Some(No), Mandatory, SubList(2915, 40), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Heartbeat evaluation time after power on
+    (3, 3, Some(No), Mandatory, SubList(2955, 51), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Heartbeat evaluation time after reset communication
+    (4, 4, Some(No), Mandatory, SubList(3006, 31), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Channel error counter threshold
+    (5, 5, Some(No), Mandatory, SubList(3037, 27), SubList(2, 1), SubList(4, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Channel error counter value
+    (0, 0, Some(No), Mandatory, SubList(233, 17), SubList(2, 1), SubList(4, 1), SubList(4, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(3152, 14), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(4, 2)) // Selected range
+    (2, 2, Some(No), Mandatory, SubList(3166, 20), SubList(3, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Process image domain
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(5, 2), SubList(0, 0), None, SubList(0, 0), SubList(6, 7))
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3571, 20), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(13, 9)) // NMT slave assignment
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3891, 11), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request NMT
+    (128, 128, Some(No), Optional, SubList(1394, 9), SubList(2, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(2, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(3999, 21), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Request node guarding
+    (128, 128, Some(No), Optional, SubList(1394, 9), SubList(2, 1), SubList(1, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4089, 26), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Device type identification
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4212, 21), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Vendor identification
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4320, 12), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Product code
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4422, 15), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Revision number
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4530, 13), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(0, 0), SubList(0, 0)) // Serial number
+    (0, 0, Some(No), Mandatory, SubList(0, 0), SubList(1, 1), SubList(0, 1), SubList(0, 0), Some(0), SubList(4634, 2), SubList(0, 0))
+    (0, 0, Some(No), Mandatory, SubList(343, 27), SubList(2, 1), SubList(4, 1), SubList(1, 1), None, SubList(0, 0), SubList(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, SubList(4714, 21), SubList(2, 1), SubList(0, 1), SubList(0, 0), None, SubList(0, 0), SubList(0, 0)) // Restore configuration
+    (0, 0, Some(No), Mandatory, SubList(233, 17), SubList(2, 1), SubList(4, 1), SubList(6, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(4819, 42), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4634, 2), SubList(0, 0)) // Timeout for detection of active NMT master
+    (2, 2, Some(No), Mandatory, SubList(4861, 33), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4634, 2), SubList(0, 0)) // NMT master negotiation time delay
+    (3, 3, Some(No), Mandatory, SubList(4894, 25), SubList(4, 2), SubList(9, 2), SubList(7, 1), None, SubList(0, 0), SubList(0, 0)) // NMT master priority level
+    (4, 4, Some(No), Mandatory, SubList(4919, 18), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(4), SubList(4634, 2), SubList(0, 0)) // Priority time slot
+    (5, 5, Some(No), Mandatory, SubList(4937, 24), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(5), SubList(4634, 2), SubList(0, 0)) // CANopen device time slot
+    (6, 6, Some(No), Mandatory, SubList(4961, 37), SubList(0, 1), SubList(9, 2), SubList(0, 0), None, SubList(4634, 2), SubList(0, 0)) // Multiple NMT master detect cycle time
+    (0, 0, Some(No), Mandatory, SubList(233, 17), SubList(2, 1), SubList(4, 1), SubList(8, 1), None, SubList(0, 0), SubList(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, SubList(5120, 53), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(2), SubList(4634, 2), SubList(0, 0)) // Timeout for detection of an NMT master capable device
+    (2, 2, Some(No), Mandatory, SubList(5173, 48), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(3), SubList(4634, 2), SubList(0, 0)) // Delay time for NMT master capable device request
+    (3, 3, Some(No), Mandatory, SubList(5221, 14), SubList(0, 1), SubList(9, 2), SubList(0, 0), Some(6), SubList(4634, 2), SubList(0, 0)) // Node time slot
 );
 
 static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
-    (0, 7, SubList(1699, 7), SubList(0, 4)) // command
-    (0, 0, SubList(2429, 28), SubList(0, 0)) // program download in progress
-    (1, 7, SubList(2457, 5), SubList(4, 9)) // error
-    (16, 31, SubList(2589, 25), SubList(0, 0)) // error of the manufacturer
-    (0, 15, SubList(2861, 7), SubList(0, 0)) // segment
-    (16, 31, SubList(2868, 15), SubList(0, 0)) // length in bytes
-    (0, 0, SubList(2991, 10), SubList(13, 2)) // NMT master
-    (1, 1, SubList(3006, 12), SubList(15, 2)) // start slaves
-    (2, 2, SubList(3039, 17), SubList(17, 2)) // enter operational
-    (3, 3, SubList(3074, 19), SubList(19, 2)) // start slaves at all
-    (4, 4, SubList(3093, 26), SubList(21, 2)) // error of a mandatory slave
-    (5, 5, SubList(3149, 13), SubList(13, 2)) // flying master
-    (6, 6, SubList(3162, 47), SubList(13, 2)) // stop all nodes on an error of a mandatory slave
-    (0, 0, SubList(3322, 20), SubList(0, 0)) // slave of this master
-    (2, 2, SubList(3342, 18), SubList(0, 0)) // boot and configure
-    (3, 3, SubList(3360, 9), SubList(0, 0)) // mandatory
-    (4, 4, SubList(3369, 47), SubList(0, 0)) // no reset of its communication while operational
-    (5, 5, SubList(3416, 19), SubList(0, 0)) // verify its software
-    (6, 6, SubList(3435, 19), SubList(0, 0)) // update its software
-    (7, 7, SubList(3454, 25), SubList(0, 0)) // restore its configuration
-    (8, 15, SubList(3479, 12), SubList(0, 0)) // retry factor
-    (16, 31, SubList(3491, 16), SubList(0, 0)) // guard time in ms
+    (0, 7, SubList(1807, 7), SubList(0, 4)) // command
+    (0, 0, SubList(2537, 28), SubList(0, 0)) // program download in progress
+    (1, 7, SubList(2565, 5), SubList(4, 9)) // error
+    (16, 31, SubList(2697, 25), SubList(0, 0)) // error of the manufacturer
+    (0, 15, SubList(3130, 7), SubList(0, 0)) // segment
+    (16, 31, SubList(3137, 15), SubList(0, 0)) // length in bytes
+    (0, 0, SubList(3260, 10), SubList(13, 2)) // NMT master
+    (1, 1, SubList(3275, 12), SubList(15, 2)) // start slaves
+    (2, 2, SubList(3308, 17), SubList(17, 2)) // enter operational
+    (3, 3, SubList(3343, 19), SubList(19, 2)) // start slaves at all
+    (4, 4, SubList(3362, 26), SubList(21, 2)) // error of a mandatory slave
+    (5, 5, SubList(3418, 13), SubList(13, 2)) // flying master
+    (6, 6, SubList(3431, 47), SubList(13, 2)) // stop all nodes on an error of a mandatory slave
+    (0, 0, SubList(3591, 20), SubList(0, 0)) // slave of this master
+    (2, 2, SubList(3611, 18), SubList(0, 0)) // boot and configure
+    (3, 3, SubList(3629, 9), SubList(0, 0)) // mandatory
+    (4, 4, SubList(3638, 47), SubList(0, 0)) // no reset of its communication while operational
+    (5, 5, SubList(3685, 19), SubList(0, 0)) // verify its software
+    (6, 6, SubList(3704, 19), SubList(0, 0)) // update its software
+    (7, 7, SubList(3723, 25), SubList(0, 0)) // restore its configuration
+    (8, 15, SubList(3748, 12), SubList(0, 0)) // retry factor
+    (16, 31, SubList(3760, 16), SubList(0, 0)) // guard time in ms
 );
 
 static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
-    (0, 0, SubList(1706, 12)) // stop program
-    (1, 1, SubList(1718, 13)) // start program
-    (2, 2, SubList(1731, 13)) // reset program
-    (3, 3, SubList(1744, 13)) // clear program
-    (0, 0, SubList(2462, 4)) // none
-    (1, 1, SubList(2466, 16)) // no valid program
-    (2, 2, SubList(2482, 14)) // unknown format
-    (3, 3, SubList(2496, 14)) // wrong checksum
-    (4, 4, SubList(2510, 17)) // flash not cleared
-    (5, 5, SubList(2527, 17)) // flash write error
-    (6, 6, SubList(2544, 13)) // wrong address
-    (7, 7, SubList(2557, 13)) // flash secured
-    (63, 63, SubList(2570, 19)) // of the manufacturer
-    (0, 0, SubList(3001, 2)) // no
-    (1, 1, SubList(3003, 3)) // yes
-    (0, 0, SubList(3018, 10)) // one by one
-    (1, 1, SubList(3028, 11)) // all at once
-    (0, 0, SubList(3056, 9)) // by itself
-    (1, 1, SubList(3065, 9)) // when told
-    (0, 0, SubList(3003, 3)) // yes
-    (1, 1, SubList(3001, 2)) // no
-    (0, 0, SubList(3119, 15)) // that slave only
-    (1, 1, SubList(3134, 15)) // reset all nodes
+    (0, 0, SubList(1814, 12)) // stop program
+    (1, 1, SubList(1826, 13)) // start program
+    (2, 2, SubList(1839, 13)) // reset program
+    (3, 3, SubList(1852, 13)) // clear program
+    (0, 0, SubList(2570, 4)) // none
+    (1, 1, SubList(2574, 16)) // no valid program
+    (2, 2, SubList(2590, 14)) // unknown format
+    (3, 3, SubList(2604, 14)) // wrong checksum
+    (4, 4, SubList(2618, 17)) // flash not cleared
+    (5, 5, SubList(2635, 17)) // flash write error
+    (6, 6, SubList(2652, 13)) // wrong address
+    (7, 7, SubList(2665, 13)) // flash secured
+    (63, 63, SubList(2678, 19)) // of the manufacturer
+    (0, 0, SubList(3270, 2)) // no
+    (1, 1, SubList(3272, 3)) // yes
+    (0, 0, SubList(3287, 10)) // one by one
+    (1, 1, SubList(3297, 11)) // all at once
+    (0, 0, SubList(3325, 9)) // by itself
+    (1, 1, SubList(3334, 9)) // when told
+    (0, 0, SubList(3272, 3)) // yes
+    (1, 1, SubList(3270, 2)) // no
+    (0, 0, SubList(3388, 15)) // that slave only
+    (1, 1, SubList(3403, 15)) // reset all nodes
 );
 
 static COMMANDS: &[CommandRow] = &[];
@@ -243,18 +251,20 @@ static CONDITIONS: &[Condition] = &[
 
 static OBJECT_TYPES: &[ObjectType] = &[Var, Array, Record, Record];
 
-static DATA_TYPES: &[DataType] = &[DataType(7), DataType(5), DataType(6), DataType(15), DataType(6), DataType(5)];
+static DATA_TYPES: &[DataType] = &[DataType(6), DataType(7), DataType(5), DataType(15), DataType(6), DataType(5)];
 
-static ACCESS: &[Access] = &[Wo, Ro, Rw, Rw, Ro, Rw, Ro, Rw, Wo, Rw, Const];
+static ACCESS: &[Access] = &[Rw, Wo, Ro, Rw, Ro, Rw, Ro, Rw, Wo, Rw, Const];
 
-static VALUES: &[std::ops::RangeInclusive<i128>] = &[0..=254, 127..=127, 128..=128, 1..=254, 2..=2, 6..=6, 0..=2, 3..=3];
+static VALUES: &[std::ops::RangeInclusive<i128>] = &[0..=254, 127..=127, 128..=128, 1..=254, 2..=2, 5..=5, 6..=6, 0..=2, 3..=3];
 
-static DEFAULTS: &[Value] = &[Unsigned(2147483648), Unsigned(0), Unsigned(100), Unsigned(500), Unsigned(1500), Unsigned(10), Unsigned(15)];
+static DEFAULTS: &[Value] = &[Unsigned(0), Unsigned(2147483648), Unsigned(100), Unsigned(500), Unsigned(1500), Unsigned(10), Unsigned(15)];
 
 static INDEXES: &[u16] = &[8016];
 
 static TEXTS: &str = concat!(
-    "Request SDO", "book", "Asks the SDO manager for an SDO channel to another node.", "Release SDO",
+    "100 µs", "NMT inhibit time", "databases",
+    "The shortest time between two NMT commands of the manager; 0 means no limit.", "Request SDO", "book",
+    "Asks the SDO manager for an SDO channel to another node.", "Release SDO",
     "Gives SDO channels back to the SDO manager.", "Number of entries", "COB-ID", "SDO manager COB-IDs",
     "The COB-IDs that the SDO manager may hand out.", "SDO connections part 1", "Highest sub-index supported",
     "The SDO connections 1 to 254 of the network: client and server node, and which of their parameter sets is used.",
@@ -290,8 +300,10 @@ static TEXTS: &str = concat!(
     "flash secured", "of the manufacturer", "error of the manufacturer",
     "Whether a program is being written, and how the last download ended.", "Program data of nodes",
     "The programs that the manager downloads to the nodes; the sub-index is the node-ID.",
-    "Redundancy configuration", "databases", "The parameters of two redundant CAN lines.", "segment",
-    "length in bytes", "Selected range", "Process image domain", "Process picture",
+    "Maximum Tx delay time", "Heartbeat evaluation time after power on",
+    "Heartbeat evaluation time after reset communication", "Channel error counter threshold",
+    "Channel error counter value", "Redundancy configuration", "The parameters of two redundant CAN lines.",
+    "segment", "length in bytes", "Selected range", "Process image domain", "Process picture",
     "Reads and writes a range of network variables as one block.", "NMT master", "no", "yes", "start slaves",
     "one by one", "all at once", "enter operational", "by itself", "when told", "start slaves at all",
     "error of a mandatory slave", "that slave only", "reset all nodes", "flying master",

@@ -111,7 +111,7 @@ static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_type
     (25620, 25620, SubList(6692, 43), SubList(0, 0), Optional, None, SubList(0, 0), SubList(0, 0), SubList(2270, 9), SubList(6735, 69), Medium) // 6414h Write manufacturer specific analogue output
     (25633, 25633, SubList(6804, 42), SubList(0, 2), Optional, None, SubList(8, 5), SubList(161, 3), SubList(2270, 9), SubList(6981, 69), High) // 6421h Analogue input interrupt trigger selection
     (25634, 25634, SubList(7050, 31), SubList(0, 2), Optional, None, SubList(0, 0), SubList(164, 3), SubList(2270, 9), SubList(7081, 85), High) // 6422h Analogue input interrupt source
-    (25635, 25635, SubList(7166, 38), SubList(2, 1), Optional, None, SubList(0, 0), SubList(167, 1), SubList(2270, 9), SubList(7204, 65), High) // 6423h Analogue input global interrupt enable
+    (25635, 25635, SubList(7166, 38), SubList(2, 1), When(12), None, SubList(0, 0), SubList(167, 1), SubList(2270, 9), SubList(7204, 65), Medium) // 6423h Analogue input global interrupt enable
     (25636, 25636, SubList(7269, 44), SubList(0, 2), Optional, None, SubList(8, 5), SubList(168, 3), SubList(2270, 9), SubList(7313, 66), High) // 6424h Analogue input interrupt upper limit integer
     (25637, 25637, SubList(7379, 44), SubList(0, 2), Optional, None, SubList(8, 5), SubList(171, 3), SubList(2270, 9), SubList(7423, 66), High) // 6425h Analogue input interrupt lower limit integer
     (25638, 25638, SubList(7489, 39), SubList(0, 2), Optional, None, SubList(8, 5), SubList(174, 3), SubList(2270, 9), SubList(7528, 82), High) // 6426h Analogue input interrupt delta unsigned
@@ -419,6 +419,7 @@ static CONDITIONS: &[Condition] = &[
     Condition::constant("6300h or 6320h or 6220h", &[OneOf(3), Described(25344, None), Described(25376, None), Described(25120, None)]),
     Condition::constant("6400h or 6402h or 6403h or 6404h", &[OneOf(4), Described(25600, None), Described(25602, None), Described(25603, None), Described(25604, None)]),
     Condition::constant("6410h or 6412h or 6413h or 6414h", &[OneOf(4), Described(25616, None), Described(25618, None), Described(25619, None), Described(25620, None)]),
+    Condition::constant("6421h", &[Described(25633, None)]),
 ];
 
 static OBJECT_TYPES: &[ObjectType] = &[Array, Record, Var];

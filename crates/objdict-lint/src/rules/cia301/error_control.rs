@@ -56,6 +56,14 @@ rules! {
     example: "a device with only 1000h, 1001h and 1018h",
     remedy: "Add 1017h, a writable UNSIGNED16; CiA recommends the heartbeat.",
     source: "CiA 301 §7.5.2.11, §7.5.2.12, §7.5.2.20",
+
+    "cia301/short-heartbeat-time" = SHORT_HEARTBEAT_TIME, Warning, Device(short_heartbeat_time);
+    summary: "a heartbeat time is shorter than 10 ms",
+    checks: "Whether 1017h, the heartbeat time, and the times in 1016h, those of the consumer, are 0 or at least 10 ms, configured or by default.",
+    why: "The unit is a millisecond, and such a value was mostly meant in seconds: the heartbeats of a few nodes fill the bus, and a consumer reports a lost node with the first delay.",
+    example: "`[1017]` with `DefaultValue=1`",
+    remedy: "Write the time in milliseconds, such as 1000 for one second.",
+    source: "CiA 301 §7.5.2.19, §7.5.2.20",
 }
 
 fn heartbeat_beside_guarding(facts: &Facts<'_>, findings: &mut Findings) {
@@ -165,6 +173,29 @@ fn invalid_consumer_heartbeat(device: &Device, findings: &mut Findings) {
         } else {
             watched.insert(node, sub);
         }
+    }
+}
+
+/// The shortest heartbeat time in milliseconds that is not reported.
+const SHORTEST_HEARTBEAT: i128 = 10;
+
+fn short_heartbeat_time(device: &Device, findings: &mut Findings) {
+    let consumers = (1..=127).map(|sub| (0x1016, sub));
+    for (index, sub) in [(0x1017, 0)].into_iter().chain(consumers) {
+        let object = device.object(index).filter(|object| object.object_type().has_subs() == (sub > 0));
+        let value = object.and_then(|object| object.value(sub)?.as_integer());
+        let time = value.map_or(0, |value| value & 0xFFFF);
+        // another rule reports a time without a node
+        let is_of_node = index == 0x1017 || value.is_some_and(|value| (1..=127).contains(&(value >> 16)));
+        if !(1..SHORTEST_HEARTBEAT).contains(&time) || !is_of_node {
+            continue;
+        }
+        let message = match index {
+            0x1017 => say!("the device sends a heartbeat every {} ms", time),
+            _ => say!("1016h sub-index {} expects a heartbeat every {} ms", sub, time),
+        };
+        let finding = SHORT_HEARTBEAT_TIME.at(device.value_place(index, sub), message);
+        findings.push(finding.help("write the time in milliseconds, such as 1000 for one second"));
     }
 }
 

@@ -1,6 +1,8 @@
 //! The mapping of a PDO as a whole: its number of entries, length and access types; multiplexed PDOs with their scanner and
 //! dispatching lists.
 
+use std::collections::HashMap;
+
 use crate::diagnostic::{Argument, Findings, Fix, Text, say, sub_index};
 use crate::model::{Access, Device, Field, MappedObject, Object, Part, Pdo, PdoKind, Place};
 use crate::rule::rules;
@@ -98,6 +100,13 @@ rules! {
     example: "five UNSIGNED16 in `[1A00]`",
     remedy: "Move objects to another PDO.",
     source: "CiA 301 §7.5.2.36",
+
+    "cia301/same-mapping" = SAME_MAPPING, Warning, Facts(same_mapping);
+    summary: "two PDOs map the same objects",
+    checks: "Whether two valid PDOs of the same direction and transmission type map different objects, or the same in another order. Encoders (CiA 406) send their position in two PDOs and are not checked.",
+    why: "A second TPDO sends the data of the first one again, a second RPDO overwrites them. Mostly the mapping was copied and not adapted, so the objects that it should have are in no PDO.",
+    example: "`DefaultValue=0x64010110` in `[1A00sub1]` and `[1A01sub1]`, which are the only objects of TPDO 1 and 2",
+    remedy: "Map the missing objects, or set bit 31 of the COB-ID of one of the PDOs.",
 
     "cia301/valid-pdo-without-mapping" = VALID_PDO_WITHOUT_MAPPING, Warning, Pdo(valid_pdo_without_mapping);
     summary: "a valid PDO maps no objects",
@@ -296,6 +305,32 @@ fn pdo_length_exceeded(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     let finding = PDO_LENGTH_EXCEEDED.at(place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("move this object and the following ones to another PDO"));
+}
+
+fn same_mapping(facts: &Facts<'_>, findings: &mut Findings) {
+    // an encoder sends its position in two PDOs, whose transmission types have a rule of CiA 406
+    if facts.device.profile() == Some(406) {
+        return;
+    }
+    let mut seen: HashMap<(PdoKind, u8, Vec<MappedObject>), &Pdo<'_>> = HashMap::new();
+    for PdoFacts { pdo, mapped } in &facts.pdos {
+        let is_whole = pdo.mapped_count.is_some_and(|count| usize::from(count) == mapped.len());
+        let is_valid = pdo.cob_id.is_some_and(|cob_id| cob_id.is_valid() && cob_id.stray_bits() == 0);
+        let Some(transmission_type) = pdo.transmission_type.filter(|_| is_valid) else { continue };
+        if mapped.is_empty() || !is_whole || pdo.is_multiplexed() {
+            continue;
+        }
+        let objects = mapped.iter().map(|mapped| mapped.object).collect();
+        let first = *seen.entry((pdo.kind, transmission_type, objects)).or_insert(pdo);
+        if first.number == pdo.number {
+            continue;
+        }
+        let finding = SAME_MAPPING
+            .at(Place::object(pdo.mapping_index()), say!("{} maps the same objects as {}", pdo, first));
+        let finding = finding.label(Place::object(first.mapping_index()), "the same mapping");
+        let index = pdo.communication_index();
+        findings.push(finding.help(say!("map other objects, or set bit 31 of the COB-ID in {:04X}h", index)));
+    }
 }
 
 fn valid_pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

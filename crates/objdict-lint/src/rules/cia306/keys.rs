@@ -51,7 +51,7 @@ rules! {
 
     "cia306/unsupported-key" = UNSUPPORTED_KEY, Warning, Entry(unsupported_key), fix Mixed;
     summary: "the object type does not support a key",
-    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, or a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error.",
+    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, or a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error. CiA 311 allows `dataType` and `accessType` for every object.",
     why: "The key describes a value that does not exist. The object type may be wrong, or the key is in the wrong section.",
     example: "`[1018]` with `ObjectType=0x9` and `DataType=0x0023`",
     remedy: "Remove the key, move it to the sub-indexes, or correct `ObjectType`.",
@@ -327,9 +327,11 @@ fn keys_of_number(at: &EntryAt<'_>) -> Vec<Field> {
 
 fn keys_of_value(at: &EntryAt<'_>) -> Vec<Field> {
     let entry = at.entry;
+    // CiA 311 allows both attributes for every object type
+    let is_eds = at.device.headers.network.is_none();
     let stated = [
-        (Field::DataType, entry.data_type.is_some()),
-        (Field::AccessType, entry.access.is_some()),
+        (Field::DataType, is_eds && entry.data_type.is_some()),
+        (Field::AccessType, is_eds && entry.access.is_some()),
         (Field::DefaultValue, entry.default.is_some()),
         (Field::ParameterValue, entry.configured_value().is_some()),
     ];

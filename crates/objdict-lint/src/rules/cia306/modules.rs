@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, HashMap};
 use crate::IndexSet;
 use crate::diagnostic::{Findings, Fix, listing, listing_or, say};
 use crate::model::{
-    DataType, Device, DeviceKind, Entry, ExtensionCount, Field, Module, ModulePart, Object, Part, Place,
+    DataType, Device, DeviceKind, Entry, ExtensionCount, Field, Module, ModulePart, Object, ObjectType, Part,
+    Place,
 };
 use crate::rule::rules;
 
@@ -36,7 +37,7 @@ rules! {
 
     "cia306/module-conflict" = MODULE_CONFLICT, Error, Device(module_conflict);
     summary: "two modules describe the same object differently",
-    checks: "Whether a fixed object or extension of several modules is identical in all of them: object type, data type, access, mapping, default, limits and flags, including sub-indexes. Names and `Count` may differ. Defaults of extensions of 1027h (module list) may differ too: they are the module numbers.",
+    checks: "Whether a fixed object or extension of several modules is identical in all of them: object type, data type, access, mapping, default, limits and flags, including sub-indexes. Names and `Count` may differ. An extension of an ARRAY of the coupler also has the data type of its elements. Defaults of extensions of 1027h (module list) may differ too: they are the module numbers.",
     why: "The assembled device has the object only once, so only one description can be correct.",
     example: "`[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16",
     remedy: "Use the same description in all modules.",
@@ -178,10 +179,30 @@ fn module_conflict(device: &Device, findings: &mut Findings) {
         for (&index, extension) in &module.extensions {
             let (first, other) = *extensions.entry(index).or_insert((number, &extension.entry));
             let mut fields = different_entry(other, &extension.entry);
-            fields.retain(|field| index != MODULE_LIST || *field != Field::DefaultValue);
+            let coupler = element_type(device, index);
+            fields.retain(|field| match field {
+                Field::DefaultValue => index != MODULE_LIST,
+                Field::DataType => coupler.is_none(),
+                _ => true,
+            });
+            if let (Some(right), Some(found)) = (coupler, extension.entry.data_type)
+                && right != found
+            {
+                let message =
+                    say!("module {} adds {} to {:04X}h, whose elements are {}", number, found, index, right);
+                let place = Place::of(Part::Module(number, ModulePart::SubExt(index))).field(Field::DataType);
+                let finding = MODULE_CONFLICT.at(place, message).label(Place::object(index), "the coupler's");
+                findings.push(finding.help("use the data type of the coupler, or extend another object"));
+            }
             report_conflict(index, (first, number), ModulePart::SubExt(index), &fields, findings);
         }
     }
+}
+
+/// The data type of the elements of an ARRAY of the coupler.
+fn element_type(device: &Device, index: u16) -> Option<DataType> {
+    let object = device.object(index).filter(|object| object.object_type() == ObjectType::Array)?;
+    object.entries().find(|&(sub, _)| sub > 0)?.1.data_type
 }
 
 fn different_object(first: &Object, second: &Object) -> Vec<Field> {

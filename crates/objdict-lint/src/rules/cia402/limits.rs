@@ -39,7 +39,7 @@ rules! {
 
     "cia402/value-beyond-support" = VALUE_BEYOND_SUPPORT, Warning, Drive(value_beyond_support);
     summary: "a value exceeds what another sub-index of the object supports",
-    checks: "Whether the actual buffer size of 60C4h (sub-index 2) is at most the maximum (sub-index 1), whether 60A4h has as many jerks as 60A3h says, and whether each digital output that 60FEh switches on (sub-index 1) is enabled in the bit mask (sub-index 2).",
+    checks: "Whether the actual buffer size of 60C4h (sub-index 2) is at most the maximum (sub-index 1), whether 60A4h has as many jerks as 60A3h says, and whether each digital output that 60FEh switches on (sub-index 1) is enabled in the bit mask (sub-index 2). The mask must not be 0 if it is configured, or if an RPDO maps the outputs without the mask.",
     why: "The drive rejects the size of the buffer or has no value for a jerk; an output that the mask does not enable stays off.",
     example: "`DefaultValue=0x00010000` in `[60FEsub1]`, and `DefaultValue=0` in `[60FEsub2]`",
     remedy: "Correct one of the two values.",
@@ -170,5 +170,16 @@ fn value_beyond_support(drive: Drive<'_>, findings: &mut Findings) {
         let finding = VALUE_BEYOND_SUPPORT.at(drive.value_place(0x60FE, 1), message);
         let finding = finding.label(drive.value_place(0x60FE, 2), "the bit mask");
         findings.push(finding.help("enable the outputs in the bit mask, or switch them off"));
+    } else if drive.value(0x60FE, 2) == Some(0) && is_mask_in_use(drive) {
+        let message = say!("the bit mask of {} is `0`, so no digital output can be set", drive.name(0x60FE));
+        let finding = VALUE_BEYOND_SUPPORT.at(drive.value_place(0x60FE, 2), message);
+        findings.push(finding.help("set the bits of the outputs"));
     }
+}
+
+/// Whether the bit mask of the digital outputs is configured, or PDOs set the outputs and not the mask.
+fn is_mask_in_use(drive: Drive<'_>) -> bool {
+    let mask = drive.object(0x60FE).and_then(|object| object.entry(2));
+    mask.is_some_and(|mask| mask.configured_value().is_some())
+        || drive.is_received(0x60FE, 1) && !drive.is_received(0x60FE, 2)
 }

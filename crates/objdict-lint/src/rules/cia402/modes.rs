@@ -2,7 +2,7 @@
 
 use crate::demands::Applied;
 use crate::diagnostic::{Findings, say, series};
-use crate::model::Value;
+use crate::model::{Field, Value};
 use crate::rule::rules;
 use crate::{Drive, Facts, MODES};
 
@@ -32,6 +32,14 @@ rules! {
     why: "A master reads 6502h and does not offer the mode although the drive has it; or the objects are obsolete and have no effect.",
     example: "`[6098]` and `[6099]`, and `DefaultValue=0x00000001` in `[6502]`",
     remedy: "Set the bit of the mode, or remove its objects. A file for a family of drives may have the objects on purpose; then add an `allow` comment.",
+
+    "cia402/mode-outside-limits" = MODE_OUTSIDE_LIMITS, Warning, Drive(mode_outside_limits);
+    summary: "the limits of modes of operation exclude a mode that the drive supports",
+    checks: "Whether the number of each mode in 6502h (supported drive modes) is between `LowLimit` and `HighLimit` of 6060h (modes of operation), if they are given.",
+    why: "Tools that check values refuse to write the mode to 6060h.",
+    example: "`HighLimit=6` in `[6060]`, and `DefaultValue=0x00000080` in `[6502]`, which is mode 8",
+    remedy: "Correct the limits, or clear the bit of the mode.",
+    source: "CiA 402-2, modes of operation and supported drive modes",
 
     "cia402/mode-without-display" = MODE_WITHOUT_DISPLAY, Warning, Drive(mode_without_display);
     summary: "only one of modes of operation and modes of operation display is described",
@@ -139,6 +147,28 @@ fn mode_not_stated(drive: Drive<'_>, findings: &mut Findings) {
         let finding = finding.label(drive.place(objects[0]), "an object of the mode");
         let help = say!("set bit {} or remove the objects", bits.trailing_zeros());
         findings.push(finding.help(help));
+    }
+}
+
+fn mode_outside_limits(drive: Drive<'_>, findings: &mut Findings) {
+    let Some(entry) = drive.variable(0x6060) else { return };
+    let limit = |limit: &Option<Value>| limit.as_ref().and_then(Value::as_integer);
+    let (low, high) = (limit(&entry.low_limit), limit(&entry.high_limit));
+    // another rule reports limits in the wrong order
+    if low.zip(high).is_some_and(|(low, high)| low > high) {
+        return;
+    }
+    for mode in MODES.iter().filter(|mode| drive.supports(mode.bit) == Some(true)) {
+        let field = match mode.number {
+            number if low.is_some_and(|low| number < low) => Field::LowLimit,
+            number if high.is_some_and(|high| number > high) => Field::HighLimit,
+            _ => continue,
+        };
+        let message =
+            say!("the limits of {} exclude mode `{}` ({})", drive.name(0x6060), mode.number, mode.name);
+        let finding = MODE_OUTSIDE_LIMITS.at(drive.place(0x6060).field(field), message);
+        let finding = finding.label(drive.value_place(0x6502, 0), "the supported drive modes");
+        findings.push(finding.help(say!("correct the limit, or clear bit {}", mode.bit)));
     }
 }
 

@@ -23,6 +23,14 @@ rules! {
     remedy: "Set both to the same time.",
     source: "CiA 402-2, interpolation time period; CiA 301 §7.5.2.6",
 
+    "cia402/reserved-value" = RESERVED_VALUE, Warning, Drive(reserved_value);
+    summary: "an option or bit of a drive is reserved",
+    checks: "Whether 605Dh (halt option code) is not 0, which only version 2 defines, and bits 0 to 5 of 607Eh (polarity) are 0, configured or default.",
+    why: "The drive rejects the value, or reacts to it in an undefined way. In 607Eh, mostly 1 was written to invert the direction, but bit 7 inverts positions and bit 6 velocities.",
+    example: "`DefaultValue=1` in `[607E]`",
+    remedy: "Write 1 to 4 to 605Dh, and 0, 64, 128 or 192 to 607Eh.",
+    source: "CiA 402-2, halt option code and polarity",
+
     "cia402/zero-factor" = ZERO_FACTOR, Error, Applied(zero_factor);
     summary: "a factor or resolution of a drive is 0",
     checks: "Whether sub-indexes 1 and 2 of the factors are not 0, configured or default: 604Bh, 604Ch, 608Fh to 6097h, 60A2h.",
@@ -63,6 +71,26 @@ fn interpolation_time_differs(drive: Drive<'_>, findings: &mut Findings) {
     let finding = INTERPOLATION_TIME_DIFFERS.at(drive.value_place(0x60C2, 1), message);
     let finding = finding.label(drive.value_place(0x1006, 0), "the SYNC period");
     findings.push(finding.help("set both to the same time"));
+}
+
+fn reserved_value(drive: Drive<'_>, findings: &mut Findings) {
+    let mut report = |index, message| {
+        let help = if index == 0x607E {
+            "use bit 7 to invert positions and bit 6 to invert velocities"
+        } else {
+            "write 1 (slow down ramp) to 4 (voltage limit)"
+        };
+        findings.push(RESERVED_VALUE.at(drive.value_place(index, 0), message).help(help));
+    };
+    if drive.value(0x605D, 0) == Some(0) {
+        report(0x605D, say!("the halt option code of {} is `0`, which is reserved", drive.name(0x605D)));
+    }
+    if let Some(polarity) = drive.value(0x607E, 0).filter(|polarity| polarity & 0x3F != 0) {
+        report(
+            0x607E,
+            say!("the polarity `0x{:02X}` sets reserved bits of {}", polarity, drive.name(0x607E)),
+        );
+    }
 }
 
 /// The time in microseconds for a value in seconds and a power of ten; `None` below a microsecond and above

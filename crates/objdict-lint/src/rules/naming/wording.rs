@@ -54,7 +54,7 @@ rules! {
 
     "naming/placeholder" = PLACEHOLDER, Note, Entry(placeholder);
     summary: "a name is a placeholder",
-    checks: "Whether a name is a default name of a tool or a reminder of the author: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`.",
+    checks: "Whether a name is a default name of a tool or a reminder of the author: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`; or has a variable of a template, such as `@NAME@`, `${NAME}` and `{{ name }}`.",
     why: "Users of the device cannot know the purpose of the entry.",
     example: "`ParameterName=New object`",
     remedy: "Write a descriptive name.",
@@ -72,6 +72,13 @@ rules! {
     why: "Identifiers in generated code consist of letters, digits and `_`: `Gain +` and `gain -` become the same, and the generator has to add numbers, which change when an entry is inserted.",
     example: "`ParameterName=Limit +` in `[2000sub1]` and `ParameterName=Limit -` in `[2000sub2]`",
     remedy: "Express the difference in words: `Limit positive` and `Limit negative`.",
+
+    "naming/template-text" = TEMPLATE_TEXT, Warning, Device(template_text);
+    summary: "a field of the header has the text of a template",
+    checks: "Whether names, descriptions and order codes of the file, the device, the node and the modules are not one of the words of `naming/placeholder`, do not begin with `TODO`, `TBD` or `FIXME`, and have no variable of a template, such as `@VENDOR@`, `${VENDOR}`, `{{ vendor }}`, `%VENDOR%` and `<vendor>`.",
+    why: "The file was made from a template, and a value was not filled in. Configuration tools show the text to users and file the device under it.",
+    example: "`VendorName=@VENDOR@`",
+    remedy: "Write the value, or correct the script that fills the template.",
 
     "naming/type-in-name" = TYPE_IN_NAME, Note, Entry(type_in_name);
     summary: "the name contains another type than the entry has",
@@ -92,6 +99,14 @@ rules! {
     checks: "Whether names of RPDO objects (14xxh and 16xxh) mention only a transmit PDO or TPDO, or names of TPDO objects (18xxh and 1Axxh) only a receive PDO or RPDO.",
     why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
     example: "`ParameterName=Receive PDO 1 parameter` in `[1800]`",
+    remedy: "Correct the name or the index.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
+
+    "naming/wrong-pdo-number" = WRONG_PDO_NUMBER, Warning, Facts(wrong_pdo_number);
+    summary: "the name of a PDO has the number of another PDO",
+    checks: "Whether the only number in the names of PDO objects (14xxh, 16xxh, 18xxh and 1Axxh) is that of the PDO. Numbers that begin at 0, or again at every 64th PDO, as those of a further axis do, are accepted.",
+    why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
+    example: "`ParameterName=RPDO 1 mapping parameter` in `[1601]`",
     remedy: "Correct the name or the index.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 }
@@ -132,12 +147,75 @@ const PLACEHOLDERS: [&str; 14] = [
 
 fn placeholder(at: &EntryAt<'_>, findings: &mut Findings) {
     let name = &at.entry.name;
-    // the longest placeholder has ten characters
-    if name.len() > 10 || !PLACEHOLDERS.iter().any(|placeholder| placeholder.eq_ignore_ascii_case(name)) {
+    if !is_placeholder_word(name) && !has_variable(name) {
         return;
     }
     let message = say!("`{}` is a placeholder", name);
     findings.push(PLACEHOLDER.at(at.field(Field::ParameterName), message).help("write a descriptive name"));
+}
+
+fn is_placeholder_word(text: &str) -> bool {
+    // the longest one has ten characters
+    text.len() <= 10 && PLACEHOLDERS.iter().any(|placeholder| placeholder.eq_ignore_ascii_case(text))
+}
+
+/// Beginning and end of variables in templates.
+const VARIABLES: [(&str, &str); 5] = [("@", "@"), ("${", "}"), ("{{", "}}"), ("<%", "%>"), ("%", "%")];
+
+/// Whether a text has a variable that a template engine should have replaced.
+fn has_variable(text: &str) -> bool {
+    let is_word = |text: &str| {
+        let text = text.trim_matches([' ', '=']);
+        !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphabetic() || byte == b'_')
+    };
+    let has = |&(start, end): &(&str, &str)| {
+        let behind = text.split_once(start).and_then(|(_, behind)| behind.split_once(end));
+        behind.is_some_and(|(word, _)| is_word(word) && (start.len() > 1 || !word.contains(' ')))
+    };
+    text.bytes().any(|byte| matches!(byte, b'@' | b'{' | b'%')) && VARIABLES.iter().any(has)
+}
+
+/// Whether a text of the header is still that of a template.
+fn is_template(text: &str) -> bool {
+    let is_reminder = |word: &&str| text.strip_prefix(*word).is_some_and(|rest| rest.starts_with([':', ' ']));
+    let is_row = |digit: u8| text.len() > 2 && text.bytes().all(|byte| byte.eq_ignore_ascii_case(&digit));
+    let inside = text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
+    is_placeholder_word(text)
+        || has_variable(text)
+        || is_row(b'x')
+        || ["TODO", "TBD", "FIXME"].iter().any(is_reminder)
+        || inside.is_some_and(|text| !text.is_empty() && !text.contains(['@', '.', '<']))
+}
+
+fn template_text(device: &Device, findings: &mut Findings) {
+    let mut check = |part: Part, fields: &[(Field, &Option<String>)]| {
+        for (field, text) in fields {
+            let Some(text) = text.as_deref().map(str::trim).filter(|text| is_template(text)) else {
+                continue;
+            };
+            let message = say!("`{}` is `{}`, the text of a template", field, text);
+            let finding = TEMPLATE_TEXT.at(Place::of(part.clone()).field(field.clone()), message);
+            findings.push(finding.help("write the value"));
+        }
+    };
+    if let Some(info) = &device.file_info {
+        let names = [(Field::CreatedBy, &info.created_by), (Field::ModifiedBy, &info.modified_by)];
+        check(Part::FileInfo, &names);
+        check(Part::FileInfo, &[(Field::Description, &info.description)]);
+    }
+    if let Some(info) = &device.device_info {
+        let names = [(Field::VendorName, &info.vendor_name), (Field::ProductName, &info.product_name)];
+        check(Part::DeviceInfo, &names);
+        check(Part::DeviceInfo, &[(Field::OrderCode, &info.order_code)]);
+    }
+    if let Some(node) = &device.commissioning {
+        let names = [(Field::NodeName, &node.node_name), (Field::NetworkName, &node.network_name)];
+        check(Part::Commissioning, &names);
+    }
+    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
+        let names = [(Field::ProductName, &module.product_name), (Field::OrderCode, &module.order_code)];
+        check(Part::Module(number, ModulePart::Info), &names);
+    }
 }
 
 fn repeated_blanks(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -342,9 +420,46 @@ fn wrong_pdo_direction(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Finding
             let message = say!("{:04X}h belongs to {}, but is named `{}`", index, pdo, name);
             let place = Place::object(index).field(Field::ParameterName);
             findings.push(WRONG_PDO_DIRECTION.at(place, message).help("correct the name or the index"));
-            return;
         }
     }
+}
+
+/// The numbers of PDO names that begin again at a further axis.
+const PDOS_OF_AXIS: u16 = 64;
+
+fn wrong_pdo_number(facts: &Facts<'_>, findings: &mut Findings) {
+    let highest = facts.pdos.iter().map(|facts| facts.pdo.number).max().unwrap_or(0).max(8);
+    let objects = facts.pdos.iter().flat_map(|PdoFacts { pdo, .. }| {
+        let objects = [(pdo.communication_index(), pdo.communication), (pdo.mapping_index(), pdo.mapping)];
+        objects.into_iter().filter_map(move |(index, object)| {
+            let name = object?.name();
+            Some((pdo, index, name, number_of_pdo(name).filter(|&number| number <= highest)?))
+        })
+    });
+    let named: Vec<_> = objects.collect();
+    let matches = |first| named.iter().filter(|&&(pdo, .., number)| number + 1 == pdo.number + first).count();
+    let first = u16::from(matches(1) >= matches(0));
+    for (pdo, index, name, number) in named {
+        let own = pdo.number - 1;
+        if number == own + first || number == own % PDOS_OF_AXIS + first {
+            continue;
+        }
+        let message = say!("{:04X}h belongs to {}, but is named `{}`", index, pdo, name);
+        let place = Place::object(index).field(Field::ParameterName);
+        findings.push(WRONG_PDO_NUMBER.at(place, message).help("correct the name or the index"));
+    }
+}
+
+/// The number in a name with the word PDO, if it is the only one and no part of a word.
+fn number_of_pdo(name: &str) -> Option<u16> {
+    let start = name.find(|c: char| c.is_ascii_digit())?;
+    let (before, rest) = name.split_at(start);
+    let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+    let (number, after) = rest.split_at(end);
+    let is_pdo = before.as_bytes().last_chunk::<3>().is_some_and(|end| end.eq_ignore_ascii_case(b"pdo"));
+    let is_of_word = before.ends_with(char::is_alphabetic) && !is_pdo;
+    let is_only = !after.contains(|c: char| c.is_ascii_digit());
+    if is_of_word || !is_only || !contains_word(name, "pdo") { None } else { number.parse().ok() }
 }
 
 /// Whether a name contains a word, ignoring case.

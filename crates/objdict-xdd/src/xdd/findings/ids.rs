@@ -146,9 +146,14 @@ impl<'a> Ids<'a> {
         self.elements.get(&trimmed(attribute.value())).map(|(element, _)| *element)
     }
 
+    /// How many objects and sub-objects refer to an element.
+    pub(super) fn uses(&self, element: Element<'_>) -> u32 {
+        self.uses.get(&element.id()).copied().unwrap_or(0)
+    }
+
     /// Whether exactly one object or sub-object refers to an element.
     pub(super) fn belongs_to_entry(&self, element: Element<'_>) -> bool {
-        self.uses.get(&element.id()) == Some(&1)
+        self.uses(element) == 1
     }
 
     /// An id that differs from another one only in case.

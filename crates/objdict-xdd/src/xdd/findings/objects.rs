@@ -8,7 +8,7 @@ use crate::xdd::types::agree;
 use crate::xml::{Attribute, Element, Name, n};
 
 use super::ids::Ids;
-use super::parameters::Number;
+use super::parameters::{self, Number};
 use super::walk::Walk;
 
 text_rules! {
@@ -138,6 +138,12 @@ fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings
     let parameter =
         ids.element(reference).filter(|element| matches!(element.tag(), n::parameter | n::varDeclaration));
     let Some(parameter) = parameter else { return };
+    let stated = object.attribute(n::dataType).and_then(hex).map(DataType);
+    let of_value = stated.or_else(|| parameters::own_type(parameter));
+    let is_value = object.child(n::CANopenSubObject).is_none() && ids.belongs_to_entry(parameter);
+    if let Some(data_type) = of_value.filter(|_| is_value) {
+        parameters::fit(parameter, data_type, |name| object.attribute(name).is_none(), findings);
+    }
     for attribute in object.attributes() {
         match attribute.tag() {
             n::dataType => data_type(object, attribute, parameter, findings),

@@ -5,6 +5,9 @@ use std::collections::HashMap;
 
 use super::walk::Walk;
 use crate::diagnostic::{Diagnostic, Findings, counted, text_rules};
+use crate::literal::Quirks;
+use crate::model::{DataType, Reason, SimpleType};
+use crate::xdd::{fact, types};
 use crate::xml::{Attribute, Element, Name, n};
 
 text_rules! {
@@ -16,6 +19,13 @@ text_rules! {
     why: "Tools that offer the allowed values cannot show the actual one; tools that check reject it.",
     example: r#"`<defaultValue value="3"/>` with the allowed values 0, 1 and 2"#,
     remedy: "Add the value to the allowed values, or use another one.",
+
+    "cia311/invalid-parameter-value" = INVALID_PARAMETER_VALUE, Error;
+    summary: "a value of a parameter does not fit its data type",
+    checks: "Whether default, actual and allowed values of a parameter and the ends of its ranges are values of the data type: that of the object that refers to the parameter, otherwise that of the parameter. `cia306/invalid-value` checks values that the object takes from the parameter because it has none of its own. Values with an offset or a multiplier are not checked.",
+    why: "Tools that go by the parameter reject the file, or show and write another value.",
+    example: r#"`<defaultValue value="abc"/>` of a parameter with `<UINT/>`"#,
+    remedy: "Write a value of the data type.",
 
     "cia311/min-above-max" = MIN_ABOVE_MAX, Error;
     summary: "the lower end of a range is above the upper end",
@@ -88,12 +98,69 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
         }
         properties(element, walk.findings);
     }
+    let all = walk.seen.of([n::parameter]).chain(walk.seen.of([n::parameterTemplate, n::varDeclaration]));
+    for element in all.filter(|element| !walk.ids.belongs_to_entry(*element)) {
+        // entries take the values of a parameter that they share
+        let is_taken = walk.ids.uses(element) > 0;
+        if let Some(data_type) = own_type(element) {
+            fit(element, data_type, |_| is_taken, walk.findings);
+        }
+    }
     for template in walk.seen.of([n::allowedValuesTemplate]) {
         ranges(template, walk.findings);
     }
     for member in walk.seen.of([n::memberRef]) {
         member_ref(member, walk.findings);
     }
+}
+
+/// The data type of a parameter without an object.
+pub(super) fn own_type(parameter: Element<'_>) -> Option<DataType> {
+    let simple = parameter.children().find_map(|child| SimpleType::from_name(child.tag().text()))?;
+    Some(types::data_type(simple, None)).filter(|_| simple != SimpleType::Bitstring)
+}
+
+/// Reports values of a parameter that do not fit the data type, but for those that an entry takes.
+pub(super) fn fit(
+    parameter: Element<'_>,
+    data_type: DataType,
+    is_taken: impl Fn(Name) -> bool,
+    findings: &mut Findings,
+) {
+    let allowed = parameter.child(n::allowedValues);
+    let range =
+        allowed.filter(|allowed| is_single_range(*allowed)).and_then(|allowed| allowed.child(n::range));
+    let single = |name, end| (range.and_then(|range| range.child(end)), is_taken(name));
+    let own = |name| (parameter.child(name), is_taken(name));
+    let stated = [
+        own(n::defaultValue),
+        own(n::actualValue),
+        single(n::lowLimit, n::minValue),
+        single(n::highLimit, n::maxValue),
+    ];
+    let stated = stated.into_iter().filter(|(_, is_taken)| !is_taken).filter_map(|(value, _)| value);
+    let others = allowed.filter(|_| range.is_none());
+    let values = others.into_iter().flat_map(|allowed| allowed.children_named(n::value));
+    let ranges = others.into_iter().flat_map(|allowed| allowed.children_named(n::range));
+    let ends = ranges.flat_map(|range| [range.child(n::minValue), range.child(n::maxValue)]).flatten();
+    for value in stated.chain(values).chain(ends).filter(|value| !is_scaled(*value)) {
+        let Some(attribute) = value.attribute(n::value) else { continue };
+        let text = attribute.value();
+        let Some(text) = fact::value_text(&text, Some(data_type)) else { continue };
+        let message = match fact::value(text, Some(data_type), &mut Quirks::default()) {
+            Ok(_) => continue,
+            Err(Reason::OutOfRange { low, high }) => {
+                format!("`{text}` does not fit {data_type}, which allows {low} to {high}")
+            }
+            Err(_) => format!("`{text}` is not a value of the data type {data_type}"),
+        };
+        let finding = Diagnostic::new(&INVALID_PARAMETER_VALUE, attribute.value_span(), message);
+        findings.push(finding.help("write a value of the data type, or correct the data type"));
+    }
+}
+
+fn is_scaled(value: Element<'_>) -> bool {
+    value.attribute(n::offset).is_some() || value.attribute(n::multiplier).is_some()
 }
 
 fn is_single_range(allowed: Element<'_>) -> bool {
@@ -135,8 +202,7 @@ fn properties(parameter: Element<'_>, findings: &mut Findings) {
 
 /// The value of a child without its own scaling.
 fn number(element: Element<'_>) -> Option<(Attribute<'_>, Number)> {
-    let is_scaled = element.attribute(n::offset).is_some() || element.attribute(n::multiplier).is_some();
-    let attribute = element.attribute(n::value).filter(|_| !is_scaled)?;
+    let attribute = element.attribute(n::value).filter(|_| !is_scaled(element))?;
     Some((attribute, Number::parse(&attribute.value())?))
 }
 

@@ -21,10 +21,10 @@ text_rules! {
     "cia311/missing-attribute" = MISSING_ATTRIBUTE, Warning,
         explains Object [
             "missing-key", "sub-number-mismatch", "missing-sub-0", "wrong-highest-sub-index", "wrong-mapping-count",
-            "incomplete-pdo-parameter"
+            "incomplete-pdo-parameter", "missing-name"
         ];
     summary: "an attribute is missing",
-    checks: "Whether each element has its mandatory attributes of CiA 311. A missing attribute that makes the element useless, such as `index` of an object and `uniqueID` of a parameter, is an error, others are a warning.",
+    checks: "Whether each element has its mandatory attributes of CiA 311. A missing attribute that makes the element useless, such as `index` and `name` of an object and `uniqueID` of a parameter, is an error, others are a warning.",
     why: "Schema validation rejects the file, other tools assume zeros.",
     example: r#"`<CANopenGeneralFeatures nrOfRxPDO="4"/>` without `granularity`"#,
     remedy: "Add the attribute.",

@@ -123,12 +123,12 @@ elements! {
     );
 }
 
-/// Declares objects and sub-objects. A missing name is reported by cia306/missing-name.
+/// Declares objects and sub-objects.
 macro_rules! entries {
     ($($NAME:ident $name:ident ($address:ident $kind:expr) ($($own:tt)*) [$($content:tt)*])+) => {elements! {
         $($NAME local $name of Entry (
             $address*: $kind,
-            name?: TextKind::Text => (field ParameterName),
+            name*: TextKind::Text => (field ParameterName),
             objectType!: TextKind::BYTE => {ObjectType object_type unstated defaults::OBJECT_TYPE},
             dataType?: DATA_TYPE => {DataType data_type},
             lowLimit?: TextKind::Text => (value Low),
