@@ -56,7 +56,7 @@ rules! {
 
     "cia302/wrong-access", Error, Expected(wrong_access), fix Unsafe;
     summary: "an entry has an access type that CiA 302 does not allow",
-    checks: "The access types of 1F00h to 1F91h. `ro` and `const` are equivalent; `rwr` and `rww` count as `rw`; a startup value or a flying master that is not configurable may be constant.",
+    checks: "The access types of 102Ah and of 1F00h to 1F91h. `ro` and `const` are equivalent; `rwr` and `rww` count as `rw`; a startup value or a flying master that is not configurable may be constant.",
     why: "A tool cannot store the configuration of the nodes in a read-only 1F22h, and it cannot write a read-only request.",
     example: "`[1F25sub1]` with `AccessType=ro`, although the configuration request is written",
     remedy: "Use the access type of the document, in the description and in the device.",
@@ -64,7 +64,7 @@ rules! {
 
     "cia302/wrong-data-type", Warning, Expected(wrong_data_type), fix Unsafe;
     summary: "an entry has a different data type than in CiA 302",
-    checks: "The data types of 1F00h to 1F91h. Where sources differ, as for the priority level of a flying master, all of their types are accepted. DOMAIN or INTEGER8 for 1F21h, an error of two well-known databases, is not accepted.",
+    checks: "The data types of 102Ah and of 1F00h to 1F91h. Where sources differ, as for the priority level of a flying master, all of their types are accepted. DOMAIN or INTEGER8 for 1F21h, an error of two well-known databases, is not accepted.",
     why: "A manager writes a request with the length of the document, and a device with another length rejects it. A widespread generator of manager descriptions uses UNSIGNED8 for 1F25h, although the request `conf` has four bytes; some drives describe programs as OCTET_STRING, which is harmless. Therefore it is a warning.",
     example: "`[1F50sub1]` with `DataType=0x0007` instead of DOMAIN, `0x000F`",
     remedy: "Use the data type of the document, in the description and in the device.",
@@ -72,14 +72,14 @@ rules! {
 
     "cia302/wrong-mapping", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "an object of CiA 302 is marked as mappable",
-    checks: "Whether `PDOMapping` is set at an entry of 1F00h to 1F91h. All of them are configuration entries and cannot be mapped to a PDO.",
+    checks: "Whether `PDOMapping` is set at 102Ah or an entry of 1F00h to 1F91h. All of them are configuration entries and cannot be mapped to a PDO.",
     why: "A configuration tool offers the entry for mapping, and the device rejects it.",
     example: "`[1F80]` with `PDOMapping=1`",
     remedy: "Write `PDOMapping=0`.",
 
     "cia302/wrong-object-type", Error, Against(wrong_object_type);
     summary: "an object has a different object type than in CiA 302",
-    checks: "The object types of 1F00h to 1F91h. A RECORD instead of an ARRAY is a warning, because all its entries are accessible.",
+    checks: "The object types of 102Ah and of 1F00h to 1F91h. A RECORD instead of an ARRAY is a warning, because all its entries are accessible.",
     why: "A VAR has no entries for the nodes, so the manager cannot access them.",
     example: "`[1F22]` with `ObjectType=0x7`",
     remedy: "Use the object type of the document; a list of nodes is an ARRAY.",
