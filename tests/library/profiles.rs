@@ -298,7 +298,7 @@ mod standard {
                 wrong.push(format!("{line}: no entry"));
                 continue;
             };
-            let found: BTreeSet<_> = entry.data_types.iter().map(|found| found.to_string()).collect();
+            let found: BTreeSet<_> = entry.data_types.iter().map(ToString::to_string).collect();
             if !types.is_empty() && names(types) != found {
                 wrong.push(format!("{line}: {found:?}"));
             }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Findings, Severity, Text, say};
-use crate::model::{Access, Device, Place, Value};
+use crate::diagnostic::{Findings, Severity, Text, say, sub_index};
+use crate::model::{Access, Device, Object, Place, Value};
 use crate::rule::rules;
 use crate::{Facts, stated};
 
@@ -180,22 +180,25 @@ fn invalid_consumer_heartbeat(device: &Device, findings: &mut Findings) {
 const SHORTEST_HEARTBEAT: i128 = 10;
 
 fn short_heartbeat_time(device: &Device, findings: &mut Findings) {
-    let consumers = (1..=127).map(|sub| (0x1016, sub));
-    for (index, sub) in [(0x1017, 0)].into_iter().chain(consumers) {
-        let object = device.object(index).filter(|object| object.object_type().has_subs() == (sub > 0));
-        let value = object.and_then(|object| object.value(sub)?.as_integer());
-        let time = value.map_or(0, |value| value & 0xFFFF);
-        // another rule reports a time without a node
-        let is_of_node = index == 0x1017 || value.is_some_and(|value| (1..=127).contains(&(value >> 16)));
-        if !(1..SHORTEST_HEARTBEAT).contains(&time) || !is_of_node {
-            continue;
+    for index in [0x1016, 0x1017] {
+        // another rule reports another object type
+        let is_right = |object: &&Object| object.object_type().has_subs() == (index == 0x1016);
+        let Some(object) = device.object(index).filter(is_right) else { continue };
+        for (sub, _) in object.entries().filter(|&(sub, _)| (sub > 0) == (index == 0x1016)) {
+            let Some(value) = object.value(sub).and_then(|value| value.as_integer()) else { continue };
+            // another rule reports a time without a node
+            let is_of_node = index == 0x1017 || (1..=127).contains(&(value >> 16));
+            let time = value & 0xFFFF;
+            if !(1..SHORTEST_HEARTBEAT).contains(&time) || !is_of_node {
+                continue;
+            }
+            let message = match index {
+                0x1017 => say!("the device sends a heartbeat every {} ms", time),
+                _ => say!("1016h sub-index {} expects a heartbeat every {} ms", sub_index(sub), time),
+            };
+            let finding = SHORT_HEARTBEAT_TIME.at(device.value_place(index, sub), message);
+            findings.push(finding.help("write the time in milliseconds, such as 1000 for one second"));
         }
-        let message = match index {
-            0x1017 => say!("the device sends a heartbeat every {} ms", time),
-            _ => say!("1016h sub-index {} expects a heartbeat every {} ms", sub, time),
-        };
-        let finding = SHORT_HEARTBEAT_TIME.at(device.value_place(index, sub), message);
-        findings.push(finding.help("write the time in milliseconds, such as 1000 for one second"));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::demands::{self, Against};
-use crate::diagnostic::{Findings, Fix, say, sub_index};
+use crate::diagnostic::{Findings, Fix, Text, say, sub_index};
 use crate::model::{DataType, Device, DeviceKind, Field, ModulePart, Object, Part, PdoKind, Place, TypeKind};
 use crate::profile::index_in;
 use crate::rule::rules;
@@ -96,7 +96,7 @@ rules! {
 
     "naming/wrong-pdo-direction" = WRONG_PDO_DIRECTION, Warning, Pdo(wrong_pdo_direction);
     summary: "the name of a PDO has the wrong direction",
-    checks: "Whether names of RPDO objects (14xxh and 16xxh) mention only a transmit PDO or TPDO, or names of TPDO objects (18xxh and 1Axxh) only a receive PDO or RPDO.",
+    checks: "Whether names of RPDO objects (14xxh and 16xxh) and their sub-indexes mention only a transmit PDO or TPDO, or names of TPDO objects (18xxh and 1Axxh) only a receive PDO or RPDO.",
     why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
     example: "`ParameterName=Receive PDO 1 parameter` in `[1800]`",
     remedy: "Correct the name or the index.",
@@ -362,7 +362,7 @@ fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 /// Adds the entries of an object that have the name of another one of its entries.
-fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Text)>) {
+fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, Text)>) {
     let entries = || against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last)));
     for at in against.entries() {
         // another rule reports reserved sub-indexes
@@ -413,12 +413,13 @@ fn wrong_pdo_direction(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Finding
         PdoKind::Tpdo => (TRANSMIT_WORDS, RECEIVE_WORDS),
     };
     let objects = [(pdo.communication_index(), pdo.communication), (pdo.mapping_index(), pdo.mapping)];
+    let says = |name: &str, words: [&str; 3]| words.iter().any(|word| contains_word(name, word));
     for (index, object) in objects.into_iter().filter_map(|(index, object)| Some((index, object?))) {
-        let name = object.name();
-        let says = |words: [&str; 3]| words.iter().any(|word| contains_word(name, word));
-        if says(other) && !says(own) {
-            let message = say!("{:04X}h belongs to {}, but is named `{}`", index, pdo, name);
-            let place = Place::object(index).field(Field::ParameterName);
+        let entries = object.described().map(|(sub, entry)| (sub, &*entry.name));
+        for (sub, name) in entries.filter(|(_, name)| says(name, other) && !says(name, own)) {
+            let which = sub.map_or(Text::default(), |sub| say!(" sub-index {}", sub_index(sub)));
+            let message = say!("{:04X}h{} belongs to {}, but is named `{}`", index, which, pdo, name);
+            let place = Place::at(index, sub).field(Field::ParameterName);
             findings.push(WRONG_PDO_DIRECTION.at(place, message).help("correct the name or the index"));
         }
     }
