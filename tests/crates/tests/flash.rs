@@ -215,7 +215,7 @@ mod stored {
 
     type Hooked = WatchedStored<FlashStorage<Ram>, Valve>;
 
-    fn node(node_id: u8, storage: FlashStorage<Ram>) -> Node<64, 1, Hooked> {
+    fn powered(node_id: u8, storage: FlashStorage<Ram>) -> Node<64, 1, Hooked> {
         let values = WatchedStored::new(Stored::new(node_id, storage), Valve::default());
         let mut node: Node<64, 1, Hooked> = Node::new(node_id, values, pdos());
         node.boot(0);
@@ -231,7 +231,7 @@ mod stored {
     /// Hooks are called, and what was stored survives resets and power-on.
     #[test]
     fn stored_values_have_hooks() {
-        let mut first = node(5, storage());
+        let mut first = powered(5, storage());
         assert_eq!(write(&mut first, 0x6202, 1, &[51]), Err(Abort::InvalidValue));
         assert_eq!(write(&mut first, 0x6202, 1, &[49]), Ok(()));
         assert_eq!(first.dictionary.hooks.0, 2);
@@ -240,7 +240,7 @@ mod stored {
         first.receive(&Frame::new(0, &[129, 5]).unwrap(), 0);
         first.boot(0);
         assert_eq!(first.dictionary.number(0x6202, 1), Ok(49), "after a reset");
-        let mut second = node(5, first.dictionary.data.storage.clone());
+        let mut second = powered(5, first.dictionary.data.storage.clone());
         assert_eq!(second.dictionary.number(0x6202, 1), Ok(49), "after power-on");
         assert_eq!((write(&mut second, 0x1011, 1, b"load"), second.dictionary.data.lost()), (Ok(()), None));
         second.receive(&Frame::new(0, &[129, 5]).unwrap(), 0);
@@ -251,12 +251,12 @@ mod stored {
     /// What was stored with its default follows the node-ID; what was stored with another value does not.
     #[test]
     fn stored_formulas_follow_the_node_id() {
-        let mut stored = node(5, storage());
+        let mut stored = powered(5, storage());
         let cob_id = |node: &mut Node<64, 1, Hooked>, index| node.dictionary.number(index, 1).unwrap();
         write(&mut stored, 0x1801, 1, &0x8000_0285_u32.to_le_bytes()).unwrap();
         write(&mut stored, 0x1801, 1, &0x0000_0185_u32.to_le_bytes()).unwrap();
         write(&mut stored, 0x1010, 1, b"save").unwrap();
-        let mut moved = node(9, stored.dictionary.data.storage.clone());
+        let mut moved = powered(9, stored.dictionary.data.storage.clone());
         assert_eq!((cob_id(&mut moved, 0x1800), cob_id(&mut moved, 0x1801)), (0x189, 0x185));
         assert_eq!(moved.dictionary.number(0x1014, 0), Ok(0x89));
         // an LSS master gives another one
@@ -268,17 +268,17 @@ mod stored {
     /// A damaged image is told, and the defaults are used.
     #[test]
     fn losses_are_told() {
-        let mut stored = node(5, storage());
+        let mut stored = powered(5, storage());
         write(&mut stored, 0x6202, 1, &[49]).unwrap();
         write(&mut stored, 0x1010, 1, b"save").unwrap();
         let mut flash = stored.dictionary.data.storage.into_region().flash;
         flash.bytes[1024 + 64 + 7] ^= 1;
         let storage = FlashStorage::new(Region::new(flash, 0, 2048).unwrap(), 2).unwrap();
-        let mut damaged = node(5, storage);
+        let mut damaged = powered(5, storage);
         let loss = Loss { group: 1, reason: LossReason::Memory(Abort::NoData) };
         assert_eq!(damaged.dictionary.data.lost(), Some(loss));
         assert_eq!(damaged.dictionary.number(0x6202, 1), Ok(0));
-        assert_eq!(node(5, self::storage()).dictionary.data.lost(), None, "nothing was ever stored");
+        assert_eq!(powered(5, self::storage()).dictionary.data.lost(), None, "nothing was ever stored");
     }
 }
 
