@@ -59,12 +59,14 @@ mod written_files;
 use std::io::Write;
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
+
 use self::args::{Args, Command, OnlyCheck};
 use self::ending::Outcome;
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
 use self::stdout::Output;
-use objdict_model::diagnostic::printable_lines;
+use objdict_model::diagnostic::{nearest, printable_lines};
 
 /// What the command prints of the repository. A published crate has only its own folder, so the program brings these.
 #[derive(Debug)]
@@ -87,7 +89,8 @@ pub struct Texts {
 pub fn run(texts: &Texts) -> ExitCode {
     let args = match Args::of_process() {
         Ok(args) => args,
-        Err(error) => {
+        Err(mut error) => {
+            suggest_nearest(&mut error);
             print_usage(&error);
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
@@ -138,6 +141,15 @@ pub fn run(texts: &Texts) -> ExitCode {
             Outcome::Failed
         })
         .into()
+}
+
+/// Leaves of the commands that clap suggests the one that is meant: it compares first letters, and offers `schema` for `chekc`.
+fn suggest_nearest(error: &mut clap::Error) {
+    let Some(ContextValue::String(wrong)) = error.get(ContextKind::InvalidSubcommand) else { return };
+    let Some(ContextValue::Strings(names)) = error.get(ContextKind::SuggestedSubcommand) else { return };
+    if let Some(meant) = nearest(wrong, names.iter().map(String::as_str)).map(str::to_owned) {
+        error.insert(ContextKind::SuggestedSubcommand, ContextValue::Strings(vec![meant]));
+    }
 }
 
 /// Prints the help, or an error of the arguments, which quotes them.

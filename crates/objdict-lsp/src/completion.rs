@@ -4,7 +4,7 @@ use super::completion_item::{item, mappable};
 use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};
 use super::sections::MissingSections;
-use super::{keyed, words};
+use super::{keyed, values, words};
 use objdict_eds::eds::is_key_of;
 use objdict_eds::ini::{Document, LineKind};
 use objdict_format::Description;
@@ -189,11 +189,13 @@ impl Completer<'_> {
             (_, field) if is_flag(field) => {
                 [("0", "no"), ("1", "yes")].map(|(number, word)| (number.to_owned(), word.to_owned())).into()
             }
-            _ => self
-                .demanded(&part, &field)
-                .map(|value| (value, "as documented".to_owned()))
-                .into_iter()
-                .collect(),
+            _ => {
+                let demanded = self.demanded(&part, &field).map(|value| (value, "as documented".to_owned()));
+                let named = named(self.device(), &part, &field);
+                let is_new = |(value, _): &(String, String)| named.iter().all(|(known, _)| known != value);
+                let demanded = demanded.filter(is_new);
+                named.into_iter().chain(demanded).collect()
+            }
         };
         choices
             .into_iter()
@@ -220,6 +222,19 @@ impl Completer<'_> {
             CompletionItem { detail: Some(format!("{} bits", mapped.bits)), ..item }
         };
         mappable(self.device(), kind).map(item).collect()
+    }
+}
+
+/// The values of an entry with meanings, if a field holds its value.
+fn named(device: &Device, part: &Part, field: &Field) -> Vec<(String, String)> {
+    match (part, field) {
+        (Part::Object(index), Field::DefaultValue | Field::ParameterValue) => {
+            values::named(device, *index, 0)
+        }
+        (Part::Entry(index, sub), Field::DefaultValue | Field::ParameterValue) => {
+            values::named(device, *index, *sub)
+        }
+        _ => Vec::new(),
     }
 }
 
@@ -273,6 +288,14 @@ fn attribute_words(file: &CheckedFile, tree: &Tree, offset: u32) -> Vec<Completi
             of(&format!("{text} {}", data_type.name().unwrap_or_default()), text)
         });
         return known.collect();
+    }
+    if let Some(place) =
+        file.place(offset).filter(|_| matches!(attribute.name(), "defaultValue" | "actualValue"))
+    {
+        let device = file.description().map(Description::device);
+        let values = device.map(|device| named(device, &place.part, &Field::DefaultValue));
+        let values = values.into_iter().flatten();
+        return values.map(|(text, meaning)| of(&format!("{text} {meaning}"), text)).collect();
     }
     words_of(element, attribute.name()).iter().map(|word| of(word, (*word).to_owned())).collect()
 }

@@ -8,7 +8,8 @@ use objdict_format::Description;
 use objdict_format::scaffold;
 use objdict_model::diagnostic::{Change, Fix};
 use objdict_model::model::{
-    DataType, Device, Entry, Field, MappedObject, Object, ObjectList, ObjectType, Part, PdoKind, Place,
+    Access, DataType, Device, Entry, Field, MappedObject, Object, ObjectList, ObjectType, Part, PdoKind,
+    PdoMapping, Place, Value,
 };
 use objdict_model::source::{Edits, SourceFile};
 
@@ -52,24 +53,11 @@ pub(super) fn refactorings(file: &CheckedFile, description: &Description, offset
     fixes.into_iter().filter_map(action).collect()
 }
 
-/// Adds the next sub-index to an object, as the documents demand it, else as the one before it is.
-fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
-    let object = device.object(index).filter(|object| object.object_type().has_subs())?;
-    if object.compact.is_some() {
-        return None;
-    }
-    let sub = (0..=254_u8).find(|sub| !object.has(*sub))?;
-    let entry = scaffold::entry(device, index, sub).unwrap_or_else(|| {
-        let like = sub.checked_sub(1).filter(|before| *before > 0).and_then(|before| object.subs.get(before));
-        Entry {
-            name: format!("{} {sub}", object.name()).into(),
-            object_type: Some(ObjectType::Var),
-            data_type: like.and_then(|like| like.data_type).or(Some(DataType::UNSIGNED8)),
-            access: like.and_then(|like| like.access),
-            pdo_mapping: like.and_then(|like| like.pdo_mapping),
-            ..Entry::default()
-        }
-    });
+/// Adds the next sub-index that the documents allow to an object, as they demand it, else as the one before it is.
+pub(super) fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
+    let object = device.object(index)?;
+    let sub = scaffold::next_sub_index(device, index)?;
+    let entry = scaffold::entry(device, index, sub).unwrap_or_else(|| like_before(object, sub));
     let mut after = Device { kind: device.kind, ..Device::default() };
     let mut before = after.clone();
     before.objects.insert(index, object.clone());
@@ -81,10 +69,40 @@ fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
     let changes = eds::additions(&before, &after)?;
     let mut fix = changes.into_iter().fold(Fix::risky(title), Fix::with);
     let highest = object.subs.get(0).and_then(|entry| entry.default.as_ref()?.as_integer());
-    if index != 0x1003 && highest == Some(i128::from(sub) - 1) {
+    // there it counts errors, or the objects that are mapped
+    let counts_others = index == 0x1003 || PdoKind::of_mapping(index).is_some();
+    if !counts_others && highest.is_some_and(|highest| highest < sub.into()) {
         fix = fix.set(Place::entry(index, 0).field(Field::DefaultValue), format!("0x{sub:X}"));
     }
     Some(fix)
+}
+
+/// A sub-index that no document describes: sub-index 0, or one with the type of the one before it.
+fn like_before(object: &Object, sub: u8) -> Entry {
+    let count = || Entry {
+        data_type: Some(DataType::UNSIGNED8),
+        access: Some(Access::Const),
+        pdo_mapping: Some(PdoMapping::No),
+        default: object
+            .highest_sub()
+            .and_then(|highest| Value::from_integer(highest.into(), DataType::UNSIGNED8)),
+        ..Entry::default()
+    };
+    let before = object.subs.iter().rfind(|(other, _)| (1..sub).contains(other)).map(|(_, entry)| entry);
+    let data_type = before.and_then(|before| before.data_type).unwrap_or(DataType::UNSIGNED8);
+    let (name, entry) = match sub {
+        0 => ("Highest sub-index supported".to_owned(), count()),
+        _ => {
+            let access = before.and_then(|before| before.access).or(Some(Access::Ro));
+            let pdo_mapping = before.and_then(|before| before.pdo_mapping);
+            let default = before.and_then(|before| before.default.clone());
+            let default = default.or_else(|| Value::from_integer(0, data_type));
+            let entry =
+                Entry { data_type: Some(data_type), access, pdo_mapping, default, ..Entry::default() };
+            (format!("{} {sub}", object.name()), entry)
+        }
+    };
+    Entry { name: name.into(), object_type: Some(ObjectType::Var), ..entry }
 }
 
 /// The other way to store an object at an offset, and what it is called: entries written out, or compact storage.

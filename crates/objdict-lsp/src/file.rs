@@ -9,7 +9,7 @@ use objdict_format::Description;
 use objdict_model::diagnostic::At;
 use objdict_model::model::Place;
 use objdict_model::source::{Edits, SourceFile, Span};
-use objdict_project::line_diff::changes;
+use objdict_project::line_diff::{LineChange, changes};
 
 /// A file with its findings, and how its positions are counted.
 #[derive(Clone)]
@@ -83,11 +83,11 @@ impl CheckedFile {
                 Some(*at)
             }))
             .collect();
-        let edit = |change: objdict_project::line_diff::LineChange| {
+        let edit = |change: LineChange| {
             let span = Span::new(starts[change.old.start] as u32, starts[change.old.end] as u32);
             (span, new[change.new].concat())
         };
-        self.edits(changes(&old, &new).into_iter().map(edit).collect())
+        self.edits(hunks(changes(&old, &new)).into_iter().map(edit).collect())
     }
 
     /// The word around an offset, of the characters that rules and indexes have.
@@ -102,4 +102,28 @@ impl CheckedFile {
         let end = at + behind.len() - behind.trim_start_matches(is_part).len();
         Span::new(start as u32, end as u32)
     }
+}
+
+/// So many changes of a text are edits of their own.
+const FEW: usize = 100;
+/// Of more changes, those with fewer lines between them are one edit of at most `MOST_LINES`: editors need a millisecond for each.
+const NEAR: usize = 16;
+const MOST_LINES: usize = 256;
+
+/// Many changes as few: neighbours together with the lines between them.
+fn hunks(changes: Vec<LineChange>) -> Vec<LineChange> {
+    if changes.len() <= FEW {
+        return changes;
+    }
+    let mut hunks: Vec<LineChange> = Vec::new();
+    for change in changes {
+        let is_near = |last: &&mut LineChange| {
+            change.old.start - last.old.end < NEAR && change.old.end - last.old.start <= MOST_LINES
+        };
+        match hunks.last_mut().filter(is_near) {
+            Some(last) => (last.old.end, last.new.end) = (change.old.end, change.new.end),
+            None => hunks.push(change),
+        }
+    }
+    hunks
 }

@@ -31,6 +31,7 @@ mod sections;
 mod server;
 mod symbols;
 mod uri;
+mod values;
 mod words;
 mod workspace;
 

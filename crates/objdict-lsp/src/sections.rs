@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::completion_item::{item, mappable};
 use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind, Markdown, SNIPPET, TextEdit};
-use super::words;
+use super::{edits, words};
 use objdict_eds::eds;
 use objdict_eds::eds::additions;
 use objdict_format::scaffold;
@@ -30,6 +30,8 @@ pub(super) struct WantedItem {
     pub(super) uri: String,
     /// The objects that the item adds.
     indexes: Vec<u16>,
+    /// The object that gets a sub-index.
+    grown: Option<u16>,
 }
 
 /// An item with what the documents say of its object.
@@ -46,6 +48,15 @@ pub(super) fn documented(
     }
 }
 
+/// Whether the documents state what each entry of an object needs.
+fn is_whole(object: &Object) -> bool {
+    let is_typed = |entry: &Entry| entry.data_type.is_some() && entry.access.is_some();
+    match object.object_type().has_subs() {
+        true => object.has(0) && object.subs.iter().all(|(_, entry)| is_typed(entry)),
+        false => object.object_type() == ObjectType::Domain || is_typed(&object.main),
+    }
+}
+
 /// The objects of the documents that a device does not have; PDOs are written as a whole.
 pub(super) fn missing(device: &Device) -> impl Iterator<Item = (&'static Profile, ObjectFacts<'static>)> {
     let documents = profile::of_device(device).into_iter().chain(profile::for_all(device));
@@ -53,7 +64,12 @@ pub(super) fn missing(device: &Device) -> impl Iterator<Item = (&'static Profile
         |index: u16| PdoKind::of_communication(index).is_some() || PdoKind::of_mapping(index).is_some();
     documents.flat_map(move |document| {
         let objects = document.objects().map(move |facts| (document, facts));
-        objects.filter(move |(_, facts)| device.object(facts.first).is_none() && !is_of_pdo(facts.first))
+        let is_for =
+            |facts: &ObjectFacts<'_>| facts.only.is_none_or(|only| only.holds(device, 0) != Some(false));
+        objects.filter(move |(_, facts)| {
+            let is_of_modules = facts.first == 0x1027 && device.modules.is_none();
+            device.object(facts.first).is_none() && !is_of_pdo(facts.first) && !is_of_modules && is_for(facts)
+        })
     })
 }
 
@@ -81,17 +97,18 @@ impl MissingSections<'_> {
         items
     }
 
-    /// The next sub-index of each object that has some.
+    /// The next sub-index of each object that may have another.
     fn next_sub_indexes(&self) -> Vec<CompletionItem> {
-        let with_subs = self.device.objects.iter().filter(|(_, object)| object.object_type().has_subs());
         let item = |(&index, object): (&u16, &Object)| {
-            let sub = (0..=254_u8).find(|sub| object.compact.is_none() && !object.has(*sub))?;
-            let name = format!("[{index:X}sub{sub:X}]");
-            let text = format!("{name}{}", self.line_end);
-            let item = item(self.file, self.line, &name, text, CompletionItemKind::FIELD);
-            Some(CompletionItem { detail: Some(object.name().to_owned()), ..item })
+            let fix = edits::new_sub_index(self.device, index)?;
+            let text = added(&fix.changes, self.line_end);
+            let name = text.lines().next()?;
+            let wanted = WantedItem { uri: self.file.uri.clone(), indexes: Vec::new(), grown: Some(index) };
+            let item = item(self.file, self.line, name, text.clone(), CompletionItemKind::FIELD);
+            let data = serde_json::to_value(wanted).ok();
+            Some(CompletionItem { detail: Some(object.name().to_owned()), data, ..item })
         };
-        with_subs.filter_map(item).collect()
+        self.device.objects.iter().filter_map(item).collect()
     }
 
     /// A whole device with what a profile demands, as `objdict new` writes it.
@@ -115,7 +132,7 @@ impl MissingSections<'_> {
     /// An object as a document demands it.
     fn object(&self, document: &Profile, facts: &ObjectFacts<'_>) -> Option<CompletionItem> {
         let index = facts.first;
-        let object = scaffold::object(self.device, index)?;
+        let object = scaffold::object(self.device, index).filter(is_whole)?;
         let label = format!("[{index:X}] {}", facts.name);
         let item = self.objects(&label, [(index, object)], &[], CompletionItemKind::CLASS)?;
         Some(documented(self.device, document, index, item))
@@ -186,7 +203,7 @@ impl MissingSections<'_> {
     ) -> Option<CompletionItem> {
         let indexes = objects.iter().map(|(index, _)| *index).collect();
         let text = sections_of(objects, self.line_end)?;
-        let wanted = WantedItem { uri: self.file.uri.clone(), indexes };
+        let wanted = WantedItem { uri: self.file.uri.clone(), indexes, grown: None };
         let item = self.written(label, text, blanks, kind);
         Some(CompletionItem { data: serde_json::to_value(wanted).ok(), ..item })
     }
@@ -269,11 +286,14 @@ fn of_vendor(object_type: ObjectType) -> Object {
     Object { main, subs, sub_number: Some(3), ..Object::default() }
 }
 
-/// Adds the lines of the object lists to an item that adds objects, and the number of PDOs.
+/// Adds the lines of the object lists to an item that adds objects, and the number of PDOs or sub-indexes.
 pub(super) fn resolve(file: &CheckedFile, wanted: &WantedItem) -> Option<Vec<TextEdit>> {
     let description = file.description()?;
     let device = description.device();
     let mut fix = Fix::risky("list the object");
+    let grown = wanted.grown.and_then(|index| edits::new_sub_index(device, index));
+    let is_elsewhere = |change: &Change| !matches!(change, Change::Add(..));
+    fix.changes.extend(grown.into_iter().flat_map(|grown| grown.changes).filter(is_elsewhere));
     for list in ObjectList::ALL {
         let mut members = device.lists.get(list).to_vec();
         let is_new = |index: &&u16| ObjectList::of(**index) == Some(list) && !device.lists.contains(**index);
@@ -297,20 +317,28 @@ pub(super) fn resolve(file: &CheckedFile, wanted: &WantedItem) -> Option<Vec<Tex
             fix = fix.set(Place::of(Part::DeviceInfo).field(field), count.to_string());
         }
     }
+    // multiplexed PDOs
+    if wanted.indexes.iter().any(|index| (0x1FA0..=0x1FFF).contains(index)) && device.device_info.is_some() {
+        fix = fix.set(Place::of(Part::DeviceInfo).field(Field::GroupMessaging), "1".to_owned());
+    }
     Some(file.edits(description.edits(&fix)?))
 }
 
 /// The sections of objects.
 fn sections_of<const COUNT: usize>(objects: [(u16, Object); COUNT], line_end: &str) -> Option<String> {
     let device = Device { objects: objects.into_iter().collect(), ..Device::default() };
-    let changes = additions(&Device::default(), &device)?;
-    let sections = changes.into_iter().filter_map(|change| match change {
+    Some(added(&additions(&Device::default(), &device)?, line_end))
+}
+
+/// The sections that changes add.
+fn added(changes: &[Change], line_end: &str) -> String {
+    let sections = changes.iter().filter_map(|change| match change {
         Change::Add(part, fields) => {
             let lines = fields.iter().map(|(field, value)| format!("{}={value}{line_end}", field.name()));
-            Some(format!("[{}]{line_end}{}", section_name(&part), lines.collect::<String>()))
+            Some(format!("[{}]{line_end}{}", section_name(part), lines.collect::<String>()))
         }
         _ => None,
     });
     let sections: Vec<String> = sections.collect();
-    Some(sections.join(line_end))
+    sections.join(line_end)
 }

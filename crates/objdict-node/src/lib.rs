@@ -7,7 +7,7 @@ pub mod coupler;
 pub mod download;
 mod resolve;
 
-pub use resolve::{ObjectName, candidates, resolve};
+pub use resolve::{ObjectName, candidates, meant, resolve};
 
 use objdict_model::{diagnostic, literal, model};
 use objdict_profile as profile;

@@ -2,7 +2,8 @@
 
 use std::str::FromStr;
 
-use crate::model::{Address, Device, NoAddress, PdoKind};
+use crate::diagnostic::nearest;
+use crate::model::{Address, Device, NoAddress, Object, PdoKind};
 
 /// An address, or any other text that [`resolve`] accepts.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +46,16 @@ pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
         let found = objects_by(device, |_, name| is_meant(name));
         if found.is_empty() { entries_by(device, is_meant) } else { found }
     })
+}
+
+/// The name of an object, or the words of one, that a text with no result is meant for.
+pub fn meant(device: &Device, text: &str) -> Option<String> {
+    let count = text.split_whitespace().count().max(1);
+    let names = || device.objects.values().map(Object::name);
+    let words: Vec<Vec<&str>> = names().map(|name| name.split_whitespace().collect()).collect();
+    let parts: Vec<String> =
+        words.iter().flat_map(|words| words.windows(count)).map(|part| part.join(" ")).collect();
+    nearest(text, names().chain(parts.iter().map(String::as_str))).map(str::to_owned)
 }
 
 /// Finds every candidate if one entry is expected, in the order of the dictionary. Unlike [`resolve`],

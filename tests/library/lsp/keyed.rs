@@ -138,6 +138,14 @@ fn words_of_attributes() {
     has(&labels(&mut client, "valve.xdd", &marked("accessType")), &["ro", "rw", "const"]);
     has(&labels(&mut client, "valve.xdd", &marked("PDOmapping")), &["TPDO", "no"]);
     has(&labels(&mut client, "valve.xdd", &marked("dataType")), &["0007 UNSIGNED32"]);
+    let (emcy, value) =
+        (r#"index="1014" name="COB-ID EMCY" objectType="7" dataType="0007""#, r#"defaultValue=""#);
+    let text =
+        text.replace(r#"index="1017" name="Producer heartbeat time" objectType="7" dataType="0006""#, emcy);
+    let at = text.find(emcy).unwrap();
+    let at = at + text[at..].find(value).unwrap() + value.len();
+    let marked = format!("{}‸{}", &text[..at], &text[at..]);
+    has(&labels(&mut client, "valve.xdd", &marked), &["$NODEID+0x80 usual"]);
 }
 
 #[test]

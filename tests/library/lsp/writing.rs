@@ -240,3 +240,16 @@ fn the_order_is_that_of_fmt() {
     );
     assert_eq!(formatted.into_bytes(), description.arranged().unwrap());
 }
+
+/// Neovim needs a millisecond for each edit of a text.
+#[test]
+fn many_changes_are_few_edits() {
+    let mut client = Client::start();
+    let text = fixture("eds/drive-402.eds").replace("ObjectType=", "objecttype=");
+    client.open("a.eds", &text);
+    let params = json!({ "textDocument": client.document("a.eds"), "options": { "tabSize": 4, "insertSpaces": true } });
+    let edits = client.ask("textDocument/formatting", params);
+    assert_eq!(edited(&text, &edits), fixture("eds/drive-402.eds"));
+    let (count, lines) = (edits.as_array().unwrap().len(), text.matches("objecttype=").count());
+    assert!(lines > 200 && count < lines / 20, "{count} edits for {lines} lines");
+}

@@ -19,11 +19,10 @@ use super::stdout::Output;
 use super::table::fit;
 use objdict_document::describe::ValueReader;
 use objdict_format::json as json_format;
-use objdict_model::diagnostic::nearest;
 use objdict_model::model::{Address, Device, Entry, Object};
 use objdict_node::concise;
 use objdict_node::download::{ConciseDcf, Download};
-use objdict_node::resolve;
+use objdict_node::{meant, resolve};
 
 /// A device to be shown.
 struct ShownDevice<'a> {
@@ -169,9 +168,8 @@ fn show_addresses(
 }
 
 fn unknown(view: &ShownDevice<'_>, name: &str) -> Failure {
-    let names = view.device.objects.values().map(Object::name);
     let failure = Failure::new(format_args!("`{}` has no object `{name}`", view.file));
-    match nearest(name, names) {
+    match meant(view.device, name) {
         Some(meant) => failure.help(format!("did you mean `{meant}`?")),
         None => failure.help("`objdict show FILE` lists the objects"),
     }

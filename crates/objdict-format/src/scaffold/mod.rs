@@ -21,6 +21,7 @@ use objdict_model::model::{
     Value,
 };
 use objdict_profile as profile;
+use objdict_profile::ObjectFacts;
 use objdict_profile::default_mapping::PdoMap;
 
 /// Properties of a new device.
@@ -107,7 +108,23 @@ pub fn object(device: &Device, index: u16) -> Option<Object> {
         objects::ObjectMaker { plan: Demanded::new(number, &Features::default()), documents: &documents };
     let mut made = Device::default();
     maker.add(&mut made, index);
-    made.objects.remove(&index)
+    let mut object = made.objects.remove(&index)?;
+    if object.object_type().has_subs() {
+        let facts = documents.iter().filter_map(|document| document.object(index));
+        let elements = facts.filter_map(|facts| elements(device, &facts)).next().unwrap_or(1);
+        for sub in (1..=elements).filter(|sub| maker.knows(index, *sub)) {
+            object.subs.insert(sub, maker.entry(index, sub));
+        }
+        maker.count(&mut object, index);
+    } else if index == 0x67FF {
+        object.main.default = device.value(0x1000, 0).map(std::borrow::Cow::into_owned);
+    }
+    Some(object)
+}
+
+/// The number of elements of the object that one has as many elements as.
+fn elements(device: &Device, facts: &ObjectFacts<'_>) -> Option<u8> {
+    facts.as_many_as.iter().find_map(|&other| device.object(other)?.highest_sub())
 }
 
 /// A sub-index of an object as the documents for a device demand it; `None` if no document has it.
@@ -118,6 +135,27 @@ pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     let maker =
         objects::ObjectMaker { plan: Demanded::new(number, &Features::default()), documents: &documents };
     Some(maker.entry(index, sub))
+}
+
+/// The lowest sub-index that an object lacks and the documents leave it; `None` if there is none.
+pub fn next_sub_index(device: &Device, index: u16) -> Option<u8> {
+    let object = device.object(index).filter(|object| object.object_type().has_subs())?;
+    let facts = profile::of_object(device, index).map(|(_, facts)| facts);
+    let whole: Vec<_> = facts.filter(|facts| facts.states_type() && facts.entries().len() > 0).collect();
+    let may_have = |sub: u8| {
+        // the default SDO has no specific client
+        if (index, sub) == (0x1200, 3) {
+            return false;
+        }
+        let highest = object.highest_sub().map_or(sub, |highest| highest.max(sub));
+        whole.iter().all(|facts| {
+            facts.entry(sub).is_some_and(|entry| entry.name != "Reserved")
+                && facts.entry(0).is_none_or(|count| count.accepts_value(highest.into()))
+                && elements(device, facts).is_none_or(|elements| sub <= elements)
+        })
+    };
+    let sub = (0..=254).find(|sub| !object.has(*sub) && may_have(*sub))?;
+    object.compact.is_none().then_some(sub)
 }
 
 /// The communication and the mapping parameter of a PDO of a device that carries these objects.

@@ -33,16 +33,21 @@ impl ObjectMaker<'_> {
         let Some(object) = device.objects.get_mut(&index) else { return };
         if has_subs {
             object.subs = entries.into_iter().collect();
-            // sub-index 0 of the error history is the number of errors
-            let highest = if index == 0x1003 { 0 } else { object.highest_sub().unwrap_or(0) };
-            if let Some(entry) = object.subs.get_mut(0) {
-                entry.default = number(highest.into(), DataType::UNSIGNED8);
-            }
-            object.sub_number = u8::try_from(object.subs.len()).ok();
+            self.count(object, index);
         } else if let Some((_, entry)) = entries.into_iter().next() {
             let (name, object_type) = (std::mem::take(&mut object.main.name), object.main.object_type);
             object.main = Entry { name, object_type, ..entry };
         }
+    }
+
+    /// Writes the numbers of sub-indexes into an object.
+    pub fn count(&self, object: &mut Object, index: u16) {
+        // sub-index 0 of the error history is the number of errors
+        let highest = if index == 0x1003 { 0 } else { object.highest_sub().unwrap_or(0) };
+        if let Some(entry) = object.subs.get_mut(0) {
+            entry.default = number(highest.into(), DataType::UNSIGNED8);
+        }
+        object.sub_number = u8::try_from(object.subs.len()).ok();
     }
 
     /// Adds what the documents demand of the device from this index on, until they demand nothing more.
@@ -128,8 +133,8 @@ impl ObjectMaker<'_> {
                 Some(_) if index < FIRST_OF_MANUFACTURER => PdoMapping::No,
                 Some(_) => PdoMapping::Optional,
             }),
-            // writing stores or restores parameters, which no download of a configuration must do
-            flags: (sub > 0 && matches!(index, 0x1010 | 0x1011)).then_some(ObjFlags(1)),
+            // writing stores or restores parameters or executes a command, which no download of a configuration must do
+            flags: matches!((index, sub), (0x1010 | 0x1011, 1..) | (0x1023, 1)).then_some(ObjFlags(1)),
             default: self.value(index, sub).or(default).or_else(|| first_value(data_type?, &facts)),
             ..Entry::default()
         }
@@ -160,6 +165,7 @@ impl ObjectMaker<'_> {
             (0x1201..=0x12FF, 3) => Value::Unsigned(1),
             (0x6502, 0) if *profile == 402 => Value::Unsigned(features.modes.unwrap_or_default().into()),
             (index, sub) if *profile == 402 && MOVING.contains(&(index, sub)) => Value::Unsigned(1),
+            (index, 1 | 2) if *profile == 402 && RATIOS.contains(&index) => Value::Unsigned(1),
             (0x6112, 1..) if *profile == 404 => Value::Unsigned(NORMAL_OPERATION),
             // an encoder sees at least one step of one revolution
             (0x6001 | 0x6002 | 0x6501 | 0x6502, 0) | (0x6005, 1 | 2) if *profile == 406 => Value::Unsigned(1),
@@ -172,17 +178,23 @@ impl ObjectMaker<'_> {
 const SYNC_PERIOD: u64 = 10_000;
 
 /// Speeds, ramps, slopes and times of drives with which 0 moves nothing: the least that does.
-const MOVING: [(u16, u8); 9] = [
+const MOVING: [(u16, u8); 12] = [
     (0x6046, 2),
     (0x6048, 1),
     (0x6048, 2),
+    (0x6073, 0),
     (0x6081, 0),
     (0x6083, 0),
     (0x6087, 0),
     (0x6099, 1),
     (0x6099, 2),
     (0x60C2, 1),
+    (0x60E0, 0),
+    (0x60E1, 0),
 ];
+
+/// Factors of drives: a numerator and a denominator.
+const RATIOS: [u16; 10] = [0x604B, 0x604C, 0x6090, 0x6092, 0x6093, 0x6094, 0x6095, 0x6096, 0x6097, 0x60A2];
 
 /// The operating mode of a channel that is not off (CiA 404).
 const NORMAL_OPERATION: u64 = 1;

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use super::time::in_unit_of;
 use super::{Configurator, PdoName, Wrong};
-use crate::diagnostic::{listing, misspelled, nearest, series, sub_index};
+use crate::diagnostic::{listing, misspelled, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
 use crate::model::{
     Access, Address, DataType, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, PdoKind, Value,
 };
-use crate::resolve::{ObjectName, candidates};
+use crate::resolve::{ObjectName, candidates, meant};
 use crate::{literal, profile};
 use objdict_model::literal::nanoseconds;
 
@@ -27,7 +27,7 @@ impl<'a> Configurator<'a> {
             [address] => Ok(address),
             [] => {
                 let wrong = Wrong::new(format!("there is no object or entry `{text}`"));
-                Err(match nearest(text, self.device.objects.values().map(Object::name)) {
+                Err(match meant(self.device, text) {
                     Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
                     None => wrong.help("`objdict show` lists the objects"),
                 })
