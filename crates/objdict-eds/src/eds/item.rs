@@ -29,4 +29,10 @@ impl Item<'_> {
     pub(crate) fn number(&self) -> Option<u32> {
         Field::item_number(self.name)
     }
+
+    /// The number of a numbered key in hex, which the standard writes in decimal: the 15 of `0xF=Inlet`.
+    pub(crate) fn hex_number(&self) -> Option<u32> {
+        let digits = self.name.strip_prefix("0x").or_else(|| self.name.strip_prefix("0X"))?;
+        u32::from_str_radix(digits, 16).ok()
+    }
 }

@@ -102,6 +102,12 @@ impl CobId {
         Self { number: self.number & !Self::BIT_31, ..self }
     }
 
+    /// The CAN-ID alone, without the bits above it.
+    #[must_use]
+    pub const fn without_flags(self) -> Self {
+        Self { number: self.number & self.can_id_mask(), ..self }
+    }
+
     /// The bits of the CAN-ID.
     pub const fn can_id_mask(self) -> u32 {
         if self.is_extended() { 0x1FFF_FFFF } else { 0x7FF }

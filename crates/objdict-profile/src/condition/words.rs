@@ -30,6 +30,7 @@ impl ConditionWords<'_> {
         match *term {
             Term::Not => self.term(!holds, in_all),
             Term::All(count) => self.joined(count, holds, holds, in_all),
+            Term::OneOf(count) if holds && self.one_bit(count) => {}
             Term::OneOf(count) => self.joined(count, !holds, holds, in_all),
             Term::Described(index, sub) => {
                 let is = if holds { "is described" } else { "is not described" };
@@ -65,6 +66,30 @@ impl ConditionWords<'_> {
         if has_brackets {
             self.text.push(')');
         }
+    }
+
+    /// Writes alternatives that are set bits of one object as `one of bits 7 to 9 of 6502h is set`; `false` if they are others.
+    fn one_bit(&mut self, count: u32) -> bool {
+        let terms = self.rest.chunks(2).take(count as usize);
+        let bit = |terms: &[Term]| match *terms {
+            [Term::BitsIn(index, 0, [first, last], 1), Term::Range(1, _)] if first == last => {
+                Some((index, first))
+            }
+            _ => None,
+        };
+        let Some(bits) = terms.map(bit).collect::<Option<Vec<_>>>() else { return false };
+        let [(index, first), .., (_, last)] = bits[..] else { return false };
+        if bits.len() < 3 || bits.iter().any(|(other, _)| *other != index) {
+            return false;
+        }
+        let is_range = usize::from(last.saturating_sub(first)) + 1 == bits.len() && bits.is_sorted();
+        let listed: Vec<String> = bits.iter().map(|(_, bit)| bit.to_string()).collect();
+        let listed = if is_range { format!("{first} to {last}") } else { listed.join(", ") };
+        let place = place_of(index, self.device, self.block);
+        self.text.push_str(&format!("one of bits {listed} of {place:04X}h is set"));
+        self.rest = self.rest.get(2 * bits.len()..).unwrap_or_default();
+        self.last = None;
+        true
     }
 
     fn bits(&mut self, index: u16, [first, last]: [u8; 2], count: u32, holds: bool) {

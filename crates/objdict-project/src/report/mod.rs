@@ -231,7 +231,8 @@ impl fmt::Display for Tally {
         let found: Vec<String> =
             counts.iter().filter(|(count, _)| *count > 0).map(|&(count, word)| plural(count, word)).collect();
         if found.is_empty() {
-            write!(f, "no findings in {}", plural(self.files, "file"))?;
+            let no_findings = if self.suppressed == 0 { "no findings" } else { "nothing to report" };
+            write!(f, "{no_findings} in {}", plural(self.files, "file"))?;
         } else {
             f.write_str(&found.join(", "))?;
             if self.places > self.at_least(Severity::Note) {

@@ -65,9 +65,9 @@ text_rules! {
     example: "`[ToolInfos]`",
     remedy: "Check the spelling, or remove the section if no tool needs it. With `--compat dcf-tools` the fix makes comments of its lines.",
 
-    "cia306/unknown-key" = UNKNOWN_KEY, Note, fix Safe;
+    "cia306/unknown-key" = UNKNOWN_KEY, Note, fix Mixed;
     summary: "the standard does not define a key in its section",
-    checks: "Whether the standard defines the key in this section. Unknown keys are kept.",
+    checks: "Whether the standard defines the key in this section. Unknown keys are kept. A number in hex, such as `0xF` in `[2000Name]`, is a warning: the entry is lost.",
     why: "The standard allows unknown keys, dcf-tools refuses them.",
     example: "`Unit=ms`",
     remedy: "Check the spelling, or remove the key if no tool needs it. With `--compat dcf-tools` the fix makes a comment of the line, for review if python-canopen or CANopenEditor reads the key.",

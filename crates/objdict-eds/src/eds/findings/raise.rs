@@ -58,7 +58,7 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
     );
     Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
         .label(other.name_at, "the other one")
-        .help(say!("write `{}={}`", number, item.value))
+        .help(say!("replace the key by `{}`", number))
         .fix(Fix::safe(say!("number the {} one {}", which, number)).replace(item.name_at, number.to_string()))
         .understood()
 }
@@ -162,6 +162,15 @@ fn looks_like_object(name: &str) -> bool {
 }
 
 pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
+    if let Some(number) = item.hex_number() {
+        let message = say!("the key `{}` is in hex, the standard writes `{}`", item.name, number);
+        let title = say!("replace the key by `{}`", number);
+        let fix = Fix::risky(title.clone()).replace(item.name_at, number.to_string());
+        return Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
+            .severity(Severity::Warning)
+            .help(title)
+            .fix(fix);
+    }
     let message = match item.key {
         Some(_) => say!("`{}` does not belong in `[{}]`; the key is kept", item.name, section),
         None => say!("the standard does not define key `{}` in `[{}]`; the key is kept", item.name, section),

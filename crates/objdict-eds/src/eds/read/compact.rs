@@ -32,10 +32,16 @@ impl EdsReader<'_> {
         let object = self.objects.get_mut(index);
         let object_type = object.as_ref().map(|object| object.object_type());
         let data_type = object.as_ref().and_then(|object| object.main.data_type);
+        // another finding reports the count
+        let is_invalid = object
+            .as_ref()
+            .is_some_and(|object| object.main.invalid_values.get(&Field::CompactSubObj).is_some());
         let Some(compact) = object.and_then(|object| object.compact.as_mut()) else {
             let mut extra = Extra::default();
             items.each(|_, item| extra.push(item.name, item.value));
-            self.findings.push(findings::stray_compact_section(name, at, object_type));
+            if !is_invalid {
+                self.findings.push(findings::stray_compact_section(name, at, object_type));
+            }
             return self.keep(name, &extra);
         };
         read_compact(&mut items, part, data_type, compact);
@@ -52,6 +58,7 @@ fn read_compact(items: &mut Items<'_>, part: &Part, data_type: Option<DataType>,
             return;
         }
         let Some(number) = item.number() else {
+            entries += usize::from(item.hex_number().is_some());
             return items.unknown(item, &mut extra);
         };
         entries += 1;

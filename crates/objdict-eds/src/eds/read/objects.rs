@@ -82,6 +82,8 @@ struct SectionValues<'a> {
     low: Option<Item<'a>>,
     high: Option<Item<'a>>,
     configured: Option<Item<'a>>,
+    /// Whether the object cannot have values, which another finding reports.
+    is_unsupported: bool,
 }
 
 /// Reads a section into an empty entry.
@@ -109,6 +111,8 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entr
         Some(field) => entry_item(entry, field, items, item),
         None => items.unknown(item, &mut entry.extra),
     });
+    let is_structure = entry.object_type.is_some_and(ObjectType::has_subs);
+    values.is_unsupported = kind == SectionKind::Object && is_structure && read.compact_count.is_none();
     read_values(entry, &values, items);
     items.comments().for_each(|comment| stack_option(entry, comment));
     drop_empty(entry);
@@ -208,8 +212,12 @@ fn extension_count(item: &Item<'_>, invalid_values: &mut InvalidValues) -> Optio
 }
 
 fn read_values(entry: &mut Entry, values: &SectionValues<'_>, items: &mut Items<'_>) {
+    let is_domain = entry.object_type == Some(ObjectType::Domain);
     let mut read = |item: &Option<Item<'_>>, entry: &mut Entry| match item {
-        Some(item) if !item.value.is_empty() => read_value(item, entry, items),
+        Some(item) if !item.value.is_empty() => {
+            let is_limit = matches!(item.field(), Some(Field::LowLimit | Field::HighLimit));
+            read_value((item, values.is_unsupported || is_domain && is_limit), entry, items)
+        }
         _ => None,
     };
     entry.default = read(&values.default, entry);
@@ -221,7 +229,11 @@ fn read_values(entry: &mut Entry, values: &SectionValues<'_>, items: &mut Items<
     entry.high_limit = read(&values.high, entry);
 }
 
-fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Option<Value> {
+fn read_value(
+    (item, is_unsupported): (&Item<'_>, bool),
+    entry: &mut Entry,
+    items: &mut Items<'_>,
+) -> Option<Value> {
     let data_type = entry.implied_type();
     if let Some(value) = literal::plain_value(item.value, data_type) {
         return Some(value);
@@ -234,7 +246,7 @@ fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Opti
                 Some(Field::HighLimit) => literal::high_limit(value, entry, &mut quirks),
                 _ => value,
             };
-            if !quirks.is_empty() {
+            if !quirks.is_empty() && !is_unsupported {
                 findings::quirks(item, quirks, Some(&value), items.findings);
             }
             Some(value)

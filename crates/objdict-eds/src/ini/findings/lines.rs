@@ -291,7 +291,7 @@ impl LineCheck<'_> {
             let message = say!("{} spaces before the key or the `=`", lines);
             let fix = Fix::safe("remove the spaces before all keys and `=`").with(Change::Tidy(Tidy::Keys));
             let finding = Diagnostic::new(&BLANK_BEFORE_EQUALS, span, message);
-            self.findings.push(finding.help("write `key=value`").fix(fix));
+            self.findings.push(finding.help("remove the spaces before the key and the `=`").fix(fix));
         }
         if self.first_section.is_none() {
             let finding = Diagnostic::new(&NO_SECTION, Span::empty(0), "the file has no section");

@@ -147,7 +147,7 @@ fn both_directions(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUs
         "{} transmits and {} receives with the CAN-ID `{}`",
         transmitter.service,
         receiver.service,
-        transmitter.cob_id
+        transmitter.cob_id.without_flags()
     );
     // the mistake is probably in the entry for another node
     let is_at_receiver = receiver.service == CobIdService::EmcyConsumer || receiver.index > transmitter.index;

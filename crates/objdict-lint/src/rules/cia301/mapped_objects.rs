@@ -183,10 +183,11 @@ fn mapped_object_not_mappable(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let finding = MAPPED_OBJECT_NOT_MAPPABLE.at(place, message);
         let target = target_place(facts, mapped.object);
-        let fix = Fix::risky(say!("write `{PDOMapping=1}` for the object"))
+        let part = target.part.clone();
+        let fix = Fix::risky(say!("write `{PDOMapping=1}` in `{}`", part.clone()))
             .set(target.clone().field(Field::PdoMapping), "1");
         let finding = finding.label(target.field(Field::PdoMapping), "not mappable").fix(fix);
-        findings.push(finding.help(say!("write `{PDOMapping=1}` for the object, or map another object")));
+        findings.push(finding.help(say!("write `{PDOMapping=1}` in `{}`, or map another object", part)));
     }
 }
 

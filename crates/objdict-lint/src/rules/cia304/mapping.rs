@@ -139,7 +139,8 @@ fn object_not_safe(facts: &Facts<'_>, findings: &mut Findings) {
         let message =
             say!("{} maps {:04X}h:{:02X}, which is not mappable to SRDOs", srdo, mapped.index, mapped.sub);
         let finding = OBJECT_NOT_SAFE.at(place, message);
-        findings.push(finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")));
+        let part = facts.device.value_place(mapped.index, mapped.sub).part;
+        findings.push(finding.help(say!("write `{SRDOMapping=1}` in `{}`, or map another entry", part)));
     }
 }
 

@@ -78,11 +78,15 @@ fn command_without_flag(_: &Device, index: u16, object: &Object, findings: &mut 
     let message =
         say!("writing {:04X}h {}, but `{ObjFlags}` does not stop tools from writing it", index, command);
     let finding = COMMAND_WITHOUT_FLAG.at(place, message);
-    let fix = Fix::risky(say!("write `{ObjFlags=0x1}` in its writable entries"));
-    let fix = places
-        .into_iter()
-        .fold(fix, |fix, (place, flags)| fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1)));
-    findings.push(finding.help(say!("write `{ObjFlags=0x1}` in its writable entries")).fix(fix));
+    let parts = places.iter().map(|(place, _)| place.part.clone());
+    let title = match places.len() {
+        1..=4 => say!("write `{ObjFlags=0x1}` in {}", listing(parts)),
+        _ => say!("write `{ObjFlags=0x1}` in its writable entries"),
+    };
+    let fix = places.into_iter().fold(Fix::risky(title.clone()), |fix, (place, flags)| {
+        fix.set(place.field(Field::ObjFlags), format!("0x{:X}", flags | 1))
+    });
+    findings.push(finding.help(title).fix(fix));
 }
 
 /// The writable entries without the flag, with their current flags.

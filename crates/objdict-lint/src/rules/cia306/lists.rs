@@ -189,7 +189,7 @@ fn missing_section(device: &Device, findings: &mut Findings) {
         findings.push(report_section(
             &Part::FileInfo,
             severe,
-            "add it with the author and the date of the file",
+            say!("add `{}` with the author and the date of the file", Part::FileInfo),
         ));
     }
     if device.device_info.is_none() {
@@ -197,11 +197,14 @@ fn missing_section(device: &Device, findings: &mut Findings) {
         findings.push(report_section(
             &Part::DeviceInfo,
             severity,
-            "add it with the vendor, the product and the features of the device",
+            say!("add `{}` with the vendor, the product and the features of the device", Part::DeviceInfo),
         ));
     }
     if device.dummy_usage.is_none() {
-        let help = "add it with `Dummy0005=1` for each type that may fill a gap in an RPDO";
+        let help = say!(
+            "add `{}`, with `Dummy0005=1` for each type that may fill a gap in an RPDO",
+            Part::DummyUsage
+        );
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
         let fix =
@@ -212,8 +215,14 @@ fn missing_section(device: &Device, findings: &mut Findings) {
         let none = vec![(Field::Lines, "0".to_owned())];
         let fix =
             Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
-        findings
-            .push(report_section(&Part::Comments, Severity::Note, say!("add it with `{Lines=0}`")).fix(fix));
+        findings.push(
+            report_section(
+                &Part::Comments,
+                Severity::Note,
+                say!("add `{}` with `{Lines=0}`", Part::Comments),
+            )
+            .fix(fix),
+        );
     }
     check_list_sections(device, light, findings);
 }
@@ -231,8 +240,11 @@ fn check_list_sections(device: &Device, light: Severity, findings: &mut Findings
         if objects == 0 {
             // another rule reports missing mandatory objects
             if list != ObjectList::Mandatory {
-                let finding =
-                    report_section(&Part::List(list), light, say!("add it with `{SupportedObjects=0}`"));
+                let finding = report_section(
+                    &Part::List(list),
+                    light,
+                    say!("add `{}` with `{SupportedObjects=0}`", list),
+                );
                 findings.push(finding.fix(fix));
             }
             continue;
@@ -289,11 +301,16 @@ fn object_listed_twice(device: &Device, findings: &mut Findings) {
             } else {
                 say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
-            let finding = OBJECT_LISTED_TWICE.at(place(list, number), message);
-            let finding = finding.label(place(other, at), "first here");
-            let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
+            // the place is that of the edit
+            let is_first_wrong = other != list && ObjectList::of(index) == Some(list);
+            let wrong = if is_first_wrong { other } else { list };
+            let (edited, kept, label) = match is_first_wrong {
+                true => (place(other, at), place(list, number), "also here"),
+                false => (place(list, number), place(other, at), "first here"),
+            };
+            let finding = OBJECT_LISTED_TWICE.at(edited, message).label(kept, label);
             let mut finding = match other == list {
-                true => finding.help("remove one of the two entries"),
+                true => finding.help("remove the second entry"),
                 false => finding.help(say!("remove it from `{}`", wrong)),
             };
             finding.fix = fixes.next(device.lists.get(list), || match other == list {

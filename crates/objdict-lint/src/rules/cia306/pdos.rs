@@ -85,6 +85,12 @@ fn dummy_key(data_type: &DataType) -> String {
     format!("Dummy{:04X}", data_type.0)
 }
 
+/// `write Dummy0002=0 and Dummy0003=0`, each in backticks.
+fn without_dummies(types: &[DataType]) -> Text {
+    let settings = types.iter().map(|data_type| format!("{}=0", dummy_key(data_type)));
+    say!("write {}", listing(settings))
+}
+
 fn dummy_place(data_type: &DataType) -> Place {
     Place::of(Part::DummyUsage).field(Field::Named(dummy_key(data_type).into()))
 }
@@ -115,7 +121,7 @@ fn dummy_below_granularity(facts: &Facts<'_>, findings: &mut Findings) {
             granularity
         ),
     };
-    let title = say!("write `{}=0`", dummy_key(first));
+    let title = without_dummies(&smaller);
     let fix =
         smaller.iter().fold(Fix::risky(title.clone()), |fix, data_type| fix.set(dummy_place(data_type), "0"));
     let finding = DUMMY_BELOW_GRANULARITY
@@ -131,7 +137,7 @@ fn dummy_type(device: &Device, findings: &mut Findings) {
         [one] => say!("`{}` is 1, but {} cannot be a dummy", dummy_key(&one), one),
         _ => say!("{} allow dummies that no PDO can map", listing(wrong.iter().map(dummy_key))),
     };
-    let title = say!("write `{}=0`", dummy_key(first));
+    let title = without_dummies(&wrong);
     let fix =
         wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(dummy_place(data_type), "0"));
     findings.push(DUMMY_TYPE.at(dummy_place(first), message).help(title).fix(fix));

@@ -260,7 +260,8 @@ fn sub_of_var(_: &Device, index: u16, object: &Object, findings: &mut Findings) 
         .at(Place::entry(index, sub), message)
         .label(Place::object(index).field(Field::ObjectType), say!("a {}", object_type));
     findings.push(finding.help(say!(
-        "write `{ObjectType=0x9}` (RECORD) or `{ObjectType:0x8}` (ARRAY), or remove the sub-indexes"
+        "write `{ObjectType=0x9}` in `{}` (or `{ObjectType:0x8}` for an ARRAY), or remove the sub-indexes",
+        Part::Object(index)
     )));
 }
 
@@ -424,7 +425,8 @@ fn array_of_mixed_access(device: &Device, findings: &mut Findings) {
         .at(place(other.0), message)
         .label(place(first.0), say!("`{}` here", first.1))
         .help(say!(
-            "correct the access type, or write `{ObjectType=0x9}` (RECORD) where the device profile allows it"
+            "correct the access type, or write `{ObjectType=0x9}` in `{}` where the device profile allows a RECORD",
+            Part::Object(index)
         ));
         findings.push(finding);
     }
@@ -461,7 +463,9 @@ fn array_of_mixed_types(_: &Device, index: u16, object: &Object, findings: &mut 
         ARRAY_OF_MIXED_TYPES.at(place(sub), message).label(place(first), say!("{} here", data_type));
     let object_type = Place::object(index).field(Field::ObjectType);
     let fix = Fix::risky(say!("write `{ObjectType=0x9}`")).set(object_type, "0x9");
-    findings.push(finding.help(say!("write `{ObjectType=0x9}` (RECORD), or correct the data type")).fix(fix));
+    let part = Part::Object(index);
+    let help = say!("write `{ObjectType=0x9}` in `{}` (RECORD), or correct the data type", part);
+    findings.push(finding.help(help).fix(fix));
 }
 
 fn gap_in_array(_: &Device, index: u16, object: &Object, findings: &mut Findings) {

@@ -331,16 +331,34 @@ fn low_limit_above_high(at: &EntryAt<'_>, findings: &mut Findings) {
     let fix = Fix::risky("swap the limits")
         .set(at.field(Field::LowLimit), high.to_string())
         .set(at.field(Field::HighLimit), low.to_string());
+    if let Some((number, bits)) = negative_limit(low, high) {
+        let is_signed =
+            at.entry.data_type.is_some_and(|data_type| matches!(data_type.kind(), TypeKind::Signed(_)));
+        findings.push(match is_signed {
+            true => {
+                let title = say!("write `{LowLimit}` in decimal, `{}`, or with all digits of the type", number);
+                let fix = Fix::risky(title.clone()).set(at.field(Field::LowLimit), number.to_string());
+                finding.help(title).fix(fix)
+            }
+            false => finding.help(say!(
+                "choose a signed data type if `{LowLimit}` is {}, the number in {} bits, or correct one of the limits",
+                number,
+                bits
+            )),
+        });
+        return;
+    }
     let finding = finding.help("swap the limits, or correct one of them");
     // the larger one depends on the node-ID
-    findings.push(if is_formula || is_negative_limit(low, high) { finding } else { finding.fix(fix) });
+    findings.push(if is_formula { finding } else { finding.fix(fix) });
 }
 
-/// Whether the low limit is perhaps a negative number of 16 or 32 bits below the high one: `0xEC78`, with `0x1388` as the
-/// high limit. Then the data type is wrong, not the order.
-fn is_negative_limit(low: &Value, high: &Value) -> bool {
-    let (Some(low), Some(high)) = (low.as_integer(), high.as_integer()) else { return false };
-    [16, 32].into_iter().any(|bits| low >> (bits - 1) == 1 && low - (1_i128 << bits) <= high)
+/// The low limit as a negative number of 8, 16 or 32 bits that is below the high one, and its bits: `0xEC78`, with `0x1388` as
+/// the high limit. Then the data type or the number of digits is wrong, not the order.
+fn negative_limit(low: &Value, high: &Value) -> Option<(i128, u8)> {
+    let (low, high) = (low.as_integer()?, high.as_integer()?);
+    let negative = |bits: u8| (low - (1_i128 << bits), bits);
+    [8, 16, 32].into_iter().filter(|bits| low >> (bits - 1) == 1).map(negative).find(|(low, _)| *low <= high)
 }
 
 fn single_limit(at: &EntryAt<'_>, findings: &mut Findings) {

@@ -237,8 +237,9 @@ fn repeated_blanks(at: &EntryAt<'_>, findings: &mut Findings) {
 }
 
 fn type_in_name(at: &EntryAt<'_>, findings: &mut Findings) {
-    // some editors give sub-index 0 the name of the object
-    let Some(data_type) = at.entry.data_type.filter(|_| at.sub != Some(0)) else { return };
+    // some editors give sub-index 0 the name of the object, and a mapping names what it maps
+    let is_own = at.sub != Some(0) && PdoKind::of_mapping(at.index).is_none();
+    let Some(data_type) = at.entry.data_type.filter(|_| is_own) else { return };
     let Some((named, text)) = named_type(&at.entry.name) else { return };
     let is_other = data_type.kind() != named && data_type.bit_length().is_some();
     if !is_other || !at.holds_value() {

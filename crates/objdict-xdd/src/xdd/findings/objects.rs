@@ -212,15 +212,14 @@ fn mapping(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Find
     };
     let (stated, other) = (stated.trim_ascii(), other.trim_ascii());
     let message = say!(
-        "`PDOmapping` is `{!}` here, but `access` of the parameter is `{!}`; `{!}` is used",
-        stated,
+        "`access` of the parameter is `{!}`, but `PDOmapping` of the object is `{!}`, which is used",
         other,
         stated
     );
     let fix = Fix::risky(format!("write `{right}`")).replace(access.value_span(), right);
-    let finding = Diagnostic::new(&CONTRADICTING_MAPPING, attribute.value_span(), message);
+    let finding = Diagnostic::new(&CONTRADICTING_MAPPING, access.value_span(), message);
     findings
-        .push(finding.label(access.value_span(), "the parameter").help(format!("write `{right}`")).fix(fix));
+        .push(finding.label(attribute.value_span(), "the object").help(format!("write `{right}`")).fix(fix));
 }
 
 /// An end of the range of a parameter whose allowed values are a single range.
