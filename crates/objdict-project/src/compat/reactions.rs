@@ -335,12 +335,10 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/object-links", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/object-links", WRITERS, Dropped, "they are lost"),
     row("portability/parameter-reference", WRITERS, Dropped, "it is lost"),
-    row(
-        "portability/real-as-decimal",
-        DCF_TOOLS,
-        Refused,
-        "the file is refused; digits without a point are taken for bits",
-    ),
+    row("portability/real-as-decimal", DCF_TOOLS, Wrong, "the digits are taken for bits")
+        .when("of digits alone", is_digits),
+    row("portability/real-as-decimal", DCF_TOOLS, Refused, "the file is refused")
+        .when("with a point, sign or leading zero", |description, finding| !is_digits(description, finding)),
     row("portability/safety-key", DCF_TOOLS, Refused, "the file is refused"),
     row("portability/safety-key", WRITERS, Dropped, "it is lost"),
     row("portability/section-case", PYTHON_CANOPEN, Dropped, "the section is not found"),
@@ -427,6 +425,13 @@ fn is_wide(description: &Description, finding: &Diagnostic) -> bool {
         place.and_then(|place| description.device().data_type_of(&place.part, &Field::DefaultValue));
     let wide = [DataType::INTEGER56, DataType::INTEGER64, DataType::UNSIGNED56, DataType::UNSIGNED64];
     data_type.is_some_and(|data_type| wide.contains(&data_type))
+}
+
+/// Whether the value at a finding is a decimal number that Python reads as an integer.
+fn is_digits(description: &Description, finding: &Diagnostic) -> bool {
+    let text = finding.labels.first().map(|label| description.span_of(&label.at));
+    let text = text.map_or("", |span| span.of(description.source().text()));
+    !text.starts_with('0') && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 fn is_limit(description: &Description, finding: &Diagnostic) -> bool {

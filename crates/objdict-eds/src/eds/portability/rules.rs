@@ -100,7 +100,7 @@ text_rules! {
     "portability/real-as-decimal" = REAL_AS_DECIMAL, Error, fix Safe;
     summary: "a REAL is written as a decimal number",
     checks: "Whether a value or limit of a REAL32 or REAL64 is something other than the hex digits of its bits, or 0. The first one is shown, the others are counted.",
-    why: "CiA 306 does not define the notation of a REAL. dcf-tools reads bits: it refuses `1.5`, and reads `2` as 2.8e-45. python-canopen reads numbers, so only `0` works for both.",
+    why: "CiA 306 does not define the notation of a REAL. dcf-tools reads bits: it refuses `1.5` and `-2`, and reads `2` as 2.8e-45. python-canopen reads numbers, so only `0` works for both.",
     example: "`DefaultValue=1.5`",
     remedy: "Write `0x3FC00000` in a separate copy for dcf-tools. The fix does so unless python-canopen is to read the file too.",
     source: "dcf-tools 2.4.2",

@@ -19,7 +19,7 @@ rules! {
 
     "cia302/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 302 requires together with another one is missing",
-    checks: "Whether objects that belong together are all described: 1F20h with 1F21h, 1F23h with 1F24h, 1F26h with 1F27h, 1F51h with 1F50h, and 1F90h if bit 5 of 1F80h makes the device a flying master. Modular devices are not checked, because a module may provide the object.",
+    checks: "Whether objects that belong together are all described: 1F20h and 1F21h, 1F23h and 1F24h, 1F26h and 1F27h each require the other; 1F50h requires 1F51h, but not the reverse; 1F90h is required if bit 5 of 1F80h makes the device a flying master. Modular devices are not checked, because a module may provide the object.",
     why: "A stored DCF without its format cannot be read, an expected date without a time is only half of the comparison, and a program cannot be started without its control object.",
     example: "`[1F20]` without `[1F21]`",
     remedy: "Describe the missing object, and implement it in the device.",
