@@ -60,7 +60,19 @@ fn steps(help: &str, message: &str, syntax: Syntax) -> Option<Vec<Step>> {
     let section =
         |name: &str| name.strip_prefix('[').and_then(|name| name.strip_suffix(']')).map(str::to_owned);
     let (items, behind) = quoted(rest);
-    let is_vague = help.contains('…') || help.contains(" such as ") || help.contains(" as in ");
+    let of_author = [
+        "…",
+        " such as ",
+        " as in ",
+        " to both",
+        " in both ",
+        " for ",
+        "` first",
+        "` and the ",
+        "the sections",
+        "` followed by",
+    ];
+    let is_vague = of_author.iter().any(|word| help.contains(word));
     match verb {
         _ if is_vague => None,
         "write" | "add" if !items.is_empty() && section(items[0]).is_none() => {
@@ -199,7 +211,9 @@ fn followed(description: &Description, finding: &Diagnostic, help: &str) -> Opti
             (_, None) if text[start..low].contains('=') => low..high,
             _ => return None,
         };
-        return Some(([&text[..range.start], new, &text[range.end..]].concat(), Vec::new()));
+        let changed = text[..start].lines().rev().find(|line| Lines::is_header(line));
+        let changed = changed.map(|header| header.trim().to_owned()).into_iter().collect();
+        return Some(([&text[..range.start], new, &text[range.end..]].concat(), changed));
     }
     let lines = text.split_inclusive('\n').map(str::to_owned).collect();
     let mut lines = Lines { lines, changed: Vec::new() };
@@ -207,9 +221,6 @@ fn followed(description: &Description, finding: &Diagnostic, help: &str) -> Opti
     let is_done = steps.iter().all(|step| lines.step(step, line));
     is_done.then(|| (lines.lines.concat(), lines.changed))
 }
-
-/// Rules whose help names one of several places, or depends on what the author means.
-const ELSEWHERE: [&str; 0] = [];
 
 /// Findings by rule, message and section.
 fn places(description: &Description, findings: &Findings) -> BTreeMap<(&'static str, String, String), usize> {
@@ -220,13 +231,65 @@ fn places(description: &Description, findings: &Findings) -> BTreeMap<(&'static 
         let line = text[at..].find('\n').map_or(text.len(), |end| at + end);
         let section =
             text[..line].lines().rev().find(|line| Lines::is_header(line)).unwrap_or_default().trim();
-        *places.entry((finding.rule.id, finding.message.to_string(), section.to_owned())).or_default() += 1;
+        // a count of lines is another one when a section is gone
+        let message = finding.message.to_string();
+        let message = if finding.rule.id == "cia306/comment-style" { String::new() } else { message };
+        *places.entry((finding.rule.id, message, section.to_owned())).or_default() += 1;
     }
     places
 }
 
 /// Helps of a rule: those that say to write, remove or add something, and those that a program followed.
 type Tried = BTreeMap<&'static str, [usize; 2]>;
+
+/// So many findings of a rule are followed one after the other.
+const MOST_STEPS: usize = 40;
+
+/// What a help leads to elsewhere, because other data depend on what it writes: the author has to go on there.
+const FOLLOWS: [(&str, &str); 11] = [
+    ("cia301/cob-id-not-predefined", "cia301/cob-id-collision"),
+    ("cia301/fixed-node-id", "cia301/cob-id-collision"),
+    ("cia301/granularity-against-access", "cia306/dummy-below-granularity"),
+    ("cia306/missing-device-info-key", "cia306/dummy-below-granularity"),
+    ("cia306/sub-0-type", "cia306/object-without-entries"),
+    ("cia306/unsupported-key", "cia306/stray-compact-section"),
+    ("cia401/channels-not-in-device-type", "cia401/missing-object"),
+    ("cia401/wrong-access", "cia401/wrong-default-mapping"),
+    ("cia401/wrong-mapping", "cia301/mapped-object-not-mappable"),
+    ("cia402/wrong-object-type", "cia306/array-of-mixed-access"),
+    ("/wrong-data-type", "cia301/wrong-mapping-length"),
+];
+
+/// New findings outside of the sections, or for added or removed ones the objects, that a help changes.
+fn consequences(
+    before: &BTreeMap<(&'static str, String, String), usize>,
+    after: &BTreeMap<(&'static str, String, String), usize>,
+    rule: &str,
+    changed: &[String],
+) -> Vec<String> {
+    let object =
+        |section: &str| section.split("sub").next().unwrap_or_default().trim_matches(['[', ']']).to_owned();
+    let is_changed = |section: &String| {
+        changed.contains(section)
+            || changed.iter().any(|other| other.contains("sub") && object(other) == object(section))
+    };
+    let is_new = |((other, message, section), count): &(&(&'static str, String, String), &usize)| {
+        let follows = FOLLOWS.iter().any(|(cause, effect)| rule.ends_with(cause) && other == effect);
+        let known =
+            before.iter().any(|((id, known, _), times)| id == other && known == message && times >= *count);
+        !known && *other != rule && !follows && !is_changed(section)
+    };
+    let new = after.iter().filter(is_new);
+    new.map(|((rule, message, section), _)| format!("causes {section} {rule}: {message}")).collect()
+}
+
+fn read_again(description: &Description, text: String) -> Description {
+    let mut options = SourceOptions::default();
+    options.encoding = Some(description.source().encoding());
+    let bytes = description.source().encoding().encode(&text).unwrap_or_else(|_| text.into_bytes());
+    let source = SourceFile::from_bytes(description.source().name(), bytes, &options).unwrap();
+    format::read(source, description.format())
+}
 
 /// The findings of a description that stay when their help is followed, or cause others elsewhere.
 fn stubborn(path: &Path, tried: &mut Tried) -> Vec<String> {
@@ -238,7 +301,7 @@ fn stubborn(path: &Path, tried: &mut Tried) -> Vec<String> {
     for finding in &findings {
         let help = finding.help.as_ref().map(ToString::to_string).unwrap_or_default();
         let is_asked = ["write ", "remove ", "add "].iter().any(|verb| help.starts_with(verb));
-        if !is_asked || finding.labels.is_empty() || ELSEWHERE.contains(&finding.rule.id) {
+        if !is_asked || finding.labels.is_empty() {
             continue;
         }
         let seen = counts.entry(finding.rule.id).or_default();
@@ -248,36 +311,36 @@ fn stubborn(path: &Path, tried: &mut Tried) -> Vec<String> {
         }
         let tried = tried.entry(finding.rule.id).or_default();
         tried[0] += 1;
-        let Some((text, changed)) = followed(&description, finding, &help) else { continue };
+        let Some(first) = followed(&description, finding, &help) else { continue };
         tried[1] += 1;
-        let mut options_of_source = SourceOptions::default();
-        options_of_source.encoding = Some(description.source().encoding());
-        let name = description.source().name();
-        let source = SourceFile::from_bytes(name, text.into_bytes(), &options_of_source).unwrap();
-        let read = format::read(source, description.format());
-        let findings_after = check_with(&read, &options(path));
-        let after = places(&read, &findings_after);
+        // the other elements of an ARRAY have the same finding, and its help is followed too
+        let (mut text, mut changed) = first;
+        let mut last = Vec::new();
         let count =
             |findings: &Findings| findings.iter().filter(|other| other.rule.id == finding.rule.id).count();
-        let mut report = |what: &str| {
-            found.push(format!(
-                "{}: {}: {} | {help} | {what}",
-                path.display(),
-                finding.rule.id,
-                finding.message
-            ));
-        };
-        if count(&findings_after) >= count(&findings) {
-            report("stays");
-        }
-        for ((rule, message, section), count) in &after {
-            let is_new = before
-                .iter()
-                .all(|((other, known, _), times)| other != rule || known != message || times < count);
-            if is_new && *rule != finding.rule.id && !changed.contains(section) {
-                report(&format!("causes {section} {rule}: {message}"));
+        let mut left = count(&findings);
+        for _ in 0..MOST_STEPS {
+            let read = read_again(&description, text);
+            let findings_after = check_with(&read, &options(path));
+            last = consequences(&before, &places(&read, &findings_after), finding.rule.id, &changed);
+            let now = count(&findings_after);
+            if now >= left {
+                last.push("stays".to_owned());
             }
+            left = now;
+            let is_it = |other: &&Diagnostic| other.rule.id == finding.rule.id && !other.labels.is_empty();
+            let next = findings_after.iter().filter(is_it).find_map(|other| {
+                let help = other.help.as_ref()?.to_string();
+                followed(&read, other, &help)
+            });
+            let Some((next, more)) = next.filter(|_| !last.is_empty() && now > 0) else { break };
+            text = next;
+            changed.extend(more);
         }
+        let what = |what: String| {
+            format!("{}: {}: {} | {help} | {what}", path.display(), finding.rule.id, finding.message)
+        };
+        found.extend(last.into_iter().map(what));
     }
     found
 }

@@ -1,7 +1,7 @@
 //! The values that the documents name for an entry, with their meanings.
 
 use objdict_format::scaffold;
-use objdict_model::model::{DataType, Device, PdoKind, Value};
+use objdict_model::model::{CobId, DataType, Device, PdoKind, Value};
 use objdict_profile as profile;
 use objdict_profile::BitFieldFacts;
 
@@ -32,14 +32,9 @@ pub(super) fn named(device: &Device, index: u16, sub: u8) -> Vec<(String, String
     if let [field] = fields[..] {
         let numbers = field.meanings().flat_map(|(range, meaning)| {
             let [first, last] = [*range.start(), *range.end()].map(|number| signed(number, data_type));
-            let numbers = if last - first < FEW {
-                first..=last
-            } else if last < 0 {
-                last..=last
-            } else {
-                first..=first
-            };
-            numbers.map(move |number| (number, meaning.to_owned()))
+            let first = if last < 0 && last - first >= FEW { last } else { first };
+            let last = if last - first < FEW { last } else { first };
+            (first..=last).map(move |number| (number, meaning.to_owned()))
         });
         let allowed = numbers.filter(|(number, _)| accepts(*number));
         values.extend(allowed.map(|(number, meaning)| (number.to_string(), meaning)));
@@ -65,9 +60,8 @@ pub(super) fn named(device: &Device, index: u16, sub: u8) -> Vec<(String, String
 /// The COB-ID of a PDO or a service: that of the predefined connection set, where the number has one.
 fn usual(device: &Device, index: u16, sub: u8) -> Option<Value> {
     if let (Some((kind, number)), 1) = (PdoKind::of_communication(index), sub) {
-        let [(_, object), _] = scaffold::pdo(device, kind, number, Vec::new())?;
-        let value = object.subs.get(1)?.default.clone()?;
-        return kind.predefined_can_id(number).map_or(Some(value), |base| Some(Value::NodeId(base.into())));
+        let none = Value::Unsigned(CobId::BIT_31.into());
+        return Some(kind.predefined_can_id(number).map_or(none, |base| Value::NodeId(base.into())));
     }
     let is_cob_id = matches!((index, sub), (0x1005 | 0x1012 | 0x1014, 0) | (0x1200..=0x12FF, 1 | 2));
     if is_cob_id { scaffold::entry(device, index, sub)?.default } else { None }

@@ -14,10 +14,12 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     }
     let message = say!("{} has object type {}; {} requires {!}", at, found, at.applied.document(), expected);
     let finding = Diagnostic::new(rule, Place::object(index).field(Field::ObjectType), message);
-    let finding = finding.help(say!(
-        "write `{}`",
-        Argument::setting(Field::ObjectType, format_args!("0x{:X}", expected.code()))
-    ));
+    let setting = Argument::setting(Field::ObjectType, format_args!("0x{:X}", expected.code()));
+    let finding = finding.help(match (found.has_subs(), expected.has_subs()) {
+        (true, false) => say!("describe a single value, with `{}` and without sub-indexes", setting),
+        (false, true) => say!("describe the sub-indexes, and write `{}`", setting),
+        _ => say!("write `{}`", setting),
+    });
     let harmless = at.facts.object_types.contains(&found);
     findings.push(if harmless { finding.severity(Severity::Warning) } else { finding });
 }

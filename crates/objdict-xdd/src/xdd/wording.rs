@@ -9,7 +9,7 @@ use super::schema::{
     self, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES, OBJECT, SchemaAttribute,
     SchemaElement,
 };
-use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity, Vocabulary};
+use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity, Vocabulary, say};
 use crate::model::{Access, DataType, Field};
 use crate::source::Span;
 use crate::xdd::types::simple_type;
@@ -190,6 +190,13 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
                 Some(Field::VendorNumber | Field::ProductNumber) => finding.severity = Severity::Warning,
                 _ => {}
             }
+        }
+        let written = || {
+            let name = span(&finding)?.of(text).trim_matches(['"', '\'']);
+            Some(text.matches(&format!("fileName=\"{name}\"")).count())
+        };
+        if finding.rule.id == "cia306/file-name" && written() > Some(1) {
+            finding.help = finding.help.take().map(|help| say!("{} in both profiles", help));
         }
         // access, data type and limits of an entry may be those of its parameter
         let is_at = |field: Field, attribute: &str| {

@@ -320,8 +320,13 @@ fn wrong_mapping_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
         let finding = finding.label(target.field(Field::DataType), "the data type");
         let right = MappedObject { bits, ..mapped.object };
         let right = format!("0x{:08X}", right.to_number());
-        let title = say!("write `{}`", right);
-        let finding = finding.help(title.clone()).fix(Fix::risky(title).set(place, right));
+        let title = say!("write `{}`", right.clone());
+        let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity).unwrap_or(0);
+        let help = match granularity > 0 && !bits.is_multiple_of(granularity) {
+            true => say!("map {} bits, which needs another `{Granularity}`, or map another object", bits),
+            false => title.clone(),
+        };
+        let finding = finding.help(help).fix(Fix::risky(title).set(place, right));
         let whole_byte = entry.data_type == Some(DataType::BOOLEAN) && stated == 8;
         findings.push(if whole_byte { finding.severity(Severity::Warning) } else { finding });
     }

@@ -186,25 +186,18 @@ fn missing_section(device: &Device, findings: &mut Findings) {
     // keys before the first section, which another rule reports, probably belong to `FileInfo`
     let headless = device.extra.iter().any(|section| section.name().is_empty());
     if device.file_info.is_none() && !headless {
-        findings.push(report_section(
-            &Part::FileInfo,
-            severe,
-            say!("add `{}` with the author and the date of the file", Part::FileInfo),
-        ));
+        findings.push(report_section(&Part::FileInfo, severe, "with the author and the date of the file"));
     }
     if device.device_info.is_none() {
         let severity = if is_node { Severity::Warning } else { Severity::Error };
         findings.push(report_section(
             &Part::DeviceInfo,
             severity,
-            say!("add `{}` with the vendor, the product and the features of the device", Part::DeviceInfo),
+            "with the vendor, the product and the features of the device",
         ));
     }
     if device.dummy_usage.is_none() {
-        let help = say!(
-            "add `{}`, with `Dummy0005=1` for each type that may fill a gap in an RPDO",
-            Part::DummyUsage
-        );
+        let help = "with `Dummy0005=1` for each type that may fill a gap in an RPDO";
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
         let fix =
@@ -215,14 +208,7 @@ fn missing_section(device: &Device, findings: &mut Findings) {
         let none = vec![(Field::Lines, "0".to_owned())];
         let fix =
             Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
-        findings.push(
-            report_section(
-                &Part::Comments,
-                Severity::Note,
-                say!("add `{}` with `{Lines=0}`", Part::Comments),
-            )
-            .fix(fix),
-        );
+        findings.push(report_section(&Part::Comments, Severity::Note, say!("with `{Lines=0}`")).fix(fix));
     }
     check_list_sections(device, light, findings);
 }
@@ -240,11 +226,7 @@ fn check_list_sections(device: &Device, light: Severity, findings: &mut Findings
         if objects == 0 {
             // another rule reports missing mandatory objects
             if list != ObjectList::Mandatory {
-                let finding = report_section(
-                    &Part::List(list),
-                    light,
-                    say!("add `{}` with `{SupportedObjects=0}`", list),
-                );
+                let finding = report_section(&Part::List(list), light, say!("with `{SupportedObjects=0}`"));
                 findings.push(finding.fix(fix));
             }
             continue;
@@ -278,6 +260,7 @@ fn section_is_missing(section: &Part) -> Text {
 }
 
 fn report_section(section: &Part, severity: Severity, help: impl Into<Text>) -> Diagnostic {
+    let help = say!("add `{}` {}", section.clone(), help.into());
     MISSING_SECTION.at(Place::device(), section_is_missing(section)).severity(severity).help(help)
 }
 
@@ -303,12 +286,11 @@ fn object_listed_twice(device: &Device, findings: &mut Findings) {
             };
             // the place is that of the edit
             let is_first_wrong = other != list && ObjectList::of(index) == Some(list);
-            let wrong = if is_first_wrong { other } else { list };
-            let (edited, kept, label) = match is_first_wrong {
-                true => (place(other, at), place(list, number), "also here"),
-                false => (place(list, number), place(other, at), "first here"),
+            let (wrong, edited, kept) = match is_first_wrong {
+                true => (other, place(other, at), place(list, number)),
+                false => (list, place(list, number), place(other, at)),
             };
-            let finding = OBJECT_LISTED_TWICE.at(edited, message).label(kept, label);
+            let finding = OBJECT_LISTED_TWICE.at(edited, message).label(kept, "also here");
             let mut finding = match other == list {
                 true => finding.help("remove the second entry"),
                 false => finding.help(say!("remove it from `{}`", wrong)),

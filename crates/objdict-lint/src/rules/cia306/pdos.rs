@@ -176,7 +176,8 @@ fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
     let finding = MAPPING_NOT_POSSIBLE.at(at.field(Field::PdoMapping), message).label(at.field(field), label);
     let title = say!("write `{PDOMapping=0}`");
     let fix = Fix::risky(title.clone()).set(at.field(Field::PdoMapping), "0");
-    findings.push(finding.help(title).fix(fix));
+    let of_mapped = || say!("map another object in its place, then write `{PDOMapping=0}`");
+    findings.push(finding.help(if is_mapped(at) { of_mapped() } else { title }).fix(fix));
 }
 
 /// Whether the value of a string has 1 to 8 bytes, which a PDO can carry.

@@ -336,7 +336,7 @@ fn low_limit_above_high(at: &EntryAt<'_>, findings: &mut Findings) {
             at.entry.data_type.is_some_and(|data_type| matches!(data_type.kind(), TypeKind::Signed(_)));
         findings.push(match is_signed {
             true => {
-                let title = say!("write `{LowLimit}` in decimal, `{}`, or with all digits of the type", number);
+                let title = say!("write `{}`, or the hex number with all digits of the type", number);
                 let fix = Fix::risky(title.clone()).set(at.field(Field::LowLimit), number.to_string());
                 finding.help(title).fix(fix)
             }

@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, text_rules};
 use crate::source::Span;
 use crate::xdd::profile_class::ProfileClass;
 use crate::xdd::schema::{self, EXTERNAL_NETWORK_BODY};
-use crate::xml::{Element, Name, n};
+use crate::xml::{Attribute, Element, Name, n};
 
 use super::walk::Walk;
 
@@ -155,7 +155,11 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
         if let Some((_, name)) = value.rsplit_once(['/', '\\']).filter(|(_, name)| !name.is_empty()) {
             let message = format!("`{value}` contains a path");
             let finding = Diagnostic::new(&FILE_NAME_WITH_PATH, attribute.value_span(), message);
-            findings.push(finding.help(format!("write `{name}`")));
+            let other = network.and_then(|network| network.attribute(n::fileName)).map(Attribute::value);
+            let is_in_both = device.is_some() && other.is_some_and(|other| other == value);
+            findings.push(
+                finding.help(format!("write `{name}`{}", if is_in_both { " in both profiles" } else { "" })),
+            );
         }
     }
 }

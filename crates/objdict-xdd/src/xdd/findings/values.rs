@@ -166,7 +166,7 @@ fn finding(text: &str, kind: TextKind, at: Span, name: &str) -> Diagnostic {
         }
         TextKind::BaudRate => new(&INVALID_BAUD_RATE, "not a bit rate of CiA 311").help(rate_help(text)),
         TextKind::Dummy => new(&INVALID_DUMMY, "not of the form `Dummy0001=0`")
-            .help("write `Dummy`, the data type from 0001 to 0007, and `=0` or `=1`"),
+            .help("write the data type from 0001 to 0007 and 0 or 1, such as `Dummy0005=1`"),
         TextKind::Language | TextKind::Languages => {
             new(&INVALID_LANGUAGE, "not a language code").help(language_help(text))
         }
