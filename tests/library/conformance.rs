@@ -40,6 +40,8 @@ fn with_everything() -> Device {
     };
     add(0x1006, 0, DataType::UNSIGNED32, 0);
     add(0x1012, 0, DataType::UNSIGNED32, 0x100);
+    add(0x1029, 0, DataType::UNSIGNED8, 1);
+    add(0x1029, 1, DataType::UNSIGNED8, 0);
     add(0x1019, 0, DataType::UNSIGNED8, 0);
     for (index, [client, server]) in [(0x1200, [0x605, 0x585]), (0x1201, [0x8000_0000; 2])] {
         add(index, 0, DataType::UNSIGNED8, 2);

@@ -90,7 +90,7 @@ const HEADER: usize = 10;
 
 /// The last image of a group.
 #[derive(Clone, Copy)]
-struct Kept {
+struct KeptImage {
     /// Where its bank starts.
     offset: u32,
     number: u32,
@@ -120,7 +120,7 @@ impl<F: NorFlash> FlashStorage<F> {
     }
 
     /// The image in a bank, if it is whole.
-    fn kept(&mut self, offset: u32) -> Result<Option<Kept>, Abort> {
+    fn kept(&mut self, offset: u32) -> Result<Option<KeptImage>, Abort> {
         let mut header = [0; HEADER];
         self.region.read(offset, &mut header)?;
         let [a, b, c, d, e, f, g, h, check @ ..] = header;
@@ -135,11 +135,11 @@ impl<F: NorFlash> FlashStorage<F> {
             self.region.read(offset + (UNIT + start) as u32, unit)?;
             found = crc(found, unit);
         }
-        Ok((found == u16::from_le_bytes(check)).then_some(Kept { offset, number, length }))
+        Ok((found == u16::from_le_bytes(check)).then_some(KeptImage { offset, number, length }))
     }
 
     /// The last image of a group.
-    fn last(&mut self, group: usize) -> Result<Option<Kept>, Abort> {
+    fn last(&mut self, group: usize) -> Result<Option<KeptImage>, Abort> {
         let [first, second] = self.banks(group)?;
         Ok(match (self.kept(first)?, self.kept(second)?) {
             // numbers begin again after the highest one

@@ -46,7 +46,7 @@ pub use sdo::crc::crc;
 pub use sdo::{SdoClient, SdoData, SdoServer, SdoStep};
 #[cfg(feature = "critical-section")]
 pub use shared::Shared;
-pub use storage::{Grouped, Loss, LossReason, Storage, Stored};
+pub use storage::{Grouped, LossReason, Storage, StorageLoss, Stored};
 pub use sync::SyncProducer;
 pub use table::Abort;
 pub use watched::{Watchable, Watched};

@@ -4,17 +4,11 @@ use crate::clock::earlier;
 use crate::errors::{self, error_code};
 use crate::guard::Guarded;
 use crate::heartbeat::CONSUMER_TIME;
-use crate::services::Services;
+use crate::services::{ERROR_BEHAVIOUR, STARTUP, Services};
 use crate::{
     Dictionary, Errors, Frame, Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState, Pdos, Reception,
     Scope, SdoServer, SyncProducer, sync,
 };
-
-/// What a node does after a communication error.
-pub(crate) const ERROR_BEHAVIOUR: u16 = 0x1029;
-
-/// Whether the node starts by itself.
-pub(crate) const STARTUP: u16 = 0x1F80;
 
 /// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, `R` RPDOs, `T` TPDOs and room to monitor `N` other nodes,
 /// where each service works in the NMT states that CiA 301 gives it. The generated file has a type and a constructor with the numbers

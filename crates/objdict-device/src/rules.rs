@@ -3,10 +3,9 @@
 
 use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::heartbeat::{CONSUMER_TIME, monitored};
-use crate::node::{ERROR_BEHAVIOUR, STARTUP};
 use crate::pdo::mapping::Mapped;
 use crate::pdo::transmission_type::is_event_driven;
-use crate::services::{RESTORE, STORE, Services};
+use crate::services::{ERROR_BEHAVIOUR, RESTORE, STARTUP, STORE, Services};
 use crate::{Abort, Dictionary, errors, sync};
 
 const BOOLEAN: u8 = 0x01;

@@ -6,6 +6,12 @@ use crate::Dictionary;
 pub(crate) const STORE: u16 = 0x1010;
 pub(crate) const RESTORE: u16 = 0x1011;
 
+/// What a node does after a communication error.
+pub(crate) const ERROR_BEHAVIOUR: u16 = 0x1029;
+
+/// Whether the node starts by itself.
+pub(crate) const STARTUP: u16 = 0x1F80;
+
 /// The services that follow what is written to the dictionary, and what they can do.
 pub trait Services {
     /// Whether they can send SYNC.

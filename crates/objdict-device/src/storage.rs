@@ -21,7 +21,7 @@ pub trait Storage {
     /// Copies the image of a group. Where none was ever kept, or it was erased, all bytes are the same, such as FFh.
     ///
     /// # Errors
-    /// Why it cannot be read: [`Stored::lost`] tells the application.
+    /// Why it cannot be read: [`Stored::lost`] has it.
     fn load(&mut self, group: usize, image: &mut [u8]) -> Result<(), Abort>;
 
     /// Forgets the image of a group.
@@ -34,7 +34,7 @@ pub trait Storage {
 /// Stored values that could not be read, so that the defaults are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Loss {
+pub struct StorageLoss {
     /// The number of the storage group.
     pub group: usize,
     /// Why.
@@ -45,9 +45,9 @@ pub struct Loss {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LossReason {
-    /// The memory has no valid image, or cannot be read.
+    /// The memory has no valid image, which may be one that was never complete, or cannot be read.
     Memory(Abort),
-    /// The image is damaged, or that of another table.
+    /// The image is corrupted, or that of another table.
     Image(ImageError),
 }
 
@@ -63,14 +63,14 @@ pub struct Stored<V, S, const IMAGE: usize> {
     pub data: V,
     /// The memory.
     pub storage: S,
-    lost: Option<Loss>,
+    lost: Option<StorageLoss>,
 }
 
 impl<V, S, const IMAGE: usize> Stored<V, S, IMAGE> {
     /// The first group whose values were stored and could not be read, at power-on and at the resets since; an application reports it
     /// as the error [`DATA_SET`](crate::error_code::DATA_SET).
     #[must_use]
-    pub const fn lost(&self) -> Option<Loss> {
+    pub const fn lost(&self) -> Option<StorageLoss> {
         self.lost
     }
 }
@@ -86,7 +86,7 @@ impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Stored<Data<D
     fn load(&mut self, scope: Scope) {
         for (number, group) in D::GROUPS.iter().enumerate() {
             if let Err(reason) = self.load_group(number, group, scope) {
-                self.lost.get_or_insert(Loss { group: number, reason });
+                self.lost.get_or_insert(StorageLoss { group: number, reason });
             }
         }
     }

@@ -36,7 +36,7 @@ text_rules! {
     example: "`heartbeat_produce: 500`",
     remedy: "Correct the name or remove the key.",
 
-    "keys/former-key" = FORMER_KEY, Note, fix Safe;
+    "keys/former-key" = FORMER_KEY, Warning, fix Safe;
     summary: "a key that has another name now",
     checks: "Whether a key has the name that it has in all files of objdict: `event-timer` for `event` in a `device.toml`, `transmission` for `type` in a `network.toml`.",
     why: "The same parameter of a PDO would have several names, one in each file. The former name is still read.",

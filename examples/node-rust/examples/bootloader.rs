@@ -9,7 +9,7 @@ use std::net::TcpListener;
 use std::time::Instant;
 
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
-use objdict_device::{FlashStorage, NmtCommand, Received, Region, WithProgram};
+use objdict_device::{FlashStorage, NmtCommand, Received, Region, WithProgram, error_code};
 
 use slcan::Bus;
 
@@ -87,16 +87,19 @@ fn run(mut bus: Bus) -> io::Result<()> {
     let (pages, program) = (Ram::new(), Ram::new());
     let beyond = || io::Error::other("not a region of this flash");
 
-    // the values that 1010h stores, in the last page
-    let region = Region::new(pages, 0x3_F800, 0x4_0000).ok_or_else(beyond)?;
+    // the values that 1010h stores, in the last pages
+    let region = Region::new(pages, 0x3_E000, 0x4_0000).ok_or_else(beyond)?;
     let storage = FlashStorage::new(region, od::groups::COUNT).ok_or_else(beyond)?;
     let values = od::Stored::new(od::NODE_ID, storage);
     // there is no program yet
-    let region = Region::new(program, 0x1_0000, 0x3_F800).ok_or_else(beyond)?;
+    let region = Region::new(program, 0x1_0000, 0x3_E000).ok_or_else(beyond)?;
     let dictionary = WithProgram::new(values, region, 0);
     let mut device: od::Node<64, 1, _> = od::Node::new(od::NODE_ID, dictionary, od::pdos());
 
     bus.send(&device.boot(now()))?;
+    if let Some(loss) = device.dictionary.data.lost() {
+        device.report(error_code::DATA_SET, [loss.group as u8, 0, 0, 0, 0]);
+    }
     loop {
         for frame in bus.receive()? {
             match device.receive(&frame, now()) {

@@ -6,7 +6,7 @@ use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashEr
 use objdict_device::{
     Abort, Attributes, Dictionary, FlashStorage, Frame, Node, Pdos, ProgramRequest, ProgramState,
 };
-use objdict_device::{Loss, LossReason, Received, Region, Scope, Storage, WithProgram};
+use objdict_device::{LossReason, Received, Region, Scope, Storage, StorageLoss, WithProgram};
 
 /// A flash in RAM: what is written must have been erased, in whole units.
 #[derive(Clone)]
@@ -125,8 +125,10 @@ impl Random {
 fn a_power_failure_loses_nothing_that_was_stored() {
     const LENGTH: usize = 120;
     let mut random = Random(59);
-    let (mut flash, mut stored) = (Ram::new(1024), vec![0xFF; LENGTH]);
-    flash.erase(0, 1024).unwrap();
+    let mut storage = FlashStorage::new(Region::new(Ram::new(1024), 0, 1024).unwrap(), 2).unwrap();
+    let mut stored = vec![7; LENGTH];
+    storage.save(1, &stored).unwrap();
+    let mut flash = storage.into_region().flash;
     let (mut old, mut new) = (0, 0);
     for _ in 0..10_000 {
         let is_erased = random.below(8) == 0;
@@ -275,7 +277,7 @@ mod stored {
         flash.bytes[1024 + 64 + 7] ^= 1;
         let storage = FlashStorage::new(Region::new(flash, 0, 2048).unwrap(), 2).unwrap();
         let mut damaged = powered(5, storage);
-        let loss = Loss { group: 1, reason: LossReason::Memory(Abort::NoData) };
+        let loss = StorageLoss { group: 1, reason: LossReason::Memory(Abort::NoData) };
         assert_eq!(damaged.dictionary.data.lost(), Some(loss));
         assert_eq!(damaged.dictionary.number(0x6202, 1), Ok(0));
         assert_eq!(powered(5, self::storage()).dictionary.data.lost(), None, "nothing was ever stored");

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::client::{Client, edited, fixture, position};
 
 /// What an object or a value asks of others: the author has to go on there.
-const OF_OTHERS: [&str; 35] = [
+const OF_OTHERS: [&str; 37] = [
     "cia301/emergency-disabled",
     "cia301/incomplete-eds-storage",
     "cia301/incomplete-node-guarding",
@@ -25,6 +25,7 @@ const OF_OTHERS: [&str; 35] = [
     "cia401/channels-not-in-device-type",
     "cia401/different-channel-count",
     "cia401/error-mode-without-value",
+    "cia401/missing-object",
     "cia401/wrong-default-mapping",
     "cia401/wrong-transmission-type",
     "cia402/device-type-without-drive",
@@ -33,6 +34,7 @@ const OF_OTHERS: [&str; 35] = [
     "cia402/interpolation-without-data",
     "cia402/missing-object",
     "cia402/mode-not-stated",
+    "cia402/mode-outside-limits",
     "cia402/notation-without-dimension",
     "cia402/target-without-actual-value",
     "cia402/time-without-window",

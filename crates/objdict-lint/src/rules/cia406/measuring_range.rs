@@ -151,13 +151,15 @@ fn revolutions_of_single_turn(facts: &Facts<'_>, applied: &Applied<'_>, findings
     let value = |index: u16| device.object(index)?.value(0)?.as_integer();
     let (device_type, index) = (device_type_index(device, block), index_in(block, 0x6502));
     let (Some(kind), Some(revolutions)) = (value(device_type), value(index)) else { return };
+    // in a template without the values of a device, the resolution is 1 too
+    let has_steps = value(index_in(block, 0x6501)) != Some(1);
     let (message, label, help) = match (kind >> 16, revolutions) {
         (1, 2..) => (
             say!("a single-turn encoder has `{}` revolutions", revolutions),
             "type 1, single-turn",
             "write 1 or the type of a multi-turn encoder",
         ),
-        (2, 1) => (
+        (2, 1) if has_steps => (
             "a multi-turn encoder has only `1` revolution".into(),
             "type 2, multi-turn",
             "write the number of revolutions or the type of a single-turn encoder",
