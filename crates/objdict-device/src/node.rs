@@ -102,9 +102,9 @@ impl<
         }
     }
 
-    /// Gives a node that waits for [`Node::boot`] another node-ID, such as the one that LSS configured. All values are those of
-    /// power-on: what was stored, and otherwise the defaults. Values that were stored with their default for another node-ID are the
-    /// defaults for this one.
+    /// Gives a node that waits for [`Node::boot`] another node-ID, such as the one that LSS configured. All values
+    /// become what they are at power-on: what was stored, otherwise the defaults. A default that was stored for another node-ID becomes
+    /// the default for this one.
     pub fn set_node_id(&mut self, node_id: u8) {
         self.nmt = Nmt::new(node_id);
         self.errors = Errors::new(node_id);

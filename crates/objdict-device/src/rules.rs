@@ -25,7 +25,7 @@ const LIFE_TIME_FACTOR: u16 = 0x100D;
 /// The bits of 1F80h that make the node a master, or that only a master heeds. Bit 3 does not switch anything on.
 const MASTER_BITS: u64 = 0b0111_0011;
 
-/// The bit of the COB-ID of a TPDO that says that remote frames are not answered.
+/// Disables remote frames in the COB-ID of a TPDO.
 const NO_REMOTE_FRAMES: u32 = 1 << 30;
 
 /// The COB-IDs of the emergency messages of other nodes.

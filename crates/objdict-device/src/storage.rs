@@ -47,7 +47,7 @@ pub struct StorageLoss {
 pub enum LossReason {
     /// The memory has no valid image, which may be one that was never complete, or cannot be read.
     Memory(Abort),
-    /// The image is corrupted, or that of another table.
+    /// The image is corrupted, or belongs to another table.
     Image(ImageError),
 }
 

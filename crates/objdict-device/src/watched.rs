@@ -132,7 +132,7 @@ impl<V: Watchable<H>, H, const FLAGS: usize> Watched<V, H, FLAGS> {
         Some((self.changed.get_mut(row / 8)?, 1 << (row % 8)))
     }
 
-    /// Whether the application does what an entry of 1010h or 1011h says.
+    /// Whether a hook executes the command in an entry of 1010h or 1011h.
     fn is_command_hooked(index: u16, sub: u8) -> bool {
         Entry::<V::Table>::find(index, sub).is_ok_and(Entry::is_hooked)
     }

@@ -46,7 +46,7 @@ pub(super) fn named(device: &Device, index: u16, sub: u8) -> Vec<(String, String
     }
     let present = present.map(std::borrow::Cow::into_owned).or(usual).unwrap_or(Value::Unsigned(0));
     let is_cob_id = fields.iter().any(|field| field.name == "CAN-ID");
-    // a CAN-ID of 11 bits stays one, and 0 is that of NMT
+    // a CAN-ID of 11 bits stays one, and NMT has 0
     let is_free = |number: i128| !is_cob_id || number & CAN_ID != 0;
     let fields = fields.iter().filter(|field| !is_cob_id || field.name != "frame");
     values.extend(fields.flat_map(|field| with_field(field, &present)).filter_map(|(value, meaning)| {
@@ -57,7 +57,7 @@ pub(super) fn named(device: &Device, index: u16, sub: u8) -> Vec<(String, String
     values
 }
 
-/// The COB-ID of a PDO or a service: that of the predefined connection set, where the number has one.
+/// The COB-ID that the predefined connection set gives a PDO or a service; a PDO without one is not valid.
 fn usual(device: &Device, index: u16, sub: u8) -> Option<Value> {
     if let (Some((kind, number)), 1) = (PdoKind::of_communication(index), sub) {
         let none = Value::Unsigned(CobId::BIT_31.into());

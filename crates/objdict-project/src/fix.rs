@@ -174,8 +174,8 @@ fn listed(device: &Device, fix: &Fix) -> Vec<u16> {
     added
 }
 
-/// Where the objects are written that fixes have nothing to do with. They have to do with the objects that they change or whose
-/// findings they fix, those of the same name, those that PDOs map, the communication profile, and if they change a profile, with that.
+/// Where the objects are written that no fix concerns. Fixes concern the objects that they change or whose findings they fix, objects of
+/// the same name, mapped objects, the communication profile, and the device profile if they change a part of it.
 fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec<Span> {
     let (device, mut objects) = (description.device(), description.object_spans());
     let mut related = BTreeSet::new();

@@ -1,9 +1,7 @@
 //! The COB-ID of TIME, which the node does not serve (CiA 301 §7.2.6, §7.5.2.15).
 
-use objdict_device::Abort;
-
 use super::bench::Bench;
-use super::{CheckStep, checks, impossible};
+use super::{CheckStep, checks};
 
 checks! { "TIME":
     "7.5.2.15" "1012h: bit 30 is refused" |bench| refused(bench, 0x4000_0100);
@@ -13,8 +11,5 @@ checks! { "TIME":
 }
 
 fn refused(bench: &mut Bench<'_>, cob_id: u64) -> CheckStep {
-    if bench.described.number(0x1012, 0) == cob_id {
-        return impossible(format!("1012h is {cob_id:X}h already"));
-    }
-    bench.refuse(0x1012, 0, cob_id, Abort::InvalidValue)
+    super::unserved::refused(bench, 0x1012, 0, cob_id)
 }

@@ -8,6 +8,7 @@ use objdict_generate::{UNSERVED, Unserved};
 use super::bench::Bench;
 use super::described::{DescribedEntries, DescribedEntry};
 use super::{CheckStep, ConformanceCheck, Verdict, absent, checks, impossible, verdict};
+use crate::model::CobId;
 
 const SERVICE: &str = "not served";
 
@@ -25,21 +26,17 @@ checks! { SERVICE:
     "7.5.2.37" "1800h sub 1: remote frames are refused" remote_frames;
 }
 
-/// A value that would switch a service on.
-fn refused(bench: &mut Bench<'_>, index: u16, sub: u8, number: u64) -> CheckStep {
+/// A value that would switch a service on is refused, unless the description has it.
+pub(super) fn refused(bench: &mut Bench<'_>, index: u16, sub: u8, number: u64) -> CheckStep {
     if bench.described.number(index, sub) == number {
-        return impossible(format!("{index:04X}h is {number} already"));
+        return impossible(format!("{index:04X}h is {number:X}h already"));
     }
     bench.refuse(index, sub, number, Abort::InvalidValue)
 }
 
 fn remote_frames(bench: &mut Bench<'_>) -> CheckStep {
-    const NO_REMOTE_FRAMES: u64 = 1 << 30;
     let cob_id = bench.described.number(0x1800, 1);
-    if cob_id & NO_REMOTE_FRAMES == 0 {
-        return impossible("bit 30 of 1800h sub-index 1 is clear already");
-    }
-    bench.refuse(0x1800, 1, cob_id & !NO_REMOTE_FRAMES, Abort::InvalidValue)
+    refused(bench, 0x1800, 1, cob_id & !u64::from(CobId::BIT_30))
 }
 
 fn not_served_if(has: bool, what: &str) -> CheckStep {

@@ -175,7 +175,7 @@ fn has_variable(text: &str) -> bool {
     text.bytes().any(|byte| matches!(byte, b'@' | b'{' | b'%')) && VARIABLES.iter().any(has)
 }
 
-/// Whether a text of the header is still that of a template.
+/// Whether a text of the header still comes from a template.
 fn is_template(text: &str) -> bool {
     let is_reminder = |word: &&str| text.strip_prefix(*word).is_some_and(|rest| rest.starts_with([':', ' ']));
     let is_row = |digit: u8| text.len() > 2 && text.bytes().all(|byte| byte.eq_ignore_ascii_case(&digit));
