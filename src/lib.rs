@@ -216,7 +216,7 @@ pub use objdict_project::baseline;
 pub use objdict_project::compat;
 #[cfg(feature = "lint")]
 pub use objdict_project::{AppliedFix, Fixed, config, fix, fix_for_readers, with_sound_fixes, workspace};
-pub use objdict_project::{check, check_with, registry, report};
+pub use objdict_project::{check, check_unordered, check_with, registry, report};
 #[cfg(feature = "full")]
 #[doc(hidden)] // for the command, the workbench and the module of Python
 pub use objdict_traffic as traffic;
@@ -242,7 +242,7 @@ pub mod format {
     #[cfg(feature = "toml")]
     pub use objdict_format::{
         ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, concise,
-        convert, device_schema, json, losses, new_device_toml, patch, unread, write,
+        convert, device_schema, has_meaning_keys, json, losses, new_device_toml, patch, unread, write,
     };
     pub use objdict_format::{Description, ReadError, identify, input, open, read};
     pub use objdict_model::source::EditError;

@@ -1,10 +1,11 @@
 //! `objdict diff`: the old description of a revision, severities of the configuration, equal changes of several entries.
 
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use crate::support::skips::has;
+use crate::support::skips::{has, sample};
 
 fn git(folder: &Path, arguments: &[&str]) {
     let mut git = Command::new("git");
@@ -121,4 +122,74 @@ fn the_configuration_says_what_counts() {
         assert_eq!((found, (code, risky)), (changes, codes), "{level}");
         assert_eq!(said(folder, &[&select[..], &["--no-config"]].concat()).1, 1, "{level}");
     }
+}
+
+/// The identifiers that a change names are in the generated headers: of the moved and respelled entries of a list, of neighbours
+/// among the fixtures and, with `OBJDICT_CORPUS_DIR`, of neighbours below that folder.
+#[test]
+fn identifiers_are_those_of_the_headers() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let write = |name: &str, entries: &str| {
+        let head =
+            "format = \"objdict-device/1\"\nprofile = \"301@1\"\n[device]\nproduct-name = \"L\"\n[object]\n";
+        fs::write(folder.join(name), format!("{head}{entries}\n")).unwrap();
+        folder.join(name)
+    };
+    let old = "2000.name = \"List\"\n2000.sub.1 = { name = \"A\", type = \"u8\" }\n2000.sub.2 = { name = \"Node ID\", type = \"u8\" }";
+    let new = old.replace("Node ID", "All states") + "\n2000.sub.3 = { name = \"Node Id\", type = \"u8\" }";
+    let (old, new) = (write("old.toml", old), write("new.toml", &new));
+    assert!(named_by_diff(folder, &old, &new).is_empty(), "the entry has its identifier at its new place");
+
+    let mut pairs = vec![(old, new), ("fixtures/bases/drive.eds".into(), "fixtures/diff/drive-2.eds".into())];
+    let folders = ["fixtures/eds".into()].into_iter();
+    let corpus = std::env::var_os("OBJDICT_CORPUS_DIR").map(|corpus| Path::new(&corpus).join("eds"));
+    for descriptions in folders.chain(corpus) {
+        let entries = fs::read_dir(&descriptions).unwrap().map(|entry| entry.unwrap().path());
+        let mut files: Vec<PathBuf> = entries.collect();
+        files.sort();
+        pairs.extend(sample(files.windows(2).map(|pair| (pair[0].clone(), pair[1].clone()))));
+    }
+    let mut count = 0;
+    for (old, new) in &pairs {
+        let [old, new] = [old, new].map(|file| fs::canonicalize(file).unwrap());
+        let named = named_by_diff(folder, &old, &new);
+        count += named.len();
+        for (file, number) in [(&old, 0), (&new, 1)] {
+            let header = header(folder, file);
+            let missing = named.iter().map(|names| &names[number]).find(|name| !header.contains(*name));
+            assert_eq!(missing, None, "{}", file.display());
+        }
+    }
+    assert!(count > 0, "no identifier changed");
+}
+
+/// What C identifiers become, as `diff` prints it.
+fn named_by_diff(folder: &Path, old: &Path, new: &Path) -> Vec<[String; 2]> {
+    let (text, _) = said(folder, &["diff", old.to_str().unwrap(), new.to_str().unwrap()]);
+    let names = text.lines().filter_map(|line| {
+        let (_, names) = line.split_once("in C `")?;
+        let (before, rest) = names.split_once("` becomes `")?;
+        Some([before.to_owned(), rest.split_once('`')?.0.to_owned()])
+    });
+    names.collect()
+}
+
+/// The words of the header that `generate` writes; of a device without tables, none that `diff` could name.
+fn header(folder: &Path, file: &Path) -> BTreeSet<String> {
+    let tables = folder.join("tables");
+    let arguments = ["generate", "--force", "--target", "c", "-o", tables.to_str().unwrap(), "--overwrite"];
+    let arguments = [&arguments[..], &[file.to_str().unwrap()]].concat();
+    let (said, code) = said(folder, &arguments);
+    assert_eq!(code, 0, "{said}");
+    let mut words = BTreeSet::new();
+    for entry in fs::read_dir(&tables).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "h") {
+            let text = fs::read_to_string(path).unwrap();
+            words.extend(text.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_owned));
+        }
+    }
+    fs::remove_dir_all(&tables).unwrap();
+    words
 }

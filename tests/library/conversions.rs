@@ -306,7 +306,7 @@ fn a_listed_object_without_a_section_stays_listed() {
     assert!(paths(&written, LossKind::Lost).contains(&"/lists/manufacturer"), "{:?}", written.losses);
 }
 
-/// What the reader passes over cannot be in a new text. Comments are no data of a device, so they are not listed.
+/// What the reader passes over cannot be in a new text.
 #[test]
 fn what_is_not_read_is_listed() {
     let text = "; a comment\n[1000]\nParameterName=Type\nParameterName=Type\nDataType=7\nDataType=5\nno key\n[1000]\nParameterName=Other\n";
@@ -318,8 +318,14 @@ fn what_is_not_read_is_listed() {
             "lost: device: line 7: `no key` is not a section, key or comment",
             "lost: device: line 6: `DataType` is defined twice, as `7` and `5`; the first one is read",
             "lost: device: line 8: section `[1000]` is defined twice; the first one is read",
+            "left out: device: comments are not part of the device",
         ]
     );
+    assert_eq!(unread[3].value.to_string(), "\"; a comment\"");
+    let xml = std::fs::read_to_string(support::fixtures().join("bases/lamp.xdd")).unwrap();
+    let commented = xml.replace("<ApplicationLayers", "<!-- of the second series --><ApplicationLayers");
+    let count = |text: &str| format::unread(&read(text, Format::Xdd)).len();
+    assert_eq!(count(&commented), count(&xml) + 1);
 }
 
 /// Where a conversion has put other data than it says, or says what is not so; `None` if all is listed.

@@ -150,8 +150,10 @@ fn a_compact_array_has_its_names_and_values() {
 #[test]
 fn what_the_standard_does_not_have_is_kept() {
     let unknown = device("05_unknown_key");
-    let extra = &unknown.object(0x2000).unwrap().main.extra;
-    assert!(extra.get("Unit").is_some() && extra.get("AcmeColour").is_some());
+    let entry = &unknown.object(0x2000).unwrap().main;
+    assert!(entry.extra.get("AcmeColour").is_some());
+    let unit = entry.parameter.as_ref().and_then(|parameter| parameter.unit.as_ref());
+    assert_eq!(unit.and_then(|unit| unit.labels.name_in("en")), Some("l/min"));
     assert!(device("06_unknown_section").extra.iter().any(|section| section.name() == "AcmePrivate"));
     let info = device("27_baudrate100").device_info.unwrap();
     assert_eq!(info.extra.get("BaudRate_100"), Some("1"));

@@ -254,13 +254,15 @@ fn the_canonical_style() {
         assert_eq!(written.losses, []);
         String::from_utf8(written.bytes).unwrap()
     };
-    let canonical = text(&WriteOptions::default());
+    // a key of python-canopen
+    let canonical = text(&options(|options| options.eds.meanings = true));
     assert!(
         canonical.lines().count() * 2 == canonical.matches(['\r', '\n']).count(),
         "every line ends with CR LF"
     );
     insta::assert_snapshot!(canonical.replace('\r', ""));
     let dense = options(|options| {
+        options.eds.meanings = true;
         options.eds.compact = true;
         options.eds.quote_strings = true;
         options.eds.real = RealSpelling::Hex;

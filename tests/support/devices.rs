@@ -48,7 +48,7 @@ impl Texts {
     }
 
     fn extra(self) -> BoxedStrategy<Extra> {
-        let keys = subsequence(vec!["Unit", "Factor", "Vendor:Key", "1_Sub0", "Übung"], 0..=2);
+        let keys = subsequence(vec!["Colour", "Group", "Vendor:Key", "1_Sub0", "Übung"], 0..=2);
         let keys = keys
             .prop_filter("ISO 646", move |keys| self == Self::Any || keys.iter().all(|key| key.is_ascii()));
         let extra = (keys, vec(self.text(), 2)).prop_map(|(keys, values)| {

@@ -229,7 +229,9 @@ impl Worker<'_> {
         // what these formats offer, other programs apply without a check of the result; only to count fixes, it takes too long
         let is_offered = matches!(self.args.report.format, ReportFormat::Json | ReportFormat::Sarif);
         let examine = |description: &Description| match check(description) {
-            findings if is_offered => objdict_project::with_sound_fixes(description, findings, check),
+            findings if is_offered => objdict_project::with_sound_fixes(description, findings, |trial| {
+                objdict_project::check_unordered(trial, &options)
+            }),
             findings => findings,
         };
         let mut findings = of_devices(&description, examine);

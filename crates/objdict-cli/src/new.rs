@@ -12,6 +12,8 @@ use objdict_format::scaffold::{BaseError, FEATURES, Feature, MIDNIGHT, NO_VENDOR
 use objdict_format::{WriteOptions, json};
 use objdict_model::model::{ClockTime, Date};
 
+const OUTPUTS: &str = "name an output that ends in .eds, .xdd, .toml or .json, or the format with `--to`";
+
 pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let profile = profile(args)?;
     if args.vendor_id.is_none() {
@@ -20,8 +22,11 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let (date, time) = date_and_time(args.date)?;
     let name = args.output.file_name().unwrap_or_default().to_string_lossy();
     let is_stdout = is_stdout(&args.output);
-    let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
-    let kind = args.to.unwrap_or_else(by_name);
+    let by_name = if is_stdout { Some(FileKind::Eds) } else { FileKind::of(&args.output) };
+    let Some(kind) = args.to.or(by_name) else {
+        let message = format!("`{}` has no extension of a known format", name_of(&args.output));
+        return Err(Failure::new(message).help(OUTPUTS));
+    };
     let wanted = Wanted {
         profile,
         features: args.features.0.clone(),
@@ -43,9 +48,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
             Some(format) => format::write(&device, format, &WriteOptions::default())?.bytes,
             None => {
                 let message = format!("a new device cannot be a {}", kind.name());
-                return Err(Failure::new(message).help(
-                    "name an output that ends in .eds, .xdd, .toml or .json, or the format with `--to`",
-                ));
+                return Err(Failure::new(message).help(OUTPUTS));
             }
         },
     };

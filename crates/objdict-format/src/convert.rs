@@ -3,7 +3,11 @@
 use std::mem;
 use std::path::Path;
 
+use objdict_eds::eds;
 use objdict_model::diagnostic::Diagnostic;
+use objdict_model::source::Span;
+#[cfg(feature = "xdd")]
+use objdict_xdd::xml;
 
 use super::description::stated_name;
 use super::{Description, EditError, Format, Loss, LossKind, Syntax, WriteOptions, Written, write};
@@ -35,8 +39,8 @@ pub fn convert(
     Ok(Written { losses, ..written })
 }
 
-/// The lines of a description of which its device has nothing, so that no new text has it: repeated sections and keys, and lines
-/// that are neither. What was repeated with the same value is not among them.
+/// The text of a description of which its device has nothing, so that no new text has it: comments, repeated sections and keys, and
+/// lines that are neither. What was repeated with the same value is not among them.
 pub fn unread(description: &Description) -> Vec<Loss> {
     let is_unread = |finding: &&Diagnostic| match finding.rule.id {
         "cia306/duplicate-section" => finding.fix.is_some() && !finding.is_understood,
@@ -45,23 +49,40 @@ pub fn unread(description: &Description) -> Vec<Loss> {
         _ => false,
     };
     let source = description.source();
-    let loss = |finding: &Diagnostic| {
+    let loss = |kind, span: Span, reason| Loss {
+        place: Place::device(),
+        path: String::new(),
+        kind,
+        value: serde_json::Value::from(span.of(source.text())).into(),
+        becomes: None,
+        reason: Some(reason),
+    };
+    let of_finding = |finding: &Diagnostic| {
         let span = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
         let line = source.line_column(span.start).line;
-        Loss {
-            place: Place::device(),
-            path: String::new(),
-            kind: LossKind::Lost,
-            value: serde_json::Value::from(span.of(source.text())).into(),
-            becomes: None,
-            reason: Some(format!("line {line}: {}", finding.message)),
-        }
+        loss(LossKind::Lost, span, format!("line {line}: {}", finding.message))
     };
-    if description.format().syntax() != Syntax::Ini {
-        return Vec::new();
+    let of_comment = |span| loss(LossKind::LeftOut, span, "comments are not part of the device".to_owned());
+    match description.document() {
+        Some(document) => {
+            let of_lines = description.text_findings();
+            let unread = of_lines.iter().chain(description.findings()).filter(is_unread).map(of_finding);
+            unread.chain(eds::comments(document).map(of_comment)).collect()
+        }
+        #[cfg(feature = "xdd")]
+        None if description.tree().is_some() => xml::comments(source.text()).map(of_comment).collect(),
+        None => Vec::new(),
     }
-    let of_lines = description.text_findings();
-    of_lines.iter().chain(description.findings()).filter(is_unread).map(loss).collect()
+}
+
+/// Whether an EDS or DCF states units, factors or descriptions of values in the keys of python-canopen.
+pub fn has_meaning_keys(description: &Description) -> bool {
+    let text = description.source().text();
+    let is_meaning_key = |finding: &Diagnostic| {
+        let name = finding.labels.first().map(|label| description.span_of(&label.at).of(text));
+        finding.rule.id == "cia306/unknown-key" && name.is_some_and(eds::is_meaning_key)
+    };
+    description.document().is_some() && description.findings().iter().any(is_meaning_key)
 }
 
 /// Removes the objects that the device does not have: an EDS cannot say so, and every other tool would take them for

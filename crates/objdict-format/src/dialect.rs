@@ -44,6 +44,8 @@ struct ReaderRow {
     known_only: bool,
     /// The sections about the file and the device, also those that say nothing.
     frame: bool,
+    /// Keys for the unit, factor and description of an entry.
+    meanings: bool,
 }
 
 const ANY: ReaderRow = ReaderRow {
@@ -56,6 +58,7 @@ const ANY: ReaderRow = ReaderRow {
     lists: false,
     known_only: false,
     frame: false,
+    meanings: false,
 };
 
 /// All readers.
@@ -70,7 +73,7 @@ const ROWS: [ReaderRow; 5] = [
         complete: true,
         lists: true,
         known_only: true,
-        frame: false,
+        ..ANY
     },
     ReaderRow {
         dialect: Dialect::PythonCanopen,
@@ -78,6 +81,7 @@ const ROWS: [ReaderRow; 5] = [
         tool: Some(Tool::PythonCanopen),
         complete: true,
         frame: true,
+        meanings: true,
         ..ANY
     },
     ReaderRow {
@@ -113,8 +117,8 @@ impl Dialect {
 
     /// How values are spelled.
     pub fn style(self) -> Style {
-        let ReaderRow { real, quote_strings, .. } = *self.row();
-        Style { real, quote_strings, ..Style::default() }
+        let ReaderRow { real, quote_strings, meanings, .. } = *self.row();
+        Style { real, quote_strings, meanings, ..Style::default() }
     }
 
     /// The device with what the reader demands, and without what it refuses.

@@ -37,7 +37,7 @@ pub use self::input::{ReadError, open};
 #[cfg(feature = "full")]
 pub use self::{
     configured::{ConfiguredFile, NodeSettings},
-    convert::{convert, unread},
+    convert::{convert, has_meaning_keys, unread},
     device_toml::{new_device_toml, object_writer, schema as device_schema},
     dialect::Dialect,
     write::{Loss, LossKind, WriteOptions, Written, losses, write},

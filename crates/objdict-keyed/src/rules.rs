@@ -36,12 +36,12 @@ text_rules! {
     example: "`heartbeat_produce: 500`",
     remedy: "Correct the name or remove the key.",
 
-    "keys/former-key" = FORMER_KEY, Warning, fix Safe;
-    summary: "a key that has another name now",
-    checks: "Whether a key has the name that it has in all files of objdict: `event-timer` for `event` in a `device.toml`, `transmission` for `type` in a `network.toml`.",
-    why: "The same parameter of a PDO would have several names, one in each file. The former name is still read.",
-    example: "`tpdo.1 = { type = \"sync/1\" }`",
-    remedy: "Rename the key. `objdict check --fix` does in a `device.toml`, and an editor does in both.",
+    "keys/former-key" = FORMER_KEY, Warning;
+    summary: "a key under its present and its former name",
+    checks: "Whether a table has a parameter only once where it had another name in an earlier version: `event-timer` and `event` in a `device.toml`, `transmission` and `type` in a `network.toml`. The former name alone is not a finding; the JSON Schemas mark it as deprecated.",
+    why: "One of the two values is not used: the one that stands first.",
+    example: "`tpdo.1 = { type = \"sync/1\", transmission = \"event\" }`",
+    remedy: "Remove one of the two.",
     source: "objdict, docs/device.md and docs/network.md",
 
     "keys/wrong-type" = WRONG_TYPE, Error,

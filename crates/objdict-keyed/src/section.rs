@@ -2,7 +2,7 @@
 
 use super::rules::{FORMER_KEY, MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{KeyedTree, Kind, Pair};
-use objdict_model::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, misspelled, nearest, say};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
 use objdict_model::literal::nanoseconds;
 use objdict_model::source::{Said, Span};
 
@@ -15,7 +15,7 @@ pub struct Key {
     pub shape: Shape,
     /// What it means: a sentence for the JSON Schema and the documentation.
     pub meaning: &'static str,
-    /// A name that it had in this kind of file, which is still read.
+    /// A name that it had in this kind of file, which means the same.
     pub former: Option<&'static str>,
     /// Whether no map can do without it.
     pub is_required: bool,
@@ -27,7 +27,7 @@ pub const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key
 }
 
 impl Key {
-    /// The key with a name that is still read, with a finding.
+    /// The key with a former name, which is a finding beside the present one only.
     #[must_use]
     pub const fn formerly(self, former: &'static str) -> Self {
         Self { former: Some(former), ..self }
@@ -38,6 +38,11 @@ impl Key {
     pub const fn required(self) -> Self {
         Self { is_required: true, ..self }
     }
+}
+
+/// The present name of a key that tables of some kind had under another one.
+pub fn present_name<'k>(keys: &[Key], name: &'k str) -> &'k str {
+    keys.iter().find(|key| key.former == Some(name)).map_or(name, |key| key.name)
 }
 
 /// What a value is.
@@ -135,18 +140,11 @@ impl<'t> KeyedTable<'t> {
         for entry in entries {
             let key = entry.key.spelled();
             if let Some(renamed) = keys.iter().find(|known| known.former == Some(&key)) {
-                let message = say!("`{}` of `{}` is called `{}`", key, name, renamed.name);
-                let finding = Diagnostic::new(&FORMER_KEY, entry.key.span, message);
-                // renamed, a key that is there under both names would be there twice
-                let has_both = entries.iter().any(|other| other.key.text() == Some(renamed.name));
-                findings.push(match has_both {
-                    true => finding.help(say!("remove one of `{}` and `{}`", key, renamed.name)),
-                    false => {
-                        let title = say!("rename it `{}`", renamed.name);
-                        let fix = Fix::safe(title.clone()).replace(entry.key.span, renamed.name);
-                        finding.help(title).fix(fix)
-                    }
-                });
+                if entries.iter().any(|other| other.key.text() == Some(renamed.name)) {
+                    let message = say!("`{}` of `{}` is the former name of `{}`", key, name, renamed.name);
+                    let finding = Diagnostic::new(&FORMER_KEY, entry.key.span, message);
+                    findings.push(finding.help(say!("remove one of `{}` and `{}`", key, renamed.name)));
+                }
             } else if !keys.iter().any(|known| known.name == key) {
                 let finding =
                     Diagnostic::new(&UNKNOWN_KEY, entry.key.span, say!("`{}` has no key `{}`", name, key));
@@ -170,7 +168,7 @@ impl<'t> KeyedTable<'t> {
         let key = self.keys.iter().find(|key| key.name == name);
         debug_assert!(key.is_some(), "{name} is not in the table");
         let position = |name: &str| self.entries.iter().position(|entry| entry.key.text() == Some(name));
-        // what extends another file comes behind it
+        // of both names, the last one counts
         let at = position(name).max(key.and_then(|key| key.former).and_then(position))?;
         Some(&self.entries[at].value)
     }

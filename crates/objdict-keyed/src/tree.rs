@@ -1,5 +1,6 @@
 //! Values with places: what YAML and TOML have in common.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use objdict_model::source::Span;
@@ -67,6 +68,24 @@ impl KeyedTree {
     pub fn get(&self, key: &str) -> Option<&KeyedTree> {
         let entries = self.entries()?;
         entries.iter().find(|entry| entry.key.text() == Some(key)).map(|entry| &entry.value)
+    }
+
+    /// The value on top of another one: tables are joined key by key, of anything else this value counts. Keys are the same that
+    /// `name` makes equal.
+    #[must_use]
+    pub fn on(&self, far: &Self, name: &impl Fn(&str) -> String) -> Self {
+        let (Some(above), Some(below)) = (self.entries(), far.entries()) else { return self.clone() };
+        let name_of = |entry: &Pair| name(&entry.key.spelled());
+        let mut nearer: BTreeMap<String, &Pair> = above.iter().map(|entry| (name_of(entry), entry)).collect();
+        let mut entries: Vec<Pair> = Vec::with_capacity(below.len() + above.len());
+        for entry in below {
+            entries.push(match nearer.remove(&name_of(entry)) {
+                None => entry.clone(),
+                Some(own) => Pair { key: own.key.clone(), value: own.value.on(&entry.value, name) },
+            });
+        }
+        entries.extend(above.iter().filter(|entry| nearer.contains_key(&name_of(entry))).cloned());
+        Self::new(self.span, Kind::Map(entries))
     }
 
     /// What the value is, for messages.

@@ -13,7 +13,7 @@ use objdict_model::diagnostic::Findings;
 use objdict_model::source::{CONFIG_FILE, Encoding, MAX_TOML_SIZE, SourceFile, SourceOptions, Span};
 use objdict_network_file::{NetworkFile, PathOptions};
 use objdict_profile::{OpenError, Profile};
-use objdict_project::check_with;
+use objdict_project::check_unordered;
 use objdict_project::config::{Config, Project};
 use objdict_project::report::Subject;
 use objdict_project::workspace::{self, Overrides, with_origin_beside};
@@ -99,7 +99,7 @@ impl Analysis {
 
     /// What a check finds in another text of the description.
     pub(super) fn check(&self, description: &Description) -> Findings {
-        check_with(description, &self.options)
+        check_unordered(description, &self.options)
     }
 
     fn of(content: FileContent, findings: Findings, options: Options) -> Self {

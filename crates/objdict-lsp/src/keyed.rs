@@ -11,16 +11,17 @@ use super::file::CheckedFile;
 use super::protocol::{CompletionItem, CompletionItemKind};
 use super::schema::Schema;
 use super::sections::{documented, missing};
-use super::words;
+use super::{values, words};
 use objdict_format as format;
 use objdict_format::identify::{ContentKind, identify_source};
 use objdict_format::scaffold;
-use objdict_format::{Format, device_schema, patch};
+use objdict_format::{Description, Format, device_schema, patch};
 use objdict_model::model::{Device, PdoKind};
 use objdict_model::source::{CONFIG_FILE, SourceFile, Span};
 use objdict_network::{Network, Node};
 use objdict_network_file as network;
 use objdict_network_file::{NetworkFile, PathOptions};
+use objdict_node::configure::transmission_word;
 use objdict_profile::{ObjectFacts, Profile};
 use objdict_project::config::SETTINGS;
 
@@ -60,6 +61,7 @@ pub(super) fn completion(file: &CheckedFile, offset: u32) -> Vec<CompletionItem>
         CursorSpot::Value { key, span, is_quoted } => {
             let mut items = writer.words(key, *span, *is_quoted);
             items.extend(writer.in_network(&without, key, *span, *is_quoted));
+            items.extend(writer.in_device(&without, key, *span, *is_quoted));
             items
         }
     }
@@ -132,10 +134,14 @@ impl KeyWriter<'_> {
             .collect()
     }
 
+    /// A device without the line that is being written.
+    fn device(&self, without: &str) -> Description {
+        format::read(SourceFile::from_text(self.file.source().name(), without), Format::Toml)
+    }
+
     /// The objects of the documents that a device does not have, as lines of its table of objects.
     fn objects(&self, without: &str, span: Span) -> Vec<CompletionItem> {
-        let source = SourceFile::from_text(self.file.source().name(), without);
-        let description = format::read(source, Format::Toml);
+        let description = self.device(without);
         let (device, Some(write)) = (description.device(), format::object_writer(without)) else {
             return Vec::new();
         };
@@ -163,6 +169,45 @@ impl KeyWriter<'_> {
         }
         let words = words.into_iter().filter(|(_, is_text)| *is_text || !is_quoted);
         words.map(|(word, is_text)| self.text(&word, span, is_text && is_quoted, !is_text)).collect()
+    }
+
+    /// What the documents and a device know of a value in a `device.toml`, and the transmission types of any PDO.
+    fn in_device(&self, without: &str, key: &str, span: Span, is_quoted: bool) -> Vec<CompletionItem> {
+        let pdo = self.cursor.path.iter().find_map(|key| pdo_kind(key));
+        let is_device = std::ptr::eq(self.schema_root(), &*DEVICE);
+        let item = |value: &str, meaning: String, is_bare: bool| {
+            let item = self.text(value, span, is_quoted, is_bare);
+            CompletionItem { label: format!("{value} {meaning}"), ..item }
+        };
+        match (key, pdo) {
+            ("transmission", _) => {
+                let Some(parameter) = pdo.unwrap_or(PdoKind::Tpdo).communication_index(1) else {
+                    return Vec::new();
+                };
+                let named = values::named(&Device::default(), parameter, 2).into_iter();
+                let numbers = named.filter_map(|(number, meaning)| Some((number.parse().ok()?, meaning)));
+                numbers.map(|(number, meaning)| item(&transmission_word(number), meaning, false)).collect()
+            }
+            ("map", Some(kind)) if is_device => {
+                let device = self.device(without);
+                let items = entries(device.device(), Some(kind));
+                items.map(|(address, name)| item(&address, name.unwrap_or_default(), false)).collect()
+            }
+            ("default" | "value", _) if is_device => {
+                let Some((index, sub)) = entry_of(&self.cursor.path) else { return Vec::new() };
+                // the line may be the whole object, which is there if the text could be read
+                let read = self.file.description().filter(|read| read.device().object(index).is_some());
+                let named = match read {
+                    Some(read) => values::named(read.device(), index, sub),
+                    None => values::named(self.device(without).device(), index, sub),
+                };
+                // a formula is a text
+                let is_bare = |value: &str| !value.starts_with('$');
+                let fitting = named.into_iter().filter(|(value, _)| !is_quoted || !is_bare(value));
+                fitting.map(|(value, meaning)| item(&value, meaning, is_bare(&value))).collect()
+            }
+            _ => Vec::new(),
+        }
     }
 
     fn schema_root(&self) -> &Value {
@@ -202,11 +247,7 @@ impl KeyWriter<'_> {
             "manager" | "watches" => network.nodes.iter().map(|node| text(&node.name.value)).collect(),
             "entry" | "set" | "map" => {
                 let node = self.cursor.path.get(1).and_then(|name| named(network, name));
-                let kind = self.cursor.path.iter().find_map(|key| match key.as_str() {
-                    "tpdo" => Some(PdoKind::Tpdo),
-                    "rpdo" => Some(PdoKind::Rpdo),
-                    _ => None,
-                });
+                let kind = self.cursor.path.iter().find_map(|key| pdo_kind(key));
                 let items = node.into_iter().flat_map(|node| entries(&node.device, kind));
                 items.map(|(address, name)| CompletionItem { detail: name, ..text(&address) }).collect()
             }
@@ -242,6 +283,26 @@ impl KeyWriter<'_> {
         }
         items
     }
+}
+
+fn pdo_kind(key: &str) -> Option<PdoKind> {
+    match key {
+        "tpdo" => Some(PdoKind::Tpdo),
+        "rpdo" => Some(PdoKind::Rpdo),
+        _ => None,
+    }
+}
+
+/// The entry of a `device.toml` whose table has this path, also in a variant.
+fn entry_of(path: &[String]) -> Option<(u16, u8)> {
+    let at = path.iter().position(|key| key == "object")?;
+    let index = u16::from_str_radix(path.get(at + 1)?, 16).ok()?;
+    let sub = match path.get(at + 2..)? {
+        [] => 0,
+        [key, sub] if key == "sub" => u8::from_str_radix(sub, 16).ok()?,
+        _ => return None,
+    };
+    Some((index, sub))
 }
 
 fn named<'a>(network: &'a Network, name: &str) -> Option<&'a Node> {

@@ -1,7 +1,7 @@
 //! The values that the documents name for an entry, with their meanings.
 
 use objdict_format::scaffold;
-use objdict_model::model::{CobId, DataType, Device, PdoKind, Value};
+use objdict_model::model::{CobId, DataType, Device, Meaning, PdoKind, Value};
 use objdict_profile as profile;
 use objdict_profile::BitFieldFacts;
 
@@ -29,6 +29,11 @@ pub(super) fn named(device: &Device, index: u16, sub: u8) -> Vec<(String, String
     };
     let mut values: Vec<(String, String)> =
         usual.iter().map(|value| (written(value, data_type), "usual".to_owned())).collect();
+    if let Some(Meaning::Enumeration(found)) = device.meanings().of(index, sub) {
+        let named = found.values.into_iter().filter(|value| !value.name.is_empty());
+        values.extend(named.map(|value| (value.number.to_string(), value.name.to_owned())));
+        return values;
+    }
     if let [field] = fields[..] {
         let numbers = field.meanings().flat_map(|(range, meaning)| {
             let [first, last] = [*range.start(), *range.end()].map(|number| signed(number, data_type));

@@ -1,8 +1,8 @@
 //! Node types of `network.toml`: keys that several nodes have in common.
 
-use super::network_keys::NODE;
+use super::network_keys::{NODE, PDO};
 use super::rules::UNKNOWN_TYPE;
-use objdict_keyed::section::wrong;
+use objdict_keyed::section::{self, wrong};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, nearest, say};
 
@@ -39,7 +39,7 @@ pub(super) fn with_type(node: &Pair, types: &[Pair], findings: &mut Findings) ->
             break;
         }
         names.push(name);
-        value = joined(&value, &known(&found.value));
+        value = value.on(&known(&found.value), &|key| section::present_name(PDO, key).to_owned());
         used = found.value.get(USE);
     }
     Pair { key: node.key.clone(), value }
@@ -50,19 +50,4 @@ fn known(kind: &KeyedTree) -> KeyedTree {
     let is_known = |entry: &&Pair| NODE.iter().any(|key| key.name == entry.key.spelled());
     let entries = kind.entries().unwrap_or_default().iter().filter(is_known).cloned();
     KeyedTree::new(kind.span, Kind::Map(entries.collect()))
-}
-
-/// A table with what another one has in addition; of anything else the first.
-fn joined(own: &KeyedTree, general: &KeyedTree) -> KeyedTree {
-    let (Some(entries), Some(others)) = (own.entries(), general.entries()) else { return own.clone() };
-    let find = |entries: &[Pair], key: &KeyedTree| {
-        let found = entries.iter().find(|entry| entry.key.spelled() == key.spelled());
-        found.map(|entry| entry.value.clone())
-    };
-    let inherited = others.iter().map(|Pair { key, value }| Pair {
-        key: key.clone(),
-        value: find(entries, key).map_or_else(|| value.clone(), |own| joined(&own, value)),
-    });
-    let added = entries.iter().filter(|entry| find(others, &entry.key).is_none()).cloned();
-    KeyedTree::new(own.span, Kind::Map(inherited.chain(added).collect()))
 }

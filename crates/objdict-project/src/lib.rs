@@ -17,6 +17,6 @@ pub mod report;
 #[cfg(feature = "lint")]
 pub mod workspace;
 
-pub use check::{check, check_with};
+pub use check::{check, check_unordered, check_with};
 #[cfg(feature = "lint")]
 pub use fix::{AppliedFix, Fixed, fix, fix_for_readers, with_sound_fixes};

@@ -145,15 +145,13 @@ impl PythonEntry {
     /// The unit.
     #[getter]
     fn unit(&self) -> Option<&str> {
-        let stated = || self.entry.extra.get("Unit").map(str::trim).filter(|unit| !unit.is_empty());
-        self.meaning_of_values().and_then(|meaning| meaning.unit.as_deref()).or_else(stated)
+        self.meaning_of_values()?.unit.as_deref()
     }
 
     /// What the value, with the offset, is multiplied by to be in the unit.
     #[getter]
     fn factor(&self) -> f64 {
-        let stated = || self.entry.extra.get("Factor").and_then(|factor| factor.trim().parse().ok());
-        self.meaning_of_values().and_then(|meaning| meaning.factor).or_else(stated).unwrap_or(1.0)
+        self.meaning_of_values().and_then(|meaning| meaning.factor).unwrap_or(1.0)
     }
 
     /// What is added to the value before it is multiplied.

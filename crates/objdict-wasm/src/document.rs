@@ -164,11 +164,12 @@ impl EditedDocument {
         options: &Options,
     ) -> Result<String, BadRequest> {
         let description = self.description()?;
-        let check = |description: &Description| objdict::check_with(description, options);
         let examine = |description: &Description| {
-            let findings = check(description);
+            let findings = objdict::check_with(description, options);
             match offered {
-                true => objdict::with_sound_fixes(description, findings, check),
+                true => objdict::with_sound_fixes(description, findings, |trial| {
+                    objdict::check_unordered(trial, options)
+                }),
                 false => without_fixes(findings),
             }
         };

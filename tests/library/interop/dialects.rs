@@ -169,3 +169,40 @@ fn tools_read_their_dialects() {
     failures.retain(|failure| failure.contains(": own-"));
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
+
+/// Of a `device.toml`, and of the EDS and XDD that are written of it; an element has what its array states.
+#[test]
+fn units_factors_and_descriptions_reach_python_canopen() {
+    let Some(environment) = environment() else { return };
+    let source = "format = 'objdict-device/1'\nprofile = '301@1'\n[object]\n\
+        2000 = { name = 'Supply', type = 'u16', unit = 'V', factor = 0.01, description = 'at 50 % of the load' }\n\
+        2001 = { name = 'Temperatures', type = '[i16; 2]', unit = 'K', factor = 0.5 }\n\
+        2002 = { name = 'Offset', type = 'i16', unit = 'mm', factor = 2, offset = 7 }\n";
+    let read = |text: &str, format| format::read(SourceFile::from_text("units", text), format).into_device();
+    let write = |device: &Device, format| {
+        let mut options = WriteOptions::from(Dialect::PythonCanopen);
+        options.embed = true;
+        format::write(device, format, &options).unwrap().bytes
+    };
+    let device = read(source, Format::Toml);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-units");
+    fs::create_dir_all(&folder).unwrap();
+    for format in [Format::Toml, Format::Eds, Format::Xdd] {
+        let text = String::from_utf8(write(&device, format)).unwrap();
+        let file = folder.join(format!("{}.eds", format.name()));
+        fs::write(&file, write(&read(&text, format), Format::Eds)).unwrap();
+        let mut python = Command::new(environment.join("python"));
+        python.args(["-c", READ_UNITS]).arg(&file);
+        let output = python.output().unwrap();
+        assert!(output.status.success(), "{}", super::text_of(&output));
+        let expected = "V 0.01 at 50 % of the load\nK 0.5 \nK 0.5 \nmm 1 \n"; // python-canopen knows no offset, so no factor
+        assert_eq!(String::from_utf8_lossy(&output.stdout).replace("\r\n", "\n"), expected, "{format:?}");
+    }
+}
+
+const READ_UNITS: &str = "
+import canopen, sys
+od = canopen.import_od(sys.argv[1])
+for entry in [od[0x2000], od[0x2001][1], od[0x2001][2], od[0x2002]]:
+    print(entry.unit, entry.factor, entry.description)
+";

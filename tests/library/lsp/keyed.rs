@@ -58,33 +58,36 @@ fn files_nodes_and_entries_of_a_network() {
 }
 
 #[test]
-fn a_former_key_is_read_and_renamed() {
+fn values_in_a_device_with_their_meanings() {
+    let mut client = client();
+    let mut of = |lines: &str| {
+        let text = format!(
+            "format = \"objdict-device/1\"\nprofile = \"402@1\"\n[features]\nmodes = [\"pp\", \"hm\"]\n{lines}"
+        );
+        labels(&mut client, "device.toml", &text)
+    };
+    let modes = ["1 profile position", "6 homing"];
+    has(&of("[object]\n6060.default = ‸\n"), &modes);
+    has(&of("[object]\n6060 = { default = ‸ }\n"), &modes);
+    has(&of("[object.6060]\ndefault = ‸\n"), &modes);
+    has(&of("[variant.a.object.6060]\nvalue = ‸\n"), &modes);
+    let own = "[object]\n2000 = { name = \"A\", type = \"u8\", enum = { 1 = \"on\" }, default = ‸0 }\n";
+    has(&of(own), &["1 on"]);
+    has(&of("[tpdo.1]\ntransmission = ‸\n"), &["sync/1 synchronous, every nth SYNC"]);
+    has(&of("[tpdo.1]\nmap = [\"‸\"]\n"), &["6041 Statusword"]);
+    let rpdo = of("[rpdo.1]\nmap = [\"‸\"]\n");
+    has(&rpdo, &["6040 Controlword"]);
+    assert!(!rpdo.contains(&"6041 Statusword".to_owned()), "{rpdo:?}");
+    // a formula is a text: between the quotes, or with its own
+    has(&of("[object]\n1014.default = \"‸\"\n"), &["$NODEID+0x80 usual"]);
+    assert!(of("[object]\n6060.default = \"‸\"\n").is_empty(), "numbers have no quotes");
+}
+
+#[test]
+fn a_former_key_is_not_offered() {
     let mut client = client();
     let found = labels(&mut client, "network.toml", &format!("{NODE}tpdo.1.‸\n"));
     assert!(found.contains(&"transmission".to_owned()) && !found.contains(&"type".to_owned()), "{found:?}");
-    let text = format!("{NODE}tpdo.1 = {{ type = \"event\" }}\n");
-    client.open("network.toml", &text);
-    let range = json!({ "start": { "line": 3, "character": 12 }, "end": { "line": 3, "character": 12 } });
-    let params = json!({ "textDocument": client.document("network.toml"), "range": range, "context": { "diagnostics": [] } });
-    let offered = client.ask("textDocument/codeAction", params);
-    let action = offered
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|action| action["title"] == "rename it `transmission`")
-        .unwrap();
-    let edit = &action["edit"]["changes"][client.uri("network.toml")][0];
-    assert_eq!(
-        (&edit["newText"], &edit["range"]["start"]["character"]),
-        (&json!("transmission"), &json!(11))
-    );
-    // renamed, the key would be there twice
-    client.change("network.toml", &text.replace("{ ", "{ transmission = \"event\", "));
-    let range = json!({ "start": { "line": 3, "character": 35 }, "end": { "line": 3, "character": 35 } });
-    let params = json!({ "textDocument": client.document("network.toml"), "range": range, "context": { "diagnostics": [] } });
-    let offered = client.ask("textDocument/codeAction", params);
-    let titles: Vec<&Value> = offered.as_array().unwrap().iter().map(|action| &action["title"]).collect();
-    assert!(titles.iter().all(|title| *title != "rename it `transmission`"), "{titles:?}");
 }
 
 #[test]

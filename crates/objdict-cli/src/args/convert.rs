@@ -17,10 +17,8 @@ pub(crate) struct ConvertArgs {
     /// Files to convert; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt .dbc; `-` is standard output, the default
-    /// with --to. For several files: a folder, with --to, or one DBC for all of them
-    #[arg(short, long, value_name = "PATH")]
-    pub output: Option<PathBuf>,
+    #[arg(short, long, value_name = "PATH", help = output_help())]
+    pub output: Vec<PathBuf>,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
     /// The format to write [default: by the extension of the output]
@@ -91,6 +89,15 @@ const VERSIONS: [(XddVersion, &str, &str); 2] =
     [(XddVersion::V1_0, "1.0", ""), (XddVersion::V1_1, "1.1", "")];
 
 /// The kinds of files that a description is converted to, by their words.
+fn output_help() -> String {
+    let endings: Vec<String> = FileKind::written().map(|kind| format!(".{}", kind.ending())).collect();
+    format!(
+        "The file to write: {}; `-` is standard output, the default with --to. Of one file also several: `-o a.dcf -o a.xdd`. \
+         For several files: a folder, with --to, or one DBC for all of them",
+        endings.join(" ")
+    )
+}
+
 fn written_kinds() -> impl TypedValueParser<Value = FileKind> {
     let words = PossibleValuesParser::new(FileKind::written().map(FileKind::word));
     words.try_map(|word| FileKind::written().find(|kind| kind.word() == word).ok_or("no kind of file"))

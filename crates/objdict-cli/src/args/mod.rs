@@ -142,7 +142,7 @@ pub(super) enum Command {
     /// Compares two descriptions as `diff` does, and reports which of revision number, product code, FileVersion, FileRevision and
     /// ModificationDate do not move with the changes. --fix sets them. Exits with 1 if something is missing (docs/diff.md).
     Release(ReleaseArgs),
-    /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
+    /// Convert between EDS, DCF, XDD, XDC, `device.toml`, JSON and concise DCF, and export to DBC
     ///
     /// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep
     /// comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored
@@ -363,7 +363,7 @@ pub(super) enum ProfileFormat {
 #[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct FmtArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
-    #[arg(required = true, value_name = "PATH")]
+    #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
     /// Print the names of unformatted files without changing them, and exit with 1 if there are any
     #[arg(long)]

@@ -6,9 +6,12 @@ use objdict_generate as generate;
 use objdict_generate::Identifier;
 use objdict_lint::changes::{DeviceChange, identifier_changed};
 use objdict_model::diagnostic::Text;
-use objdict_model::model::Device;
+use objdict_model::model::{Device, Part};
 
-type EntryIdentifiers = BTreeMap<(u16, Option<u8>), Identifier>;
+/// An object, or an entry by its sub-index.
+type EntryKey = (u16, Option<u8>);
+
+type EntryIdentifiers = BTreeMap<EntryKey, Identifier>;
 
 /// The identifiers of a device; none if no table can be generated of it.
 fn names(device: &Device) -> EntryIdentifiers {
@@ -20,14 +23,18 @@ fn names(device: &Device) -> EntryIdentifiers {
 /// a number.
 pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
     let (old, new) = (names(old), names(new));
-    let mut explained: BTreeSet<(u16, Option<u8>)> = BTreeSet::new();
-    for change in changes.iter_mut().filter(|change| is_of_name(change)) {
-        let Some(index) = change.index else { continue };
-        let key = (index, change.sub);
-        explained.insert(key);
-        let says_name = change.rule.info.name().contains("name");
-        let (Some(before), Some(after)) = (old.get(&key), new.get(&key)) else { continue };
-        if says_name && before.c != after.c {
+    let mut explained: BTreeSet<EntryKey> = BTreeSet::new();
+    let mut moved = BTreeMap::new();
+    for change in changes.iter_mut() {
+        let (Some((key, new_key)), Some(reach)) = (keys(change), IdentifierReach::of(change)) else {
+            continue;
+        };
+        moved.insert(key, new_key);
+        if reach != IdentifierReach::Respelled {
+            explained.insert(key);
+        }
+        let (Some(before), Some(after)) = (old.get(&key), new.get(&new_key)) else { continue };
+        if reach == IdentifierReach::Renamed && before.c != after.c {
             let names = format!(
                 "in C `{}` becomes `{}`, in Rust `{}` becomes `{}`",
                 before.c, after.c, before.rust, after.rust
@@ -38,8 +45,8 @@ pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
     let mut added = Vec::new();
     for (key, before) in &old {
         let is_explained = explained.contains(key) || explained.contains(&(key.0, None));
-        let after = new.get(key).filter(|after| after.c != before.c && !is_explained);
-        if let Some(after) = after {
+        let after = new.get(moved.get(key).unwrap_or(key));
+        if let Some(after) = after.filter(|after| after.c != before.c && !is_explained) {
             added.push(identifier_changed(*key, [&before.c, &after.c], [&before.rust, &after.rust]));
         }
     }
@@ -51,11 +58,36 @@ pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
     }
 }
 
-/// Whether a change explains that identifiers change.
-fn is_of_name(change: &DeviceChange) -> bool {
-    let name = change.rule.info.name();
-    name.contains("name")
-        || name.ends_with("moved")
-        || name == "object-type-changed"
-        || name == "array-or-record"
+/// The entry that a change is about, in the old and in the new device.
+fn keys(change: &DeviceChange) -> Option<(EntryKey, EntryKey)> {
+    let key = (change.index?, change.sub);
+    let new = match change.new_place.as_ref().map(|place| &place.part) {
+        Some(Part::Object(index)) => (*index, change.sub),
+        Some(Part::Entry(index, sub)) => (*index, Some(*sub)),
+        _ => key,
+    };
+    Some((key, new))
+}
+
+/// What a change has to do with identifiers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum IdentifierReach {
+    /// Another name, which says that they change.
+    Renamed,
+    /// The same words, so it says nothing of them.
+    Respelled,
+    /// A structure that has others.
+    Explained,
+}
+
+impl IdentifierReach {
+    fn of(change: &DeviceChange) -> Option<Self> {
+        let name = change.rule.info.name();
+        match name {
+            "name-respelled" => Some(Self::Respelled),
+            "object-type-changed" | "array-or-record" => Some(Self::Explained),
+            _ if name.contains("name") => Some(Self::Renamed),
+            _ => name.ends_with("moved").then_some(Self::Explained),
+        }
+    }
 }

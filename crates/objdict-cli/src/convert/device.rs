@@ -32,6 +32,15 @@ impl ConvertedFile {
     }
 }
 
+/// What a new text keeps of data that its format has no place for.
+#[derive(Clone, Copy)]
+pub(super) struct KeptData {
+    /// All, where objdict finds it again.
+    pub embed: bool,
+    /// Units, factors and descriptions that an EDS states in keys of python-canopen.
+    pub meanings: bool,
+}
+
 /// A description is edited where its syntax stays, and written anew where it does not.
 pub(super) fn of_description(
     args: &ConvertArgs,
@@ -49,7 +58,8 @@ pub(super) fn of_description(
     refuse_unknown_text(job, &description, is_edited && !args.canonical.is_asked())?;
     let anew = |description: Description, embed: bool| {
         let mut unread = format::unread(&description);
-        let mut converted = of_device(args, job, description.into_described(), embed, max_losses)?;
+        let kept = KeptData { embed, meanings: format::has_meaning_keys(&description) };
+        let mut converted = of_device(args, job, description.into_described(), kept, max_losses)?;
         unread.append(&mut converted.losses);
         Ok(ConvertedFile { losses: unread, ..converted })
     };
@@ -131,7 +141,7 @@ pub(super) fn of_device(
     args: &ConvertArgs,
     job: &Job,
     device: Device,
-    embed: bool,
+    kept: KeptData,
     max_losses: usize,
 ) -> Result<ConvertedFile, Failure> {
     let expanded = match args.expand.device(&device) {
@@ -161,7 +171,7 @@ pub(super) fn of_device(
                 device.commissioning = node(args, job, &device)?;
                 device.kind = DeviceKind::Node;
             }
-            anew(args, job, device, embed, max_losses)
+            anew(args, job, device, kept, max_losses)
         }
     }
 }
@@ -171,11 +181,12 @@ fn anew(
     args: &ConvertArgs,
     job: &Job,
     device: Device,
-    embed: bool,
+    kept: KeptData,
     max_losses: usize,
 ) -> Result<ConvertedFile, Failure> {
     let mut options = args.canonical.options(args.input.encoding);
-    options.embed = embed;
+    options.embed = kept.embed;
+    options.eds.meanings |= kept.meanings && !args.canonical.dialect.is_other();
     options.max_losses = max_losses;
     options.xdd_version = args.xdd_version.unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);

@@ -31,17 +31,41 @@ impl Job {
     }
 }
 
-const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json`, `.cdcf` (concise DCF) and `.dbc` are known";
+/// The endings of the formats that are written, for the help of an error.
+fn known_endings() -> String {
+    let endings: Vec<String> = FileKind::written().map(|kind| format!("`.{}`", kind.ending())).collect();
+    match endings.split_last() {
+        Some((last, others)) => format!("{} and {last} are known", others.join(", ")),
+        None => String::new(),
+    }
+}
 
-/// What the arguments ask for: one file for one, a folder for all of them, or one DBC of all of them.
+/// What the arguments ask for: one file or several of one file, a folder for all files, or one DBC of all of them.
 pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
-    let stated = args.to;
     let inputs = args.files.as_slice();
-    let output = match (&args.output, stated) {
-        (Some(output), _) => output,
-        (None, Some(_)) => Path::new("-"),
-        (None, None) => return Err(no_output(inputs)),
-    };
+    match (args.output.as_slice(), args.to) {
+        ([], Some(_)) => plan_output(inputs, Path::new("-"), args.to),
+        ([], None) => Err(no_output(inputs)),
+        ([output], to) => plan_output(inputs, output, to),
+        (outputs, to) => {
+            if inputs.len() > 1 || outputs.iter().any(|output| is_folder(output)) {
+                let failure = Failure::new("several outputs are files that one file becomes");
+                return Err(failure.help("name one folder for several files, with `--to`"));
+            }
+            for (number, output) in outputs.iter().enumerate() {
+                if outputs[..number].contains(output) {
+                    let message = format!("the output `{}` is named twice", name_of(output));
+                    return Err(Failure::new(message).help("name each output once"));
+                }
+            }
+            let plans = outputs.iter().map(|output| plan_output(inputs, output, to));
+            Ok(plans.collect::<Result<Vec<_>, _>>()?.concat())
+        }
+    }
+}
+
+/// What one output asks for.
+fn plan_output(inputs: &[PathBuf], output: &Path, stated: Option<FileKind>) -> Result<Vec<Job>, Failure> {
     let named = FileKind::of(output);
     let job = |input: &PathBuf, to| Job {
         input: input.clone(),
@@ -57,10 +81,10 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
         [input] if !is_folder(output) => {
             let to = stated.or(named).ok_or_else(|| {
                 let message = format!("`{}` has no extension of a known format", name_of(output));
-                Failure::new(message).help(format!("{KNOWN}; or name the format with `--to`"))
+                Failure::new(message).help(format!("{}; or name the format with `--to`", known_endings()))
             })?;
             if to == FileKind::Cpj {
-                return Err(Failure::new("node lists are not written").help(KNOWN));
+                return Err(Failure::new("node lists are not written").help(known_endings()));
             }
             Ok(vec![job(input, to)])
         }

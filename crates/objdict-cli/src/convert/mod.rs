@@ -7,7 +7,7 @@ mod losses;
 
 use std::io::Write;
 
-use self::device::ConvertedFile;
+use self::device::{ConvertedFile, KeptData};
 pub(super) use self::device::{read_data, refusal, tell_skipped};
 use self::jobs::Job;
 use self::losses::LossReport;
@@ -83,7 +83,7 @@ enum OutputPlace {
 
 impl OutputPlace {
     fn new(args: &ConvertArgs, jobs: &[Job]) -> Result<Self, Failure> {
-        match &args.output {
+        match args.output.first() {
             Some(folder) if jobs.iter().any(|job| job.is_named) => {
                 Ok(Self::Folder(SaveFolder::open(folder, "convert", &args.overwrite)?))
             }
@@ -147,7 +147,8 @@ fn convert_one(
         }
         Input::Device(device) => {
             let max_losses = args.input.max_losses(0);
-            let converted = device::of_device(args, job, *device, !args.no_embed, max_losses)?;
+            let kept = KeptData { embed: !args.no_embed, meanings: false };
+            let converted = device::of_device(args, job, *device, kept, max_losses)?;
             finish(job, from, converted, place, report, out)
         }
         Input::Concise(configuration) => {

@@ -56,6 +56,11 @@ pub fn is_key(name: &str) -> bool {
     FieldKey::find(name).is_some()
 }
 
+/// Whether python-canopen reads a key of an entry that CiA 306 does not define: the unit, factor or description of its value.
+pub fn is_meaning_key(name: &str) -> bool {
+    ["Unit", "Factor", "Description"].iter().any(|key| name.eq_ignore_ascii_case(key))
+}
+
 impl FieldKey {
     /// The key with this name in any case; `None` for one that the standard does not define.
     #[inline]

@@ -26,10 +26,10 @@ pub mod write;
 pub use additions::{additions, stated, stored};
 pub use configure::{to_dcf, to_eds};
 pub use fix::edits;
-pub use keys::is_key;
+pub use keys::{is_key, is_meaning_key};
 pub use locate::{SectionLocator, objects};
 pub use misspelt::is_key_of;
-pub use read::read;
+pub use read::{comments, read};
 pub use section::SectionName;
 #[cfg(feature = "write")]
 pub use style::Style;

@@ -13,6 +13,8 @@ pub struct Style {
     /// Whether compact storage is kept (`CompactSubObj`), with the names of all entries; otherwise every
     /// entry gets a section, because many readers do not support compact storage.
     pub compact: bool,
+    /// Whether entries have the keys `Unit`, `Factor` and `Description`, which CiA 306 does not define and python-canopen reads.
+    pub meanings: bool,
     /// The encoding; `None` for ISO 646, as the standard requires. Characters that it lacks are
     /// transliterated.
     pub encoding: Option<Encoding>,

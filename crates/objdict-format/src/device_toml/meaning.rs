@@ -6,12 +6,9 @@ use objdict_keyed::section::KeyedTable;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, say};
 use objdict_model::literal::written_number;
 use objdict_model::model::{
-    AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, Label, Labels, Parameter, ScaledValue,
-    SimpleType, TypeDefinition, TypeShape, Unit, Value, VarDeclaration,
+    AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, LANGUAGE, Label, Labels, Parameter,
+    ScaledValue, SimpleType, TypeDefinition, TypeShape, Unit, Value, VarDeclaration,
 };
-
-/// The language of the texts.
-pub(crate) const LANGUAGE: &str = "en";
 
 /// Reads the meaning of an entry into its parameter.
 pub(super) fn read(
@@ -22,10 +19,10 @@ pub(super) fn read(
     findings: &mut Findings,
 ) {
     if let Some(text) = section.text("description", findings) {
-        entry.parameter_mut().labels = described(&text.value);
+        entry.parameter_mut().labels = Labels::description(LANGUAGE, &text.value);
     }
     if let Some(text) = section.text("unit", findings) {
-        entry.parameter_mut().unit = Some(unit(&text.value));
+        entry.parameter_mut().unit = Some(Unit::named(LANGUAGE, &text.value));
     }
     for name in ["factor", "offset"] {
         let Some(text) = section.text(name, findings) else { continue };
@@ -94,14 +91,6 @@ fn range(text: &str) -> Option<(u8, u8)> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
     let (first, last) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
     (first <= last && last < 64).then_some((first, last))
-}
-
-fn described(text: &str) -> Labels {
-    Labels(vec![Label::Description { lang: LANGUAGE.into(), text: text.into(), uri: None }])
-}
-
-pub(crate) fn unit(name: &str) -> Unit {
-    Unit { multiplier: "1".into(), uri: None, labels: Labels::name(LANGUAGE, name) }
 }
 
 pub(crate) fn named_value(number: &str, name: &str) -> ScaledValue {

@@ -1,8 +1,10 @@
 //! A file or a variant on top of another file: tables merge key by key, the nearer value wins, and `remove` removes.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
+use super::keys::PDO;
 use super::words::{index, sub};
+use objdict_keyed::section::present_name;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::source::Span;
 
@@ -42,7 +44,7 @@ impl Merged {
         // what the nearer one describes is there again
         removals.retain(|removal| !paths_of(&removal.key.spelled()).iter().any(|path| has(near, path)));
         removals.extend(removed);
-        let mut tree = merged(&tree, near);
+        let mut tree = near.on(&tree, &|key| spelling(present_name(PDO, key)));
         if let Kind::Map(entries) = &*tree.kind {
             let mut entries: Vec<Pair> =
                 entries.iter().filter(|entry| entry.key.text() != Some("remove")).cloned().collect();
@@ -118,21 +120,4 @@ fn without(tree: &KeyedTree, path: &[String]) -> Option<KeyedTree> {
         Some(value) => Some(Pair { key: entry.key.clone(), value: value.clone() }),
     });
     Some(KeyedTree::new(tree.span, Kind::Map(entries.collect())))
-}
-
-/// Two trees as one. What both have is in the place of the nearer one.
-fn merged(far: &KeyedTree, near: &KeyedTree) -> KeyedTree {
-    let (Kind::Map(below), Kind::Map(above)) = (&*far.kind, &*near.kind) else { return near.clone() };
-    let mut nearer: BTreeMap<String, &Pair> =
-        above.iter().map(|entry| (spelling(&entry.key.spelled()), entry)).collect();
-    let mut entries: Vec<Pair> = Vec::with_capacity(below.len() + above.len());
-    for entry in below {
-        entries.push(match nearer.remove(&spelling(&entry.key.spelled())) {
-            None => entry.clone(),
-            Some(own) => Pair { key: own.key.clone(), value: merged(&entry.value, &own.value) },
-        });
-    }
-    let is_new = |entry: &&Pair| nearer.contains_key(&spelling(&entry.key.spelled()));
-    entries.extend(above.iter().filter(is_new).cloned());
-    KeyedTree::new(near.span, Kind::Map(entries))
 }

@@ -10,7 +10,7 @@ use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{
     CobId, DataType, Device, MappedObject, Object, Objects, PdoKind, Value, predefined,
 };
-use objdict_node::configure::transmission_type;
+use objdict_node::configure::{transmission_type, transmission_word};
 
 /// Sub-indexes of a communication parameter that keys set.
 const TRANSMISSION: u8 = 2;
@@ -298,12 +298,6 @@ impl PdoSaid {
 /// Tenths of a millisecond.
 fn milliseconds(tenths: u32) -> String {
     if tenths.is_multiple_of(10) { format!("{}ms", tenths / 10) } else { format!("{}us", tenths * 100) }
-}
-
-fn transmission_word(number: u8) -> String {
-    let named = ["event", "event-vendor", "rtr", "rtr-sync"].map(str::to_owned);
-    let words = named.into_iter().chain([format!("sync/{number}"), number.to_string()]);
-    words.into_iter().find(|word| transmission_type(word) == Some(number)).unwrap_or_default()
 }
 
 fn address(mapped: MappedObject, device: &Device) -> String {

@@ -196,7 +196,11 @@ fn expect(device: &Device, part: &Part, words: &ChangeWords) -> Result<(), Patch
             continue;
         }
         let (word, name, expected) = (field.word.as_str(), part.to_string(), shown(&field.value.kind));
+        let is_corrected = words.set.iter().any(|own| own.word == field.word && says(device, part, own));
         return Err(PatchProblem::NotExpected(match get(device, part, &field.word) {
+            Some(found) if is_corrected => {
+                say!("the vendor corrected `{}` of `{}`: it is `{}` already", word, name, shown(&found))
+            }
             Some(found) => {
                 say!("the vendor changed `{}` of `{}`: `{}` → `{}`", word, name, expected, shown(&found))
             }

@@ -4,16 +4,16 @@ use serde_json::Value as Json;
 
 use super::words::{FACTS, data_type, data_type_word, object_type};
 use crate::compare::{Datum, DatumChange, apply};
-use crate::device_toml::meaning::{LANGUAGE, named_value, unit};
+use crate::device_toml::meaning::named_value;
 use crate::device_toml::words::{map_word, mapping};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Text, say};
 use objdict_model::literal::{self, Quirks, Spelling};
 use objdict_model::model::field_names::facts_of;
 use objdict_model::model::{
-    Access, AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, Label, Labels,
-    Object, Parameter, ParameterGroup, Part, PdoMapping, SimpleType, TypeDefinition, TypeShape, Value,
-    VarDeclaration,
+    Access, AllowedValues, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, LANGUAGE, Label,
+    Labels, Object, Parameter, ParameterGroup, Part, PdoMapping, SimpleType, TypeDefinition, TypeShape, Unit,
+    Value, VarDeclaration,
 };
 use objdict_model::source::Span;
 
@@ -178,7 +178,7 @@ fn set_parameter(
 ) -> Result<(), Text> {
     match word {
         "unit" => {
-            parameter.unit = text.as_deref().map(unit);
+            parameter.unit = text.as_deref().map(|name| Unit::named(LANGUAGE, name));
         }
         "factor" | "offset" => {
             if let Some(number) = text.as_deref().filter(|number| number.parse::<f64>().is_err()) {

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 
 use super::audience::{Affected, Audience, is_persistent, is_writable};
 use super::objects::{ObjectPair, pdo_of, place};
-use super::values::{AllowedRange, is_same, shown};
+use super::values::{AllowedRange, is_null, is_same, shown};
 use super::{DeviceComparison, Spot, rules};
 use crate::diagnostic::{Text, say};
 use crate::model::{
-    Access, CobId, Entry, Field, Identity, Meaning, Meanings, Object, PdoKind, Scaling, Value,
+    Access, CobId, Entry, Field, Identity, InvalidValue, Meaning, Meanings, Object, PdoKind, Scaling, Value,
 };
 
 impl<'a> DeviceComparison<'a> {
@@ -70,7 +70,16 @@ impl<'a> DeviceComparison<'a> {
     fn access(&mut self, spot: &Spot, [old, new]: [&Entry; 2], is_count: bool) {
         let stated = [old.implied_access(), new.implied_access()];
         let mut is_wider = false;
-        if let [Some(old_access), Some(new_access)] = stated {
+        if stated.iter().flatten().count() == 1 {
+            let values = [old, new].map(|entry| {
+                let text = |invalid: &InvalidValue| invalid.text.to_string();
+                let unknown = || entry.invalid_values.get(&Field::AccessType).map(text);
+                entry.implied_access().map(|access| access.name().to_owned()).or_else(unknown)
+            });
+            let [old, new] = values.clone().map(|text| text.unwrap_or_else(|| "none".to_owned()));
+            let message = say!("the access type changes from `{}` to `{}`", old, new);
+            self.report(&rules::ACCESS_UNKNOWN, &spot.field(&Field::AccessType), values, message);
+        } else if let [Some(old_access), Some(new_access)] = stated {
             let spot = spot.field(&Field::AccessType);
             let rights = |access: Access| [access.is_readable(), access.is_writable()];
             let values = stated.map(|access| access.map(|access| access.name().to_owned()));
@@ -146,7 +155,11 @@ impl<'a> DeviceComparison<'a> {
         let (old_value, new_value) = (old.value(), new.value());
         if differs(old_value, new_value) && !is_explained(old_value, new_value) {
             let is_known = old_value.is_some() && new_value.is_some();
-            let rule = rule_of_value((index, sub), is_known, is_configured, is_writable(old));
+            let stated = old_value.xor(new_value);
+            let rule = match stated.filter(|value| !is_configured && is_null(value)) {
+                Some(_) if !is_cob_id((index, sub)) => Some(&rules::DEFAULT_STATED),
+                _ => rule_of_value((index, sub), is_known, is_configured, is_writable(old)),
+            };
             let field = if is_configured { Field::ParameterValue } else { Field::DefaultValue };
             if let Some(rule) = rule {
                 self.value(rule, &spot.field(&field), [old_value, new_value]);
@@ -294,6 +307,11 @@ fn is_count(sub: u8, objects: [&Object; 2], entries: [&Entry; 2]) -> bool {
         })
 }
 
+/// Whether an entry is the COB-ID of a service.
+const fn is_cob_id(at: (u16, u8)) -> bool {
+    matches!(at, (0x1005 | 0x1012 | 0x1014, 0) | (0x1200..=0x12FF, 1 | 2) | (0x1301..=0x1340, 5 | 6))
+}
+
 /// The rule about a value; `None` if it is about a version. What identifies the device or a service is another one only if
 /// both are known.
 fn rule_of_value(
@@ -307,9 +325,7 @@ fn rule_of_value(
         (Identity::INDEX, 1 | 2) if is_known => &rules::IDENTITY_CHANGED,
         (Identity::INDEX, 3) => return None,
         (0x1008..=0x100A, 0) | (Identity::INDEX, 4) => &rules::DEVICE_FACT_CHANGED,
-        (0x1005 | 0x1012 | 0x1014, 0) | (0x1200..=0x12FF, 1 | 2) | (0x1301..=0x1340, 5 | 6) if is_known => {
-            &rules::COB_ID_CHANGED
-        }
+        at if is_known && is_cob_id(at) => &rules::COB_ID_CHANGED,
         _ if is_configured => &rules::CONFIGURED_VALUE_CHANGED,
         _ if !is_writable => &rules::READ_ONLY_DEFAULT_CHANGED,
         _ => &rules::DEFAULT_CHANGED,

@@ -118,7 +118,8 @@ impl<'a> DeviceComparison<'a> {
         if plain(old) == plain(new) {
             return;
         }
-        let rule = if words(old) == words(new) { &rules::NAME_RESPELLED } else { rule };
+        let letters = |name: &str| words(name).replace(' ', "");
+        let rule = if letters(old) == letters(new) { &rules::NAME_RESPELLED } else { rule };
         let spot = spot.field(&Field::ParameterName);
         let values = [Some(old.to_owned()), Some(new.to_owned())];
         self.report(rule, &spot, values, say!("the name changes from `{}` to `{}`", old, new));

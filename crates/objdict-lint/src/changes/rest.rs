@@ -120,6 +120,7 @@ fn is_about(change: &DeviceChange, place: &Place) -> bool {
             }
             (Some(Field::DataType), _) if is_value || is_limit => is_part(told),
             (Some(Field::LowLimit), _) if is_limit => is_part(told),
+            (Some(Field::AccessType), Some(Field::Named(path))) => is_part(told) && **path == *"misfits",
             (Some(Field::SrdoMapping), Some(Field::InvertedSrad)) => is_part(told),
             // of which only one device has anything
             (Some(Field::ParameterValue | Field::SrdoMapping), Some(Field::Named(path))) => {

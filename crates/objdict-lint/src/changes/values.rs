@@ -31,6 +31,15 @@ pub(super) fn is_same(a: Option<&Value>, b: Option<&Value>, node_id: Option<u8>)
     }
 }
 
+/// Whether a value is what an entry has without one: 0 or nothing.
+pub(super) fn is_null(value: &Value) -> bool {
+    match value {
+        Value::Text(text) => text.is_empty(),
+        Value::Bytes(bytes) => bytes.is_empty(),
+        _ => value.as_integer() == Some(0) || value.as_real() == Some(0.0),
+    }
+}
+
 /// A value in short.
 pub(super) fn shown(value: &Value) -> String {
     match value {

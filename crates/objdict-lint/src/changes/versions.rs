@@ -133,6 +133,8 @@ pub(super) fn is_behaviour(change: &DeviceChange) -> bool {
             &rules::UNIT_CHANGED,
             &rules::UNIT_STATED,
             &rules::DEFAULT_CHANGED,
+            &rules::DEFAULT_STATED,
+            &rules::ACCESS_UNKNOWN,
             &rules::READ_ONLY_DEFAULT_CHANGED,
             &rules::READ_LIMITS_WIDENED,
             &rules::READ_LIMITS_NARROWED,

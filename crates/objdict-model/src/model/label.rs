@@ -50,6 +50,9 @@ part! {
     }
 }
 
+/// The language of texts in formats that do not state one.
+pub const LANGUAGE: &str = "en";
+
 impl Labels {
     /// Whether there are no labels.
     pub fn is_empty(&self) -> bool {
@@ -59,6 +62,11 @@ impl Labels {
     /// A single name.
     pub fn name(lang: &str, text: &str) -> Self {
         Self(vec![Label::Name { lang: lang.into(), text: text.into() }])
+    }
+
+    /// A single description.
+    pub fn description(lang: &str, text: &str) -> Self {
+        Self(vec![Label::Description { lang: lang.into(), text: text.into(), uri: None }])
     }
 
     /// All names with their languages.

@@ -92,7 +92,7 @@ pub use entry::{Configured, Entry, ObjFlags, SafetyMapping};
 pub use field::Field;
 pub use file_info::FileInfo;
 pub use identity::Identity;
-pub use label::{Label, Labels, TextRef};
+pub use label::{LANGUAGE, Label, Labels, TextRef};
 #[doc(hidden)]
 pub use meaning::Definitions;
 pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue, Scaling};

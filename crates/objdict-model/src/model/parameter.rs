@@ -159,6 +159,13 @@ words! {
     }
 }
 
+impl Unit {
+    /// A unit by its symbol or name.
+    pub fn named(lang: &str, name: &str) -> Self {
+        Self { multiplier: "1".into(), uri: None, labels: Labels::name(lang, name) }
+    }
+}
+
 impl Parameter {
     /// The generated id of a parameter without one, from its index or sub-index: `UID_OBJ_1018`,
     /// `UID_SUB_101801`.

@@ -40,7 +40,7 @@ use crate::resolve::ObjectName;
 pub use file::{SettingsFile, SettingsFileError};
 pub use objdict_model::literal::nanoseconds;
 pub use rebase::{Rebased, rebase};
-pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting, transmission_type};
+pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting, transmission_type, transmission_word};
 
 /// A setting that cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq)]

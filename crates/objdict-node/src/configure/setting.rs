@@ -132,6 +132,13 @@ pub fn transmission_type(text: &str) -> Option<u8> {
     }
 }
 
+/// A transmission type in words: what [`transmission_type`] reads.
+pub fn transmission_word(number: u8) -> String {
+    let named = ["event", "event-vendor", "rtr", "rtr-sync"].map(str::to_owned);
+    let words = named.into_iter().chain([format!("sync/{number}"), number.to_string()]);
+    words.into_iter().find(|word| transmission_type(word) == Some(number)).unwrap_or_default()
+}
+
 /// A PDO by its name, such as `tpdo1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PdoName {

@@ -29,6 +29,16 @@ pub fn check(description: &Description) -> Findings {
 
 /// As [`check`], with options.
 pub fn check_with(description: &Description, options: &Options) -> Findings {
+    let mut findings = check_unordered(description, options);
+    findings.sort_by_key(|finding| {
+        let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
+        (!finding.is_key_error(), start, finding.rule.id)
+    });
+    findings
+}
+
+/// As [`check_with`], in any order: to count findings, since most of the time that an order takes goes into finding their lines.
+pub fn check_unordered(description: &Description, options: &Options) -> Findings {
     let is_xml = description.format().syntax() == Syntax::Xml;
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
@@ -71,12 +81,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     findings.append(options.severities.apply(about_comments));
     #[cfg(feature = "full")]
     let findings = causes::named(description, findings);
-    let mut findings = variants::named(description, findings);
-    findings.sort_by_key(|finding| {
-        let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
-        (!finding.is_key_error(), start, finding.rule.id)
-    });
-    findings
+    variants::named(description, findings)
 }
 
 /// What a project of objdictgen has no place for, or objdictgen itself decides: bit rates, flags, and which of the objects of

@@ -117,8 +117,11 @@ fn is_refused_for_its_letters(description: &Description) -> bool {
         })
 }
 
-/// Keys beyond the standard that other tools read.
-const READ_BY_OTHERS: [&str; 5] = ["StorageLocation", "TPDODetectCos", "Factor", "Unit", "Description"];
+/// Whether other tools read a key beyond the standard.
+fn is_read_by_others(name: &str) -> bool {
+    let is = |key: &str| name.eq_ignore_ascii_case(key);
+    is("StorageLocation") || is("TPDODetectCos") || eds::is_meaning_key(name)
+}
 
 /// Makes a comment of a key that the standard does not define; `is_needed` says whether one of the tools is among those that
 /// read some of them.
@@ -128,7 +131,7 @@ fn comment_key(finding: &Diagnostic, description: &Description, is_needed: bool)
     if eds::is_key(name) || is_of_comments(description, finding) {
         return None;
     }
-    if is_needed && READ_BY_OTHERS.iter().any(|key| name.eq_ignore_ascii_case(key)) {
+    if is_needed && is_read_by_others(name) {
         return None;
     }
     let fix = Fix::safe(say!("make a comment of `{}`", name));

@@ -5,6 +5,7 @@
 //! only the text shows it.
 
 use super::{Effect, Reaction, When};
+use objdict_eds::eds;
 use objdict_format::Description;
 use objdict_model::canopennode::{Cause, unmet};
 use objdict_model::diagnostic::Tool::{
@@ -225,7 +226,12 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/unclosed-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
-    row("cia306/unknown-key", WRITERS, Dropped, "the key is lost"),
+    row("cia306/unknown-key", EDITOR, Dropped, "the key is lost"),
+    row("cia306/unknown-key", NODE, Dropped, "the key is lost"),
+    row("cia306/unknown-key", PYTHON_CANOPEN, Dropped, "the key is lost")
+        .when("other than `Factor`, `Unit`, `Description`", |description, finding| {
+            !eds::is_meaning_key(shown(description, finding))
+        }),
     row("cia306/unknown-section", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/unknown-section", PYTHON_CANOPEN, Dropped, "the section is lost"),
     row("cia306/unknown-section", EDITOR, Dropped, "the section is lost")

@@ -222,9 +222,14 @@ impl<'a> Items<'a> {
 
     /// Reports an unknown key and keeps it.
     pub(crate) fn unknown(&mut self, item: &Item<'a>, extra: &mut Extra) {
+        self.report_unknown(item);
+        extra.push(item.name, item.value);
+    }
+
+    /// Reports a key that the standard does not define.
+    pub(crate) fn report_unknown(&mut self, item: &Item<'a>) {
         let section = self.section_name();
         self.findings.push_with(&findings::UNKNOWN_KEY, || findings::unknown_key(item, section));
-        extra.push(item.name, item.value);
     }
 }
 

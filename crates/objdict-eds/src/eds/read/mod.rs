@@ -21,9 +21,9 @@ use self::items::Items;
 use super::findings::{self, DuplicateKind};
 use super::section::{NameSpelling, SectionName};
 use crate::diagnostic::Findings;
-use crate::ini::{self, Document};
+use crate::ini::{self, Document, LineKind};
 use crate::model::{
-    Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Extra, ExtraSection, Part, Place,
+    Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry, Extra, ExtraSection, Part, Place,
 };
 use crate::source::Span;
 
@@ -48,6 +48,17 @@ pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
 pub(super) fn embedded_in(line: &str) -> Option<(&str, &str)> {
     let (key, value) = line.trim().strip_prefix(';')?.strip_prefix(EMBEDDED_COMMENT)?.split_once('=')?;
     Some((key.trim(), value.trim()))
+}
+
+/// The comment lines that hold neither an embedded datum nor a setting of CANopenEditor.
+pub fn comments(document: &Document) -> impl Iterator<Item = Span> {
+    let is_read = |span: &Span| {
+        let mut entry = Entry::default();
+        objects::stack_option(&mut entry, span.of(document.text()));
+        entry.stack.is_some() || embedded_in(span.of(document.text())).is_some()
+    };
+    let comments = document.lines().filter(|line| line.kind == LineKind::Comment).map(|line| line.span);
+    comments.filter(move |span| !is_read(span))
 }
 
 /// A description while it is read.

@@ -7,8 +7,8 @@ use crate::eds::item::Item;
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{
-    Access, Compact, Configured, DataType, Entry, ExtensionCount, Field, InvalidValues, ObjFlags, Object,
-    ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Value,
+    Access, Compact, Configured, DataType, Entry, ExtensionCount, Field, InvalidValues, LANGUAGE, Labels,
+    ObjFlags, Object, ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Unit, Value,
 };
 
 /// The keys of the section of an object or module that are not part of the entry.
@@ -109,7 +109,7 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entr
             read.obj_extend = items.integer(item, (0, 255), &mut entry.invalid_values);
         }
         Some(field) => entry_item(entry, field, items, item),
-        None => items.unknown(item, &mut entry.extra),
+        None => unknown(entry, items, item),
     });
     let is_structure = entry.object_type.is_some_and(ObjectType::has_subs);
     values.is_unsupported = kind == SectionKind::Object && is_structure && read.compact_count.is_none();
@@ -121,7 +121,7 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entr
 
 /// A comment with a setting of CANopenEditor for the generators of CANopenNode: `;StorageLocation=RAM`,
 /// `;CO_countLabel=TPDO`. Of two equal settings, the first counts.
-fn stack_option(entry: &mut Entry, comment: &str) {
+pub(super) fn stack_option(entry: &mut Entry, comment: &str) {
     let setting = comment.strip_prefix(';').and_then(|comment| comment.split_once('='));
     if let Some((name, value)) = setting.filter(|(name, _)| name.starts_with(['S', 'C'])) {
         let name = if name == "StorageLocation" { "CO_storageGroup" } else { name };
@@ -161,8 +161,22 @@ fn entry_item<'a>(entry: &mut Entry, field: &Field, items: &mut Items<'a>, item:
             entry.safety_mut().inverted_srad =
                 items.integer(item, (0, u64::from(u32::MAX)), &mut entry.invalid_values);
         }
-        _ => items.unknown(item, &mut entry.extra),
+        _ => unknown(entry, items, item),
     }
+}
+
+/// A key that CiA 306 does not define for an entry. python-canopen reads a unit, a factor and a description.
+fn unknown<'a>(entry: &mut Entry, items: &mut Items<'a>, item: &Item<'a>) {
+    let value = item.value.trim();
+    let is_number = || value.parse::<f64>().is_ok_and(f64::is_finite);
+    match item.name.to_ascii_lowercase().as_str() {
+        _ if value.is_empty() => return items.unknown(item, &mut entry.extra),
+        "unit" => entry.parameter_mut().unit = Some(Unit::named(LANGUAGE, value)),
+        "factor" if is_number() => entry.parameter_mut().multiplier = Some(value.into()),
+        "description" => entry.parameter_mut().labels = Labels::description(LANGUAGE, value),
+        _ => return items.unknown(item, &mut entry.extra),
+    }
+    items.report_unknown(item);
 }
 
 /// The text if it is not empty.

@@ -8,13 +8,14 @@ mod section_writer;
 
 use self::section_writer::SectionWriter;
 use crate::eds::Style;
-use crate::model::Device;
+use crate::model::{Device, LANGUAGE, Meanings};
 
 /// The canonical text of a device in the encoding of the options. What the format or the encoding cannot
 /// represent is approximated; reading the text back shows the loss.
 pub fn write(device: &Device, options: &Style) -> Vec<u8> {
     let mut sections = SectionWriter::new(options, &device.extra);
-    let writer = EdsWriter { device };
+    let meanings = options.meanings.then(|| device.meanings_in(LANGUAGE));
+    let writer = EdsWriter { device, meanings };
     writer.general(&mut sections);
     writer.modules(&mut sections);
     writer.objects(&mut sections);
@@ -27,4 +28,6 @@ pub fn write(device: &Device, options: &Style) -> Vec<u8> {
 /// A device while it is written.
 struct EdsWriter<'a> {
     device: &'a Device,
+    /// What the values mean, for a reader that has keys for it.
+    meanings: Option<Meanings<'a>>,
 }

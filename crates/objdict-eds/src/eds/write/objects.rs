@@ -7,8 +7,8 @@ use super::EdsWriter;
 use super::section_writer::SectionWriter;
 use crate::literal::{self, Spelling};
 use crate::model::{
-    Access, Compact, DataType, Device, Entry, Extension, ExtensionCount, Field, ModulePart, Object,
-    ObjectList, ObjectLists, Part, PdoMapping, Value,
+    Access, Compact, DataType, Device, Entry, Extension, ExtensionCount, Field, LANGUAGE, Meanings,
+    ModulePart, Object, ObjectList, ObjectLists, ObjectType, Part, PdoMapping, Value,
 };
 
 /// The owner of the written objects.
@@ -36,9 +36,10 @@ impl ObjectOwner {
     }
 }
 
-/// The keys that only the section of an object has.
+/// The keys that only the section of an object has, and the array of an element.
 #[derive(Default)]
-struct Own {
+struct Own<'a> {
+    array: Option<&'a Entry>,
     sub_number: Option<u8>,
     compact: Option<u8>,
     count: Option<ExtensionCount>,
@@ -107,8 +108,10 @@ impl EdsWriter<'_> {
             };
             self.entry(sections, parts.object(index), index, &object.main, &own);
         }
+        let array = (object.object_type() == ObjectType::Array).then_some(&object.main);
         for (sub, entry) in object.subs.iter() {
-            self.entry(sections, parts.entry(index, sub), index, entry, &Own::default());
+            let own = Own { array: array.filter(|_| sub > 0), ..Own::default() };
+            self.entry(sections, parts.entry(index, sub), index, entry, &own);
         }
         if parts == ObjectOwner::Device {
             if let Some(compact) = &object.compact {
@@ -139,7 +142,7 @@ impl EdsWriter<'_> {
         self.entry(sections, part, index, entry, &own);
     }
 
-    fn entry(&self, sections: &mut SectionWriter<'_>, part: Part, index: u16, entry: &Entry, own: &Own) {
+    fn entry(&self, sections: &mut SectionWriter<'_>, part: Part, index: u16, entry: &Entry, own: &Own<'_>) {
         let spelling = spelling(sections, index, entry.data_type);
         // a key without a value has no meaning; an empty string is quoted
         let value = |value: Option<&Value>| {
@@ -181,6 +184,11 @@ impl EdsWriter<'_> {
             sections.put_some(&Field::DownloadFile, text(configured.download_file.as_ref()));
             sections.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
         }
+        if let Some(meanings) = &self.meanings {
+            // an element without a meaning has that of its array
+            let array = own.array.filter(|_| entry.parameter.is_none());
+            meaning(sections, meanings, array.unwrap_or(entry));
+        }
         sections.close_with(&entry.extra, &entry.invalid_values);
     }
 
@@ -207,6 +215,17 @@ impl EdsWriter<'_> {
             sub_section(sections, Part::CompactDenotations(index), &compact.denotations, ToString::to_string);
         }
     }
+}
+
+/// The keys of python-canopen, which knows no offset.
+fn meaning(sections: &mut SectionWriter<'_>, meanings: &Meanings<'_>, entry: &Entry) {
+    let scaling = meanings.scaling_of(entry);
+    let name = scaling.unit.and_then(|unit| unit.labels.name_in(LANGUAGE));
+    let description = entry.parameter.as_ref().and_then(|found| found.labels.description_in(LANGUAGE));
+    let in_line = |text: &&str| !text.trim().is_empty() && !text.contains(['\n', '\r']);
+    sections.put_some(&Field::Named("Unit".into()), name.filter(in_line));
+    sections.put_some(&Field::Named("Factor".into()), scaling.factor());
+    sections.put_some(&Field::Named("Description".into()), description.filter(in_line));
 }
 
 /// A section with an item for each sub-index that has a text.

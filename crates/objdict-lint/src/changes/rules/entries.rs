@@ -128,10 +128,10 @@ changes! {
 
     "change/name-respelled" = NAME_RESPELLED {
         SdoClients: Compatible, "clients address entries by index and sub-index";
-        Firmware: Compatible, "identifiers have the same words";
+        Firmware: Compatible, "identifiers stay, or are a change of their own";
     }
     summary: "a name is spelled differently",
-    checks: "Whether a name differs in case, blanks or punctuation only.",
+    checks: "Whether a name differs in case, blanks or punctuation only. If identifiers of generated code change with it, `change/identifier-changed` reports that.",
     example: "`Device Type`, then `Device type`",
     remedy: "Keep the spelling, unless it was wrong.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
@@ -140,7 +140,7 @@ changes! {
         Firmware: Risky, "sources that use the old identifier no longer compile, or mean another entry";
     }
     summary: "an entry has another identifier in generated code, and the same name",
-    checks: "Whether the identifier of an object or entry in the targets `c` and `rust` is another one although its name stays: a new entry of the same name gives both a number.",
+    checks: "Whether the identifier of an object or entry in the targets `c` and `rust` is another one although its name stays, or differs in its spelling only: a new entry of the same name gives both a number.",
     example: "`OD_GAIN` becomes `OD_GAIN_2001`, because 2005h is called `Gain` too",
     remedy: "Give the new entry another name, or keep the identifier with `objdict generate --rename`.",
     source: "objdict, docs/generate.md (names)",
@@ -166,6 +166,16 @@ changes! {
     checks: "Whether one description has a valid data type for an entry and the other has none.",
     example: "an entry without `DataType`, then `DataType=0x0005`",
     remedy: "State the data type in both descriptions and compare again.",
+
+    "change/access-unknown" = ACCESS_UNKNOWN {
+        Configurations: Risky, "tools treat an unknown access type as they like, and may not write the entry";
+        SdoClients: Risky, "tools treat an unknown access type as they like";
+        Firmware: Risky, "generated code has the entry in only one of the two cases";
+    }
+    summary: "only one of the descriptions has a valid access type",
+    checks: "Whether one description has a valid access type for an entry and the other has none, or a text that is none.",
+    example: "`AccessType=rw`, then `AccessType=readwrite`",
+    remedy: "State the access type in both descriptions and compare again.",
 
     "change/access-narrowed" = ACCESS_NARROWED {
         Configurations: Breaking, "the device refuses the download with abort code 06010002h";
@@ -273,6 +283,15 @@ changes! {
     checks: "Whether the default values are different numbers, texts or bytes. The number of sub-indexes at sub-index 0, what identifies the device, and the parameters of PDOs belong to other rules.",
     example: "`DefaultValue=10`, then `DefaultValue=0x14`",
     remedy: "Keep the default, or name the change in the release notes.",
+
+    "change/default-stated" = DEFAULT_STATED {
+        SdoClients: Compatible, "the device starts with the value that it had without a stated default";
+        Firmware: Compatible, "generated tables have the same value";
+    }
+    summary: "only one of the descriptions states a default value of 0",
+    checks: "Whether one description has the default 0, or an empty text, and the other has none: without a default, tables and configurations take 0. COB-IDs belong to other rules.",
+    example: "an entry without `DefaultValue`, then `DefaultValue=0`",
+    remedy: "State the default in both descriptions.",
 
     "change/read-only-default-changed" = READ_ONLY_DEFAULT_CHANGED {
         SdoClients: Compatible, "clients must read the value, which the device sets";

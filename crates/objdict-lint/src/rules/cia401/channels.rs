@@ -79,7 +79,7 @@ rules! {
     "cia401/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
         Applied(wrong_transmission_type), fix Unsafe;
     summary: "a default PDO of an I/O module has a transmission type other than 255",
-    checks: "Whether the default transmission type of PDO 1 to 4 of an EDS, as far as there are channels for them, is 255: sent when an input changes, applied immediately. The rule does not apply to PDOs that are not valid by default, when bit 23 of 1000h declares a manufacturer-specific mapping, and to devices with several logical devices.",
+    checks: "Whether the default transmission type of PDO 1 to 4 of an EDS, as far as there are channels for them, is 255: sent when an input changes, applied immediately. The rule does not apply to TPDOs of analogue inputs that are sent every 1 to 240 SYNCs, to PDOs that are not valid by default, when bit 23 of 1000h declares a manufacturer-specific mapping, and to devices with several logical devices.",
     why: "Without configuration, a master gets no inputs from a module that waits for a SYNC. With 254 the vendor, not the profile, defines when the PDO is sent.",
     example: "`[1800sub2]` with `DefaultValue=254`",
     remedy: "Write `DefaultValue=255`, in the description and in the device.",
@@ -250,10 +250,17 @@ fn shown_mapping(mapped: &[MappedObject]) -> Argument {
 }
 
 fn wrong_transmission_type(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
-    for (pdo, _) in channels::default_pdos(facts, applied) {
+    for (pdo, mapped) in channels::default_pdos(facts, applied) {
         let pdo = &pdo.pdo;
-        // another rule reports reserved transmission types
-        let wrong = pdo.transmission_type.filter(|found| !matches!(found, 241..=251 | 255));
+        // the profile disables the events of analogue inputs (6423h), so that 255 alone would send nothing
+        let is_sampled = mapped.iter().any(|mapped| mapped.index == 0x6401);
+        let is_right = |found: u8| match found {
+            255 => true,
+            1..=240 => is_sampled,
+            // another rule reports reserved transmission types
+            _ => matches!(found, 241..=251),
+        };
+        let wrong = pdo.transmission_type.filter(|&found| !is_right(found));
         let Some(found) = wrong.filter(|_| pdo.is_valid() != Some(false)) else { continue };
         let message = say!("transmission type `{}` of {} differs from CiA 401 (255)", found, pdo);
         let place = facts.device.value_place(pdo.communication_index(), 2);

@@ -56,6 +56,19 @@ impl<'a> Scaling<'a> {
         Self::new(variable.unit.as_ref(), variable.offset.as_deref(), variable.multiplier.as_deref())
     }
 
+    /// By what the value alone is multiplied to be in the base unit; `None` if that is 1, no number, or an offset comes first.
+    pub fn factor(&self) -> Option<String> {
+        let has_offset = self.offset.is_some_and(|text| text.parse() != Ok(0.0));
+        let of_unit = self.unit.map(|unit| &*unit.multiplier).filter(|text| *text != "1");
+        let factor = match (self.multiplier, of_unit) {
+            (Some(text), None) | (None, Some(text)) => text.to_owned(),
+            (Some(a), Some(b)) => (a.parse::<f64>().ok()? * b.trim().parse::<f64>().ok()?).to_string(),
+            (None, None) => return None,
+        };
+        let number: f64 = factor.trim().parse().ok()?;
+        (!has_offset && number.is_finite() && number != 1.0).then_some(factor)
+    }
+
     /// Whether neither a unit nor a scale is stated.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
