@@ -7,7 +7,7 @@ use super::args::{CheckArgs, ReportArgs, ReportFormat};
 use super::baseline::{BaselineArgs, KnownFindings};
 use super::cache::Cache;
 use super::ending::{Failure, Outcome, note};
-use super::files::{InputFile, gather_with, is_source, note_outside};
+use super::files::{InputFile, gather_with, is_source, note_networks, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
 use super::git;
 use super::input::{CheckedInput, name_of, source_name};
@@ -32,6 +32,7 @@ use objdict_project::workspace::with_origin_beside;
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = CommandSettings::new(&args.settings)?;
     let (files, failures) = gather_with(&args.files, &mut settings, is_source)?;
+    note_networks(&files);
     let cache = args.cache.as_deref().and_then(|path| Cache::open(path, args, &settings));
     let worker = Worker { args, settings: &settings, cache: cache.as_ref() };
     if args.fixing.safety().is_some() {

@@ -1,6 +1,6 @@
 //! The files that are meant by the arguments of a command: files, folders and patterns.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
@@ -14,7 +14,10 @@ use objdict_model::source::{self, MAX_TOML_SIZE};
 use objdict_network_file::may_be_network;
 
 /// The endings of the descriptions that are looked for in folders.
-const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];
+const ENDINGS: [&str; 7] = ["eds", "dcf", "xdd", "xdc", "xpd", "nxdd", "nxdc"];
+
+/// Those of other files that hold a device now and then.
+const SHARED_ENDINGS: [&str; 3] = ["xml", "od", "json"];
 
 /// A file that is meant.
 pub(super) struct InputFile {
@@ -187,15 +190,34 @@ fn is_pattern(path: &Path) -> bool {
     path.strip_prefix(r"\\?\").unwrap_or(&path).contains(['*', '?', '['])
 }
 
-/// Whether a file is a `device.toml`, a network or a patch by what is in it; others may have these endings too.
+/// Whether a file is a `device.toml`, a network, a patch, a project or the JSON of a device by what is in it; others may have these
+/// endings too.
 pub(super) fn is_source(path: &Path) -> bool {
-    may_be_network(path)
+    (may_be_network(path) || has_ending(path, &SHARED_ENDINGS))
         && path.metadata().is_ok_and(|metadata| metadata.len() <= MAX_TOML_SIZE)
         && source::read(path, MAX_TOML_SIZE)
             .is_ok_and(|bytes| identify(&source_name(path), &bytes).kind != ContentKind::Unknown)
 }
 
 fn is_description(path: &Path) -> bool {
+    has_ending(path, &ENDINGS)
+}
+
+fn has_ending(path: &Path, endings: &[&str]) -> bool {
     let ending = path.extension().unwrap_or_default();
-    ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known))
+    endings.iter().any(|known| ending.eq_ignore_ascii_case(known))
+}
+
+/// Says which folders have several DCFs that were found in them: each is checked alone.
+pub(super) fn note_networks(files: &[InputFile]) {
+    let mut counts: BTreeMap<&Path, usize> = BTreeMap::new();
+    for file in files.iter().filter(|file| !file.is_named && has_ending(&file.path, &["dcf"])) {
+        *counts.entry(file.path.parent().unwrap_or(Path::new(""))).or_default() += 1;
+    }
+    for (folder, count) in counts.into_iter().filter(|(_, count)| *count > 1) {
+        let pattern = name_of(&folder.join("*.dcf"));
+        note(&format!(
+            "note: {count} DCFs are checked one by one; if they are a network, `objdict network check {pattern}` checks them together\n"
+        ));
+    }
 }

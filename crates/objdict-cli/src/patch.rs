@@ -74,6 +74,9 @@ fn check(args: &PatchCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     const WIDTH: usize = 60;
     let mut settings = CommandSettings::new(&args.settings)?;
     let (files, failures) = gather(&args.files, &mut settings)?;
+    if let Some(failure) = settings.unusable().next() {
+        return Err(failure);
+    }
     failures.iter().for_each(Failure::print);
     let mut known: Vec<Arc<Patch>> = args.input.patch.patches.clone();
     let mut table = TextTable::new(["Patch", "File", "Result"], WIDTH);
@@ -139,6 +142,8 @@ fn result(patch: &Patch, findings: &Findings) -> String {
         (0, 0) => "applies".to_owned(),
         (0, warnings) if warnings >= patch.len() => "no longer needed".to_owned(),
         (0, warnings) => format!("applies, {warnings} of {} changes no longer needed", patch.len()),
+        // those of its keys are no changes
+        (errors, _) if errors > patch.len() => "does not apply".to_owned(),
         (errors, _) => format!("does not apply: {errors} of {} changes", patch.len()),
     }
 }

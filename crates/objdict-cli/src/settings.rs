@@ -231,8 +231,14 @@ impl CommandSettings {
     pub(super) fn unusable(&self) -> impl Iterator<Item = Failure> {
         let is_unusable = |project: &&Project| !project.is_usable() || project.findings.has_errors();
         self.projects().filter(is_unusable).map(|project| {
-            let message = format!("`{}` cannot be used", project.config.source().name());
-            Failure::new(message).help("run `objdict check` for the reasons")
+            let name = project.config.source().name();
+            let mut errors = project.findings.iter().filter(|finding| finding.severity == Severity::Error);
+            let of_profiles = || Some(project.failures.first()?.to_string());
+            let message = match errors.next().map(|cause| cause.message.to_string()).or_else(of_profiles) {
+                Some(cause) => format!("`{name}` cannot be used: {cause}"),
+                None => format!("`{name}` cannot be used"),
+            };
+            Failure::new(message).help("run `objdict check` for the places of all reasons")
         })
     }
 

@@ -240,13 +240,17 @@ fn warn_of_node_id(args: &ConvertArgs, job: &Job, device: &Device) {
 fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<(ConciseDcf, Vec<Loss>), Failure> {
     let scope = if args.all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
-    let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
+    let plan = ConciseDcf::plan(&device.without_disabled(), &options).map_err(|error| refusal(&error))?;
     tell_empty(&plan);
+    let disabled = device.objects.iter().filter(|(_, object)| object.is_disabled()).map(|(&index, _)| {
+        let reason = "the object is disabled".to_owned();
+        left_out(device, &Place::object(index), LossKind::LeftOut, reason)
+    });
     let left_out = plan.skipped.iter().map(|skipped| {
         let reason = format!("not part of the stream: {}", skipped.reason);
         left_out(device, &skipped.place, LossKind::LeftOut, reason)
     });
-    let losses = left_out.collect();
+    let losses = disabled.chain(left_out).collect();
     let folder = args.network.paths.folder_of(&job.input);
     Ok((plan.into_concise(|file| read_data(&folder, file))?, losses))
 }

@@ -22,8 +22,9 @@ use super::settings::{CommandSettings, SettingsArgs};
 use super::stdout::Output;
 use super::written_files::{SaveFolder, Saved, is_stdout, keep, require_other, save};
 use objdict_format::input::Reading;
-use objdict_format::{Description, Format, LossKind, ReadError, json};
-use objdict_model::diagnostic::Severity;
+use objdict_format::{self as format, Description, Format, LossKind, ReadError, json};
+use objdict_model::diagnostic::{Severity, plural};
+use objdict_model::source::{SourceFile, SourceOptions};
 use objdict_node::concise;
 use objdict_node::download::ConciseDcf;
 use objdict_project::workspace;
@@ -227,8 +228,25 @@ fn finish(
         );
         out.summary(line.trim_end_matches('\n'))?;
     }
+    if job.to == FileKind::Toml {
+        note_errors(job, bytes);
+    }
     report.add(job, from, losses);
     Ok(())
+}
+
+/// Says that a source has the errors of the description that it is made of, because commands refuse it.
+fn note_errors(job: &Job, bytes: Vec<u8>) {
+    let name = name_of(&job.output);
+    let Ok(source) = SourceFile::from_bytes(&name, bytes, &SourceOptions::default()) else { return };
+    let findings = objdict_project::check(&format::read(source, Format::Toml));
+    let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
+    if errors > 0 {
+        let errors = plural(errors, "error");
+        note(&format!(
+            "note: `{name}` has {errors} of the description; `objdict check {name}` shows what to correct before it is converted\n"
+        ));
+    }
 }
 
 /// What is made of a concise DCF.

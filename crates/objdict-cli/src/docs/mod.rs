@@ -73,9 +73,8 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         failure.print();
         outcome = Outcome::Failed;
     }
-    for failure in settings.unusable() {
-        failure.print();
-        outcome = Outcome::Failed;
+    if let Some(failure) = settings.unusable().next() {
+        return Err(failure);
     }
     let mut read = DocumentedFile::default();
     let has_pages = files.len() > 1 || !is_file(args);

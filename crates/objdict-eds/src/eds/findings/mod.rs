@@ -128,7 +128,7 @@ text_rules! {
     remedy: "Renumber the entries.",
     source: "CiA 306-1 §4.6.3.1",
 
-    "cia306/invalid-list-entry" = INVALID_LIST_ENTRY, Error;
+    "cia306/invalid-list-entry" = INVALID_LIST_ENTRY, Error, fix Unsafe;
     summary: "a list entry is not a valid index",
     checks: "Whether each value of an object list is an index from 1h to FFFFh.",
     why: "The intended object is not listed, so many tools do not see it.",

@@ -9,7 +9,8 @@ use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
 use crate::eds::item::Item;
 use crate::eds::keys::FieldKey;
 use crate::eds::section::{NameSpelling, SectionName, section_name};
-use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, Place};
+use crate::literal::iec_number;
+use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, Place, Reason};
 use crate::source::Span;
 
 /// `item` repeats `first`.
@@ -267,9 +268,18 @@ pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: &str, fix: Fix) 
         .fix(fix)
 }
 
-pub(in crate::eds) fn invalid_list_entry(item: &Item<'_>) -> Diagnostic {
-    Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, say!("`{}` is not a valid index", item.value))
-        .help("write an index from 0x1 to 0xFFFF")
+pub(in crate::eds) fn invalid_list_entry(item: &Item<'_>, reason: &Reason) -> Diagnostic {
+    let message = say!("`{}` is not a valid index", item.value);
+    let finding = Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, message);
+    // `16#1000`, or as in the name of a section: `1000h`
+    let of_section = || SectionName::parse(item.value).part.object().map(|index| format!("0x{index:04X}"));
+    match iec_number(item.value, reason).or_else(of_section) {
+        Some(index) => {
+            let title = say!("write `{}`", &index);
+            finding.help(title.clone()).fix(Fix::risky(title).replace(item.value_at, index))
+        }
+        None => finding.help("write an index from 0x1 to 0xFFFF"),
+    }
 }
 
 /// Reports an `[xxxxName]`, `[xxxxValue]` or `[xxxxDenotation]` without a compact object.

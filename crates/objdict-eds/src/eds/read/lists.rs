@@ -46,12 +46,14 @@ pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Ext
         if !quirks.is_empty() {
             findings::quirks(item, quirks, None, items.findings);
         }
-        let index = index.ok().and_then(|index| u16::try_from(index).ok());
-        if index.is_none() {
-            items.findings.push(findings::invalid_list_entry(item));
-            extra.push(item.name, item.value);
+        match index {
+            Ok(index) => u16::try_from(index).ok(),
+            Err(reason) => {
+                items.findings.push(findings::invalid_list_entry(item, &reason));
+                extra.push(item.name, item.value);
+                None
+            }
         }
-        index
     })
 }
 

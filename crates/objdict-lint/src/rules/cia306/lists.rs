@@ -328,12 +328,17 @@ fn object_not_listed(device: &Device, findings: &mut Findings) {
     for list in ObjectList::ALL.into_iter().filter(|&list| lists.has(list)) {
         let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
         let all = with_members(lists.get(list), others.clone());
+        // an entry that cannot be read may be the one that is missing
+        let has_unread = device.extra.iter().any(|section| {
+            section.name() == list.name() && section.entries().any(|(key, _)| Field::item(key).is_some())
+        });
         for index in others {
             let message = say!("{:04X}h is described, but not in any object list", index);
             let finding = OBJECT_NOT_LISTED.at(Place::object(index), message);
             let mut finding = finding.help(say!("add `0x{:04X}` to `{}`", index, list));
             finding.fix = fixes.next(&all, || {
-                let fix = Fix::safe(say!("add all described objects to `{}`", list));
+                let title = say!("add all described objects to `{}`", list);
+                let fix = if has_unread { Fix::risky(title) } else { Fix::safe(title) };
                 fix.with(Change::List(list, all.clone()))
             });
             findings.push(finding);
