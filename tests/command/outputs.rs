@@ -502,3 +502,22 @@ fn a_node_keeps_the_syntax_of_its_description() {
         assert!(fs::read_dir(folder.path()).unwrap().count() == 2, "{line}");
     }
 }
+
+/// As `dcf pack` and `network build` make it; the loss is said.
+#[test]
+fn a_concise_dcf_has_no_disabled_objects() {
+    let folder = folder();
+    let text = fs::read_to_string(SOURCE).unwrap();
+    let marked = text.replacen(
+        "[6200]",
+        "[2F00]\nParameterName=Gain\nObjectType=0x7\nDataType=0x0006\nAccessType=rw\n\
+        DefaultValue=5\nPDOMapping=0\n;CO_disabled=true\n\n[6200]",
+        1,
+    );
+    assert_ne!(text, marked);
+    fs::write(folder.path().join("a.eds"), marked).unwrap();
+    let output = objdict(folder.path(), "convert a.eds -o a.cdcf.txt --node-id 3 --all");
+    let told = crate::printed(&output.stdout);
+    assert!(told.contains("left out: 0x2F00: the object is disabled"), "{told}{}", errors(&output));
+    assert!(!fs::read_to_string(folder.path().join("a.cdcf.txt")).unwrap().contains("2F00:"));
+}

@@ -155,10 +155,50 @@ fn a_folder_is_checked_with_its_sources() {
     let told = String::from_utf8_lossy(&clean.stderr).into_owned();
     assert!(told.contains("note: 3 files describe no CANopen device and were not checked"), "{told}");
     assert!(told.contains("`objdict network check`") && told.contains("`objdict patch check`"), "{told}");
+    // projects are known by their content
+    write("build.xml", "<project><target/></project>\n");
+    fs::copy("fixtures/xdd/press-402.xdd", folder.path().join("press.xpd")).unwrap();
+    for node in ["a", "b"] {
+        let line = format!("convert minimal.eds -o {node}.dcf --node-id 3 --bit-rate 125");
+        assert_eq!(run(folder.path(), &line).status.code(), Some(0));
+    }
+    let more = run(folder.path(), "check");
+    let files = String::from_utf8_lossy(&more.stdout).into_owned();
+    assert!(files.contains("of 5 files"), "{files}");
+    let told = String::from_utf8_lossy(&more.stderr).into_owned();
+    assert!(told.contains("2 DCFs are checked one by one") && told.contains("network check *.dcf"), "{told}");
     write("bad.toml", "format = \"objdict-device/1\"\nprofil = \"301@1\"\n");
     let report = run(folder.path(), "check --format concise");
     assert_eq!((report.status.code(), first_error(&report).as_deref()), (Some(1), Some("keys/unknown-key")));
     let network = run(folder.path(), "check of-bad.toml");
     assert_eq!(network.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&network.stderr).contains("`objdict network check` checks it"));
+}
+
+/// A configuration that cannot be used, or a profile that it names: every command refuses it with the reason, and writes nothing.
+#[test]
+fn a_configuration_is_refused_with_its_cause() {
+    let folder = folder(&fs::read_to_string("fixtures/toml/io.toml").unwrap());
+    fs::copy("fixtures/eds/minimal.eds", folder.path().join("minimal.eds")).unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write("profile.toml", "format = \"objdict-profile/1\"\nfoo = 1\n");
+    let of_config = [
+        ("compat = [\"foo\"]\n", "there is no tool `foo`"),
+        ("profiles = [\"profile.toml\"]\n", "unknown field `foo`"),
+        ("deny = \"warning\n", "invalid basic string"),
+    ];
+    for (text, cause) in of_config {
+        write("objdict.toml", text);
+        for line in [
+            "show minimal.eds",
+            "docs minimal.eds -o out.html",
+            "convert minimal.eds -o out.xdd",
+            "patch check",
+        ] {
+            let output = run(folder.path(), line);
+            let told = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.code() == Some(2) && told.contains(cause), "{line}: {told}");
+        }
+        assert!(!names(folder.path()).iter().any(|name| name.starts_with("out.")), "{text}");
+    }
 }

@@ -16,8 +16,8 @@ use objdict_network_file::may_be_network;
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 7] = ["eds", "dcf", "xdd", "xdc", "xpd", "nxdd", "nxdc"];
 
-/// Those of other files that hold a device now and then.
-const SHARED_ENDINGS: [&str; 3] = ["xml", "od", "json"];
+/// Those of projects and of many other files.
+const SHARED_ENDINGS: [&str; 2] = ["xml", "od"];
 
 /// A file that is meant.
 pub(super) struct InputFile {
@@ -190,8 +190,7 @@ fn is_pattern(path: &Path) -> bool {
     path.strip_prefix(r"\\?\").unwrap_or(&path).contains(['*', '?', '['])
 }
 
-/// Whether a file is a `device.toml`, a network, a patch, a project or the JSON of a device by what is in it; others may have these
-/// endings too.
+/// Whether a file is a `device.toml`, a network, a patch or a project by what is in it; others may have these endings too.
 pub(super) fn is_source(path: &Path) -> bool {
     (may_be_network(path) || has_ending(path, &SHARED_ENDINGS))
         && path.metadata().is_ok_and(|metadata| metadata.len() <= MAX_TOML_SIZE)
