@@ -8,5 +8,7 @@ fn main() -> Result<(), Error> {
     Builder::new(eds).node_id(5).domain_capacity(1000).runtime(true).generate()?;
     let bootloader = Builder::new("../../fixtures/eds/bootloader.eds").node_id(5).module("bootloader");
     bootloader.group(0x1017..=0x1017, "PERSISTENT").runtime(true).generate()?;
+    let stored = Builder::new("../../fixtures/eds/io-401.eds").node_id(5).module("stored");
+    stored.group(0x1005..=0x1FFF, "COMM").group(0x2000..=0x9FFF, "APPLICATION").runtime(true).generate()?;
     Ok(())
 }

@@ -1,6 +1,8 @@
 //! A bootloader on a bus that is a TCP connection, as for the node: it takes a program of any length into its flash, and keeps its heartbeat
 //! time. The flash is RAM here.
 
+#[path = "../src/flash.rs"]
+mod flash;
 #[path = "../src/slcan.rs"]
 mod slcan;
 
@@ -8,67 +10,13 @@ use std::io::{self, ErrorKind, Write};
 use std::net::TcpListener;
 use std::time::Instant;
 
-use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use objdict_device::{FlashStorage, NmtCommand, Received, Region, WithProgram, error_code};
 
+use flash::Flash;
 use slcan::Bus;
 
 mod od {
     include!(concat!(env!("OUT_DIR"), "/bootloader.rs"));
-}
-
-/// 256 KiB in pages of 2 KiB, written in units of 8 bytes.
-struct Ram(Vec<u8>);
-
-#[derive(Debug)]
-struct OutOfBounds;
-
-impl NorFlashError for OutOfBounds {
-    fn kind(&self) -> NorFlashErrorKind {
-        NorFlashErrorKind::OutOfBounds
-    }
-}
-
-impl ErrorType for Ram {
-    type Error = OutOfBounds;
-}
-
-impl Ram {
-    fn new() -> Self {
-        Self(vec![0xFF; 0x4_0000])
-    }
-
-    fn part(&mut self, from: u32, length: usize) -> Result<&mut [u8], OutOfBounds> {
-        self.0.get_mut(from as usize..from as usize + length).ok_or(OutOfBounds)
-    }
-}
-
-impl ReadNorFlash for Ram {
-    const READ_SIZE: usize = 4;
-
-    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), OutOfBounds> {
-        bytes.copy_from_slice(self.part(offset, bytes.len())?);
-        Ok(())
-    }
-
-    fn capacity(&self) -> usize {
-        self.0.len()
-    }
-}
-
-impl NorFlash for Ram {
-    const WRITE_SIZE: usize = 8;
-    const ERASE_SIZE: usize = 2048;
-
-    fn erase(&mut self, from: u32, to: u32) -> Result<(), OutOfBounds> {
-        self.part(from, (to - from) as usize)?.fill(0xFF);
-        Ok(())
-    }
-
-    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), OutOfBounds> {
-        self.part(offset, bytes.len())?.copy_from_slice(bytes);
-        Ok(())
-    }
 }
 
 fn main() -> io::Result<()> {
@@ -84,7 +32,7 @@ fn main() -> io::Result<()> {
 fn run(mut bus: Bus) -> io::Result<()> {
     let start = Instant::now();
     let now = || start.elapsed().as_micros() as u64;
-    let (pages, program) = (Ram::new(), Ram::new());
+    let (pages, program) = (Flash::new(0x4_0000, None), Flash::new(0x4_0000, None));
     let beyond = || io::Error::other("not a region of this flash");
 
     // the values that 1010h stores, in the last pages
