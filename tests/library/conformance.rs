@@ -264,7 +264,7 @@ fn a_wrong_node_fails() {
     ];
     let device = with_everything();
     for (mistake, expected) in mistakes {
-        let results = conformance_of(&device, 5, |dictionary| Wrong(dictionary, mistake));
+        let results = conformance_of(&device, 5, &[], |dictionary| Wrong(dictionary, mistake));
         let failed = failures(&results);
         for name in expected {
             let is_noticed = failed.iter().any(|failure| failure.contains(&format!(": {name}: ")));
@@ -272,4 +272,30 @@ fn a_wrong_node_fails() {
         }
         assert!(!results.is_clean());
     }
+}
+
+/// With groups, 1010h stores their values and no others, and the checks are about these.
+#[test]
+fn the_groups_of_a_build_are_tested() {
+    let of = |groups: &[&str]| {
+        let groups: Vec<_> = groups.iter().map(|group| group.parse().unwrap()).collect();
+        conformance_of(&fixture("eds/io-401.eds"), 5, &groups, |dictionary| dictionary)
+    };
+    let verdict = |results: &Conformance, name: &str| {
+        let found = results.checks.iter().find(|check| check.name == name);
+        found.map(|check| check.verdict.clone())
+    };
+    let (stored, outside) =
+        ("1010h: stored values survive a reset", "1010h: values outside the groups are not stored");
+    assert_eq!(verdict(&of(&[]), outside), None);
+    for groups in [&["1000-1FFF=COMM"][..], &["6000-9FFF=APPLICATION"]] {
+        let results = of(groups);
+        assert_eq!(failures(&results), [""; 0]);
+        assert_eq!(verdict(&results, stored), Some(Verdict::Passed), "{groups:?}");
+        assert_eq!(verdict(&results, outside), Some(Verdict::Passed), "{groups:?}");
+    }
+    // no value is in the group, or all are
+    assert!(matches!(verdict(&of(&["3000=NONE"]), stored), Some(Verdict::Absent(_))));
+    let all = of(&["1000-1FFF=COMM", "2000-9FFF=APPLICATION"]);
+    assert!(matches!(verdict(&all, outside), Some(Verdict::Absent(_))));
 }

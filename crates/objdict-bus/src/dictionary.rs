@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use objdict_device::{Abort, Attributes, Dictionary, Scope};
-use objdict_generate::{LiveEntry, Options, live_entries};
+use objdict_generate::{LiveEntry, Options, StorageGroup, live_entries};
 
 use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
 
@@ -61,6 +61,8 @@ pub struct LiveDictionary {
     /// Storage that 1011h marked to be dropped at the next reset, by sub-index.
     dropped: Vec<u8>,
     node_id: u8,
+    /// Whether 1010h stores only the values of storage groups; otherwise there is a memory for all.
+    by_group: bool,
     /// Whether it represents any device with the description, and not only one with the services of `objdict-device`.
     is_any: bool,
 }
@@ -71,16 +73,18 @@ impl LiveDictionary {
         Self { is_any: true, ..Self::with_options(device, node_id, power_on, &roomy()) }
     }
 
-    /// What a generated table with room for all values answers.
-    pub(crate) fn of_table(device: &Device, node_id: u8) -> Self {
-        Self::with_options(device, node_id, PowerOn::Defaults, &roomy())
+    /// What a generated table with room for all values and these storage groups answers.
+    pub(crate) fn of_table(device: &Device, node_id: u8, groups: &[StorageGroup]) -> Self {
+        let options = Options { groups: groups.to_vec(), ..roomy() };
+        Self::with_options(device, node_id, PowerOn::Defaults, &options)
     }
 
     /// What a generated table with these options answers.
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
         let entries: Arc<[LiveEntry]> = live_entries(&power_on.values_of(device), node_id, options).into();
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
-        Self { entries, stored: values.clone(), values, dropped: Vec::new(), node_id, is_any: false }
+        let (stored, by_group) = (values.clone(), !options.groups.is_empty());
+        Self { entries, stored, values, dropped: Vec::new(), node_id, by_group, is_any: false }
     }
 
     /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
@@ -102,6 +106,11 @@ impl LiveDictionary {
     /// Whether there is an entry.
     pub(crate) fn has(&self, index: u16, sub: u8) -> bool {
         self.find(index, sub).is_ok()
+    }
+
+    /// Whether 1010h stores the value of an entry.
+    pub(crate) fn keeps(&self, index: u16, sub: u8) -> bool {
+        self.find(index, sub).is_ok_and(|at| !self.by_group || self.entries[at].is_grouped)
     }
 
     /// The bytes of an entry, without a look at its access.
@@ -285,7 +294,8 @@ impl Dictionary for LiveDictionary {
 
     fn store(&mut self, sub: u8) -> Result<(), Abort> {
         for (at, entry) in self.entries.iter().enumerate() {
-            if entry.is_writable && is_stored(sub, entry.index) {
+            let is_kept = !self.by_group || entry.is_grouped;
+            if entry.is_writable && is_kept && is_stored(sub, entry.index) {
                 self.stored[at].clone_from(&self.values[at]);
             }
         }

@@ -2,6 +2,7 @@
 
 use super::dictionary::{self, ResolvedEntry};
 use super::resolve::{Encoded, Resolver};
+use super::stored::group_of;
 use super::{Options, gaps};
 use crate::model::{DataType, Device};
 
@@ -30,6 +31,8 @@ pub struct LiveEntry {
     pub low: Option<u64>,
     /// The highest value, as [`LiveEntry::low`].
     pub high: Option<u64>,
+    /// Whether the object is in a storage group, of the options or of the description.
+    pub is_grouped: bool,
 }
 
 /// The entries of a device on a node in ascending order. What a table cannot have is left out; a value that cannot be
@@ -40,7 +43,9 @@ pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<Live
     let mut entries = Vec::new();
     for (&index, object) in &device.objects {
         let object = dictionary::resolve(&mut resolver, options, index, object);
-        for ResolvedEntry { sub, resolved, .. } in object.into_iter().flat_map(|object| object.entries) {
+        let Some(object) = object else { continue };
+        let is_grouped = group_of(&object, options).is_some();
+        for ResolvedEntry { sub, resolved, .. } in object.entries {
             let word = |datum: &Encoded| datum.on_node(Some(node_id));
             let size = resolved.shape.size();
             entries.push(LiveEntry {
@@ -55,6 +60,7 @@ pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<Live
                 value: resolved.default.bytes_on(Some(node_id), size),
                 low: resolved.low.as_ref().map(word),
                 high: resolved.high.as_ref().map(word),
+                is_grouped,
             });
         }
     }

@@ -32,6 +32,8 @@ pub(super) struct DescribedEntry {
     pub(super) has_other_limits: bool,
     /// Whether RPDOs, TPDOs may map it.
     pub(super) fits: [bool; 2],
+    /// Whether 1010h stores it.
+    pub(super) is_kept: bool,
     /// The length of a value in bytes; `None` for texts, octets and DOMAINs.
     length: Option<usize>,
     /// The most bytes of a value.
@@ -60,6 +62,7 @@ impl DescribedEntry {
             high,
             has_other_limits: has_limits && low.is_none() && high.is_none(),
             fits: [fits(PdoKind::Rpdo), fits(PdoKind::Tpdo)],
+            is_kept: true,
             length: data_type.byte_length().map(usize::from),
             room: live.len(),
         })
@@ -157,7 +160,12 @@ impl DescribedEntries {
                 // compact storage cannot describe the number of errors, which each table has as in CiA 301
                 let is_count = (index, sub) == (0x1003, 0) && object.compact.is_some();
                 let access = |own| if is_count && attributes.writable { Access::Rw } else { own };
-                entries.extend(entry.map(|entry| DescribedEntry { access: access(entry.access), ..entry }));
+                let is_kept = live.keeps(index, sub);
+                entries.extend(entry.map(|entry| DescribedEntry {
+                    access: access(entry.access),
+                    is_kept,
+                    ..entry
+                }));
             }
         }
         let info = device.device_info.as_ref();

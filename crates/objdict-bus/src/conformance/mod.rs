@@ -22,6 +22,7 @@ mod transfers;
 mod unserved;
 
 use objdict_device::Dictionary;
+use objdict_generate::StorageGroup;
 
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::model::Device;
@@ -143,23 +144,26 @@ const SERVICES: [&[ServiceCheck]; 14] = [
 
 /// Checks the node of a description, which has the defaults and the node-ID.
 pub fn conformance(device: &Device, node_id: u8) -> Conformance {
-    conformance_of(device, node_id, |dictionary| dictionary)
+    conformance_of(device, node_id, &[], |dictionary| dictionary)
 }
 
-/// Checks the node of a description whose dictionary is another one than that of the description.
+/// Checks the node of a build with these storage groups and those of the description; without any, all values are stored. The
+/// dictionary can be another one than that of the description.
 pub fn conformance_of<D: Dictionary + Clone + 'static>(
     device: &Device,
     node_id: u8,
+    groups: &[StorageGroup],
     dictionary: impl FnOnce(LiveDictionary) -> D,
 ) -> Conformance {
     let device = PowerOn::Defaults.values_of(device);
-    let live = LiveDictionary::of_table(&device, node_id);
+    let live = LiveDictionary::of_table(&device, node_id, groups);
     let (pdos, longest) = (live.pdos(), live.longest());
     let described = DescribedEntries::new(&device, node_id, &live);
     let mut node = node(&described, dictionary(live), &pdos, longest);
     let boot_up = node.boot(0);
     let bench = || Bench::new(&described, node.again(), boot_up);
-    let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
+    let of_groups = if groups.is_empty() { &[] } else { storage::OF_GROUPS };
+    let of_services = SERVICES.into_iter().flatten().chain(of_groups).map(|check| ConformanceCheck {
         service: check.service,
         name: check.name.to_owned(),
         section: check.section,

@@ -52,6 +52,7 @@ use super::settings::{ConfigFileArgs, SettingsArgs};
 use super::terminal::TerminalArgs;
 use super::values::node_id;
 use super::written_files::OverwriteArgs;
+use objdict_generate::StorageGroup;
 use objdict_model::model::{Address, NoAddress};
 
 /// The CANopen object-dictionary toolchain
@@ -283,6 +284,9 @@ pub(super) struct ConformanceArgs {
     /// The node-ID [default: from the DCF, else 1]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
+    /// Storage group of the build, as of `generate`; then only values in groups are stored; repeatable
+    #[arg(long = "group", value_name = "INDEXES=NAME")]
+    pub groups: Vec<StorageGroup>,
     /// Show only checks that fail
     #[arg(long)]
     pub summary: bool,
