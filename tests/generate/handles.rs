@@ -214,7 +214,15 @@ fn what_makes_no_sense_does_not_compile() {
     };
     compile("data.set(od::SPEED, 1).unwrap();", None);
     for (statement, error) in [
-        ("data.set(od::SERIAL, 1).unwrap();", "the trait bound `table::Const: Variable` is not satisfied"),
+        (
+            "data.set(od::SERIAL, 1).unwrap();",
+            "the application cannot set an entry whose access is `table::Const`",
+        ),
+        ("data.put(od::SYNC, 1);", "the application cannot set an entry whose access is `NodeConst`"),
+        (
+            "data.put(od::SERIAL, 1);",
+            "read it with `value()` or `get`, or describe the entry with another access type",
+        ),
         ("data.set(od::SPEED, 1_u8).unwrap();", "mismatched types"),
         ("let _ = od::SYNC.value();", "no method named `value` found"),
         ("const NONE: od::Handle<u8, od::Rw> = od::LEVELS.at(4);", "no such sub-index"),

@@ -67,7 +67,7 @@ macro_rules! with_options {
             }
             /// Prefix of C identifiers and files [default: od]
             ///
-            /// A letter, and up to 15 more letters, digits and `_`. Each identifier uses its own case.
+            /// A letter, and up to 15 more letters, digits and `_`. Files have its case, each identifier its own.
             Prefix "prefix" {
                 field: prefix: Option<String> = None,
                 argument: Option<String> [help_heading = "Names", value_name = "WORD"],
@@ -93,11 +93,11 @@ macro_rules! with_options {
             /// Call the application before reads and after writes of an object or entry, such as `6000` or `6000:1`; repeatable, or
             /// separated by commas
             ///
-            /// An object includes all its entries.
+            /// An object includes all its entries. In a build script `0x6000`, `(0x6000, 1)` or an `Address`.
             Hooks "hook" {
                 field: hooks: BTreeSet<Address> = BTreeSet::new(),
                 argument: Vec<Address> [help_heading = "Stacks", value_name = "ADDRESS", value_delimiter = ','],
-                method: hook(at: Address) => Ok(at),
+                method: hook(at: impl Into<Address>) => Ok(at.into()),
             }
             /// Generate checks of `LowLimit` and `HighLimit` if the stack does not check them
             Limits "limits" {
@@ -129,7 +129,7 @@ macro_rules! with_options {
                 argument: Option<PdoMappings> [help_heading = "Stacks", value_name = "KIND", value_parser = one_of::<PdoMappings>(), default_value = "fixed"],
                 method: pdo_mappings(kind: PdoMappings) => Ok(kind),
             }
-            /// Which entries have storage in the table of the target `canopennode`
+            /// Which entries have storage in the table of the target `canopennode`, and names of both targets for CANopenNode
             ///
             /// Default: [`StackLayout::Complete`].
             Layout "layout" {
@@ -359,7 +359,8 @@ choices! {
         Dynamic "dynamic" "SDOs write them as described, and the application applies them"
     }
 
-    /// Which entries have storage in the table of the target `canopennode`, and under which names.
+    /// Which entries have storage in the table of the target `canopennode`, and under which names. In `canopennode-v1` only
+    /// [`StackLayout::CanOpenEditor2020`] has an effect: the hex digits of macros are in lower case.
     #[derive(Default)]
     StackLayout {
         /// Every value that the stack has a type for.
@@ -368,8 +369,9 @@ choices! {
         /// As CANopenEditor generates it, so that stored images of devices in the field still fit: only what has a default or a
         /// stated length has storage, and groups are those that the description states.
         CanOpenEditor "canopeneditor" "As in CANopenEditor: only entries with a default or a stated length"
-        /// The same with the names that CANopenEditor made before July 2021: `cell_1_Temp` instead of `cell1Temp`.
-        CanOpenEditor2020 "canopeneditor-2020" "The same, with the names that it used before July 2021: `cell_1_Temp`"
+        /// The same with the names that CANopenEditor made before July 2021: `cell_1_Temp` instead of `cell1Temp`. For CANopenNode 1.3
+        /// those of libEDSsharp before November 2019: `OD_1a00_…` instead of `OD_1A00_…`.
+        CanOpenEditor2020 "canopeneditor-2020" "The same, with the names that it used before July 2021: `cell_1_Temp`; canopennode-v1: `OD_1a00_…`"
     }
 
     /// What protects values that interrupts and the main program share.

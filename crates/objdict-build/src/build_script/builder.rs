@@ -1,5 +1,7 @@
 //! What a build script asks for.
 
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
@@ -34,6 +36,8 @@ pub struct Builder {
     out_dir: Option<PathBuf>,
     overwrite: bool,
     max_warnings: usize,
+    /// The rules of warnings, and the texts of notes, that are not reported.
+    accepted: Vec<String>,
     /// The first invalid option.
     failure: Option<Error>,
 }
@@ -42,7 +46,14 @@ impl Builder {
     /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
     pub fn new(path: impl AsRef<Path>) -> Self {
         let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
-        Self { request, out_dir: None, overwrite: false, max_warnings: MAX_WARNINGS, failure: None }
+        Self {
+            request,
+            out_dir: None,
+            overwrite: false,
+            max_warnings: MAX_WARNINGS,
+            accepted: Vec::new(),
+            failure: None,
+        }
     }
 
     /// What to generate; may be called several times. Without it, the first
@@ -73,8 +84,8 @@ impl Builder {
     }
 
     /// Another name to make the identifiers of an object or entry of; one that a file of names has for it counts more.
-    pub fn name_of(mut self, at: Address, name: impl Into<String>) -> Self {
-        self.request.options.renamed.insert(at, name.into());
+    pub fn name_of(mut self, at: impl Into<Address>, name: impl Into<String>) -> Self {
+        self.request.options.renamed.insert(at.into(), name.into());
         self
     }
 
@@ -171,6 +182,14 @@ impl Builder {
         self
     }
 
+    /// Does not report what is known and accepted: warnings of a rule such as `cia306/file-name`, and warnings and notes of targets
+    /// whose line contains the text, such as a place (`0x1003sub0`) or words of the message; may be called several times. A warning
+    /// names what accepts nothing. Errors are always reported.
+    pub fn accept(mut self, what: impl Into<String>) -> Self {
+        self.accepted.push(what.into());
+        self
+    }
+
     /// Checks the description, writes the files and reports to Cargo on the standard output.
     ///
     /// # Errors
@@ -217,6 +236,15 @@ impl Builder {
         cargo: &mut Cargo<impl Write>,
     ) -> io::Result<()> {
         let file = source::shown(&self.request.file);
+        let mut unused: BTreeSet<&str> = self.accepted.iter().map(String::as_str).collect();
+        let mut is_new = |line: &str, is_error: bool| {
+            let accepts = |what: &&String| !is_error && line.contains(what.as_str());
+            let accepted: Vec<_> = self.accepted.iter().filter(accepts).collect();
+            for what in &accepted {
+                unused.remove(what.as_str());
+            }
+            accepted.is_empty()
+        };
         let of_file = |severity| {
             let of_severity = checked.findings.iter().filter(move |finding| finding.severity == severity);
             of_severity.map(|finding| {
@@ -225,24 +253,28 @@ impl Builder {
         };
         cargo.warn(usize::MAX, of_file(Severity::Error), |_| String::new())?;
         let warnings = checked.of_config.iter().cloned().chain(of_file(Severity::Warning));
+        let warnings: Vec<String> = warnings.filter(|line| is_new(line, false)).collect();
         cargo.warn(self.max_warnings, warnings, |count| {
             let warnings = counted(count, "more warning", "more warnings");
             format!("{file}: {warnings}; run `objdict check`")
         })?;
         for (target, generated) in &generation.outputs {
             let target = target.name();
-            // errors come first, so that the limit does not drop them
-            let (warnings, notes): (Vec<_>, Vec<_>) =
-                generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
-            let notes = warnings.into_iter().chain(notes).map(|note| {
+            let mut notes: Vec<_> = generated.notes.iter().collect();
+            // the worst come first, so that the limit does not drop them
+            notes.sort_by_key(|note| Reverse(note.severity));
+            let notes = notes.into_iter().filter_map(|note| {
                 let text = format!("{file}: {}: {target}: {}", note.severity, placed(note));
-                with_advice(text, note.help.as_deref())
+                let is_error = note.severity == Severity::Error;
+                is_new(&text, is_error).then(|| with_advice(text, note.help.as_deref()))
             });
             cargo.warn(self.max_warnings, notes, |count| {
                 let notes = counted(count, "more note", "more notes");
                 format!("{file}: {notes} of the target {target}; run `objdict generate`")
             })?;
         }
+        let unused = unused.iter().map(|what| format!("{file}: `accept` finds no `{what}`: remove it"));
+        cargo.warn(usize::MAX, unused, |_| String::new())?;
         for conversion in &generation.conversions {
             let to = source::shown(&conversion.path);
             let lost = conversion.lost.iter().map(|loss| format!("{file}: {to}: {loss}"));

@@ -49,6 +49,8 @@ use std::path::{Path, PathBuf};
 pub use self::builder::Builder;
 pub use crate::pipeline::{Error, OutputError};
 use objdict_generate::Sizes;
+pub use objdict_lint::Level;
+pub use objdict_model::diagnostic::Severity;
 
 /// What a build script made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

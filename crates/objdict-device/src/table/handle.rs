@@ -20,6 +20,11 @@ pub enum NodeConst {}
 pub enum Elsewhere {}
 
 /// Access of entries with a value in RAM: those that an application can set.
+#[diagnostic::on_unimplemented(
+    message = "the application cannot set an entry whose access is `{Self}`",
+    label = "this constant of the dictionary has no value in RAM",
+    note = "a constant is in flash: read it with `value()` or `get`, or describe the entry with another access type"
+)]
 pub trait Variable {}
 
 impl Variable for Ro {}

@@ -254,6 +254,18 @@ pub struct Address {
     pub sub: Option<u8>,
 }
 
+impl From<u16> for Address {
+    fn from(index: u16) -> Self {
+        Self { index, sub: None }
+    }
+}
+
+impl From<(u16, u8)> for Address {
+    fn from((index, sub): (u16, u8)) -> Self {
+        Self { index, sub: Some(sub) }
+    }
+}
+
 /// A text that is not an address.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoAddress;
