@@ -268,6 +268,28 @@ fn only_what_makes_a_table_wrong_stops_it() {
     }
 }
 
+/// Tables that the stack does not start with are written, for it can be configured without the service, but not without an error.
+#[test]
+fn a_stack_that_does_not_start_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let eds = fs::read_to_string("fixtures/eds/io-401.eds").unwrap();
+    let at = eds.find("[1017]").unwrap();
+    let (before, behind) = eds.split_at(at);
+    let wrong = format!("{before}{}", behind.replacen("DataType=0x0006", "DataType=0x0007", 1));
+    fs::write(folder.path().join("d.eds"), wrong).unwrap();
+    for (force, code) in [("", 1), (" --force", 0)] {
+        let output = run(
+            folder.path(),
+            &format!("generate d.eds --target canopennode --no-config -o gen --overwrite{force}"),
+        );
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{told}");
+        let expected = "error: canopennode: 0x1017sub0: the entry has 4 bytes, but the stack reads 2; the stack does not start\n  help: use a data type of 2 bytes\n";
+        assert!(told.contains(expected), "{told}");
+        assert!(folder.path().join("gen/OD.c").exists());
+    }
+}
+
 #[test]
 fn objects_that_the_stack_needs_are_added_to_the_description() {
     let folder = tempfile::tempdir().unwrap();

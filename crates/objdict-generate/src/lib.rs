@@ -166,7 +166,8 @@ targets! {
     #[cfg(feature = "stacks")]
     CANOPEN_STACK canopen_stack "canopen-stack"
         "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
-        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity];
+        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity]
+        compared compare;
     #[cfg(feature = "stacks")]
     ZENCAN zencan "zencan"
         "one device configuration (.toml) for the crate zencan-build 0.0.5"
@@ -198,11 +199,13 @@ targets! {
     #[cfg(feature = "stacks")]
     CANFESTIVAL canfestival "canfestival"
         "the dictionary of CanFestival 3, with the layout of objdictgen"
-        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity];
+        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity]
+        compared compare;
     #[cfg(feature = "stacks")]
     CANOPENNODE_V1 canopennode_v1 "canopennode-v1"
         "`CO_OD.h` and `CO_OD.c` of the stack CANopenNode 1.3"
-        [Names Renamed Groups Hooks StringCapacity DomainCapacity];
+        [Names Renamed Groups Hooks StringCapacity DomainCapacity Layout]
+        compared compare;
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.
@@ -303,7 +306,8 @@ pub struct Note {
     pub help: Option<Cow<'static, str>>,
     /// Further places of this note in ascending order; the message counts them.
     pub also: Vec<Place>,
-    /// The severity: a warning means that the files do not work unchanged, a note that something is omitted.
+    /// The severity: an error means that the stack does not start with the files, a warning that they do not work unchanged, a note
+    /// that something is omitted.
     pub severity: Severity,
 }
 
@@ -328,6 +332,12 @@ impl Note {
     /// Raises the severity to a warning.
     pub(crate) fn warning(mut self) -> Self {
         self.severity = Severity::Warning;
+        self
+    }
+
+    /// Raises it to an error: the stack does not start with the files.
+    pub(crate) fn error(mut self) -> Self {
+        self.severity = Severity::Error;
         self
     }
 

@@ -10,7 +10,7 @@ use super::super::ending::{Failure, Outcome};
 use super::super::input::name_of;
 use super::super::stdout::Output;
 use objdict_build::pipeline::Generation;
-use objdict_generate::{TableAspect, TableDifference, Target, compare_tables};
+use objdict_generate::{OptionValue, StackLayout, TableAspect, TableDifference, Target, compare_tables};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_model::source::{SourceFile, SourceOptions};
@@ -22,6 +22,9 @@ pub(crate) struct TableDifferences<'a> {
     version: Version<1>,
     /// The header that the tables are compared with.
     header: String,
+    /// The layout (`--layout`) with which the fewest differ: that of the version of the editor which wrote the header.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layout: Option<&'static str>,
     /// What differs, by who notices it.
     differences: &'a [TableDifference],
 }
@@ -30,27 +33,63 @@ pub(super) fn run(
     args: &GenerateArgs,
     header: &Path,
     generation: &Generation,
+    produce: impl Fn(StackLayout) -> Option<Generation>,
     out: &mut Output,
 ) -> Result<Outcome, Failure> {
-    let header = if header.is_dir() { header.join("OD.h") } else { header.to_owned() };
     let (target, generated) = generation
         .outputs
         .iter()
         .find(|(target, _)| target.is_compared())
         .ok_or_else(|| not_compared(generation))?;
+    let made = generated.files.iter().find(|file| file.path.ends_with(".h"));
+    let name = made.and_then(|file| file.path.rsplit('/').next()).unwrap_or("OD.h");
+    let header = if header.is_dir() { header.join(name) } else { header.to_owned() };
     let (header_text, source) = (read(&header)?, read(&header.with_extension("c"))?);
     let Some(differences) = compare_tables(*target, header_text.text(), source.text(), generated) else {
         let failure = Failure::new(format_args!("`{}` has no tables of {}", name_of(&header), target.name()));
-        return Err(failure.help("name the header that the stack is compiled with, `OD.h`"));
+        return Err(
+            failure.help(format!("name the header that the stack is compiled with, such as `{name}`"))
+        );
     };
+    let count = |layout| {
+        let generation = produce(layout)?;
+        let (_, generated) = generation.outputs.iter().find(|(other, _)| other.name() == target.name())?;
+        Some(compare_tables(*target, header_text.text(), source.text(), generated)?.len())
+    };
+    let layout = layout_of(args.options.given().layout, differences.len(), count);
     if args.format == SizeFormat::Json {
-        let document =
-            TableDifferences { version: Version, header: name_of(&header), differences: &differences };
+        let document = TableDifferences {
+            version: Version,
+            header: name_of(&header),
+            layout,
+            differences: &differences,
+        };
         out.pretty_json(&document)?;
     } else {
         write_text(&name_of(&header), &differences, out)?;
+        if let Some(layout) = layout {
+            writeln!(out, "the old tables have the layout `{layout}`")?;
+        }
     }
     Ok(if differences.is_empty() { Outcome::Clean } else { Outcome::Findings })
+}
+
+/// The layout with which the fewest differ, of several the given one; `None` if all are alike.
+fn layout_of(
+    given: StackLayout,
+    differing: usize,
+    count: impl Fn(StackLayout) -> Option<usize>,
+) -> Option<&'static str> {
+    let mut counts: Vec<_> = StackLayout::ALL
+        .iter()
+        .filter_map(|&(layout, name, _)| match layout == given {
+            true => Some((differing, 0, name)),
+            false => Some((count(layout)?, 1, name)),
+        })
+        .collect();
+    counts.sort_unstable();
+    let (fewest, most) = (counts.first()?, counts.last()?);
+    (fewest.0 < most.0).then_some(fewest.2)
 }
 
 fn not_compared(generation: &Generation) -> Failure {

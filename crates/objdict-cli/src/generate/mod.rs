@@ -52,7 +52,12 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         Err(error) => return refused(error),
     };
     if let Some(existing) = &args.compare {
-        return compare::run(args, existing, &generation, out);
+        let produce = |layout| {
+            let mut request = self::request(args).ok()?;
+            request.options.layout = layout;
+            request.produce(&checked, &mut Vec::new()).ok()
+        };
+        return compare::run(args, existing, &generation, produce, out);
     }
     if args.list {
         list(args, &generation, out)?;
@@ -71,7 +76,9 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         note(&lines(notes));
         tell(&lines(warnings));
     }
-    Ok(Outcome::Clean)
+    let mut notes = generation.outputs.iter().flat_map(|(_, generated)| &generated.notes);
+    let is_failed = !args.force && notes.any(|note| note.severity == Severity::Error);
+    Ok(if is_failed { Outcome::Findings } else { Outcome::Clean })
 }
 
 /// Adds the objects to the file that CANopenNode does not compile or start without.

@@ -34,7 +34,7 @@ UNSIGNED8 CO_OD_noEntry = 0u;
         for object in &self.plan.rows {
             if !object.record.is_empty() {
                 put!(out, "
-const CO_OD_entryRecord_t OD_record{}[{}] = {{", crate::escape::hex4(&object.index), object.record.len());
+const CO_OD_entryRecord_t OD_record{}[{}] = {{", self.plan.hex(object.index), object.record.len());
                 for row in &object.record {
                     put!(out, "
     {{(void *){}, 0x{}, {}}},", row.data, crate::escape::hex4(&row.attribute), row.length);

@@ -14,6 +14,7 @@ use super::dictionary::TableDictionary;
 use super::head::Head;
 use super::notes::{in_order, once_per_device};
 use super::{BackendOutput, GenerateError, Options, Sizes, render, startup};
+pub(super) use crate::canopennode::compare::rows::compare_indexes as compare;
 use crate::memory::{Memory, SizeTally, TypeExtent};
 use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
 use names::{ReservedNames, words};

@@ -15,8 +15,9 @@ use self::special::{RESTORE, STORE};
 use super::c_code::file_name;
 use super::dictionary::{ResolvedEntry, TableDictionary};
 use super::head::Head;
-use super::notes::{in_order, once_per_device, once_per_object};
+use super::notes::{in_order, once_per_device};
 use super::{BackendOutput, GenerateError, Note, Options, Sizes, render, startup};
+pub(super) use crate::canopennode::compare::rows::compare_keys as compare;
 use crate::memory::{Memory, SizeTally, TypeExtent};
 use crate::model::{Access, Device, Part, Pdo, PdoKind, Place};
 use crate::resolve::Encoded;
@@ -58,7 +59,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
         render(format!("{stem}.h"), tables.header()),
         render(format!("{stem}_spec.c"), tables.specification()),
     ];
-    Ok(BackendOutput { files, notes: once_per_object(in_order(notes)), size: sizes(&tables) })
+    Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size: sizes(&tables) })
 }
 
 impl CanOpenStackView<'_> {

@@ -1,6 +1,6 @@
 //! The target `canopennode`: `OD.h` and `OD.c` of CANopenNode 4.
 
-mod compare;
+pub(crate) mod compare;
 mod limits;
 pub(crate) mod names;
 pub(crate) mod node_id;
@@ -28,8 +28,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     let mut own = Vec::new();
     let tables = view::CanOpenNodeView::new(&dictionary, options, prefix, &mut own);
     let files = vec![
-        render(format!("{}.h", tables.prefix), tables.header()),
-        render(format!("{}.c", tables.prefix), tables.source()),
+        render(format!("{}.h", tables.head.stem), tables.header()),
+        render(format!("{}.c", tables.head.stem), tables.source()),
     ];
     for object in &tables.objects {
         notes::of_object(object, &mut own);

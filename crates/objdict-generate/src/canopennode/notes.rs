@@ -5,14 +5,15 @@ use super::storage::{is_odd_nan, is_text};
 use crate::Note;
 use crate::model::{DataType, Device, Place};
 use crate::resolve::ValueShape;
-use objdict_model::canopennode::{Cause, unmet};
+use objdict_model::canopennode::{Cause, is_read_at_start, unmet};
 
 /// Requirements of the stack on the device, as found by `--compat canopennode`; mapped bits are among the causes in `startup`.
 pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
     let unmet = unmet(device).into_iter().filter(|unmet| unmet.cause != Cause::Bits);
     notes.extend(unmet.map(|unmet| {
         let text = format!("{}; {}", unmet.message, unmet.cause.effect());
-        Note::new(unmet.place, text).help(unmet.help).warning()
+        let note = Note::new(unmet.place, text).help(unmet.help);
+        if unmet.cause == Cause::Start { note.error() } else { note.warning() }
     }));
 }
 
@@ -22,6 +23,13 @@ pub(super) fn of_object(object: &StackObject<'_>, notes: &mut Vec<Note>) {
         let place = Place::entry(object.index, member.entry.sub);
         notes.extend(text(member).map(|text| Note::new(place.clone(), text)));
         notes.extend(octets(&place, member));
+        // a DOMAIN has another type than the stack reads
+        let is_word = matches!(member.entry.resolved.shape, ValueShape::Word(_));
+        if member.storage.type_.is_none() && is_word && is_read_at_start(object.index, member.entry.sub) {
+            let text = "the stack reads the value when it starts, but this layout has none without a default";
+            let note = Note::new(place.clone(), format!("{text}; {}", Cause::Start.effect()));
+            notes.push(note.help("write a default").error());
+        }
         if is_odd_nan(&member.entry.resolved) {
             notes.push(Note::new(place.clone(), "a NaN comes out as that of the compiler's `NAN`"));
         }

@@ -13,6 +13,7 @@ use super::head::Head;
 use super::memory::{Memory, SizeTally, TypeExtent};
 use super::notes::{in_order, once_per_device};
 use super::{BackendOutput, GenerateError, Options, Sizes, render, startup};
+pub(super) use crate::canopennode::compare::rows::compare_v1 as compare;
 use crate::model::{DataType, Device};
 use crate::resolve::ValueShape;
 use cell::ValueLocation;

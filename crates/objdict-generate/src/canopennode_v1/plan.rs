@@ -13,7 +13,7 @@ use crate::dictionary::{ResolvedEntry, ResolvedObject, TableDictionary};
 use crate::memory::TypeExtent;
 use crate::model::{DataType, ObjectType, Place};
 use crate::resolve::{Encoded, ValueShape};
-use crate::{Note, Options};
+use crate::{Note, Options, StackLayout};
 
 /// A structure type: members with type, name and size.
 pub(super) struct StructType {
@@ -63,6 +63,8 @@ pub(super) struct CanOpenNodeV1Plan {
     pub(super) formulas: Vec<String>,
     /// The number of objects of each family.
     pub(super) counts: [usize; 6],
+    /// Whether the hex digits of names are in lower case, as libEDSsharp wrote them before November 2019.
+    is_lower: bool,
 }
 
 impl CanOpenNodeV1Plan {
@@ -77,7 +79,7 @@ impl CanOpenNodeV1Plan {
             macros: HashSet::new(),
             records: BTreeMap::new(),
             named: Vec::new(),
-            plan: Self::default(),
+            plan: Self { is_lower: options.layout == StackLayout::CanOpenEditor2020, ..Self::default() },
         };
         for object in &dictionary.objects {
             builder.object(object);
@@ -91,6 +93,11 @@ impl CanOpenNodeV1Plan {
         builder.plan.variables.sort_by_key(|variable| variable.index);
         notes::of_lengths(dictionary, builder.notes);
         builder.plan
+    }
+
+    /// An index in the names of macros and records.
+    pub(super) fn hex(&self, index: u16) -> String {
+        if self.is_lower { format!("{index:04x}") } else { format!("{index:04X}") }
     }
 
     /// The variables of a memory.
@@ -353,7 +360,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
             Ok([only]) => self.push(object, 0, only, Vec::new()),
             Err(rows) => {
                 let max_sub = u8::try_from(rows.len().saturating_sub(1)).unwrap_or(u8::MAX);
-                let data = format!("&OD_record{:04X}", object.index);
+                let data = format!("&OD_record{}", self.plan.hex(object.index));
                 self.push(object, max_sub, RecordRow { data, attribute: 0, length: 0 }, rows);
             }
         }
@@ -467,15 +474,15 @@ impl<'a> CanOpenNodeV1Planner<'a> {
     fn numbers(&mut self) {
         self.named.sort_by_key(|(object, _)| object.index);
         for (object, name) in std::mem::take(&mut self.named) {
-            let index = object.index;
-            let mut numbers = vec![(format!("{index:04X}_{name}"), format!("0x{index:04X}"))];
-            numbers.push((format!("{name}_idx"), format!("0x{index:04X}")));
+            let index = self.plan.hex(object.index);
+            let mut numbers = vec![(format!("{index}_{name}"), format!("0x{index}"))];
+            numbers.push((format!("{name}_idx"), format!("0x{index}")));
             if object.object.object_type() != ObjectType::Var {
-                numbers.push((format!("{index:04X}_0_{name}_maxSubIndex"), "0".to_owned()));
+                numbers.push((format!("{index}_0_{name}_maxSubIndex"), "0".to_owned()));
             }
             for entry in object.entries.iter().filter(|entry| entry.sub > 0) {
-                let sub = cname(&entry_name(index, entry), NAMES);
-                numbers.push((format!("{index:04X}_{}_{name}_{sub}", entry.sub), entry.sub.to_string()));
+                let sub = cname(&entry_name(object.index, entry), NAMES);
+                numbers.push((format!("{index}_{}_{name}_{sub}", entry.sub), entry.sub.to_string()));
             }
             for (name, value) in numbers {
                 let name = format!("OD_{name}");

@@ -143,15 +143,19 @@ const NOT_VALID: u64 = 1 << 31;
 
 /// A demand, and what happens otherwise.
 enum DemandRow {
-    /// The highest sub-index of the objects in a range is one of these, or the stack does not start.
-    Highest { first: u16, last: u16, allowed: &'static [u64] },
+    /// The highest sub-index of the objects in a range is one of these, or the stack does not start; without `stops` only if it is
+    /// compiled with the service.
+    Highest { first: u16, last: u16, allowed: &'static [u64], stops: bool },
     /// The default server (1200h) has the COB-IDs of its entries: these must be valid, and those of CiA 301.
     DefaultServer,
 }
 
 fn server_notes(row: &DemandRow, dictionary: &TableDictionary<'_>) -> Vec<Note> {
     match row {
-        DemandRow::Highest { first, last, allowed } => highest(dictionary, (*first, *last), allowed),
+        DemandRow::Highest { first, last, allowed, stops } => {
+            let notes = highest(dictionary, (*first, *last), allowed).into_iter();
+            notes.map(|note| if *stops { note.error() } else { note }).collect()
+        }
         DemandRow::DefaultServer => default_server(dictionary),
     }
 }

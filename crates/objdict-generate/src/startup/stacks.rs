@@ -41,8 +41,8 @@ pub(crate) const CANOPENNODE: Stack = Stack {
         repeated: Some("the stack rejects the heartbeat consumer"),
     }),
     sdo: &[
-        DemandRow::Highest { first: 0x1201, last: 0x127F, allowed: &[2, 3] },
-        DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3] },
+        DemandRow::Highest { first: 0x1201, last: 0x127F, allowed: &[2, 3], stops: true },
+        DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3], stops: false },
     ],
 };
 
@@ -72,7 +72,7 @@ pub(crate) const CANOPENNODE_V1: Stack = Stack {
         one(PdoCause::SyncStart, PdoKind::Tpdo, DISABLED),
     ],
     consumers: None,
-    sdo: &[DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3] }],
+    sdo: &[DemandRow::Highest { first: 0x1280, last: 0x12FF, allowed: &[3], stops: true }],
 };
 
 const IGNORED: &str = "will be received without effect by the stack";

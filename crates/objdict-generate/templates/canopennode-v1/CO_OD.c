@@ -24,7 +24,7 @@ UNSIGNED8 CO_OD_noEntry = 0u;
 /* The rows of records, by sub-index. */
 {%- for object in plan.rows %}
 {%- if !object.record.is_empty() %}
-const CO_OD_entryRecord_t OD_record{{ object.index|hex4 }}[{{ object.record.len() }}] = {
+const CO_OD_entryRecord_t OD_record{{ plan.hex(object.index) }}[{{ object.record.len() }}] = {
 {%- for row in object.record %}
     {(void *){{ row.data }}, 0x{{ row.attribute|hex4 }}, {{ row.length }}},
 {%- endfor %}

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{DataType, Device, Object, Place};
+use crate::model::{Device, Object, Place, TypeKind};
 
 /// A requirement that a description does not meet.
 #[derive(Debug)]
@@ -35,7 +35,9 @@ pub enum Cause {
     Count,
     /// The objects of a service are not consecutive.
     Gap,
-    /// An entry is missing or has a different size than the stack reads.
+    /// An entry that the stack reads when it starts is missing or has a different size.
+    Start,
+    /// The same of an entry of a service that the stack starts without.
     Entry,
     /// A PDO maps single bits.
     Bits,
@@ -48,6 +50,7 @@ impl Cause {
             Self::Missing | Self::Count => "the stack does not compile",
             Self::NoHistory => "the stack does not start unless it is configured without the error history",
             Self::Gap => "the stack does not compile, or uses other objects instead",
+            Self::Start => "the stack does not start",
             Self::Entry => "the stack does not start, or the service does not work",
             Self::Bits => "the PDO is not valid unless the stack is configured for mapping of single bits",
         }
@@ -85,34 +88,65 @@ const RANGES: [(&str, u16); 8] = [
 /// The maximum number of elements of 1016h.
 const MOST_CONSUMERS: usize = 127;
 
-/// Entries that the stack reads: first and last index, sub-index, length in bytes, and whether the entry is
-/// optional.
-const ENTRIES: &[(u16, u16, u8, u8, bool)] = &[
-    (0x1001, 0x1001, 0, 1, false),
-    (0x1005, 0x1005, 0, 4, false),
-    (0x1006, 0x1006, 0, 4, false),
-    (0x1007, 0x1007, 0, 4, false),
-    (0x1012, 0x1012, 0, 4, false),
-    (0x1014, 0x1014, 0, 4, false),
-    (0x1017, 0x1017, 0, 2, false),
-    (0x1019, 0x1019, 0, 1, false),
-    (0x1200, 0x1200, 1, 4, true),
-    (0x1200, 0x1200, 2, 4, true),
-    (0x1201, 0x12FF, 0, 1, false),
-    (0x1201, 0x12FF, 1, 4, false),
-    (0x1201, 0x12FF, 2, 4, false),
-    (0x1280, 0x12FF, 3, 1, false),
-    (0x1400, 0x15FF, 1, 4, false),
-    (0x1400, 0x15FF, 2, 1, false),
-    (0x1400, 0x15FF, 5, 2, true),
-    (0x1600, 0x17FF, 0, 1, false),
-    (0x1800, 0x19FF, 1, 4, false),
-    (0x1800, 0x19FF, 2, 1, false),
-    (0x1800, 0x19FF, 3, 2, true),
-    (0x1800, 0x19FF, 5, 2, true),
-    (0x1800, 0x19FF, 6, 1, true),
-    (0x1A00, 0x1BFF, 0, 1, false),
+/// What becomes of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC or SRDOs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Need {
+    /// The stack does not start without it.
+    Start,
+    /// It may be missing; the stack does not start with one of another length.
+    Length,
+    /// The service needs it.
+    Service,
+    /// It may be missing; the service ignores one of another length.
+    Option,
+}
+
+use Need::{Length, Option as Optional, Service, Start};
+
+/// Entries that the stack reads: first and last index, first and last sub-index, length in bytes. From `CO_EM_init`, `CO_NMT_init`,
+/// `CO_HBconsumer_init`, `CO_SYNC_init`, `CO_TIME_init`, `CO_SDOserver_init`, `CO_SDOclient_init`, `PDO_initMapping`, `CO_RPDO_init`,
+/// `CO_TPDO_init`, `CO_GFC_init`, `CO_SRDO_config` and `OD_write_1010`.
+const ENTRIES: &[(u16, u16, u8, u8, u8, Need)] = &[
+    (0x1001, 0x1001, 0, 0, 1, Start),
+    (0x1005, 0x1007, 0, 0, 4, Start),
+    (0x1010, 0x1011, 1, 127, 4, Optional),
+    (0x1012, 0x1012, 0, 0, 4, Start),
+    (0x1014, 0x1014, 0, 0, 4, Start),
+    (0x1015, 0x1015, 0, 0, 2, Optional),
+    (0x1016, 0x1016, 1, 127, 4, Length),
+    (0x1017, 0x1017, 0, 0, 2, Start),
+    (0x1019, 0x1019, 0, 0, 1, Start),
+    (0x1200, 0x1200, 1, 2, 4, Optional),
+    (0x1201, 0x127F, 0, 0, 1, Start),
+    (0x1201, 0x127F, 1, 2, 4, Start),
+    (0x1280, 0x12FF, 0, 0, 1, Service),
+    (0x1280, 0x12FF, 1, 2, 4, Service),
+    (0x1280, 0x12FF, 3, 3, 1, Service),
+    (0x1300, 0x1300, 0, 0, 1, Service),
+    (0x1301, 0x1340, 0, 1, 1, Service),
+    (0x1301, 0x1340, 2, 2, 2, Service),
+    (0x1301, 0x1340, 3, 4, 1, Service),
+    (0x1301, 0x1340, 5, 6, 4, Service),
+    (0x1381, 0x13C0, 0, 0, 1, Service),
+    (0x1400, 0x15FF, 1, 1, 4, Start),
+    (0x1400, 0x15FF, 2, 2, 1, Start),
+    (0x1400, 0x15FF, 5, 5, 2, Optional),
+    (0x1600, 0x17FF, 0, 0, 1, Start),
+    (0x1600, 0x17FF, 1, 8, 4, Length),
+    (0x1800, 0x19FF, 1, 1, 4, Start),
+    (0x1800, 0x19FF, 2, 2, 1, Start),
+    (0x1800, 0x19FF, 3, 3, 2, Optional),
+    (0x1800, 0x19FF, 5, 5, 2, Optional),
+    (0x1800, 0x19FF, 6, 6, 1, Optional),
+    (0x1A00, 0x1BFF, 0, 0, 1, Start),
+    (0x1A00, 0x1BFF, 1, 8, 4, Length),
 ];
+
+/// Whether the stack does not start if it cannot read a value.
+pub fn is_read_at_start(index: u16, sub: u8) -> bool {
+    let row = ENTRIES.iter().find(|row| (row.0..=row.1).contains(&index) && (row.2..=row.3).contains(&sub));
+    row.is_some_and(|row| row.5 == Start || index == 0x1016)
+}
 
 /// All unmet requirements of a device; none if the device has no objects at all.
 pub fn unmet(device: &Device) -> Vec<Unmet> {
@@ -239,21 +273,17 @@ impl WantedObject<'_> {
     }
 
     fn entries(&mut self) {
-        let mut wrong = Vec::new();
         for (&index, object) in &self.device.objects {
-            for &(first, last, sub, bytes, optional) in ENTRIES {
-                if (first..=last).contains(&index) {
-                    wrong.extend(entry(index, object, sub, bytes, optional));
-                }
+            let rows = ENTRIES.iter().filter(|row| (row.0..=row.1).contains(&index));
+            for &(_, _, first, last, bytes, need) in rows {
+                // the stack reads as many elements as there are
+                let counted = object.entries().map(|(sub, _)| sub).max().filter(|_| index == 0x1016);
+                let read = first..=counted.unwrap_or(last);
+                let wrong = read.filter_map(|sub| entry(index, object, sub, bytes, need, counted.is_some()));
+                // one for all mapped objects
+                self.unmet.extend(wrong.take(if last > 2 { 1 } else { 2 }));
             }
-            let numbers = match index {
-                0x1016 => u8::MAX,
-                0x1600..=0x17FF | 0x1A00..=0x1BFF => 8,
-                _ => continue,
-            };
-            wrong.extend((1..=numbers).find_map(|sub| entry(index, object, sub, 4, true)));
         }
-        self.unmet.append(&mut wrong);
     }
 
     fn bits(&mut self) {
@@ -271,21 +301,32 @@ impl WantedObject<'_> {
 }
 
 /// The unmet requirement of an entry that the stack reads as a number of `bytes` bytes.
-fn entry(index: u16, object: &Object, sub: u8, bytes: u8, optional: bool) -> Option<Unmet> {
-    let unmet = |place, message, help: String| {
-        Some(Unmet { cause: Cause::Entry, place, message, help, missing: None })
-    };
+fn entry(index: u16, object: &Object, sub: u8, bytes: u8, need: Need, is_counted: bool) -> Option<Unmet> {
+    let cause = if matches!(need, Start | Length) { Cause::Start } else { Cause::Entry };
+    let unmet = |place, message, help: String| Some(Unmet { cause, place, message, help, missing: None });
     let Some(entry) = object.entry(sub) else {
         let message = format!("sub-index {sub:02X}h of {index:04X}h is missing");
         let help = format!("describe the entry with {bytes} {}", plural(bytes));
-        return if optional { None } else { unmet(Place::object(index), message, help) };
+        let is_needed = matches!(need, Start | Service) || is_counted;
+        return if is_needed { unmet(Place::object(index), message, help) } else { None };
     };
-    let length = entry.data_type.and_then(DataType::byte_length)?; // a missing data type has another rule
-    if length == bytes {
-        return None;
-    }
-    let message = format!("the entry has {length} {}, but the stack reads {bytes}", plural(length));
-    unmet(Place::entry(index, sub), message, format!("use a data type of {bytes} {}", plural(bytes)))
+    let data_type = entry.data_type?; // a missing data type has another rule
+    let found = match (data_type.byte_length(), data_type.kind()) {
+        (Some(length), _) if length == bytes => return None,
+        (Some(length), _) => format!("the entry has {length} {}", plural(length)),
+        (None, TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved) => return None,
+        (None, _) => format!("the entry is a {data_type}"),
+    };
+    let stack_reads = if data_type.byte_length().is_some() { "" } else { " bytes" };
+    let message = format!("{found}, but the stack reads {bytes}{stack_reads}");
+    let help = match index {
+        0x1201..=0x127F => format!(
+            "use a data type of {bytes} {}, or move an object that is no SDO server to 2000h to 5FFFh",
+            plural(bytes)
+        ),
+        _ => format!("use a data type of {bytes} {}", plural(bytes)),
+    };
+    unmet(Place::entry(index, sub), message, help)
 }
 
 fn plural(bytes: u8) -> &'static str {

@@ -45,7 +45,9 @@ fn is_read_by_stack(description: &Description, finding: &Diagnostic) -> bool {
         _ => None,
     };
     let Some(found) = finding.labels.first().and_then(|label| index(&label.at)) else { return false };
-    let unread = unmet(description.device()).into_iter().filter(|unmet| unmet.cause == Cause::Entry);
+    let unread = unmet(description.device())
+        .into_iter()
+        .filter(|unmet| matches!(unmet.cause, Cause::Start | Cause::Entry));
     unread
         .into_iter()
         .any(|unmet| matches!(unmet.place.part, Part::Object(at) | Part::Entry(at, _) if at == found))

@@ -6,19 +6,29 @@ use crate::devices::{device, devices};
 use crate::support::fixtures;
 
 fn texts(generated: &Generated) -> [String; 2] {
-    let mut texts = generated.files.iter().map(|file| String::from_utf8(file.contents.clone()).unwrap());
-    [texts.next().unwrap(), texts.next().unwrap()]
+    [".h", ".c"].map(|ending| {
+        let file = generated.files.iter().find(|file| file.path.ends_with(ending)).unwrap();
+        String::from_utf8(file.contents.clone()).unwrap()
+    })
 }
 
 #[test]
 fn tables_are_the_same_as_themselves() {
-    for (name, device) in devices() {
-        let Ok(generated) = generate(&device, Target::CANOPENNODE, &Options::default()) else { continue };
-        let [header, source] = texts(&generated);
-        let found = compare_tables(Target::CANOPENNODE, &header, &source, &generated);
-        assert_eq!(found.as_deref(), Some(&[][..]), "{name}");
+    let compared: Vec<Target> = Target::all().filter(|target| target.is_compared()).collect();
+    let names: Vec<&str> = compared.iter().map(|target| target.name()).collect();
+    assert_eq!(names, ["canopen-stack", "canopennode", "canfestival", "canopennode-v1"]);
+    for target in compared {
+        for (name, device) in devices() {
+            let Ok(generated) = generate(&device, target, &Options::default()) else { continue };
+            let [header, source] = texts(&generated);
+            let found = compare_tables(target, &header, &source, &generated);
+            assert_eq!(found.as_deref(), Some(&[][..]), "{name}: {target:?}");
+        }
+        assert_eq!(compare_tables(target, "int x;", "", &Generated::default()), None);
+        let minimal = device(&fixtures().join("eds/minimal.eds"));
+        let generated = generate(&minimal, target, &Options::default()).unwrap();
+        assert_eq!(compare_tables(target, "int x;", "int y = 5;", &generated), None, "{target:?}");
     }
-    assert_eq!(compare_tables(Target::CANOPENNODE, "int x;", "", &Generated::default()), None);
 }
 
 /// What is different in the header or the source, and the only difference that follows.
@@ -55,6 +65,83 @@ fn each_planted_difference_is_found_and_no_other() {
     }
 }
 
+/// Tables of other stacks: the target, what is in the header or the source, as an older table has it, and all that differs.
+const PLANTED_ROWS: &[(&str, &str, &str, &[&str])] = &[
+    (
+        "canopennode-v1",
+        "{0x1001, 0, 0x0006, 1, (void *)&CO_OD_RAM",
+        "{0x1001, 0, 0x36, 1, (void*)&CO_OD_RAM",
+        &[
+            "1001h: attribute 0x36, 1 bytes, highest sub-index 0 -> attribute 0x06, 1 bytes, highest sub-index 0",
+        ],
+    ),
+    (
+        "canopennode-v1",
+        "{(void *)&CO_OD_ROM.identity.vendorID, 0x0085, 4}",
+        "{(void*)&CO_OD_ROM.identity.vendor, 0x85, 0x4 }",
+        &["1018h:01: CO_OD_ROM.identity.vendor -> CO_OD_ROM.identity.vendorID"],
+    ),
+    ("canopennode-v1", "#define CO_NO_TPDO 2", "#define CO_NO_TPDO 4", &["CO_NO_TPDO: 4 -> 2"]),
+    ("canopennode-v1", "0x000F0191u, /* 1000h */", "401L,", &["CO_OD_ROM.deviceType: 401 -> 983441"]),
+    (
+        "canopennode-v1",
+        "UNSIGNED32 deviceType;",
+        "UNSIGNED16 deviceType;",
+        &["CO_OD_ROM.deviceType: UNSIGNED16, member 1 -> UNSIGNED32, member 1"],
+    ),
+    (
+        "canopen-stack",
+        "{CO_KEY(0x1017, 0x00, CO_OBJ_____RW), CO_THB_PROD, (CO_DATA)&od_producer_heartbeat_time}",
+        "{CO_KEY(0x1017, 0, CO_OBJ_D___RW), CO_HEARTBEAT_PROD, (CO_DATA)(1000)}",
+        &[
+            "1017h:00:  -> od_producer_heartbeat_time",
+            "1017h:00: HEARTBEAT_PROD RW -> HB_PROD RW",
+            "1017h:00: 1000 -> 0",
+        ],
+    ),
+    (
+        "canopen-stack",
+        "CO_OBJ____PR_), CO_TUNSIGNED8, (CO_DATA)&od_read_digital_input_8_bit[0]",
+        "CO_OBJ____PRW), CO_TUNSIGNED8, (CO_DATA)&od_read_digital_input_8_bit[0]",
+        &["6000h:01: UNSIGNED8 PRW -> UNSIGNED8 PR"],
+    ),
+    (
+        "canfestival",
+        "OD_ROW(RW, uint16, 2u, &od_obj1015)",
+        "{ RO, uint16, sizeof (UNS16), (void*)&TestSlave_obj1015, NULL }",
+        &[
+            "1015h:00: TestSlave_obj1015 -> od_obj1015",
+            "1015h:00: RO uint16, 2 bytes -> RW uint16, 2 bytes",
+            "1015h:00:  -> 0",
+        ],
+    ),
+    (
+        "canfestival",
+        "UNS32 od_obj1000 = 0x000F0191u;",
+        "UNS32 od_obj1000 = 0x191;",
+        &["1000h:00: 401 -> 983441"],
+    ),
+];
+
+#[test]
+fn differences_of_rows_are_found() {
+    let module = device(&fixtures().join("eds/io-401.eds"));
+    for (target, made, existing, expected) in PLANTED_ROWS {
+        let target = Target::named(target).unwrap();
+        let generated = generate(&module, target, &Options::default()).unwrap();
+        let [header, source] = texts(&generated);
+        assert!(header.contains(made) || source.contains(made), "{made}");
+        let [header, source] = [&header, &source].map(|text| text.replacen(made, existing, 1));
+        let found = compare_tables(target, &header, &source, &generated).unwrap();
+        let shown = |text: &Option<String>| text.clone().unwrap_or_default();
+        let lines: Vec<String> = found
+            .iter()
+            .map(|found| format!("{}: {} -> {}", found.place, shown(&found.old), shown(&found.new)))
+            .collect();
+        assert_eq!(lines, *expected, "{made}");
+    }
+}
+
 /// A type that grows moves what follows it in memory, so that stored values no longer fit.
 #[test]
 fn moved_values_of_a_stored_group_are_found() {
@@ -87,7 +174,10 @@ fn hostile_tables_are_read() {
                 Target::CANOPENNODE,
                 &Options { layout: StackLayout::Complete, ..Options::default() },
             );
-            compare_tables(Target::CANOPENNODE, header, source, &generated.unwrap());
+            let generated = generated.unwrap();
+            for target in Target::all().filter(|target| target.is_compared()) {
+                compare_tables(target, header, source, &generated);
+            }
         }
     }
 }

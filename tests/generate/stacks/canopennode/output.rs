@@ -1,11 +1,13 @@
 //! The output files, and known mistakes of generators for the stack.
 
+use objdict::diagnostic::Severity;
 use objdict::generate::{Options, StackLayout, Target, generate};
-use objdict::model::Device;
+use objdict::model::{Access, DataType, Device, ObjectType, Value};
 
 use super::{generate_into, harness, with_declarations};
 use crate::compile::c_compiler;
 use crate::devices::device;
+use crate::odd::{entry, of_type, var};
 use crate::processors::build;
 use crate::stacks::beside;
 use crate::support::fixtures;
@@ -267,4 +269,91 @@ fn what_the_stack_demands_is_a_warning() {
         let warning = warnings.iter().find(|note| note.message.starts_with(&text));
         assert!(warning.is_some_and(|note| note.help.is_some()), "{index}: {warnings:?}");
     }
+}
+
+/// Entries that the stack reads when it starts: index, sub-index, another type, and whether it does not start then.
+const SHAPES: &[(u16, u8, DataType, bool)] = &[
+    (0x1001, 0, DataType::UNSIGNED16, true),
+    (0x1003, 1, DataType::UNSIGNED16, false),
+    (0x1005, 0, DataType::UNSIGNED16, true),
+    (0x1006, 0, DataType::UNSIGNED16, true),
+    (0x1007, 0, DataType::VISIBLE_STRING, true),
+    (0x1010, 1, DataType::UNSIGNED8, false),
+    (0x1012, 0, DataType::UNSIGNED16, true),
+    (0x1014, 0, DataType::VISIBLE_STRING, true),
+    (0x1015, 0, DataType::UNSIGNED32, false),
+    (0x1016, 1, DataType::UNSIGNED16, true),
+    (0x1017, 0, DataType::UNSIGNED32, true),
+    (0x1019, 0, DataType::UNSIGNED32, true),
+    (0x1200, 1, DataType::UNSIGNED16, false),
+    (0x1201, 1, DataType::VISIBLE_STRING, true),
+    (0x1201, 2, DataType::DOMAIN, true),
+    (0x1280, 1, DataType::UNSIGNED16, false),
+    (0x1400, 1, DataType::UNSIGNED16, true),
+    (0x1400, 2, DataType::UNSIGNED16, true),
+    (0x1600, 0, DataType::UNSIGNED16, true),
+    (0x1600, 1, DataType::UNSIGNED16, true),
+    (0x1800, 1, DataType::OCTET_STRING, true),
+    (0x1800, 2, DataType::UNSIGNED16, true),
+    (0x1800, 3, DataType::UNSIGNED32, false),
+    (0x1800, 5, DataType::UNSIGNED32, false),
+    (0x1A00, 0, DataType::UNSIGNED16, true),
+    (0x1A00, 1, DataType::UNSIGNED16, true),
+];
+
+/// Devices for the stack, each with an entry of another type, and whether it does not start then; first one with the right types, and
+/// two whose sub-indexes are others.
+pub(super) fn shapes() -> Vec<(String, Device, bool)> {
+    let mut right = device(&fixtures().join("eds/io-401.eds"));
+    let mut value = |index, data_type| {
+        right.objects.insert(index, var(entry("Value", data_type, Access::Rw, Some(Value::Unsigned(0)))));
+    };
+    let (byte, long) = (DataType::UNSIGNED8, DataType::UNSIGNED32);
+    [0x1005, 0x1006, 0x1007, 0x1012].map(|index| value(index, long));
+    value(0x1019, byte);
+    for (index, highest) in [(0x1201, 2), (0x1280, 3)] {
+        let types = [byte, long, long, byte].into_iter().zip(0..=highest);
+        let default = |sub| Value::Unsigned(if sub == 0 { u64::from(highest) } else { 0 });
+        let subs =
+            types.map(|(data_type, sub)| (sub, entry("Value", data_type, Access::Rw, Some(default(sub)))));
+        right.objects.insert(index, of_type(ObjectType::Record, "SDO", subs));
+    }
+    let mut all = vec![("right".to_owned(), right.clone(), false)];
+    for &(index, sub, data_type, stops) in SHAPES {
+        let mut other = right.clone();
+        let object = other.objects.get_mut(&index).unwrap();
+        let wrong = object.subs.iter_mut().find(|(at, _)| *at == sub).map(|(_, entry)| entry);
+        let wrong = wrong.unwrap_or(&mut object.main);
+        (wrong.data_type, wrong.default) = (Some(data_type), None);
+        (wrong.low_limit, wrong.high_limit) = (None, None);
+        all.push((format!("{index:04X}h:{sub:02X}"), other, stops));
+    }
+    let mut gap = right.clone();
+    let consumers = gap.objects.get_mut(&0x1016).unwrap();
+    let second = consumers.subs.remove(2).unwrap();
+    consumers.subs.insert(3, second);
+    all.push(("1016h with a gap".to_owned(), gap, true));
+    let mut highest = right;
+    let server = highest.objects.get_mut(&0x1201).unwrap();
+    server.subs.iter_mut().next().unwrap().1.default = Some(Value::Unsigned(4));
+    all.push(("1201h with 4".to_owned(), highest, true));
+    all
+}
+
+#[test]
+fn shapes_that_stop_the_start_are_errors() {
+    for (name, device, stops) in shapes() {
+        let notes = generate(&device, Target::CANOPENNODE, &Options::default()).unwrap().notes;
+        let errors: Vec<_> = notes.iter().filter(|note| note.severity == Severity::Error).collect();
+        assert_eq!(errors.len(), usize::from(stops), "{name}: {errors:#?}");
+        assert!(errors.iter().all(|error| error.help.is_some() && error.message.contains("does not start")));
+    }
+    // with the layout of the editor, an entry without a default has no memory
+    let mut device = device(&fixtures().join("eds/io-401.eds"));
+    device.objects.get_mut(&0x1017).unwrap().main.default = None;
+    let options = Options { layout: StackLayout::CanOpenEditor, ..Options::default() };
+    let notes = generate(&device, Target::CANOPENNODE, &options).unwrap().notes;
+    let errors: Vec<String> =
+        notes.iter().filter(|note| note.severity == Severity::Error).map(ToString::to_string).collect();
+    assert!(errors.iter().any(|error| error.starts_with("0x1017")), "{errors:?}");
 }

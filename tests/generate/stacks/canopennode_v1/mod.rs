@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::generate::{Note, Options, Target, generate};
+use objdict::generate::{Note, Options, StackLayout, Target, generate};
 use objdict::model::{Device, Value};
 
 use crate::compile::{c_compiler, cc, generate_with, succeed};
@@ -383,4 +383,26 @@ fn line_without_state(line: &str) -> String {
         Ok(high) if is_id => format!("{start}{:02X}", high | 0x80),
         _ => line.to_owned(),
     }
+}
+
+/// libEDSsharp wrote the hex digits of indexes in lower case until November 2019.
+#[test]
+fn macros_of_older_editors_have_lower_case_digits() {
+    let module = crate::devices::device(&crate::support::fixtures().join("eds/io-401.eds"));
+    let text = |layout| {
+        let options = Options { layout, ..Options::default() };
+        let files = generate(&module, Target::CANOPENNODE_V1, &options).unwrap().files;
+        files.into_iter().map(|file| String::from_utf8(file.contents).unwrap()).collect::<String>()
+    };
+    let (new, old) = (text(StackLayout::CanOpenEditor), text(StackLayout::CanOpenEditor2020));
+    for (upper, lower) in [
+        ("#define OD_1A00_TPDOMappingParameter 0x1A00\n", "#define OD_1a00_TPDOMappingParameter 0x1a00\n"),
+        ("#define OD_100A_manufacturerSoftwareVersion ", "#define OD_100a_manufacturerSoftwareVersion "),
+        ("OD_record1A00[5]", "OD_record1a00[5]"),
+        ("(void *)&OD_record1A00}", "(void *)&OD_record1a00}"),
+    ] {
+        assert!(new.contains(upper) && !new.contains(lower), "{upper}");
+        assert!(old.contains(lower) && !old.contains(upper), "{lower}");
+    }
+    assert_eq!(new, text(StackLayout::Complete));
 }

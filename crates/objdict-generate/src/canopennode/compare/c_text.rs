@@ -110,6 +110,16 @@ pub(super) enum Initialiser<'t> {
     List(Vec<(Option<&'t str>, Initialiser<'t>)>),
 }
 
+impl<'t> Token<'t> {
+    /// The name, keyword or number.
+    pub(super) const fn word(&self) -> Option<&'t str> {
+        match self {
+            Self::Word(word) => Some(word),
+            Self::Quoted(_) | Self::Mark(_) => None,
+        }
+    }
+}
+
 impl<'t> Initialiser<'t> {
     /// The value of a field.
     pub(super) fn field(&self, name: &str) -> Option<&Self> {
@@ -127,11 +137,7 @@ impl<'t> Initialiser<'t> {
     /// The words of a value.
     pub(super) fn words(&self) -> Vec<&'t str> {
         let Self::Value(tokens) = self else { return Vec::new() };
-        let word = |token: &Token<'t>| match token {
-            Token::Word(word) => Some(*word),
-            Token::Quoted(_) | Token::Mark(_) => None,
-        };
-        tokens.iter().filter_map(word).collect()
+        tokens.iter().filter_map(Token::word).collect()
     }
 }
 

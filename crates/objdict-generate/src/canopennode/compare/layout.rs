@@ -72,12 +72,12 @@ fn aligned(offset: u64, alignment: u64) -> Option<u64> {
 }
 
 /// The size of the types that tables use.
-fn size_of(name: &str) -> Option<u64> {
+pub(super) fn size_of(name: &str) -> Option<u64> {
     Some(match name {
-        "bool_t" | "bool" | "char" | "uint8_t" | "int8_t" => 1,
-        "uint16_t" | "int16_t" => 2,
-        "uint32_t" | "int32_t" | "float32_t" | "float" => 4,
-        "uint64_t" | "int64_t" | "float64_t" | "double" => 8,
+        "bool_t" | "bool" | "char" | "uint8_t" | "int8_t" | "UNS8" | "INTEGER8" => 1,
+        "uint16_t" | "int16_t" | "UNS16" | "INTEGER16" => 2,
+        "uint32_t" | "int32_t" | "float32_t" | "float" | "UNS32" | "INTEGER32" | "REAL32" => 4,
+        "uint64_t" | "int64_t" | "float64_t" | "double" | "UNS64" | "INTEGER64" | "REAL64" => 8,
         _ => return None,
     })
 }

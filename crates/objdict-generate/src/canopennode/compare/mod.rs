@@ -3,6 +3,8 @@
 
 mod c_text;
 mod layout;
+#[cfg(feature = "stacks")]
+pub(crate) mod rows;
 mod tables;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,18 +18,24 @@ const VOLATILE: &str = "OD_RAM";
 
 /// Compares a header and its source with generated files; `None` if they are no tables of this stack.
 pub(crate) fn compare(header: &str, source: &str, made: &[OutputFile]) -> Option<Vec<TableDifference>> {
-    let text = |ending: &str| {
-        let file = made.iter().find(|file| file.path.ends_with(ending))?;
-        std::str::from_utf8(&file.contents).ok()
-    };
+    let [new_header, new_source] = texts(made)?;
     let old = TableSide::new(ComparedTables::read(header, source));
-    let new = TableSide::new(ComparedTables::read(text(".h")?, text(".c")?));
+    let new = TableSide::new(ComparedTables::read(new_header, new_source));
     if old.tables.groups.is_empty() && old.tables.objects.is_empty() {
         return None;
     }
     let sides = Sides { renamed: renamed(&old, &new), old, new };
     let parts = [sides.names(), sides.macros(), sides.layout(), sides.objects(), sides.values()];
     Some(parts.into_iter().flatten().collect())
+}
+
+/// The first header and the first source of generated files.
+fn texts(made: &[OutputFile]) -> Option<[&str; 2]> {
+    let text = |ending: &str| {
+        let file = made.iter().find(|file| file.path.ends_with(ending))?;
+        std::str::from_utf8(&file.contents).ok()
+    };
+    Some([text(".h")?, text(".c")?])
 }
 
 /// Tables, and their variables by name, each with its group.

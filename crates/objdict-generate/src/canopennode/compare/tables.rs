@@ -97,20 +97,13 @@ impl ComparedTables {
     /// Reads the variables of the source: values of groups, descriptors, and the list.
     fn definitions(&mut self, tokens: &[Token<'_>]) {
         let mut descriptors = None;
-        let mut rest = tokens;
-        while let Some(at) = rest.windows(2).position(|pair| pair == [Token::Mark('='), Token::Mark('{')]) {
-            let name = rest[..at].iter().rev().find_map(|token| match token {
-                Token::Word(word) => Some(*word),
-                Token::Quoted(_) | Token::Mark(_) => None,
-            });
-            let Some((value, behind)) = initialiser(&rest[at + 1..], 0) else { return };
+        for (name, value) in definitions(tokens) {
             match name {
-                Some("ODObjs") => descriptors = Some(value),
-                Some("ODList") => self.list(&value, descriptors.as_ref()),
-                Some(group) if self.groups.contains_key(group) => self.start_values(group, &value),
+                "ODObjs" => descriptors = Some(value),
+                "ODList" => self.list(&value, descriptors.as_ref()),
+                group if self.groups.contains_key(group) => self.start_values(group, &value),
                 _ => {}
             }
-            rest = behind;
         }
     }
 
@@ -145,8 +138,26 @@ impl ComparedTables {
     }
 }
 
+/// The variables of a source with their initialisers.
+pub(super) fn definitions<'t>(tokens: &[Token<'t>]) -> Vec<(&'t str, Initialiser<'t>)> {
+    let is_end = |token: &Token<'_>| matches!(token, Token::Mark(';' | '{' | '}'));
+    let mut found = Vec::new();
+    let mut rest = tokens;
+    while let Some(at) = rest.iter().position(|token| *token == Token::Mark('=')) {
+        // `name`, or `name[COUNT]`
+        let declared = rest[..at].rsplit(is_end).next().unwrap_or_default();
+        let declared = declared.split(|token| *token == Token::Mark('[')).next().unwrap_or_default();
+        let Some((value, behind)) = initialiser(&rest[at + 1..], 0) else { break };
+        if let Some(Token::Word(name)) = declared.last() {
+            found.push((*name, value));
+        }
+        rest = behind;
+    }
+    found
+}
+
 /// The members up to the brace that ends them.
-fn members<'a, 't>(
+pub(super) fn members<'a, 't>(
     mut rest: &'a [Token<'t>],
     macros: &BTreeMap<&str, &str>,
     depth: usize,
@@ -218,7 +229,7 @@ fn single_flags(word: &str) -> Vec<String> {
 }
 
 /// A value in one spelling: numbers in decimal, characters as a text, zeros at the end left out.
-fn plain(value: &Initialiser<'_>) -> String {
+pub(super) fn plain(value: &Initialiser<'_>) -> String {
     let items = match value {
         Initialiser::Value(tokens) => return plain_value(tokens),
         Initialiser::List(items) => items,
@@ -274,13 +285,13 @@ fn plain_value(tokens: &[Token<'_>]) -> String {
     texts.collect()
 }
 
-fn plain_number(text: &str) -> String {
+pub(super) fn plain_number(text: &str) -> String {
     let text = if text.contains('.') { text.trim_end_matches(['f', 'F']) } else { text };
     number(text).map_or_else(|| text.to_owned(), |number| number.to_string())
 }
 
 /// A number of C, with or without a suffix.
-fn number(text: &str) -> Option<u64> {
+pub(super) fn number(text: &str) -> Option<u64> {
     let digits = text.trim_end_matches(['u', 'U', 'l', 'L']);
     match digits.strip_prefix("0x").or_else(|| digits.strip_prefix("0X")) {
         Some(digits) => u64::from_str_radix(digits, 16).ok(),

@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use objdict::generate::{Note, Options};
 use objdict::model::{PdoKind, TypeKind};
 
+use super::output::shapes;
 use super::{NODE_ID, expected, generate_into};
 use crate::compile::{c_compiler, succeed};
 use crate::devices::{devices, for_all};
@@ -131,4 +132,24 @@ fn the_sdo_server_of_the_real_stack_answers_what_the_description_says() {
     let started = started.into_inner();
     eprintln!("CANopenNode 4: {started} nodes started, {found:?} predictions");
     assert!(started > 3, "only {started} nodes started");
+}
+
+/// What the notes predict of entries with other types, on the stack itself.
+#[test]
+fn the_real_stack_does_not_start_with_other_shapes() {
+    let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPENNODE_DIR"), c_compiler()) else { return };
+    for_all(&shapes(), |(name, device, stops)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        generate_into(folder, device, &Options::default());
+        let mut cc = with_port(&compiler, folder, &stack);
+        cc.args(["-o", "node", "OD.c"]).arg(stack.join("CANopen.c")).args(sources(&stack));
+        succeed(cc.arg(beside("canopennode", "real/node.c")), "")
+            .map_err(|error| format!("{name}: {error}"))?;
+        let output = Command::new(folder.join("node")).arg(NODE_ID.to_string()).output();
+        let printed =
+            String::from_utf8_lossy(&output.map_err(|error| error.to_string())?.stdout).into_owned();
+        let line = printed.lines().find(|line| line.starts_with("CO_"));
+        if line.is_some() == *stops { Ok(()) } else { Err(format!("{name}: {line:?}")) }
+    });
 }
