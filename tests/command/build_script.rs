@@ -3,11 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use objdict::build_script::{Builder, Built, Error, OutputError};
-use objdict::diagnostic::Severity;
+use objdict::build_script::{Builder, Built, Error, Level, OutputError, Severity};
 use objdict::format::input::FileKind;
 use objdict::generate::{Names, Target};
-use objdict::lint::Level;
 use tempfile::TempDir;
 
 fn fixture(path: &str) -> std::path::PathBuf {
@@ -384,4 +382,73 @@ fn files_of_others_stay() {
     fs::write(&path, "changed").unwrap();
     let error = run(builder()).0.unwrap_err();
     assert!(matches!(error, Error::Output(OutputError::Changed { .. })), "{error:?}");
+}
+
+/// The forms of an address.
+#[test]
+fn hooks_and_names_take_numbers() {
+    let out = TempDir::new().unwrap();
+    let text = |builder: Builder| {
+        let built = run(builder.out_dir(out.path())).0.unwrap();
+        fs::read_to_string(&built.files[0]).unwrap()
+    };
+    let new = || Builder::new(fixture("eds/io-401.eds"));
+    let address = |text: &str| text.parse::<objdict::model::Address>().unwrap();
+    let old = new().hook(address("1017")).hook(address("6200:1")).name_of(address("1017"), "beat");
+    assert_eq!(text(new().hook(0x1017).hook((0x6200, 1)).name_of(0x1017, "beat")), text(old));
+    assert_ne!(text(new().hook(0x1017)), text(new()));
+}
+
+/// What is accepted is not reported, and what accepts nothing is.
+#[test]
+fn notes_and_warnings_are_accepted() {
+    let out = TempDir::new().unwrap();
+    let told_of = |what: &[&str]| {
+        let builder =
+            Builder::new(fixture("eds/drive-402.eds")).out_dir(out.path()).target(Target::CANOPENNODE);
+        let builder = what.iter().fold(builder.max_warnings(1000), |builder, what| builder.accept(*what));
+        let (built, cargo) = run(builder);
+        built.unwrap();
+        told(&cargo, "warning").into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let all = told_of(&[]);
+    assert!(all.iter().any(|line| line.contains("1005h is described without 1006h")), "{all:#?}");
+    let left = told_of(&["1005h is described without 1006h"]);
+    assert_eq!(all.len(), left.len() + 1, "{left:#?}");
+    let left = told_of(&["canopennode: ", "cia306/no-such-rule"]);
+    let last = format!(
+        "{}: `accept` finds no `cia306/no-such-rule`: remove it",
+        fixture("eds/drive-402.eds").display()
+    );
+    assert_eq!(left, [last]);
+}
+
+/// The order of targets changes no path, for each pair of targets and for all.
+#[test]
+fn the_order_of_targets_changes_no_path() {
+    let out = TempDir::new().unwrap();
+    let template = out.path().join("list.txt.j2");
+    fs::write(&template, "{{ device }}").unwrap();
+    let paths = |targets: &[Target]| {
+        let folder = TempDir::new().unwrap();
+        let builder =
+            Builder::new(fixture("dcf/io-401-node5.dcf")).template(&template).out_dir(folder.path());
+        let (built, _) = run(targets.iter().fold(builder, |builder, target| builder.target(*target)));
+        let files = built.unwrap().files;
+        let mut paths: Vec<_> =
+            files.iter().map(|file| file.strip_prefix(folder.path()).unwrap().to_owned()).collect();
+        paths.sort();
+        let one_case: std::collections::BTreeSet<String> =
+            paths.iter().map(|path| path.to_str().unwrap().to_ascii_lowercase()).collect();
+        assert_eq!(one_case.len(), paths.len(), "{paths:?}");
+        paths
+    };
+    let all: Vec<Target> = Target::all().collect();
+    for (at, &one) in all.iter().enumerate() {
+        for &other in &all[at + 1..] {
+            assert_eq!(paths(&[one, other]), paths(&[other, one]), "{one:?} {other:?}");
+        }
+    }
+    let reversed: Vec<Target> = all.iter().rev().copied().collect();
+    assert_eq!(paths(&all), paths(&reversed));
 }

@@ -399,3 +399,59 @@ fn the_examples_of_the_documentation_run() {
         build(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"])).succeed().unwrap();
     }
 }
+
+/// Names of files have the prefix as it is spelt; identifiers have the case of their target.
+#[test]
+fn files_keep_the_case_of_the_prefix() {
+    let minimal = device(&support::fixtures().join("eds/minimal.eds"));
+    let options = Options { prefix: Some("TestSlave".to_owned()), ..Options::default() };
+    for target in ["c", "canopen-stack", "canopennode", "microcanopen", "lely", "canfestival"] {
+        let generated = generate(&minimal, Target::named(target).unwrap(), &options).unwrap();
+        let paths: Vec<&str> = generated.files.iter().map(|file| file.path.as_str()).collect();
+        assert!(paths.iter().all(|path| path.starts_with("TestSlave")), "{target}: {paths:?}");
+        for file in &generated.files {
+            let text = std::str::from_utf8(&file.contents).unwrap();
+            let own = text
+                .lines()
+                .filter_map(|line| line.strip_prefix("#include \""))
+                .map(|name| name.trim_end_matches('"'));
+            let missing: Vec<&str> = own
+                .filter(|name| name.to_ascii_lowercase().starts_with("test") && !paths.contains(name))
+                .collect();
+            assert!(missing.is_empty(), "{target}: {missing:?}");
+        }
+    }
+}
+
+/// CANopenEditor describes all PDOs of a profile, most of them not in use.
+#[test]
+fn pdos_that_are_not_in_use_are_reported_once() {
+    use std::fmt::Write;
+    let mut text = String::new();
+    for number in 0..49 {
+        for (index, entries) in [
+            (0x1400 + number, &[(0, 5, "5"), (1, 7, "$NODEID+0x80000200"), (2, 5, "254"), (5, 6, "0")][..]),
+            (0x1600 + number, &[(0, 5, "0"), (1, 7, "0")]),
+        ] {
+            writeln!(text, "[{index:X}]\nParameterName=PDO\nObjectType=9\nSubNumber={}", entries.len())
+                .unwrap();
+            for (sub, data_type, default) in entries {
+                writeln!(text, "[{index:X}sub{sub}]\nParameterName=Value {sub}\nObjectType=7\nDataType={data_type}\nAccessType=rw\nDefaultValue={default}\nParameterValue=").unwrap();
+            }
+        }
+    }
+    let dcf = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap() + &text;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pdos.dcf");
+    std::fs::write(&file, dcf).unwrap();
+    let pdos = device(&file);
+    for target in Target::all().filter(|target| target.name() != "template") {
+        let notes = generate(&pdos, target, &Options::default()).unwrap().notes;
+        let of_pdos = notes
+            .iter()
+            .filter(|note| note.places().count() < 40 && note.to_string().contains("0x14"))
+            .count();
+        assert!(of_pdos <= 4, "{target:?}: {of_pdos}");
+        assert!(notes.len() < 16, "{target:?}: {notes:#?}");
+    }
+}

@@ -5,10 +5,10 @@ use super::names::words;
 use super::resolve::{Encoded, EntryPlan, ValueShape, digits};
 use crate::model::{DataType, TypeKind};
 
-/// The stem of file names: the prefix, else the file name of the description as a C identifier.
+/// The stem of file names: the prefix as it is spelt, else the file name of the description as a C identifier.
 pub(crate) fn file_stem(options: &Options) -> String {
     match &options.prefix {
-        Some(prefix) => prefix.to_ascii_lowercase(),
+        Some(prefix) => prefix.clone(),
         None => {
             Some(words(&options.file_stem)).filter(|stem| !stem.is_empty()).unwrap_or_else(|| "od".to_owned())
         }

@@ -6,7 +6,7 @@
 
 use std::borrow::Cow;
 
-use super::notes::{in_order, once_per_object};
+use super::notes::{in_order, once_per_device};
 use super::resolve::{EntryPlan, Resolver};
 use super::{GenerateError, Note, Options};
 use crate::model::{Address, Device, Entry, Object, Part, Place};
@@ -97,7 +97,7 @@ impl<'a> TableDictionary<'a> {
         if !errors.is_empty() {
             return Err(GenerateError::Inexpressible(in_order(errors)));
         }
-        let notes = once_per_object(in_order(notes));
+        let notes = once_per_device(in_order(notes));
         if objects.is_empty() {
             return Err(GenerateError::NoEntries { notes });
         }

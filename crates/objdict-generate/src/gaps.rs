@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::Note;
-use super::notes::once_per_object;
+use super::notes::once_per_device;
 use crate::literal::{self, Quirks};
 use crate::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Place, Value};
 
@@ -36,7 +36,7 @@ pub(crate) fn filled(device: &Device) -> (Cow<'_, Device>, Vec<Note>) {
             data_type.into_iter().for_each(|data_type| set_type(entry, data_type));
         }
     }
-    (Cow::Owned(device), once_per_object(notes))
+    (Cow::Owned(device), once_per_device(notes))
 }
 
 fn gaps_of(device: &Device, index: u16, object: &Object) -> Vec<Gap> {

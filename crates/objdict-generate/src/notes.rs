@@ -23,55 +23,34 @@ pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {
     notes
 }
 
-/// Merges equal notes about several entries of an object into the first one, which counts them.
-pub(crate) fn once_per_object(notes: Vec<Note>) -> Vec<Note> {
-    let mut kept: Vec<(Note, Vec<Place>)> = Vec::new();
-    for note in notes {
-        let same = |(first, _): &&mut (Note, Vec<Place>)| {
-            index_of(&first.place).is_some_and(|index| index_of(&note.place) == Some(index))
-                && first.place.field == note.place.field
-                && first.message == note.message
-        };
-        let recent = kept.iter_mut().rev().take(8); // more than the kinds of notes for entries of one object
-        match recent.into_iter().find(same) {
-            Some((_, more)) => more.push(note.place),
-            None => kept.push((note, Vec::new())),
-        }
-    }
-    let counted = kept.into_iter().map(|(mut note, more)| {
-        if !more.is_empty() {
-            let entries = counted(more.len(), "more entry", "more entries");
-            note.message = format!("{}; also for {entries} of the object", note.message);
-            note.also.extend(more);
-        }
-        note
-    });
-    counted.collect()
-}
-
-/// Merges equal notes about several entries of the device into the first one, which counts them and names
-/// their objects.
+/// Merges equal notes about several entries or objects of the device into the first one, which counts them and names
+/// the objects.
 pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<Note> = Vec::new();
-    let mut known: HashMap<String, usize> = HashMap::new();
+    let mut known: HashMap<(bool, String), usize> = HashMap::new();
     for note in notes {
-        let first = index_of(&note.place).and_then(|_| known.get(&note.message).copied());
+        let key = index_of(&note.place).map(|(is_entry, _)| (is_entry, note.message.clone()));
+        let first = key.as_ref().and_then(|key| known.get(key).copied());
         match first.and_then(|first| kept.get_mut(first)) {
             Some(first) => first.also.push(note.place),
             None => {
-                if index_of(&note.place).is_some() {
-                    known.insert(note.message.clone(), kept.len());
-                }
+                known.extend(key.map(|key| (key, kept.len())));
                 kept.push(note);
             }
         }
     }
-    for note in kept.iter_mut().filter(|note| !note.also.is_empty()) {
-        let entries = counted(note.also.len(), "more entry", "more entries");
-        let indexes: Vec<u16> = note.also.iter().filter_map(index_of).collect();
-        let same = indexes.iter().all(|&index| index_of(&note.place) == Some(index));
+    for note in &mut kept {
+        let Some((is_entry, index)) = index_of(&note.place).filter(|_| !note.also.is_empty()) else {
+            continue;
+        };
+        let more = match is_entry {
+            true => counted(note.also.len(), "more entry", "more entries"),
+            false => counted(note.also.len(), "more object", "more objects"),
+        };
+        let indexes: Vec<u16> = note.also.iter().filter_map(index_of).map(|(_, index)| index).collect();
+        let same = indexes.iter().all(|&other| other == index);
         let of = if same { "of the object".to_owned() } else { format!("({})", ranges(&indexes)) };
-        note.message = format!("{}; also for {entries} {of}", note.message);
+        note.message = format!("{}; also for {more} {of}", note.message);
     }
     kept
 }
@@ -94,10 +73,11 @@ fn ranges(indexes: &[u16]) -> String {
     named.join(", ") + more
 }
 
-/// The index of a place.
-fn index_of(place: &Place) -> Option<u16> {
+/// Whether a place is an entry, and its index; `None` if it is no object either.
+fn index_of(place: &Place) -> Option<(bool, u16)> {
     match place.part {
-        Part::Entry(index, _) => Some(index),
+        Part::Entry(index, _) => Some((true, index)),
+        Part::Object(index) => Some((false, index)),
         _ => None,
     }
 }
@@ -110,13 +90,17 @@ mod tests {
     fn what_holds_for_many_entries_is_reported_once() {
         let at = |index, sub| Note::new(Place::entry(index, sub), "the stack has no room");
         let notes = vec![at(0x1400, 1), at(0x1400, 2), at(0x1401, 1), at(0x1A00, 1)];
-        let per_object = once_per_object(notes.clone());
-        assert_eq!(per_object.len(), 3);
+        let per_object = once_per_device(notes[..2].to_vec());
         assert_eq!(
             per_object[0].to_string(),
             "0x1400sub1: the stack has no room; also for 1 more entry of the object"
         );
         assert_eq!(per_object[0].also, [Place::entry(0x1400, 2)]);
+        let objects = (0x1404..0x1408).map(|index| Note::new(Place::object(index), "only 4 PDOs")).collect();
+        assert_eq!(
+            once_per_device(objects)[0].to_string(),
+            "0x1404: only 4 PDOs; also for 3 more objects (1405h to 1407h)"
+        );
         let per_device = once_per_device(notes);
         assert_eq!(per_device.len(), 1);
         assert_eq!(

@@ -198,7 +198,6 @@ impl Request {
         let options = self.options(checked, files)?;
         let mut outputs: Vec<(Target, Generated)> = Vec::new();
         let mut sizes = Vec::new();
-        let mut paths: BTreeSet<String> = BTreeSet::new();
         for &target in &self.targets {
             if outputs.iter().any(|(other, _)| other.name() == target.name()) {
                 continue;
@@ -210,17 +209,9 @@ impl Request {
                 generated.notes.extend(self.room.admit(target, &size)?);
                 sizes.push((target, size));
             }
-            // `od.h` and `OD.h` are one file on many systems
-            let is_taken = |file: &OutputFile| paths.contains(&file.path.to_ascii_lowercase());
-            if generated.files.iter().any(is_taken) {
-                generated
-                    .files
-                    .iter_mut()
-                    .for_each(|file| file.path = format!("{}/{}", target.name(), file.path));
-            }
-            paths.extend(generated.files.iter().map(|file| file.path.to_ascii_lowercase()));
             outputs.push((target, generated));
         }
+        separate(&mut outputs);
         self.room.is_measured(&sizes)?;
         if let Some((_, first)) = outputs.first_mut() {
             first.notes.splice(0..0, general_notes(&device, &self.targets, &options));
@@ -249,6 +240,25 @@ impl Request {
         #[cfg(feature = "lint")]
         configured::rename(&mut options, files)?;
         Ok(options)
+    }
+}
+
+/// Moves the files of a target to a folder if an earlier one in the list of all targets has a file of the same name. The order of
+/// the request does not matter, so a build that asks for the same targets finds its files.
+fn separate(outputs: &mut [(Target, Generated)]) {
+    let mut paths: BTreeSet<String> = BTreeSet::new();
+    for known in Target::all() {
+        let Some((target, generated)) = outputs.iter_mut().find(|(target, _)| target.name() == known.name())
+        else {
+            continue;
+        };
+        // `od.h` and `OD.h` are one file on many systems
+        let is_taken = |file: &OutputFile| paths.contains(&file.path.to_ascii_lowercase());
+        if generated.files.iter().any(is_taken) {
+            let files = generated.files.iter_mut();
+            files.for_each(|file| file.path = format!("{}/{}", target.name(), file.path));
+        }
+        paths.extend(generated.files.iter().map(|file| file.path.to_ascii_lowercase()));
     }
 }
 

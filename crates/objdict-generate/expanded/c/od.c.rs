@@ -9,7 +9,7 @@ impl CView<'_> {
  *
  * Object dictionary of {} by {}.
  */
-#include \"{}.h\"", self.table.head.made_by, crate::escape::c_comment(&self.table.head.product), crate::escape::c_comment(&self.table.head.vendor), self.lower);
+#include \"{}.h\"", self.table.head.made_by, crate::escape::c_comment(&self.table.head.product), crate::escape::c_comment(&self.table.head.vendor), self.stem);
         let has_pointers = false;
         put!(out, "
 

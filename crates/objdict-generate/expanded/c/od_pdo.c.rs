@@ -38,7 +38,7 @@ static void {}_to_frame(uint64_t number, uint8_t *frame, size_t length)
         frame[at] = (uint8_t)(number & 0xFFu);
         number >>= 8;
     }}
-}}", self.table.head.made_by, self.lower, self.upper, self.lower, self.lower, self.lower);
+}}", self.table.head.made_by, self.stem, self.upper, self.lower, self.lower, self.lower);
         if self.uses_signs() {
             put!(out, "
 

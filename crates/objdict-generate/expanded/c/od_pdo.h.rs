@@ -29,7 +29,7 @@ impl PdoFiles<'_> {
 
 #ifdef __cplusplus
 extern \"C\" {{
-#endif", self.upper, self.upper, self.lower, self.upper);
+#endif", self.upper, self.upper, self.stem, self.upper);
         for frame in &self.frames {
             put!(out, "
 

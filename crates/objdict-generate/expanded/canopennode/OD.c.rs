@@ -12,7 +12,7 @@ impl CanOpenNodeView<'_> {
  */
 #define OD_DEFINITION
 #include \"301/CO_ODinterface.h\"
-#include \"{}.h\"", self.head.made_by, crate::escape::c_comment(&self.head.product), crate::escape::c_comment(&self.head.vendor), od);
+#include \"{}.h\"", self.head.made_by, crate::escape::c_comment(&self.head.product), crate::escape::c_comment(&self.head.vendor), self.head.stem);
         if self.has_math() {
             out.push_str("
 

@@ -48,6 +48,7 @@ pub(super) fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateEr
 /// Tables for C.
 pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
     let prefix = options.prefix_or("od")?;
+    let stem = options.prefix.as_deref().unwrap_or(&prefix);
     let mut table = DeviceTable::new(device, options)?;
     let mut notes = std::mem::take(&mut table.notes);
     let are_fixed = options.pdo_mappings == PdoMappings::Fixed;
@@ -56,16 +57,16 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     }
     let frames = frames(device, &table, &mut notes);
     let facts = view::HeaderContents::new(device, &table, options, &mut notes);
-    let tables = view::CView::new(&table, &prefix, &facts);
+    let tables = view::CView::new(&table, (&prefix, stem), &facts);
     let (header, source, size) = match options.table {
         CTable::Compact => (
-            render(format!("{prefix}.h"), tables.header()),
-            render(format!("{prefix}.c"), tables.source()),
+            render(format!("{stem}.h"), tables.header()),
+            render(format!("{stem}.c"), tables.source()),
             rows::size(&table, options.entry_names),
         ),
         CTable::Structs => (
-            render(format!("{prefix}.h"), tables.structs_header()),
-            render(format!("{prefix}.c"), tables.structs_source()),
+            render(format!("{stem}.h"), tables.structs_header()),
+            render(format!("{stem}.c"), tables.structs_source()),
             structs::size(&table, &prefix, options.entry_names),
         ),
     };
@@ -76,9 +77,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
         notes.push(note.help("look at the flag `HOOK` of the entries where they are read and written"));
     }
     if !frames.is_empty() {
-        let view = pdo::PdoFiles::new(&table, &prefix, &frames, are_fixed);
-        files.push(render(format!("{prefix}_pdo.h"), view.header()));
-        files.push(render(format!("{prefix}_pdo.c"), view.source()));
+        let view = pdo::PdoFiles::new(&table, (&prefix, stem), &frames, are_fixed);
+        files.push(render(format!("{stem}_pdo.h"), view.header()));
+        files.push(render(format!("{stem}_pdo.c"), view.source()));
     }
     Ok(BackendOutput { files, notes: in_order(notes), size })
 }

@@ -11,6 +11,8 @@ use crate::table::{DeviceTable, Row};
 pub(super) struct PdoFiles<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
+    /// The name of the files of the dictionary, without its end.
+    stem: &'a str,
     upper: String,
     table: &'a DeviceTable,
     frames: Vec<FrameStruct<'a>>,
@@ -53,12 +55,12 @@ struct FrameMember<'a> {
 impl<'a> PdoFiles<'a> {
     pub(super) fn new(
         table: &'a DeviceTable,
-        prefix: &'a str,
+        (prefix, stem): (&'a str, &'a str),
         frames: &'a [PdoFrame],
         are_fixed: bool,
     ) -> Self {
         let frames = frames.iter().map(|frame| frame_view(table, prefix, frame)).collect();
-        Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames, are_fixed }
+        Self { lower: prefix, stem, upper: prefix.to_ascii_uppercase(), table, frames, are_fixed }
     }
 
     /// Whether a number of a kind is in a frame.

@@ -16,6 +16,8 @@ use crate::{Note, Options, hooks, table_size};
 pub(super) struct CView<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
+    /// The name of files, without its end.
+    stem: &'a str,
     pub(super) upper: String,
     table: &'a DeviceTable,
     shared: Rows,
@@ -105,7 +107,11 @@ pub(super) fn object_views<'a>(
 }
 
 impl<'a> CView<'a> {
-    pub(super) fn new(table: &'a DeviceTable, prefix: &'a str, facts: &'a HeaderContents) -> Self {
+    pub(super) fn new(
+        table: &'a DeviceTable,
+        (prefix, stem): (&'a str, &'a str),
+        facts: &'a HeaderContents,
+    ) -> Self {
         let defaults: Vec<DefaultMacro> = facts.constants.iter().flat_map(item_views).collect();
         let (objects, mut macros) = object_views(table, prefix, &defaults);
         let upper = prefix.to_ascii_uppercase();
@@ -113,6 +119,7 @@ impl<'a> CView<'a> {
             (!facts.named.is_empty()).then(|| MeaningMacros::new(&facts.named, prefix, &mut macros));
         Self {
             lower: prefix,
+            stem,
             shared: Rows::new(table, &upper),
             upper,
             table,

@@ -7,7 +7,7 @@ mod view;
 use super::dictionary::TableDictionary;
 use super::head::Head;
 use super::names::NameScope;
-use super::notes::{in_order, once_per_object};
+use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Generated, Options, render};
 use crate::model::Device;
 
@@ -21,7 +21,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let mut dictionary = TableDictionary::new(device, &room)?;
     let losses = losses::of(&mut dictionary);
     dictionary.notes.extend(losses);
-    let notes = once_per_object(in_order(std::mem::take(&mut dictionary.notes)));
+    let notes = once_per_device(in_order(std::mem::take(&mut dictionary.notes)));
     if dictionary.objects.is_empty() {
         return Err(GenerateError::NoEntries { notes });
     }

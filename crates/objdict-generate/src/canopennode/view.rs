@@ -14,7 +14,7 @@ use objdict_model::canopennode::Counters;
 
 /// What the files have.
 pub(super) struct CanOpenNodeView<'a> {
-    head: Head,
+    pub(super) head: Head,
     /// The prefix of identifiers.
     pub(super) prefix: String,
     counters: Counters,
@@ -61,7 +61,12 @@ impl<'a> CanOpenNodeView<'a> {
             .flat_map(|(position, object)| limited(object, position, options.limits, notes))
             .collect();
         Self {
-            head: Head::new(dictionary.device, options, &prefix, &prefix),
+            head: Head::new(
+                dictionary.device,
+                options,
+                &prefix,
+                options.prefix.as_deref().unwrap_or(&prefix),
+            ),
             counters: Counters::new(dictionary.objects.iter().map(|object| (object.index, object.object))),
             groups: groups(&objects, &prefix),
             applied: objects.iter().flat_map(|object| applied(object, &prefix)).collect(),

@@ -12,7 +12,7 @@ mod value;
 
 use self::value::text_of;
 use super::dictionary::TableDictionary;
-use super::notes::{in_order, once_per_object};
+use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Generated, Note, Options, render};
 use crate::model::{Access, CobId, Device, Place};
 use crate::resolve::Encoded;
@@ -30,7 +30,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     notes.extend(maker.answers.differences(&dictionary));
     notes.extend(dictionary.notes.iter().cloned());
     let file = render(format!("{}.toml", options.file_stem), config.text());
-    Ok(Generated { files: vec![file], notes: once_per_object(in_order(notes)) })
+    Ok(Generated { files: vec![file], notes: once_per_device(in_order(notes)) })
 }
 
 /// The file.

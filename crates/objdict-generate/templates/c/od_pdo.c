@@ -2,7 +2,7 @@
 /*
  * {{ table.head.made_by }}; do not edit.
  */
-#include "{{ lower }}_pdo.h"
+#include "{{ stem }}_pdo.h"
 
 #include <string.h>
 

@@ -16,7 +16,7 @@
 #ifndef {{ upper }}_PDO_H
 #define {{ upper }}_PDO_H
 
-#include "{{ lower }}.h"
+#include "{{ stem }}.h"
 
 #ifndef {{ upper }}_NO_PDO
 

@@ -4,7 +4,7 @@
  *
  * Object dictionary of {{ table.head.product|c_comment }} by {{ table.head.vendor|c_comment }}.
  */
-#include "{{ lower }}.h"
+#include "{{ stem }}.h"
 {%- let has_pointers = true %}
 {%- let structs = self.structs() %}
 

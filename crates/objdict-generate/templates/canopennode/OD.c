@@ -7,7 +7,7 @@
  */
 #define OD_DEFINITION
 #include "301/CO_ODinterface.h"
-#include "{{ od }}.h"
+#include "{{ head.stem }}.h"
 {%- if self.has_math() %}
 
 #include <math.h>

@@ -196,14 +196,14 @@ fn several_dictionaries_go_into_one_program_and_into_cpp() {
     generate_into(folder, &healthy("drive-402.eds"), &motor);
     generate_into(folder, &crate::odd::device(), &with_limits());
     let mut cc = with_declarations(&compiler, folder);
-    cc.args(["-DCO_MULTIPLE_OD", "-o", "several", "OD.c", "MOTOR.c"]);
+    cc.args(["-DCO_MULTIPLE_OD", "-o", "several", "OD.c", "motor.c"]);
     build(cc.arg(beside("canopennode", "several.c"))).succeed().unwrap();
 
     let cpp = std::env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
     if !has(&cpp, "g++") {
         return;
     }
-    std::fs::write(folder.join("headers.cpp"), "#include \"OD.h\"\n#include \"MOTOR.h\"\n").unwrap();
+    std::fs::write(folder.join("headers.cpp"), "#include \"OD.h\"\n#include \"motor.h\"\n").unwrap();
     let mut command = Command::new(cpp);
     command.current_dir(folder).args([
         "-std=c++11",

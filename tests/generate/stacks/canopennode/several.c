@@ -11,7 +11,7 @@ typedef struct {
     const OD_entry_t *ENTRY_H1001;
 } CO_config_t;
 
-#include "MOTOR.h"
+#include "motor.h"
 #include "OD.h"
 
 #include <string.h>
