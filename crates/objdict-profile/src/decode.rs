@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
 
-use super::standard::{OF_MANAGERS, below_profiles};
+use super::standard::{OF_MANAGERS, below_profiles, has_object_of_managers};
 use super::{BitFieldFacts, EntryFacts, ObjectFacts, Profile, of_number};
 use crate::model::{DataType, Device, Value};
 
@@ -53,7 +53,7 @@ pub fn of_object(
         Some((profile, profile.object_in(block, index)?))
     });
     // an object of managers is one of CiA 302 in a device that has no other of them, too
-    let is_manager = OF_MANAGERS.contains(&index) || device.objects.range(OF_MANAGERS).next().is_some();
+    let is_manager = OF_MANAGERS.iter().any(|range| range.contains(&index)) || has_object_of_managers(device);
     let for_it = below_profiles(is_manager).filter(move |_| !blocks.is_empty());
     own.chain(for_it.filter_map(move |profile| Some((profile, profile.object(index)?))))
 }

@@ -34,7 +34,7 @@ pub fn of_device(device: &Device) -> Option<&'static Profile> {
 /// The documents that apply to a device regardless of its profile. The document for network managers applies
 /// only to devices with at least one of its objects.
 pub fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {
-    below_profiles(device.objects.range(OF_MANAGERS).next().is_some())
+    below_profiles(has_object_of_managers(device))
 }
 
 /// The documents that apply regardless of a profile.
@@ -78,7 +78,11 @@ fn common<T: PartialEq>(
 }
 
 /// The objects of CiA 302, which are only required if the device has at least one of them.
-pub(super) const OF_MANAGERS: RangeInclusive<u16> = 0x1F00..=0x1FFF;
+pub(super) const OF_MANAGERS: [RangeInclusive<u16>; 2] = [0x102A..=0x102A, 0x1F00..=0x1FFF];
+
+pub(super) fn has_object_of_managers(device: &Device) -> bool {
+    OF_MANAGERS.into_iter().any(|range| device.objects.range(range).next().is_some())
+}
 
 /// The former purpose of an object removed from CiA 301 in version 4.
 pub fn obsolete(index: u16) -> Option<&'static str> {

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::check::conflict;
 use crate::check_with;
 use crate::compat::with_refused_spellings;
 use objdict_format as format;
@@ -225,6 +226,9 @@ fn candidates(
     safety: Applicability,
     refused: &BTreeMap<usize, AppliedFix>,
 ) -> Vec<Candidate> {
+    if conflict::is_in(description.source().text()) {
+        return Vec::new();
+    }
     let fixes = findings.iter().enumerate().filter_map(|(number, finding)| {
         let fix =
             finding.fix.as_ref().filter(|fix| fix.safety <= safety && !refused.contains_key(&number))?;

@@ -17,7 +17,9 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     let setting = Argument::setting(Field::ObjectType, format_args!("0x{:X}", expected.code()));
     let finding = finding.help(match (found.has_subs(), expected.has_subs()) {
         (true, false) => say!("describe a single value, with `{}` and without sub-indexes", setting),
-        (false, true) => say!("describe the sub-indexes, and write `{}`", setting),
+        (false, true) if object.compact.is_none() => {
+            say!("describe the sub-indexes, and write `{}`", setting)
+        }
         _ => say!("write `{}`", setting),
     });
     let harmless = at.facts.object_types.contains(&found);

@@ -31,8 +31,26 @@ pub(crate) fn missing_object(
         let place = cause(facts.need, device, applied.block).unwrap_or_else(device_type);
         let finding = Diagnostic::new(rule, place, message)
             .severity(rule.severity.min(super::highest_severity(facts.confidence)))
-            .help(say!("add the object: `{}`", Part::Object(index)));
+            .help(help_for_missing(device, facts.need, index));
         findings.push(finding);
+    }
+}
+
+/// The help for a missing object. CiA 401 requires the default PDOs only of a device without a mapping of its own, which bit 23
+/// of its device type states.
+fn help_for_missing(device: &Device, need: Need<'_>, index: u16) -> Text {
+    let is_mapping = matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF) && !is_there(device, index - 0x200);
+    let add = match is_mapping {
+        true => say!("add the objects: `{}` and `{}`", Part::Object(index - 0x200), Part::Object(index)),
+        false => say!("add the object: `{}`", Part::Object(index)),
+    };
+    let device_type = device.value(0x1000, 0).and_then(|value| Some(value.as_integer()? | 1 << 23));
+    let is_of_default = matches!(need, Need::When(condition) if condition.tests_bit(0x1000, 23));
+    match device_type.filter(|_| is_of_default) {
+        Some(own) => {
+            say!("{}; or write `0x{:08X}` to 1000h (bit 23) if the PDOs are mapped otherwise", add, own)
+        }
+        None => add,
     }
 }
 

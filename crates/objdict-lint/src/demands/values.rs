@@ -1,6 +1,7 @@
 //! Values, compared with a document.
 
 use super::Expected;
+use super::entries::is_other_object;
 use super::objects::set;
 use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, say, series_or};
 use crate::model::{Field, Value};
@@ -33,6 +34,7 @@ pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings
     let (Some(expected), Some(found)) = (at.facts.default, &at.entry.default) else { return };
     // another rule reports a value that the document does not allow
     let is_allowed = found.as_integer().is_none_or(|number| at.facts.accepts_value(number));
+    let is_allowed = is_allowed && !is_other_object(at);
     if at.counts() || is_equal(expected, found) || !is_allowed {
         return;
     }

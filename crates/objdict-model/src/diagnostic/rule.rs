@@ -94,8 +94,6 @@ pub enum Reach {
     Keys,
     /// At the object that the line of the cause names as its value.
     Value,
-    /// Between the marks of a merge conflict, the first of which is the cause.
-    Conflict,
     /// Up to the next section, if the cause looks like a header, and at the object or section that it names.
     Header,
 }

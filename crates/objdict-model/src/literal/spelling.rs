@@ -21,8 +21,9 @@ pub fn spelling_in_line(
         return;
     }
     for (quirk, rule, help) in found(quirks) {
-        let mut finding = finding(text, at.into(), quirk, rule, help);
-        finding.fix = respell(text, quirk, value).map(|spelled| {
+        let spelled = respell(text, quirk, value);
+        let mut finding = finding(text, at.into(), (quirk, rule, help), spelled.as_deref());
+        finding.fix = spelled.map(|spelled| {
             let fix = fix_of(quirk, &spelled).replace(at, spelled);
             let comment = trailing_comment(text).filter(|comment| !comment.is_empty());
             match comment.filter(|_| quirk == Quirk::TrailingComment) {
@@ -47,9 +48,9 @@ pub fn spelling(
     }
     let at = at.into();
     for (quirk, rule, help) in found(quirks) {
-        let mut finding = finding(text, at.clone(), quirk, rule, help);
+        let respelled = respell(text, quirk, value);
+        let mut finding = finding(text, at.clone(), (quirk, rule, help), respelled.as_deref());
         if let At::Span(span) = at {
-            let respelled = respell(text, quirk, value);
             let plain = respelled.filter(|text| !text.contains(['&', '<', '>', '"', '\'']));
             finding.fix = plain.map(|text| fix_of(quirk, &text).replace(span, text));
         }
@@ -66,7 +67,15 @@ fn found(quirks: Quirks) -> impl Iterator<Item = (Quirk, &'static RuleInfo, &'st
     })
 }
 
-fn finding(text: &str, at: At, quirk: Quirk, rule: &'static RuleInfo, help: &'static str) -> Diagnostic {
+/// A finding; its help names the right value where the table only describes it.
+fn finding(
+    text: &str,
+    at: At,
+    (quirk, rule, help): (Quirk, &'static RuleInfo, &'static str),
+    spelled: Option<&str>,
+) -> Diagnostic {
+    let is_described = matches!(quirk, Quirk::FormulaSpelling | Quirk::NodeIdLast | Quirk::AboveType);
+    let help = spelled.filter(|_| is_described).map_or(help.into(), |value| say!("write `{}`", value));
     Diagnostic::new(rule, at, say!("`{}` {}", text, rule_text(quirk))).help(help)
 }
 

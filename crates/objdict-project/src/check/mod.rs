@@ -4,6 +4,7 @@
 #[cfg(feature = "full")]
 mod causes;
 mod comments;
+pub(crate) mod conflict;
 mod origin;
 mod suppression;
 mod variants;
@@ -79,6 +80,7 @@ pub fn check_unordered(description: &Description, options: &Options) -> Findings
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
     findings.append(options.severities.apply(about_comments));
+    let findings = conflict::alone(description, findings);
     #[cfg(feature = "full")]
     let findings = causes::named(description, findings);
     variants::named(description, findings)

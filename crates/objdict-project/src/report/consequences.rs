@@ -127,8 +127,6 @@ struct Places<'a> {
     lost: Option<u16>,
     /// The only object that belongs in a list, or in none, and is not listed.
     unlisted: HashMap<Option<ObjectList>, Option<u16>>,
-    /// Where the last marks of merge conflicts start.
-    conflict_ends: Vec<u32>,
     /// Where tags of objects in an XDD start and end.
     object_tags: [Vec<u32>; 2],
 }
@@ -153,7 +151,6 @@ impl<'a> Places<'a> {
             headers: starts("\n["),
             lost: only(findings.iter().filter_map(lost_object)),
             unlisted,
-            conflict_ends: starts("\n>>>>>>>"),
             object_tags: [OBJECT_START, OBJECT_END].map(starts),
         }
     }
@@ -209,10 +206,6 @@ impl<'a> Places<'a> {
                 self.unlisted.get(&list).copied().flatten().map(CauseExtent::Object)
             }
             Reach::Value => value_of(line()).map(CauseExtent::Object),
-            Reach::Conflict if line().starts_with("<<<<<<<") => {
-                let next = self.conflict_ends.partition_point(|&end| end < cause.start);
-                self.conflict_ends.get(next).map(|&end| CauseExtent::Behind(cause.start, end))
-            }
             Reach::Header if line().trim_end().ends_with(']') => {
                 let name = line().trim_matches(|c: char| !c.is_ascii_alphanumeric());
                 let name = name.rsplit('[').next().unwrap_or_default();
@@ -221,7 +214,7 @@ impl<'a> Places<'a> {
                 let name = index.map_or(name.to_owned(), |index| format!("{index:04X}h"));
                 (name.len() > 3).then_some(CauseExtent::Header(cause.start, end, index, name))
             }
-            Reach::Conflict | Reach::Header => None,
+            Reach::Header => None,
         }
     }
 

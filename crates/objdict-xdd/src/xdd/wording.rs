@@ -216,7 +216,13 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
                 (false, false) => words,
             },
         };
-        Some(finding.in_words(words))
+        let finding = finding.in_words(words);
+        // the element stands for all data types without a simple type, so it does not state another one
+        let is_bits = |text: &str| text.contains("BITSTRING");
+        let is_spoken = finding.rule.name() == "wrong-data-type"
+            && span(&finding).is_some_and(|span| is_bits(span.of(text)))
+            && finding.help.as_ref().is_some_and(|help| is_bits(&help.shown()));
+        (!is_spoken).then_some(finding)
     })
 }
 

@@ -81,14 +81,14 @@ text_rules! {
 
     "cia306/misspelt-key" = MISSPELT_KEY, Warning, fix Mixed;
     summary: "the name of a key is misspelt",
-    checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported. A misspelt `ObjectType`, `DataType`, `AccessType` or `SubNumber` is an error, as a missing one is.",
+    checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported. A misspelt `ObjectType`, `DataType`, `AccessType` or `SubNumber`, or the misspelt count of a list, is an error, as a missing one is.",
     why: "Other tools ignore the key: the value, limit or type has no effect.",
     example: "`DefualtValue=250`, `Supported Objects=3`",
     remedy: "Write `DefaultValue=250`, `SupportedObjects=3`.",
 
     "cia306/section-spelling" = SECTION_SPELLING, Warning, fix Safe;
     summary: "the name of an object's section is misspelt",
-    checks: "Whether section names of objects are a hex index without `0x` and leading zeros, and section names of sub-indexes append `sub` and a hex sub-index without leading zeros. Recognisable names such as `[1018h]`, `[$1018]` and `[1018.1]` are read. Leading zeros, which many readers accept, are a warning, everything else is an error.",
+    checks: "Whether section names of objects are a hex index without `0x` and leading zeros, and section names of sub-indexes append `sub` and a hex sub-index without leading zeros. Recognisable names such as `[1018h]`, `[$1018]` and `[1018.1]` are read. Leading zeros, which many readers accept, are a warning, everything else is an error, such as a sub-index in decimal above FEh.",
     why: "Other tools read another object, or none.",
     example: "`[1018sub01]`, `[0x1000]`, `[1000h]`, `[1003sub100]`",
     remedy: "Write `[1018sub1]`, `[1000]`.",

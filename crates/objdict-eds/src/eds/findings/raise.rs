@@ -142,12 +142,23 @@ pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
         },
     );
     if hint {
-        finding
-            .severity(Severity::Error)
-            .help("write an index of up to four hex digits and a sub-index up to FF: `[1018sub1]`")
+        finding.severity(Severity::Error).help(match decimal_sub(name) {
+            Some((index, sub)) => {
+                say!("write the sub-index in hex, decimal {} is `[{}sub{:X}]`", sub, index, sub)
+            }
+            None => "write an index of up to four hex digits and a sub-index up to FF: `[1018sub1]`".into(),
+        })
     } else {
         finding.help("check the spelling; some tools refuse unknown sections")
     }
+}
+
+/// The index and the number of a section whose sub-index was written in decimal: `[2000sub100]`.
+fn decimal_sub(name: &str) -> Option<(&str, u8)> {
+    let (index, sub) = name.split_at_checked(4)?;
+    let digits = sub.get(..3).filter(|word| word.eq_ignore_ascii_case("sub")).map(|_| &sub[3..])?;
+    let number = digits.parse().ok().filter(|number| (100..=254).contains(number))?;
+    u16::from_str_radix(index, 16).ok().map(|_| (index, number))
 }
 
 /// Whether the name looks like that of an object: hex digits with optional `0x`, optionally followed by
@@ -157,9 +168,10 @@ fn looks_like_object(name: &str) -> bool {
     let digits = name.bytes().take_while(u8::is_ascii_hexdigit).count();
     let rest = name[digits..].trim_ascii_start();
     let is_number = name.as_bytes().first().is_some_and(u8::is_ascii_digit);
-    digits > 0
-        && is_number
-        && (rest.is_empty() || rest.get(..3).is_some_and(|word| word.eq_ignore_ascii_case("sub")))
+    decimal_sub(name).is_some()
+        || digits > 0
+            && is_number
+            && (rest.is_empty() || rest.get(..3).is_some_and(|word| word.eq_ignore_ascii_case("sub")))
 }
 
 pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
@@ -176,23 +188,32 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
         Some(_) => say!("`{}` does not belong in `[{}]`; the key is kept", item.name, section),
         None => say!("the standard does not define key `{}` in `[{}]`; the key is kept", item.name, section),
     };
-    Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
-        .help("check the spelling; some tools refuse unknown keys")
+    let is_of_object = matches!(SectionName::parse(section).part, Part::Object(_) | Part::Entry(..));
+    Diagnostic::new(&UNKNOWN_KEY, item.name_at, message).help(match item.name {
+        "Factor" | "Unit" | "Description" if is_of_object => {
+            "keep the key for python-canopen, which reads it; other tools ignore or refuse unknown keys"
+        }
+        _ => "check the spelling; some tools refuse unknown keys",
+    })
 }
 
 /// Reports a key that is read as another one.
 pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: FieldKey) -> Diagnostic {
-    // as severe as the missing key that it hides
-    let is_required =
-        matches!(meant.field(), Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber);
-    let severity = if is_required { Severity::Error } else { MISSPELT_KEY.severity };
+    // as severe as the missing key or count that it hides
+    let (severity, effect) = match meant.field() {
+        Field::SupportedObjects | Field::NrOfEntries => (Severity::Error, "see no entry or refuse the file"),
+        Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber => {
+            (Severity::Error, "ignore the misspelt key")
+        }
+        _ => (MISSPELT_KEY.severity, "ignore the misspelt key"),
+    };
     let meant = meant.field().name();
     let message = say!("the standard does not define the key `{}`, probably `{}`", item.name, &*meant);
     let fix = Fix::risky(say!("write `{}`", &*meant)).replace(item.name_at, &*meant);
     Diagnostic::new(&MISSPELT_KEY, item.name_at, message)
         .severity(severity)
         .understood()
-        .help(say!("write `{}`; other tools ignore the misspelt key", &*meant))
+        .help(say!("write `{}`; other tools {}", &*meant, effect))
         .fix(fix)
 }
 

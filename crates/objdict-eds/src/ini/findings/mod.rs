@@ -43,9 +43,8 @@ text_rules! {
     example: "Lines with CR LF, and one line with LF that a script added.",
     remedy: "Save the file with one kind of line end.",
 
-    // the line is a mark of a merge, the header of a section that is not read, or a key that its section lacks
+    // the line is the header of a section that is not read, or a key that its section lacks
     "cia306/junk-line" = JUNK_LINE, Error, fix Mixed,
-        explains Conflict ["duplicate-key"],
         explains Header [
             "key-before-section", "duplicate-key", "missing-header", "unknown-key", "unsupported-key", "missing-section",
             "listed-object-missing", "sub-without-object", "sub-number-mismatch", "missing-sub-0",
@@ -61,7 +60,7 @@ text_rules! {
         stops "*";
     summary: "a line is not a section, key or comment",
     checks: "Whether each non-empty line is `[section]`, `key=value` or a comment. The rest of a wrapped comment, and what precedes the header of a section of the standard or the first section, is passed over.",
-    why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions.",
+    why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions: then only the markers are reported, and nothing is fixed.",
     example: "`<<<<<<< HEAD`",
     remedy: "Remove the line, or put a `;` before it.",
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, joined, say};
-use crate::model::{CobId, DeviceKind, PdoKind, predefined};
+use crate::model::{CobId, DeviceKind, Field, PdoKind, predefined};
 use crate::rule::rules;
 use crate::{CobIdService, CobIdUse, Facts, PdoFacts};
 
@@ -259,8 +259,13 @@ fn cob_id_not_predefined(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
 }
 
 fn fixed_node_id(facts: &Facts<'_>, findings: &mut Findings) {
-    for cob_id in &facts.cob_ids {
-        if let Some(base) = facts.base_without_node_id(cob_id) {
+    for configured in &facts.cob_ids {
+        let CobIdUse { index, sub, service, .. } = *configured;
+        // a `ParameterValue` belongs in a DCF, where a number is right
+        let entry = facts.device.entry(index, sub);
+        let default = entry.and_then(|entry| CobId::from_value(entry.default.as_ref()?));
+        let Some(cob_id) = default.map(|cob_id| CobIdUse { index, sub, service, cob_id }) else { continue };
+        if let Some(base) = facts.base_without_node_id(&cob_id) {
             let node = cob_id.cob_id.number() & 0x7F;
             let message = match node {
                 0 => say!("the COB-ID `{}` of {} is missing the node-ID", cob_id.cob_id, cob_id.service),
@@ -271,7 +276,10 @@ fn fixed_node_id(facts: &Facts<'_>, findings: &mut Findings) {
                     node
                 ),
             };
-            let place = facts.device.value_place(cob_id.index, cob_id.sub);
+            let place = match facts.device.value_place(index, sub) {
+                place if place.field == Some(Field::ParameterValue) => place.field(Field::DefaultValue),
+                place => place,
+            };
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
             let title = say!("write `$NODEID+0x{:X}`", number);
             let fix = Fix::risky(title.clone()).set(place.clone(), format!("$NODEID+0x{number:X}"));

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use crate::demands::Applied;
 use crate::diagnostic::{Argument, Findings, Severity, Text, say};
-use crate::model::{Device, DeviceKind, Identity, Object, ObjectList, Part, Place};
+use crate::model::{Access, Device, DeviceKind, Identity, Object, ObjectList, Part, Place};
 use crate::profile::Need;
 use crate::rule::rules;
 use crate::{Facts, is_unstated, profile, stated};
@@ -65,7 +65,7 @@ rules! {
     checks: "Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which are reserved since version 4 of CiA 301. The finding is a warning if 1004h contradicts the description: its upper half was the number of RPDOs, its lower half the number of TPDOs.",
     why: "The objects are harmless but unused: 1018h, 1200h and the PDO parameters provide the same information. A master that reads wrong numbers in 1004h expects other PDOs.",
     example: "`[100B]`, the node-ID",
-    remedy: "Omit the object in new devices.",
+    remedy: "Omit the object in new devices; set the node-ID with LSS (CiA 305) or an object from 2000h to 5FFFh instead of 100Bh.",
     source: "CiA 301 annex A, list of objects; CiA 301 version 3.0",
 
     "cia301/vendor-id-zero" = VENDOR_ID_ZERO, Warning, Device(vendor_id_zero);
@@ -204,7 +204,14 @@ fn obsolete_object(device: &Device, index: u16, object: &Object, findings: &mut 
         }
         None => OBSOLETE_OBJECT.at(Place::object(index), message),
     };
-    findings.push(finding.help("remove the object unless an old tool needs it"));
+    let main = object.subs.get(0).unwrap_or(&object.main);
+    findings.push(finding.help(match main.access.is_some_and(Access::is_writable) {
+        // removed, the device could not be set any more
+        true if index == 0x100B => {
+            "in a new device, set the node-ID with LSS or an object from 2000h to 5FFFh"
+        }
+        _ => "omit the object in new devices",
+    }));
 }
 
 /// How the numbers of PDOs in 1004h differ from the description; PDOs that `CompactPDO` implies are not described.

@@ -276,17 +276,19 @@ fn timer_without_effect(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
         timers.into_iter().filter(|(_, _, time, is_idle)| *is_idle && time.is_some_and(|time| time > 0));
     let Some((sub, name, Some(time), _)) = idle.next() else { return };
     let place = facts.device.value_place(index, sub);
+    let low_limit = facts.device.entry(index, sub).and_then(|entry| entry.low_limit.as_ref()?.as_integer());
+    let lower = low_limit.filter(|&limit| limit > 0).map_or("".into(), |_| say!(" and lower `{LowLimit}`"));
     let finding = match pdo.transmission_type.filter(|_| is_cyclic) {
         Some(transmission_type) => {
             let message = say!("{} is synchronous, so its {} of `{}` has no effect", pdo, name, time);
             let reason = say!("transmission type {} is synchronous", transmission_type);
             let finding = TIMER_WITHOUT_EFFECT.at(place, message);
             let finding = finding.label(facts.device.value_place(index, 2), reason);
-            finding.help("write 0, or use transmission type 254 or 255")
+            finding.help(say!("write 0{}, or use transmission type 254 or 255", lower))
         }
         None => {
             let message = say!("the {} `{}` of {} has no effect", name, time, pdo);
-            TIMER_WITHOUT_EFFECT.at(place, message).help("write 0: reception is not inhibited")
+            TIMER_WITHOUT_EFFECT.at(place, message).help(say!("write 0{}: reception is not inhibited", lower))
         }
     };
     findings.push(finding);

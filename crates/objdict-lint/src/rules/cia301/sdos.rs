@@ -1,8 +1,8 @@
 //! The SDO servers and clients.
 
 use crate::demands::Against;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say};
-use crate::model::{Device, DeviceKind, Field, Part, Place, predefined};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, sub_index};
+use crate::model::{DataType, Device, DeviceKind, Field, Object, Part, Place, TypeKind, predefined};
 use crate::rule::rules;
 use crate::{CobIdService, CobIdUse, Facts, stated};
 
@@ -25,19 +25,19 @@ rules! {
     remedy: "Remove the sub-index, and reduce `SubNumber` and sub-index 0 by one.",
     source: "CiA 301 §7.5.2.33",
 
-    "cia301/gap-in-sdo-numbers" = GAP_IN_SDO_NUMBERS, Warning, Device(gap_in_sdo_numbers);
+    "cia301/gap-in-sdo-numbers" = GAP_IN_SDO_NUMBERS, Note, Device(gap_in_sdo_numbers);
     summary: "the numbers of the SDO channels have a gap",
-    checks: "Whether each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) follows the previous one.",
-    why: "CiA 301 numbers the channels consecutively. Managers that assign channels stop at the first missing index.",
+    checks: "Whether each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) follows the previous one. Objects that are not SDO parameters have the rule `cia301/incomplete-sdo-parameter`.",
+    why: "CiA 301 calls 1201h the second server, 1202h the third and so on, and does not forbid gaps. But managers that assign channels stop at the first missing index.",
     example: "`[1281]` without `[1280]`",
     remedy: "Use the next free index, or describe the missing channels.",
 
     "cia301/incomplete-sdo-parameter" = INCOMPLETE_SDO_PARAMETER, Error, Against(incomplete_sdo_parameter);
     summary: "an SDO parameter lacks a sub-index",
-    checks: "Whether each SDO server (1200h to 127Fh) has sub-indexes 1 and 2, the COB-IDs of both directions, and each SDO client (1280h to 12FFh) also has sub-index 3, the node-ID of its server.",
+    checks: "Whether each SDO server (1200h to 127Fh) has sub-indexes 1 and 2, the COB-IDs of both directions, and each SDO client (1280h to 12FFh) also has sub-index 3, the node-ID of its server. An object whose types are not those of an SDO parameter, such as a text, is reported once, as a vendor's object in the range of SDOs.",
     why: "An SDO channel needs both identifiers, and a client needs the node-ID of its server.",
     example: "`[1280]` with only sub-indexes 0 to 2",
-    remedy: "Describe the missing sub-index.",
+    remedy: "Describe the missing sub-index; move a vendor-specific object to 2000h to 5FFFh.",
 
     "cia301/partly-valid-sdo" = PARTLY_VALID_SDO, Error, Facts(partly_valid_sdo);
     summary: "only one direction of an SDO channel is valid",
@@ -119,7 +119,9 @@ fn default_sdo_node_id(device: &Device, findings: &mut Findings) {
 
 fn gap_in_sdo_numbers(device: &Device, findings: &mut Findings) {
     for (first, last, what) in [(0x1201_u16, 0x127F, "SDO server"), (0x1280, 0x12FF, "SDO client")] {
-        for (&index, _) in device.objects.range(first + 1..=last) {
+        let channels =
+            device.objects.range(first + 1..=last).filter(|(_, object)| foreign_entry(object).is_none());
+        for (&index, _) in channels {
             if !stated::is_there(device, index - 1) {
                 let message = say!(
                     "{:04X}h is described, but the previous {}, {:04X}h, is missing",
@@ -135,9 +137,27 @@ fn gap_in_sdo_numbers(device: &Device, findings: &mut Findings) {
     }
 }
 
+/// An entry whose type shows that the object is not an SDO parameter, which has only numbers.
+fn foreign_entry(object: &Object) -> Option<(u8, DataType)> {
+    let is_number = |kind| matches!(kind, TypeKind::Unsigned(_) | TypeKind::Signed(_) | TypeKind::Structure);
+    let typed = object.subs.iter().filter_map(|(sub, entry)| Some((sub, entry.data_type?)));
+    typed.take_while(|(sub, _)| *sub < 4).find(|(_, data_type)| !is_number(data_type.kind()))
+}
+
 fn incomplete_sdo_parameter(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let (index, object) = (at.index, at.object);
     if !(0x1200..=0x12FF).contains(&index) || object.orphan || !object.object_type().has_subs() {
+        return;
+    }
+    if let Some((sub, data_type)) = foreign_entry(object) {
+        let message = say!(
+            "{:04X}h is in the range of SDO parameters, but its sub-index {} is {}",
+            index,
+            sub_index(sub),
+            data_type
+        );
+        let finding = Diagnostic::new(rule, Place::object(index), message);
+        findings.push(finding.help("move the object to 2000h to 5FFFh"));
         return;
     }
     let needed = at.facts.entries().filter(|entry| entry.is_mandatory() && entry.first > 0);

@@ -1,6 +1,6 @@
 //! Storing and restoring parameters, the stored EDS and the configuration date.
 
-use crate::diagnostic::{Findings, Fix, Text, say, sub_index};
+use crate::diagnostic::{Findings, Fix, Severity, Text, say, sub_index};
 use crate::model::{Device, DeviceKind, Entry, Field, Place, Value};
 use crate::rule::rules;
 use crate::{Facts, stated};
@@ -10,7 +10,7 @@ rules! {
 
     "cia301/incomplete-eds-storage" = INCOMPLETE_EDS_STORAGE, Error, Device(incomplete_eds_storage);
     summary: "one of the two objects that store the EDS is missing",
-    checks: "Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format.",
+    checks: "Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format. CiA 301 requires 1022h with 1021h; 1022h alone is useless, a warning.",
     why: "A tool cannot unpack a file of unknown format, and a format without the file is useless.",
     example: "`[1021]` without `[1022]`",
     remedy: "Add the missing object: 1021h is a DOMAIN, 1022h an UNSIGNED8 or UNSIGNED16 with 0 for an uncompressed file.",
@@ -49,10 +49,15 @@ rules! {
 }
 
 fn incomplete_eds_storage(device: &Device, findings: &mut Findings) {
-    for (there, other, lacks) in [(0x1021, 0x1022, "format of the EDS"), (0x1022, 0x1021, "stored EDS")] {
+    let pairs = [
+        (0x1021, 0x1022, "format of the EDS", Severity::Error),
+        // required only with 1021h, and useless without it
+        (0x1022, 0x1021, "stored EDS", Severity::Warning),
+    ];
+    for (there, other, lacks, severity) in pairs {
         if device.objects.contains_key(&there) && !stated::is_there(device, other) {
             let message = say!("{:04X}h is described without {:04X}h ({})", there, other, lacks);
-            let finding = INCOMPLETE_EDS_STORAGE.at(Place::object(there), message);
+            let finding = INCOMPLETE_EDS_STORAGE.at(Place::object(there), message).severity(severity);
             findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", other, there)));
         }
     }

@@ -41,10 +41,10 @@ rules! {
     "cia301/sync-producer-without-period" = SYNC_PRODUCER_WITHOUT_PERIOD, Warning,
         Facts(sync_producer_without_period);
     summary: "the device produces SYNC but has no communication cycle period",
-    checks: "Whether a device whose 1005h has bit 30 set (SYNC producer) has 1006h, the communication cycle period, and whether its value is not 0.",
+    checks: "Whether a device whose 1005h has bit 30 set (SYNC producer) has 1006h, the communication cycle period, and whether its value is not 0. The value 0 switches SYNC off, which is a warning if a valid PDO of the device is synchronous, otherwise a note.",
     why: "The period of SYNC is unknown, or SYNC is switched off by a period of 0: synchronous PDOs are never sent.",
     example: "`[1005]` with `DefaultValue=0x40000080`, without `[1006]`",
-    remedy: "Add 1006h, an UNSIGNED32 in microseconds, and write the period; or clear bit 30.",
+    remedy: "Add 1006h, an UNSIGNED32 in microseconds, and write the period (in a `bus.yml` of dcfgen, `sync_period`); or clear bit 30.",
     source: "CiA 301 §7.5.2.5, §7.5.2.6",
 
     "cia301/sync-window-above-period" = SYNC_WINDOW_ABOVE_PERIOD, Error, Facts(sync_window_above_period);
@@ -179,6 +179,9 @@ fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
         let finding = SYNC_PRODUCER_WITHOUT_PERIOD
             .at(device.value_place(0x1006, 0), message)
             .label(device.value_place(0x1005, 0), "bit 30 is set");
+        let mut pdos = facts.pdos.iter().map(|facts| &facts.pdo);
+        let needs_sync = pdos.any(|pdo| pdo.is_synchronous() && pdo.is_valid() == Some(true));
+        let finding = if needs_sync { finding } else { finding.severity(Severity::Note) };
         findings.push(finding.help("write the period in microseconds, or clear bit 30 of 1005h"));
     }
 }

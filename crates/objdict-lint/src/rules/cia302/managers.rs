@@ -171,7 +171,8 @@ fn master_without_slaves(rule: &'static RuleInfo, at: &Against<'_>, findings: &m
 
 fn self_starting_not_marked(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     let value = at.object.value(0).filter(|_| at.index == 0x1F80 && at.has_its_shape());
-    let starts = value.and_then(|value| value.as_integer()).is_some_and(|value| value & 0b101 == 0);
+    let value = value.and_then(|value| value.as_integer());
+    let starts = value.is_some_and(|value| value & 0b101 == 0);
     let marked = at.device.device_info.as_ref().and_then(|info| info.simple_boot_up_slave);
     if starts && marked == Some(false) {
         let message = say!("1F80h makes the device enter operational by itself, but `{SimpleBootUpSlave=0}`");
@@ -179,7 +180,12 @@ fn self_starting_not_marked(rule: &'static RuleInfo, at: &Against<'_>, findings:
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(at.device.value_place(at.index, 0), "bit 2 is clear");
         let fix = Fix::risky(say!("write `{SimpleBootUpSlave=1}`")).set(place, "1");
-        findings.push(finding.help(say!("write `{SimpleBootUpSlave=1}`")).fix(fix));
+        let value = value.unwrap_or_default() | 0b100;
+        let help = say!(
+            "write `{SimpleBootUpSlave=1}`, or `0x{:08X}` to 1F80h (bit 2) if the device waits for its master",
+            value
+        );
+        findings.push(finding.help(help).fix(fix));
     }
 }
 

@@ -2,10 +2,12 @@
 
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Findings, Fix, Severity, counted, say};
-use crate::model::{Access, DataType, Device, DeviceKind, Entry, Field, Object, ObjectType, Part, Place};
+use crate::diagnostic::{Argument, Findings, Fix, Severity, counted, say};
+use crate::model::{
+    Access, DataType, Device, DeviceKind, Entry, Field, Object, ObjectType, Part, Place, Value,
+};
 use crate::rule::rules;
-use crate::{EntryAt, stated};
+use crate::{EntryAt, profile, stated};
 
 rules! {
     source: "CiA 306-1 §5.3.1";
@@ -23,14 +25,14 @@ rules! {
     checks: "Whether `UploadFile` and `DownloadFile` belong to a DOMAIN, whether only one of them is given, and whether `UploadFile` belongs to a readable and `DownloadFile` to a writable DOMAIN.",
     why: "The file holds the data of a DOMAIN. For other entries, or in the wrong direction, tools do not transfer the file.",
     example: "`DownloadFile=program.bin` of an UNSIGNED32",
-    remedy: "Remove the key and write `ParameterValue`, or correct the object type or access.",
+    remedy: "Remove the key, and write `ParameterValue` unless it is there or the entry is read-only; or correct the object type or access.",
 
     "cia306/read-only-value" = READ_ONLY_VALUE, Warning, Entry(read_only_value), fix Unsafe;
     summary: "a DCF configures an entry that is not writable",
     checks: "Whether each `ParameterValue` that differs from the default belongs to a writable entry. For `ro` entries the finding is a note: a tool may have stored a value read from the node, as in the example of the standard. Sub-index 0 and the identity object are not checked.",
     why: "Tools cannot download the value to the node, although the author expects it.",
     example: "`AccessType=const`, `DefaultValue=8` and `ParameterValue=9`",
-    remedy: "Remove the `ParameterValue`, or correct `AccessType`.",
+    remedy: "Remove the `ParameterValue`, or correct `AccessType`; where CiA 301 requires `ro`, as for 1000h, correct the default.",
 
     "cia306/value-of-no-download" = VALUE_OF_NO_DOWNLOAD, Note, Entry(value_of_no_download), fix Unsafe;
     summary: "a DCF configures an entry that `ObjFlags` excludes from downloads",
@@ -78,7 +80,8 @@ fn configuration_in_eds(device: &Device, findings: &mut Findings) {
     )));
 }
 
-fn configured_places(index: u16, object: &Object) -> impl Iterator<Item = Place> {
+/// The keys of a DCF that an object has.
+pub(super) fn configured_places(index: u16, object: &Object) -> impl Iterator<Item = Place> {
     let entries = object.described().filter_map(move |(sub, entry)| {
         let field = configured_field(entry)?;
         Some(Place::at(index, sub).field(field))
@@ -117,7 +120,10 @@ fn misplaced_file(at: &EntryAt<'_>, findings: &mut Findings) {
         let what = entry.data_type.map_or("not a DOMAIN".into(), |data_type| say!("{}", data_type));
         (
             say!("`{}` is for a DOMAIN, but the entry is {}", field, what),
-            say!("remove {the key} and write `{ParameterValue}`"),
+            match access.is_some_and(Access::is_writable) && configured.value.is_none() {
+                true => say!("remove {the key} and write `{ParameterValue}`"),
+                false => say!("remove {the key}"),
+            },
         )
     } else if configured.upload_file.is_some() && configured.download_file.is_some() {
         (say!("the entry has both `{UploadFile}` and `{DownloadFile}`"), "remove one of the two".into())
@@ -167,7 +173,19 @@ fn read_only_value(at: &EntryAt<'_>, findings: &mut Findings) {
         .severity(severity)
         .label(at.field(Field::AccessType), "not writable");
     let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
-    findings.push(finding.help(say!("remove `{ParameterValue}`, or correct `{AccessType}`")).fix(fix));
+    // the access type that the standard defines is right, so the default may be wrong
+    let is_fixed = profile::access(at.device, at.index, at.sub).is_some_and(|access| !access.is_writable());
+    findings.push(finding.fix(fix).help(match value {
+        Value::Unsigned(number) if is_fixed => {
+            let digits =
+                at.entry.data_type.and_then(DataType::bit_length).map_or(0, |bits| usize::from(bits) / 4);
+            let value = format!("0x{number:0digits$X}");
+            let setting = Argument::setting(Field::DefaultValue, value);
+            say!("remove `{ParameterValue}`, or write `{}` if the device returns it", setting)
+        }
+        _ if is_fixed => say!("remove `{ParameterValue}`, or correct `{DefaultValue}`"),
+        _ => say!("remove `{ParameterValue}`, or correct `{AccessType}`"),
+    }));
 }
 
 fn value_of_no_download(at: &EntryAt<'_>, findings: &mut Findings) {

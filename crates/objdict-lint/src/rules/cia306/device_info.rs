@@ -122,12 +122,15 @@ fn missing_device_info_key(device: &Device, findings: &mut Findings) {
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };
-    let message = say!("`{[DeviceInfo]}` has no {}", listing_or(&missing));
+    // a text may be empty, so its key is missing; that of a number may be there
+    let is_text = |field: &Field| matches!(field, Field::VendorName | Field::ProductName | Field::OrderCode);
+    let lacks = if missing.iter().all(is_text) { "has no" } else { "has no value for" };
+    let message = say!("`{[DeviceInfo]}` {} {}", lacks, listing_or(&missing));
     let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
     let finding = MISSING_DEVICE_INFO_KEY
         .at(Place::of(Part::DeviceInfo).field(first.clone()), message)
         .severity(if light { Severity::Note } else { Severity::Warning });
-    let title = say!("add {}", listing(missing.iter().map(example_line)));
+    let title = say!("write {}", listing(missing.iter().map(example_line)));
     let fix = add_default_keys(device, &missing);
     let finding = finding.help(title);
     findings.push(match fix {
@@ -173,7 +176,7 @@ fn add_default_keys(device: &Device, missing: &[Field]) -> Option<Fix> {
         let number = device.entry(0x1018, sub)?.default.as_ref()?.as_integer()?;
         Some(format!("0x{number:X}"))
     };
-    missing.iter().try_fold(Fix::risky(say!("add {the keys}")), |fix, field| {
+    missing.iter().try_fold(Fix::risky(say!("write {the keys}")), |fix, field| {
         let value = match field {
             Field::VendorName | Field::ProductName => return None,
             Field::VendorNumber => identity(1)?,

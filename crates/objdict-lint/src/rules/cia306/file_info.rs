@@ -1,5 +1,6 @@
 //! `[FileInfo]`: keys, dates and the EDS version; `[DeviceComissioning]` of a DCF.
 
+use super::configured_values::configured_places;
 use crate::diagnostic::{Findings, Fix, Severity, Text, listing_or, say, series};
 use crate::model::{BaudRates, Commissioning, Device, DeviceKind, Field, FileInfo, Part, Place};
 use crate::rule::rules;
@@ -189,7 +190,7 @@ fn key_with_form(field: &Field) -> Text {
 fn missing_last_eds(device: &Device, findings: &mut Findings) {
     let Some(info) = device.file_info.as_ref().filter(|_| device.kind == DeviceKind::Node) else { return };
     let is_named = info.last_eds.as_ref().is_some_and(|name| !name.is_empty());
-    if is_named || info.eds_version.is_none() {
+    if is_named || info.eds_version.is_none() || is_renamed_eds(device) {
         return;
     }
     let place = Place::of(Part::FileInfo).field(Field::LastEds);
@@ -222,6 +223,8 @@ fn modified_before_created(device: &Device, findings: &mut Findings) {
 fn invalid_baud_rate(device: &Device, findings: &mut Findings) {
     let Some(rate) = device.commissioning.as_ref().and_then(|node| node.baud_rate) else { return };
     let place = Place::of(Part::Commissioning).field(Field::Baudrate);
+    let info = device.device_info.as_ref();
+    let supported: Vec<u16> = info.iter().flat_map(|info| info.baud_rates.supported()).collect();
     if !BaudRates::DEFINED.contains(&rate) {
         let message = match rate {
             0 => say!("`{Baudrate}` is 0: no bit rate is selected").to_owned(),
@@ -232,12 +235,13 @@ fn invalid_baud_rate(device: &Device, findings: &mut Findings) {
         } else {
             Severity::Error
         });
-        findings
-            .push(finding.help(say!("write one of the bit rates in kbit/s: {}", series(BaudRates::DEFINED))));
+        findings.push(finding.help(match supported.is_empty() {
+            true => say!("write one of the bit rates in kbit/s: {}", series(BaudRates::DEFINED)),
+            false => say!("write a bit rate that the device supports: {} kbit/s", series(supported)),
+        }));
         return;
     }
-    let Some(info) = &device.device_info else { return };
-    let supported: Vec<u16> = info.baud_rates.supported().collect();
+    let Some(info) = info else { return };
     // another rule reports a device without bit rates
     if supported.is_empty() || supported.contains(&rate) {
         return;
@@ -297,8 +301,19 @@ fn missing_commissioning(device: &Device, findings: &mut Findings) {
             Some(formula) => finding.label(formula, "a formula without a value"),
             None => finding.severity(Severity::Warning),
         };
-        findings.push(finding.help(say!("add the {section} with `{NodeID}` and `{Baudrate}`")));
+        findings.push(finding.help(match is_renamed_eds(device) {
+            true => "rename the file to `.eds`: it configures nothing".into(),
+            false => say!("add the {section} with `{NodeID}` and `{Baudrate}`"),
+        }));
     }
+}
+
+/// Whether a file without a node is an EDS that was named as a DCF: it states the name of an EDS and has no key of a DCF.
+fn is_renamed_eds(device: &Device) -> bool {
+    let name = device.file_info.as_ref().and_then(|info| info.file_name.as_deref()).unwrap_or_default();
+    let is_eds = name.to_ascii_lowercase().ends_with(".eds") && device.commissioning.is_none();
+    let mut objects = device.objects.iter();
+    is_eds && objects.all(|(&index, object)| configured_places(index, object).next().is_none())
 }
 
 fn missing_node_name(device: &Device, findings: &mut Findings) {

@@ -160,7 +160,10 @@ fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
         (Some(data_type), _) => {
             let message = match data_type.kind() {
                 TypeKind::Domain | TypeKind::Structure => say!("{} cannot be mapped to a PDO", data_type),
-                _ => say!("a PDO has 8 bytes, and this {} may be longer", data_type),
+                _ => match string_length(entry) {
+                    Some(length) if length > 8 => say!("a PDO has 8 bytes, and its value has {}", length),
+                    _ => say!("a PDO has 8 bytes, and this {} may be longer", data_type),
+                },
             };
             (message, Field::DataType, "the data type")
         }
@@ -182,13 +185,17 @@ fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
 
 /// Whether the value of a string has 1 to 8 bytes, which a PDO can carry.
 fn is_short_string(entry: &Entry) -> bool {
-    let length = match (entry.data_type, entry.value()) {
-        (Some(DataType::VISIBLE_STRING), Some(Value::Text(text))) => text.len(),
-        (Some(DataType::UNICODE_STRING), Some(Value::Text(text))) => text.encode_utf16().count() * 2,
-        (Some(DataType::OCTET_STRING), Some(Value::Bytes(bytes))) => bytes.len(),
-        _ => 0,
-    };
-    (1..=8).contains(&length)
+    string_length(entry).is_some_and(|length| (1..=8).contains(&length))
+}
+
+/// The bytes of the value of a string.
+fn string_length(entry: &Entry) -> Option<usize> {
+    match (entry.data_type?, entry.value()?) {
+        (DataType::VISIBLE_STRING, Value::Text(text)) => Some(text.len()),
+        (DataType::UNICODE_STRING, Value::Text(text)) => Some(text.encode_utf16().count() * 2),
+        (DataType::OCTET_STRING, Value::Bytes(bytes)) => Some(bytes.len()),
+        _ => None,
+    }
 }
 
 const MANDATORY_SUBS: u8 = 0x03;

@@ -18,7 +18,7 @@ rules! {
     why: "Code generators and configuration tools treat the elements of an ARRAY alike, and often use the access type of the first one for all.",
     example: "An ARRAY with `AccessType=rw` at sub-index 1 and `AccessType=ro` at sub-index 2",
     remedy: "Correct the access type, or write `ObjectType=0x9` (RECORD) where the device profile allows it.",
-    source: "CiA 301 §7.4.3, table 42",
+    source: "Not in a standard; CiA 301 §7.4.3 demands one data type only",
 
     "cia306/array-of-mixed-types" = ARRAY_OF_MIXED_TYPES, Error, Object(array_of_mixed_types), fix Unsafe;
     summary: "the entries of an ARRAY have different data types",
@@ -46,10 +46,10 @@ rules! {
 
     "cia306/gap-in-array" = GAP_IN_ARRAY, Note, Object(gap_in_array);
     summary: "the sub-indexes of an ARRAY have a gap",
-    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh are consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps.",
-    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap, and generated code has unused elements. Sometimes sub-indexes were written in decimal: `[2000sub10]` is the sixteenth.",
+    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh are consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps. If the sub-indexes of any ARRAY or RECORD are evidently in decimal, `[2000sub10]` after `[2000sub9]`, the finding is an error.",
+    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap, and generated code has unused elements. Sub-indexes in decimal are read as hexadecimal: `[2000sub10]` is the sixteenth, and those from 100 on are lost.",
     example: "`[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`",
-    remedy: "Describe the missing elements, or change the object to a RECORD.",
+    remedy: "Describe the missing elements, or change the object to a RECORD; write sub-indexes in hexadecimal.",
     source: "CiA 306-1 §4.6.3.2, CiA 301 §7.4.3",
 
     "cia306/missing-sub-0" = MISSING_SUB_0, Error, Object(missing_sub_0), fix Unsafe;
@@ -216,9 +216,13 @@ fn sub_0_type(at: &EntryAt<'_>, findings: &mut Findings) {
     }
 }
 
-fn sub_number_mismatch(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn sub_number_mismatch(device: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(stated) = object.sub_number.map(usize::from) else { return };
-    let described = stated::described_subs(object);
+    // `[1A02subx]`, which has its own finding, is one of the sub-indexes
+    let prefix = format!("{index:04X}sub");
+    let is_sub = |name: &str| name.get(..7).is_some_and(|start| start.eq_ignore_ascii_case(&prefix));
+    let malformed = || device.extra.iter().map(|section| section.name()).filter(|name| is_sub(name));
+    let described = stated::described_subs(object) + malformed().count();
     if stated == described || object.compact.is_some() {
         return;
     }
@@ -237,6 +241,10 @@ fn sub_number_mismatch(_: &Device, index: u16, object: &Object, findings: &mut F
         finding.help(say!("describe the sub-indexes, or correct `{ObjectType}`"))
     } else {
         let title = say!("write `{}`", Argument::setting(Field::SubNumber, described));
+        if let Some(name) = malformed().next() {
+            findings.push(finding.help(say!("correct the section name `[{}]`, then {}", name, title)));
+            return;
+        }
         let place = Place::object(index).field(Field::SubNumber);
         // if sub-index 0 agrees with `SubNumber`, a section is missing
         let value = object.value(0).and_then(|value| value.as_integer());
@@ -312,7 +320,8 @@ fn object_section(title: Text, index: u16, object: &Object) -> Fix {
 fn wrong_highest_sub_index(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(sub_0) = object.subs.get(0) else { return };
     let counts = stated::counts_otherwise(index) || sub_0.access.is_some_and(Access::is_writable);
-    if counts || object.compact.is_some() || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
+    let is_list = stated::object_type(object).is_some_and(ObjectType::has_subs) && !is_decimal(object);
+    if counts || object.compact.is_some() || !is_list {
         return;
     }
     let highest = object.highest_sub().unwrap_or_default();
@@ -424,10 +433,13 @@ fn array_of_mixed_access(device: &Device, findings: &mut Findings) {
         let finding = ARRAY_OF_MIXED_ACCESS
         .at(place(other.0), message)
         .label(place(first.0), say!("`{}` here", first.1))
-        .help(say!(
-            "correct the access type, or write `{ObjectType=0x9}` in `{}` where the device profile allows a RECORD",
-            Part::Object(index)
-        ));
+        .help(match index {
+            0x6000.. => say!(
+                "correct the access type, or write `{ObjectType=0x9}` in `{}` where the device profile allows a RECORD",
+                Part::Object(index)
+            ),
+            _ => say!("correct the access type, or write `{ObjectType=0x9}` (RECORD) in `{}`", Part::Object(index)),
+        });
         findings.push(finding);
     }
 }
@@ -468,7 +480,29 @@ fn array_of_mixed_types(_: &Device, index: u16, object: &Object, findings: &mut 
     findings.push(finding.help(help).fix(fix));
 }
 
+/// Whether the sub-indexes are numbered in decimal: 10h follows 9, none has a letter, and sub-index 0 or the name says 10 where 10h
+/// is 16.
+fn is_decimal(object: &Object) -> bool {
+    let decimal = |sub: u8| (sub >> 4 < 10 && sub & 0xF < 10).then_some((sub >> 4) * 10 + (sub & 0xF));
+    let (Some(_), Some(tenth)) = (object.subs.get(9), object.subs.get(0x10)) else { return false };
+    let mut subs = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).map(|(sub, _)| decimal(sub));
+    let count = object.value(0).and_then(|count| count.as_integer());
+    let is_counted = object.highest_sub().and_then(decimal).map(i128::from) == count;
+    let digits = tenth.name.trim_start_matches(|char: char| !char.is_ascii_digit());
+    subs.all(|sub| sub.is_some()) && (is_counted || digits.trim_end() == "10")
+}
+
 fn gap_in_array(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let is_list = stated::object_type(object).is_some_and(ObjectType::has_subs);
+    if is_list && index >= 0x1000 && is_decimal(object) {
+        let message = say!("{:04X}h has sub-index 10h, which is 16, directly after 9", index);
+        let finding = GAP_IN_ARRAY.at(Place::entry(index, 0x10), message).severity(Severity::Error);
+        let (wrong, right) = (Part::Entry(index, 0x10), Part::Entry(index, 0xA));
+        let help =
+            say!("sub-indexes are hexadecimal: write `{}` for `{}`, and rename the others", right, wrong);
+        findings.push(finding.help(help));
+        return;
+    }
     let is_array = object.main.object_type == Some(ObjectType::Array) && object.compact.is_none();
     if !(0x2000..0x6000).contains(&index) || !is_array || object.orphan {
         return;

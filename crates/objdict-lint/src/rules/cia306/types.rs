@@ -1,9 +1,9 @@
 //! Object types, data types and reserved indexes.
 
-use crate::EntryAt;
 use crate::diagnostic::{Argument, Findings, Fix, Text, counted, say, sub_index};
 use crate::model::{DataType, Device, Field, Object, ObjectType, Part, Place, TypeKind};
 use crate::rule::rules;
+use crate::{EntryAt, profile};
 
 rules! {
     "cia306/described-standard-type" = DESCRIBED_STANDARD_TYPE, Note, Device(described_standard_type);
@@ -27,7 +27,7 @@ rules! {
     checks: "Whether a sub-index or VAR has an object type with sub-indexes (ARRAY, RECORD, DEFSTRUCT), or a structured data type: 0020h to 0025h, or a DEFSTRUCT of the file.",
     why: "A sub-index cannot have sub-indexes, so the parts of the structure cannot be accessed.",
     example: "`ObjectType=0x8` in `[2000sub1]`",
-    remedy: "Use a separate sub-index or object for each part.",
+    remedy: "Use a separate sub-index or object for each part; in an object of CiA 301, write the data type of the document.",
     source: "CiA 301 §7.4.4",
 
     "cia306/null-object" = NULL_OBJECT, Warning, Object(null_object);
@@ -115,7 +115,12 @@ fn nested_structure(at: &EntryAt<'_>, findings: &mut Findings) {
         let title = say!("write `{ObjectType=0x7}`");
         finding = finding.fix(Fix::risky(title.clone()).set(at.field(field), "0x7")).help(title);
     } else {
-        finding = finding.help("use a separate sub-index or object for each part of the structure");
+        let documented =
+            profile::data_type(at.device, at.index, at.sub).map(|data_type| format!("0x{:04X}", data_type.0));
+        finding = finding.help(match documented {
+            Some(code) => say!("write `{}`", Argument::setting(Field::DataType, code)),
+            None => "use a separate sub-index or object for each part of the structure".into(),
+        });
     }
     findings.push(finding);
 }

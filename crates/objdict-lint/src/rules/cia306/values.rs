@@ -7,15 +7,16 @@ use crate::literal::iec_number;
 use crate::model::{
     Access, DataType, Device, Entry, Field, InvalidValue, ObjectType, Part, Place, Reason, TypeKind, Value,
 };
+use crate::profile::EntryFacts;
 use crate::rule::rules;
-use crate::{EntryAt, respell, stated};
+use crate::{EntryAt, demands, respell, stated};
 
 rules! {
     source: "CiA 306-1 §4.6.3.2";
 
     "cia306/fixed-by-limits" = FIXED_BY_LIMITS, Note, Entry(fixed_by_limits);
     summary: "the limits of an entry allow only one value",
-    checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value.",
+    checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value. So may enumerations of a document, such as 6086h (motion profile type), whose default is that value: the device supports one of the defined choices.",
     why: "With only one allowed value, the entry is effectively a constant. Often a limit still has its initial value.",
     example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
     remedy: "Correct the limits, or remove them.",
@@ -75,7 +76,7 @@ rules! {
 
     "cia306/write-only-default" = WRITE_ONLY_DEFAULT, Note, Entry(write_only_default);
     summary: "a write-only entry has a default",
-    checks: "Whether entries with `AccessType=wo` have a `DefaultValue` other than 0.",
+    checks: "Whether entries with `AccessType=wo` have a `DefaultValue` other than 0. Settings that a device profile defines as `wo`, such as 60C4h sub-index 5 (size of data record), may have one.",
     why: "The entry cannot be read back, so tools that restore or compare defaults fail at it. Mostly the entry is a command, and writing its default would execute the command.",
     example: "`AccessType=wo` and `DefaultValue=1`",
     remedy: "Remove the value, or correct the access type.",
@@ -257,6 +258,11 @@ fn write_only_default(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let Some(default) = at.entry.default.as_ref().filter(|value| !is_zero_or_empty(value)) else { return };
+    // CiA 402 defines settings that cannot be read; the other entries of documents that are `wo` are commands
+    let facts = demands::facts_of(at).filter(|facts| facts.access.contains(&Access::Wo));
+    if facts.is_some_and(|facts| is_choice(&facts) || facts.name == "Size of data record") {
+        return;
+    }
     let message = match default {
         Value::Text(text) => say!("`{DefaultValue}` is `{}`, but the entry is write-only", text),
         value => say!("`{DefaultValue}` is {:h}, but the entry is write-only", value),
@@ -264,6 +270,11 @@ fn write_only_default(at: &EntryAt<'_>, findings: &mut Findings) {
     let finding = WRITE_ONLY_DEFAULT.at(at.field(Field::DefaultValue), message);
     let finding = finding.label(at.field(Field::AccessType), "write only");
     findings.push(finding.help(say!("remove the value, or correct `{AccessType}`")));
+}
+
+/// Whether a document defines the meanings of an entry's values.
+fn is_choice(facts: &EntryFacts<'_>) -> bool {
+    facts.bits().any(|bits| bits.meanings().len() > 0)
 }
 
 fn is_zero_or_empty(value: &Value) -> bool {
@@ -284,6 +295,10 @@ fn fixed_by_limits(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let [node_id, _] = stated::node_ids(at.device);
     if stated::compare(low, high, node_id) != Some(Ordering::Equal) || at.index < 0x2000 {
+        return;
+    }
+    // a device may support only one of the choices that its profile defines
+    if at.entry.default.as_ref() == Some(low) && demands::facts_of(at).as_ref().is_some_and(is_choice) {
         return;
     }
     let message = say!("the entry is writable, but its limits allow only {:h}", low);

@@ -46,7 +46,7 @@ rules! {
     "naming/name-of-other-object" = NAME_OF_OTHER_OBJECT, Note,
         Facts(name_of_other_object), explains Around ["duplicate-object-name"];
     summary: "an object has the name of another object of the standard",
-    checks: "Whether no object has the name that the CiA document gives to another index, and no entry the name of another sub-index of the same object. Only letters and digits are compared, without case; `Reserved` is not a name. One finding for each device.",
+    checks: "Whether no object has the name that the CiA document gives to another index, and no entry the name of another sub-index of the same object. Only letters and digits are compared, without case; `Reserved` is not a name, and the beginning of the own name is accepted. One finding for each device.",
     why: "Users and tools that go by names write the deceleration to the acceleration. Either the index or the name is wrong; usually both were exchanged.",
     example: "`[6083]` with `ParameterName=Profile deceleration`, which is 6084h",
     remedy: "Write the name of the document, or move the object.",
@@ -382,7 +382,9 @@ fn place_of_other<'a, T: PartialEq>(
     name: &str,
     own: &str,
 ) -> Option<(T, T)> {
-    if is_alike(name, own) {
+    // the beginning of the own name is a short form of it: `Program data` of `Program data of nodes`
+    let mut own = plain(own);
+    if plain(name).all(|char| own.next() == Some(char)) {
         return None;
     }
     let mut alike = named.filter(|(other, _)| !matches!(*other, "" | RESERVED_NAME) && is_alike(name, other));

@@ -81,14 +81,14 @@ text_rules! {
     "cia311/unknown-namespace" = UNKNOWN_NAMESPACE, Warning;
     summary: "the file is in no namespace of CiA 311",
     checks: "Whether the container is in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read in any case.",
-    why: "Tools that check_namespaces the namespace, such as CANopenEditor, reject the file.",
+    why: "Tools that check the namespace, such as CANopenEditor, reject the file.",
     example: "`<ISO15745ProfileContainer>` without `xmlns`",
-    remedy: r#"Add `xmlns="http://www.canopen.org/xml/1.1"`, and `xmlns=""` to the elements that version 1.1 keeps in no namespace."#,
+    remedy: r#"Write `xmlns="http://www.canopen.org/xml/1.0"` in the root element: in version 1.0 all elements are in the namespace. Version 1.1 keeps the local ones, such as `ProfileHeader` and `CANopenObject`, in none; write it with `objdict convert`."#,
 
     "cia311/element-form" = ELEMENT_FORM, Warning;
     summary: "elements are in a namespace where they must be in none, or vice versa",
     checks: "Whether the local elements of version 1.1, such as `ProfileHeader`, `CANopenObject` and `label`, are in no namespace, and all others in that of the file. In version 1.0 all elements are in the namespace. Only the first element is reported, with the number of others.",
-    why: "Tools that check_namespaces the namespace, such as CANopenEditor, ignore such elements with their content. Others check_namespaces only the names.",
+    why: "Tools that check the namespace, such as CANopenEditor, ignore such elements with their content. Others check only the names.",
     example: r#"`<ProfileBody>` in a file of version 1.1 without `xmlns=""`"#,
     remedy: r#"Add `xmlns=""` to `ProfileHeader` and `ProfileBody`, and a prefix to the names of the global elements in them."#,
     source: "CiA 311 annex A (`elementFormDefault`)",
@@ -300,9 +300,9 @@ impl<'a> Forms<'a> {
             None => "the file is in no namespace".to_owned(),
             Some(namespace) => format!("`{namespace}` is not a namespace of CiA 311"),
         };
-        let namespace = XddVersion::V1_1.namespace();
-        let help =
-            format!("add `xmlns=\"{namespace}\"`, and `xmlns=\"\"` to `ProfileHeader` and `ProfileBody`");
+        // version 1.0, where all elements are in the namespace; in 1.1 each local element would have to leave it
+        let namespace = XddVersion::V1_0.namespace();
+        let help = format!("write `xmlns=\"{namespace}\"` in the root element");
         Diagnostic::new(&UNKNOWN_NAMESPACE, self.container.name_span(), message).help(help)
     }
 
