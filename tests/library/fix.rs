@@ -450,6 +450,47 @@ fn safe_fixes_leave_the_device_as_it_is() {
 }
 
 /// A rule that is not selected is not fixed, and neither are the spellings that readers refuse.
+/// Both versions of a merge conflict are in the file: what repeats or miscounts in it is what the other version needs.
+#[test]
+fn a_file_with_conflict_markers_is_not_fixed() {
+    let tools = || Options { tools: Tool::ALL.to_vec(), ..Options::default() };
+    let formats = [Format::Eds, Format::Dcf, Format::Xdd, Format::Xdc];
+    let names = ["eds/io-401.eds", "dcf/io-401-node5.dcf", "xdd/io-401.xdd", "xdc/io-401-node5.xdc"];
+    for (name, format) in names.into_iter().zip(formats) {
+        let text = std::fs::read_to_string(support::fixtures().join(name)).unwrap().replace("\r\n", "\n");
+        let is_xml = text.starts_with('<');
+        // an octal number and a wrong date, which are fixed without the markers
+        let text = match is_xml {
+            false => text.replacen("FileRevision=", "FileRevision=010\nCreationDate=2024-03-04\n;", 1),
+            true => text.replacen("index=\"1017\"", "index=\"1017\" highLimit=\"010\"", 1),
+        };
+        let (start, end) =
+            if is_xml { ("<CANopenObject index=\"1017\"", "/>\n") } else { ("[1017]", "\n\n") };
+        let start = text.find(start).unwrap();
+        let end = start + text[start..].find(end).unwrap() + end.len();
+        let object = &text[start..end];
+        let with = |marks: [&str; 3]| {
+            let [first, middle, last] = marks;
+            format!("{}{first}{object}{middle}{object}{last}{}", &text[..start], &text[end..])
+        };
+        let described = |text: String| {
+            format::read(SourceFile::from_text(name.rsplit('/').next().unwrap(), text), format)
+        };
+        let twice = described(with([""; 3]));
+        assert!(!fix(twice, Applicability::Unsafe, check).applied.is_empty(), "{name} can be fixed");
+        let conflict = with(["\n<<<<<<< HEAD\n", "\n=======\n", "\n>>>>>>> other\n"]);
+        for options in [Options::default(), tools()] {
+            let findings = check_with(&described(conflict.clone()), &options);
+            let rules: BTreeSet<&str> = findings.iter().map(|finding| finding.rule.id).collect();
+            let only = if is_xml { "xml/lone-less-than" } else { "cia306/junk-line" };
+            assert_eq!(rules, BTreeSet::from([only]), "{name}");
+            assert!(findings.iter().all(|finding| finding.fix.is_none() && finding.help.is_some()));
+            let fixed = fix_for_readers(described(conflict.clone()), Applicability::Unsafe, &options);
+            assert!(fixed.applied.is_empty() && fixed.bytes() == conflict.as_bytes(), "{name}");
+        }
+    }
+}
+
 #[test]
 fn only_selected_rules_are_fixed() {
     let text = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();

@@ -185,3 +185,70 @@ fn a_name_that_occurs_twice_does_not_move() {
     ];
     assert_eq!(found, expected);
 }
+
+/// The messages of a rule with their helps.
+fn helps(text: &str, rule: &str) -> Vec<String> {
+    let findings = objdict::check(&read(text.to_owned()));
+    let of_rule = findings.iter().filter(|finding| finding.rule.id == rule);
+    of_rule.map(|finding| format!("{}: {}", finding.message, finding.help.as_ref().unwrap())).collect()
+}
+
+fn minimal(objects: &str) -> String {
+    let text = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    text.replace("\r\n", "\n") + "\n" + objects
+}
+
+/// The fixtures cannot have these cases, because another rule reports them too.
+#[test]
+fn helps_say_what_the_document_defines() {
+    let sdo = "[1234]\nParameterName=Names\nObjectType=0x9\nSubNumber=1\n\n\
+        [1234sub0]\nParameterName=Name\nDataType=0x0009\nAccessType=ro\n";
+    let found = helps(&minimal(sdo), "cia301/incomplete-sdo-parameter");
+    assert_eq!(
+        found,
+        ["1234h is in the range of SDO parameters, but its sub-index 0 is VISIBLE_STRING: \
+          move the object to 2000h to 5FFFh"]
+    );
+    assert!(helps(&minimal(sdo), "cia301/gap-in-sdo-numbers").is_empty());
+    let structure = "[1280]\nParameterName=Client\nObjectType=0x9\nSubNumber=4\n\n[1280sub2]\nParameterName=COB-ID\n\
+        ObjectType=0x7\nDataType=0x0022\nAccessType=rw\n";
+    let found = helps(&minimal(structure), "cia306/nested-structure");
+    assert!(found.len() == 1 && found[0].ends_with(": write `DataType=0x0007`"), "{found:?}");
+    let malformed = "[2000]\nParameterName=Levels\nObjectType=0x9\nSubNumber=2\n\n[2000sub0]\nParameterName=Number\n\
+        DataType=0x0005\nAccessType=ro\nDefaultValue=1\n\n[2000sub1]\nParameterName=Level\nDataType=0x0005\n\
+        AccessType=rw\n\n[2000subx]\nParameterName=Level\nDataType=0x0005\nAccessType=rw\n";
+    let found = helps(&minimal(malformed), "cia306/sub-number-mismatch");
+    assert_eq!(
+        found,
+        ["`SubNumber` is 2, but 3 sub-indexes are described: \
+          correct the section name `[2000subx]`, then write `SubNumber=3`"]
+    );
+    let right = malformed.replacen("SubNumber=2", "SubNumber=3", 1);
+    assert!(helps(&minimal(&right), "cia306/sub-number-mismatch").is_empty());
+}
+
+/// A number as `ParameterValue` is right for its node; in an EDS, the default counts.
+#[test]
+fn the_default_of_an_eds_needs_the_node_id() {
+    let emcy = "[1014]\nParameterName=COB-ID EMCY\nDataType=0x0007\nAccessType=rw\nDefaultValue=$NODEID+0x80\n\
+        ParameterValue=0x85\n";
+    assert!(helps(&minimal(emcy), "cia301/fixed-node-id").is_empty());
+    let wrong = emcy.replace("$NODEID+0x80", "0x85");
+    assert_eq!(helps(&minimal(&wrong), "cia301/fixed-node-id").len(), 1);
+}
+
+/// An EDS with the ending of a DCF is renamed; a DCF without its node is completed.
+#[test]
+fn an_eds_named_as_a_dcf_keeps_its_sections() {
+    let rules = |name: &str, text: &str| -> Vec<(&'static str, String)> {
+        let description = format::read(SourceFile::from_text(name, text), Format::Dcf);
+        let findings = objdict::check(&description);
+        let of_node = findings.iter().filter(|finding| finding.rule.name().starts_with("missing-"));
+        of_node.map(|finding| (finding.rule.name(), finding.help.as_ref().unwrap().to_string())).collect()
+    };
+    let found = rules("minimal.dcf", &minimal(""));
+    assert!(found.len() == 1 && found[0].1.starts_with("rename the file"), "{found:?}");
+    let configured = minimal("").replacen("[1017]\n", "[1017]\nParameterValue=500\n", 1);
+    let found = rules("minimal.dcf", &configured);
+    assert!(found.len() == 2 && found.iter().all(|(_, help)| !help.starts_with("rename")), "{found:?}");
+}

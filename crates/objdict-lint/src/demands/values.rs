@@ -34,8 +34,7 @@ pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings
     let (Some(expected), Some(found)) = (at.facts.default, &at.entry.default) else { return };
     // another rule reports a value that the document does not allow
     let is_allowed = found.as_integer().is_none_or(|number| at.facts.accepts_value(number));
-    let is_allowed = is_allowed && !is_other_object(at);
-    if at.counts() || is_equal(expected, found) || !is_allowed {
+    if at.counts() || is_equal(expected, found) || !is_allowed || is_other_object(at) {
         return;
     }
     let Some(text) = text(expected) else { return };

@@ -242,8 +242,8 @@ fn asks_for_count(finding: &Diagnostic) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::say;
-    use crate::model::{Part, PdoMapping};
+    use crate::diagnostic::{RuleInfo, say};
+    use crate::model::{Part, PdoMapping, Place};
 
     #[test]
     fn keys_become_attributes() {
@@ -284,6 +284,20 @@ mod tests {
         ] {
             assert_eq!(eds.in_words(words), xdd);
         }
+    }
+
+    /// CANopenEditor writes DOMAIN and OCTET_STRING alike.
+    #[test]
+    fn an_element_for_all_types_is_not_a_wrong_one() {
+        static RULE: RuleInfo = RuleInfo::bare("cia302/wrong-data-type", Severity::Warning);
+        let is_found = |text: &str| {
+            let place = Place::entry(0x1F50, 1).field(Field::DataType);
+            let finding = Diagnostic::new(&RULE, place, "message").help(say!("write `{DataType=0x000F}`"));
+            let mut findings = Findings::new();
+            findings.push(finding);
+            !of_xdd(findings, text, |_| Span::new(0, text.len() as u32)).is_empty()
+        };
+        assert!(is_found("<UDINT/>") && !is_found("<BITSTRING/>"));
     }
 
     #[test]

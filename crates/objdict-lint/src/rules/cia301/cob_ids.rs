@@ -276,10 +276,10 @@ fn fixed_node_id(facts: &Facts<'_>, findings: &mut Findings) {
                     node
                 ),
             };
-            let place = match facts.device.value_place(index, sub) {
-                place if place.field == Some(Field::ParameterValue) => place.field(Field::DefaultValue),
-                place => place,
-            };
+            let mut place = facts.device.value_place(index, sub);
+            if place.field == Some(Field::ParameterValue) {
+                place = place.field(Field::DefaultValue);
+            }
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
             let title = say!("write `$NODEID+0x{:X}`", number);
             let fix = Fix::risky(title.clone()).set(place.clone(), format!("$NODEID+0x{number:X}"));

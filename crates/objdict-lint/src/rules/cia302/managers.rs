@@ -180,11 +180,8 @@ fn self_starting_not_marked(rule: &'static RuleInfo, at: &Against<'_>, findings:
         let finding = Diagnostic::new(rule, place.clone(), message);
         let finding = finding.label(at.device.value_place(at.index, 0), "bit 2 is clear");
         let fix = Fix::risky(say!("write `{SimpleBootUpSlave=1}`")).set(place, "1");
-        let value = value.unwrap_or_default() | 0b100;
-        let help = say!(
-            "write `{SimpleBootUpSlave=1}`, or `0x{:08X}` to 1F80h (bit 2) if the device waits for its master",
-            value
-        );
+        let waiting = value.unwrap_or_default() | 0b100;
+        let help = say!("write `{SimpleBootUpSlave=1}`, or set bit 2 of 1F80h (`0x{:08X}`)", waiting);
         findings.push(finding.help(help).fix(fix));
     }
 }

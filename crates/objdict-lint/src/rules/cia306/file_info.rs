@@ -312,8 +312,7 @@ fn missing_commissioning(device: &Device, findings: &mut Findings) {
 fn is_renamed_eds(device: &Device) -> bool {
     let name = device.file_info.as_ref().and_then(|info| info.file_name.as_deref()).unwrap_or_default();
     let is_eds = name.to_ascii_lowercase().ends_with(".eds") && device.commissioning.is_none();
-    let mut objects = device.objects.iter();
-    is_eds && objects.all(|(&index, object)| configured_places(index, object).next().is_none())
+    is_eds && device.objects.iter().all(|(&index, object)| configured_places(index, object).next().is_none())
 }
 
 fn missing_node_name(device: &Device, findings: &mut Findings) {

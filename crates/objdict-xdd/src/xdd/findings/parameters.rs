@@ -15,7 +15,7 @@ text_rules! {
 
     "cia311/value-not-allowed" = VALUE_NOT_ALLOWED, Warning;
     summary: "a parameter has a value outside its allowed values",
-    checks: "Whether the default and the actual value of a parameter are among its `allowedValues`, if these list values or several ranges. `cia306/value-outside-limits` checks a single range, which defines the limits of the entry.",
+    checks: "Whether the default and the actual value of a parameter are among its `allowedValues` or those of their template, if these list values or several ranges, and on a `step` of the range. `cia306/value-outside-limits` checks a single range, which defines the limits of the entry.",
     why: "Tools that offer the allowed values cannot show the actual one; tools that check reject it.",
     example: r#"`<defaultValue value="3"/>` with the allowed values 0, 1 and 2"#,
     remedy: "Add the value to the allowed values, or use another one.",
@@ -87,7 +87,8 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
             if !are_limits {
                 ranges(allowed, walk.findings);
             }
-            values(parameter, allowed, walk.findings);
+            let template = allowed.attribute(n::templateIDRef).and_then(|id| walk.ids.element(id));
+            values(parameter, template.unwrap_or(allowed), walk.findings);
         }
         properties(parameter, walk.findings);
     }
@@ -233,7 +234,10 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
         allowed.children_named(n::value).map(|value| number(value).map(|(_, number)| number)).collect();
     let ranges: Option<Vec<_>> = allowed
         .children_named(n::range)
-        .map(|range| ends(range).map(|[(_, low), (_, high)]| (low, high)))
+        .map(|range| {
+            let step = range.child(n::step).and_then(number).map(|(_, step)| step);
+            ends(range).map(|[(_, low), (_, high)]| (low, high, step))
+        })
         .collect();
     // a value that cannot be compared may be allowed
     let (Some(singles), Some(ranges)) = (singles, ranges) else { return };
@@ -242,14 +246,21 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
     }
     for name in [n::defaultValue, n::actualValue] {
         let Some((attribute, value)) = parameter.child(name).and_then(number) else { continue };
-        let orders = singles.iter().chain(ranges.iter().flat_map(|(low, high)| [low, high]));
+        let orders = singles.iter().chain(ranges.iter().flat_map(|(low, high, _)| [low, high]));
         let mut orders = orders.map(|other| value.compare(other));
         // hex digits may be meant as a negative number
         if orders.any(|order| order.is_none()) || is_bits(&attribute.value(), &singles, &ranges) {
             continue;
         }
-        let is_within = |(low, high): &(Number, Number)| {
-            value.compare(low) != Some(Ordering::Less) && value.compare(high) != Some(Ordering::Greater)
+        let is_between_steps = |low: &Number, step: &Option<Number>| {
+            let numbers = (&value, low, step);
+            matches!(numbers, (Number::Integer(value), Number::Integer(low), Some(Number::Integer(step @ 1..)))
+                if value.wrapping_sub(*low) % step != 0)
+        };
+        let is_within = |(low, high, step): &(Number, Number, Option<Number>)| {
+            value.compare(low) != Some(Ordering::Less)
+                && value.compare(high) != Some(Ordering::Greater)
+                && !is_between_steps(low, step)
         };
         if !singles.iter().any(|single| single.is_same(&value)) && !ranges.iter().any(is_within) {
             let message =
@@ -262,10 +273,10 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
 }
 
 /// Whether the hex digits may be the bits of a negative number, which cannot be compared.
-fn is_bits(text: &str, singles: &[Number], ranges: &[(Number, Number)]) -> bool {
+fn is_bits(text: &str, singles: &[Number], ranges: &[(Number, Number, Option<Number>)]) -> bool {
     let is_negative = |number: &Number| matches!(number, Number::Integer(number) if *number < 0);
     let is_hex = text.trim_ascii_start().to_ascii_lowercase().starts_with("0x");
-    is_hex && (singles.iter().any(is_negative) || ranges.iter().any(|(low, _)| is_negative(low)))
+    is_hex && (singles.iter().any(is_negative) || ranges.iter().any(|(low, ..)| is_negative(low)))
 }
 
 fn member_ref(member: Element<'_>, findings: &mut Findings) {
