@@ -46,10 +46,10 @@ rules! {
 
     "cia306/gap-in-array" = GAP_IN_ARRAY, Note, Object(gap_in_array);
     summary: "the sub-indexes of an ARRAY have a gap",
-    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh are consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps. If the sub-indexes of any ARRAY or RECORD are evidently in decimal, `[2000sub10]` after `[2000sub9]`, the finding is an error.",
-    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap, and generated code has unused elements. Sub-indexes in decimal are read as hexadecimal: `[2000sub10]` is the sixteenth, and those from 100 on are lost.",
+    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh are consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps. Sub-indexes in decimal have the rule `cia306/wrong-highest-sub-index`.",
+    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap, and generated code has unused elements.",
     example: "`[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`",
-    remedy: "Describe the missing elements, or change the object to a RECORD; write sub-indexes in hexadecimal.",
+    remedy: "Describe the missing elements, or change the object to a RECORD.",
     source: "CiA 306-1 §4.6.3.2, CiA 301 §7.4.3",
 
     "cia306/missing-sub-0" = MISSING_SUB_0, Error, Object(missing_sub_0), fix Unsafe;
@@ -106,7 +106,7 @@ rules! {
     "cia306/wrong-highest-sub-index" = WRONG_HIGHEST_SUB_INDEX, Error,
         Object(wrong_highest_sub_index), fix Unsafe;
     summary: "sub-index 0 is not the highest sub-index",
-    checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
+    checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Sub-indexes that are evidently decimal, `[2000sub10]` after `[2000sub9]` with the name or the count 10, are an error: they are read as hexadecimal, and those from 100 on are lost. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
     why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",
     example: "`[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`",
     remedy: "Write the highest sub-index, or describe the missing entries.",
@@ -320,7 +320,16 @@ fn object_section(title: Text, index: u16, object: &Object) -> Fix {
 fn wrong_highest_sub_index(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
     let Some(sub_0) = object.subs.get(0) else { return };
     let counts = stated::counts_otherwise(index) || sub_0.access.is_some_and(Access::is_writable);
-    let is_list = stated::object_type(object).is_some_and(ObjectType::has_subs) && !is_decimal(object);
+    let is_list = stated::object_type(object).is_some_and(ObjectType::has_subs);
+    if is_list && is_decimal(object) {
+        let message = say!("{:04X}h has sub-index 10h, which is 16, directly after 9", index);
+        let finding = WRONG_HIGHEST_SUB_INDEX.at(Place::entry(index, 0x10), message);
+        let (wrong, right) = (Part::Entry(index, 0x10), Part::Entry(index, 0xA));
+        let help =
+            say!("sub-indexes are hexadecimal: write `{}` for `{}`, and rename the others", right, wrong);
+        findings.push(finding.help(help));
+        return;
+    }
     if counts || object.compact.is_some() || !is_list {
         return;
     }
@@ -493,18 +502,8 @@ fn is_decimal(object: &Object) -> bool {
 }
 
 fn gap_in_array(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
-    let is_list = stated::object_type(object).is_some_and(ObjectType::has_subs);
-    if is_list && index >= 0x1000 && is_decimal(object) {
-        let message = say!("{:04X}h has sub-index 10h, which is 16, directly after 9", index);
-        let finding = GAP_IN_ARRAY.at(Place::entry(index, 0x10), message).severity(Severity::Error);
-        let (wrong, right) = (Part::Entry(index, 0x10), Part::Entry(index, 0xA));
-        let help =
-            say!("sub-indexes are hexadecimal: write `{}` for `{}`, and rename the others", right, wrong);
-        findings.push(finding.help(help));
-        return;
-    }
     let is_array = object.main.object_type == Some(ObjectType::Array) && object.compact.is_none();
-    if !(0x2000..0x6000).contains(&index) || !is_array || object.orphan {
+    if !(0x2000..0x6000).contains(&index) || !is_array || object.orphan || is_decimal(object) {
         return;
     }
     let mut subs = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub != 0xFF);
