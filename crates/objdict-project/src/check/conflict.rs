@@ -21,7 +21,7 @@ pub(super) fn alone(description: &Description, findings: Findings) -> Findings {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         let marks: &[&str] = match finding.rule.id {
             "cia306/junk-line" => &["<<<<<<<", "=======", ">>>>>>>", "|||||||"],
-            // the first character of the first marker stands for the conflict
+            // the reader reports each character; the first one is the conflict
             "xml/lone-less-than" => &["<<<<<<<"],
             _ => &[],
         };

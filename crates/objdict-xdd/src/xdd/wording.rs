@@ -217,7 +217,7 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
             },
         };
         let finding = finding.in_words(words);
-        // the element stands for all data types without a simple type, so it does not state another one
+        // the element denotes all data types without a simple type, so it does not state another one
         let is_bits = |text: &str| text.contains("BITSTRING");
         let is_spoken = finding.rule.name() == "wrong-data-type"
             && span(&finding).is_some_and(|span| is_bits(span.of(text)))
