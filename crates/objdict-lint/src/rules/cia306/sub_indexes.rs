@@ -4,7 +4,7 @@ use crate::diagnostic::{
     Argument, Change, Diagnostic, Findings, Fix, Severity, Text, counted, listing, say, sub_index,
 };
 use crate::model::{
-    Access, DataType, Device, Entry, Field, Object, ObjectList, ObjectType, Part, Place, Value,
+    Access, DataType, Device, Entry, ExtraSection, Field, Object, ObjectList, ObjectType, Part, Place, Value,
 };
 use crate::rule::rules;
 use crate::{EntryAt, Facts, IndexSet, ListFixes, demands, stated, sub_0, with_members};
@@ -221,7 +221,7 @@ fn sub_number_mismatch(device: &Device, index: u16, object: &Object, findings: &
     // `[1A02subx]`, which has its own finding, is one of the sub-indexes
     let prefix = format!("{index:04X}sub");
     let is_sub = |name: &str| name.get(..7).is_some_and(|start| start.eq_ignore_ascii_case(&prefix));
-    let malformed = || device.extra.iter().map(|section| section.name()).filter(|name| is_sub(name));
+    let malformed = || device.extra.iter().map(ExtraSection::name).filter(|name| is_sub(name));
     let described = stated::described_subs(object) + malformed().count();
     if stated == described || object.compact.is_some() {
         return;
