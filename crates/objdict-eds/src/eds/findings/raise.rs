@@ -7,7 +7,7 @@ use super::{
 };
 use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
 use crate::eds::item::Item;
-use crate::eds::keys::FieldKey;
+use crate::eds::keys::{FieldKey, is_meaning_key};
 use crate::eds::section::{NameSpelling, SectionName, section_name};
 use crate::literal::iec_number;
 use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, Place, Reason};
@@ -189,12 +189,14 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
         None => say!("the standard does not define key `{}` in `[{}]`; the key is kept", item.name, section),
     };
     let is_of_object = matches!(SectionName::parse(section).part, Part::Object(_) | Part::Entry(..));
-    Diagnostic::new(&UNKNOWN_KEY, item.name_at, message).help(match item.name {
-        "Factor" | "Unit" | "Description" if is_of_object => {
-            "keep the key for python-canopen, which reads it; other tools ignore or refuse unknown keys"
-        }
-        _ => "check the spelling; some tools refuse unknown keys",
-    })
+    Diagnostic::new(&UNKNOWN_KEY, item.name_at, message).help(
+        match is_of_object && is_meaning_key(item.name) {
+            true => {
+                "keep the key for python-canopen, which reads it; other tools ignore or refuse unknown keys"
+            }
+            false => "check the spelling; some tools refuse unknown keys",
+        },
+    )
 }
 
 /// Reports a key that is read as another one.
