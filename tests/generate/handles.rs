@@ -218,7 +218,7 @@ fn what_makes_no_sense_does_not_compile() {
             "data.set(od::SERIAL, 1).unwrap();",
             "the application cannot set an entry whose access is `table::Const`",
         ),
-        ("data.put(od::SYNC, 1);", "the application cannot set an entry whose access is `NodeConst`"),
+        ("data.put(od::SYNC, 1);", "the application cannot set an entry whose access is `table::NodeConst`"),
         (
             "data.put(od::SERIAL, 1);",
             "read it with `value()` or `get`, or describe the entry with another access type",
