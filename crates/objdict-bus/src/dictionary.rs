@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use objdict_device::{Abort, Attributes, Dictionary, Scope};
+use objdict_device::{Abort, Attributes, Dictionary, Objects, Scope};
 use objdict_generate::{LiveEntry, Options, StorageGroup, live_entries};
 
 use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
@@ -55,6 +55,7 @@ impl PowerOn {
 pub struct LiveDictionary {
     /// In ascending order.
     entries: Arc<[LiveEntry]>,
+    objects: Objects,
     values: Vec<Vec<u8>>,
     /// What the node restarts with.
     stored: Vec<Vec<u8>>,
@@ -84,7 +85,9 @@ impl LiveDictionary {
         let entries: Arc<[LiveEntry]> = live_entries(&power_on.values_of(device), node_id, options).into();
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
         let (stored, by_group) = (values.clone(), !options.groups.is_empty());
-        Self { entries, stored, values, dropped: Vec::new(), node_id, by_group, is_any: false }
+        let with_object = |objects: Objects, entry: &LiveEntry| objects.with(entry.index, entry.is_writable);
+        let objects = entries.iter().fold(Objects::NONE, with_object);
+        Self { entries, objects, stored, values, dropped: Vec::new(), node_id, by_group, is_any: false }
     }
 
     /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
@@ -254,6 +257,10 @@ impl Dictionary for LiveDictionary {
         }
         self.values[at] = value;
         Ok(())
+    }
+
+    fn objects(&self) -> Objects {
+        self.objects
     }
 
     fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {

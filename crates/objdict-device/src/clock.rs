@@ -10,7 +10,10 @@ pub(crate) struct Periodic {
 }
 
 impl Periodic {
-    pub(crate) const NEVER: Self = Self { period: 0, due: None };
+    /// Nothing is sent. No constant, of which the compiler would make bytes to copy.
+    pub(crate) const fn never() -> Self {
+        Self { period: 0, due: None }
+    }
 
     /// Changes the period; the first time is due at once.
     pub(crate) fn restart(&mut self, period: u64) {
@@ -25,10 +28,15 @@ impl Periodic {
     /// Whether it is due, and then the next time begins.
     pub(crate) fn take(&mut self, now: u64) -> bool {
         let due = self.due.unwrap_or(now);
-        let Some(missed) = now.saturating_sub(due).checked_div(self.period).filter(|_| due <= now) else {
+        if self.period == 0 || due > now {
             return false;
-        };
-        self.due = Some(due.saturating_add(missed.saturating_add(1).saturating_mul(self.period)));
+        }
+        // a division of 64 bits would link 500 bytes
+        let mut late = now - due;
+        for shift in (0..=self.period.leading_zeros()).rev() {
+            late = late.checked_sub(self.period << shift).unwrap_or(late);
+        }
+        self.due = Some((now - late).saturating_add(self.period));
         true
     }
 
@@ -45,5 +53,8 @@ pub(crate) const fn milliseconds(number: u16) -> u64 {
 
 /// The earlier of two times.
 pub(crate) fn earlier(one: Option<u64>, other: Option<u64>) -> Option<u64> {
-    one.into_iter().chain(other).min()
+    match (one, other) {
+        (Some(one), Some(other)) => Some(one.min(other)),
+        _ => one.or(other),
+    }
 }

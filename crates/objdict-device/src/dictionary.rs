@@ -3,8 +3,8 @@
 //! The services know only this trait. They take frames and the time, return frames, and report when they are due
 //! (`next`), so they are tested without a bus.
 
-use crate::Abort;
 use crate::table::{Data, Entry, Table};
+use crate::{Abort, Objects};
 
 /// What is known of an entry without its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,8 +92,8 @@ pub trait Dictionary {
     fn number(&mut self, index: u16, sub: u8) -> Result<u64, Abort> {
         let mut bytes = [0; 8];
         // a dictionary may use the rest of the buffer
-        let length = self.read(index, sub, &mut bytes)?.min(8);
-        Ok(number(&bytes, length))
+        let length = self.read(index, sub, &mut bytes)?;
+        Ok(number(bytes.get(..length).unwrap_or(&bytes)))
     }
 
     /// Where an entry is, for [`Dictionary::number_at`] and [`Dictionary::write_at`].
@@ -183,6 +183,12 @@ pub trait Dictionary {
         false
     }
 
+    /// Its communication objects, if the compiler is to leave out the services of the others. A dictionary that adds objects to those of
+    /// a table, or transfers values in pieces, keeps the default.
+    fn objects(&self) -> Objects {
+        Objects::ANY
+    }
+
     /// The node-ID of the values, if it is known: a node does not monitor itself.
     fn own_node_id(&self) -> Option<u8> {
         None
@@ -213,13 +219,15 @@ pub trait Dictionary {
     }
 }
 
-/// The first `length` bytes as a number.
-const fn number(bytes: &[u8; 8], length: usize) -> u64 {
-    match length {
-        0 => 0,
-        1..=7 => u64::from_le_bytes(*bytes) & (u64::MAX >> (64 - 8 * length)),
-        _ => u64::from_le_bytes(*bytes),
-    }
+/// At most eight bytes as a number.
+pub(crate) fn number(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+}
+
+/// The lowest 32 bits of a number, or a default without it. Not inlined: it has many callers, and takes less flash than its result.
+#[inline(never)]
+pub(crate) fn word<D: Dictionary + ?Sized>(dictionary: &mut D, index: u16, sub: u8, default: u32) -> u32 {
+    dictionary.number(index, sub).map_or(default, |number| number as u32)
 }
 
 /// Methods of [`Dictionary`] that another dictionary, in a field, has.
@@ -271,6 +279,11 @@ impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
         self.set_defaults(node_id, |index| scope.contains(index));
     }
 
+    #[inline(always)]
+    fn objects(&self) -> Objects {
+        const { Objects::of::<D>() }
+    }
+
     fn own_node_id(&self) -> Option<u8> {
         Some(self.node_id())
     }
@@ -290,8 +303,8 @@ impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
             return Err(Abort::WriteOnly);
         }
         let mut bytes = [0; 8];
-        let length = self.read_entry(entry, &mut bytes)?;
-        Ok(number(&bytes, length))
+        self.read_entry(entry, &mut bytes)?;
+        Ok(u64::from_le_bytes(bytes))
     }
 
     fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {

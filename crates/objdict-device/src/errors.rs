@@ -1,5 +1,6 @@
 //! Errors of the node: error register, history and emergency messages (CiA 301 §7.2.7).
 
+use crate::dictionary::word;
 use crate::frame::{EXTENDED, NOT_VALID};
 use crate::{Abort, Dictionary, Frame};
 
@@ -73,17 +74,22 @@ impl Errors {
     pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         *self = Self::new(self.node_id);
         // an application may have neither
-        let _ = put(dictionary, HISTORY, 0, 0);
-        let _ = put(dictionary, REGISTER, 0, 0);
-        self.load(dictionary);
+        if are_kept(dictionary) {
+            let _ = put(dictionary, REGISTER, 0, 0);
+        }
+        if dictionary.objects().has(HISTORY) {
+            let _ = put(dictionary, HISTORY, 0, 0);
+        }
+        if dictionary.objects().has(COB_ID) {
+            self.load(dictionary);
+        }
     }
 
-    /// Reads 1014h and 1015h, after a write to one of them. A device without 1014h has the COB-ID 80h + node-ID.
+    /// Reads 1014h and 1015h, after a write to one of them. A device without 1014h sends no messages (CiA 301 §7.5.2.17).
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
-        let standard = 0x80 + u32::from(self.node_id);
-        let cob_id = dictionary.number(COB_ID, 0).map_or(standard, |cob_id| cob_id as u32);
+        let cob_id = word(dictionary, COB_ID, 0, NOT_VALID);
         self.cob_id = (cob_id & (NOT_VALID | EXTENDED) == 0).then_some(cob_id);
-        self.inhibit_time = dictionary.number(INHIBIT_TIME, 0).unwrap_or(0).min(0xFFFF) * 100;
+        self.inhibit_time = u64::from(word(dictionary, INHIBIT_TIME, 0, 0).min(0xFFFF)) * 100;
     }
 
     /// The error register.
@@ -104,7 +110,7 @@ impl Errors {
         if let Some(room) = self.active.iter_mut().find(|active| active.is_none()) {
             *room = error;
         }
-        self.send(code, vendor, self.register() | class(code) | 1);
+        self.send(dictionary, code, vendor, self.register() | class(code) | 1);
         let _ = put(dictionary, REGISTER, 0, u32::from(self.register()));
         let [code_low, code_high] = code.to_le_bytes();
         remember(dictionary, [code_low, code_high, low, high]);
@@ -118,12 +124,21 @@ impl Errors {
         };
         *active = None;
         let [low, high] = name;
-        self.send(0, [low, high, 0, 0, 0], self.register());
+        self.send(dictionary, 0, [low, high, 0, 0, 0], self.register());
         let _ = put(dictionary, REGISTER, 0, u32::from(self.register()));
         true
     }
 
-    fn send(&mut self, code: u16, [a, b, c, d, e]: [u8; 5], register: u8) {
+    fn send<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &D,
+        code: u16,
+        [a, b, c, d, e]: [u8; 5],
+        register: u8,
+    ) {
+        if !dictionary.objects().has(COB_ID) {
+            return;
+        }
         let [low, high] = code.to_le_bytes();
         let room = self.waiting.iter_mut().find(|waiting| waiting.is_none());
         if let Some(room) = room.filter(|_| self.cob_id.is_some()) {
@@ -136,8 +151,10 @@ impl Errors {
         if self.next(now)? > now {
             return None;
         }
-        let bytes = self.waiting.first_mut()?.take()?;
-        self.waiting.rotate_left(1);
+        // `rotate_left` would link the 700 bytes of `memmove`
+        let mut first = None;
+        self.waiting.iter_mut().rev().for_each(|waiting| core::mem::swap(&mut first, waiting));
+        let bytes = first?;
         self.sent = Some(now);
         self.cob_id.map(|cob_id| Frame::full(cob_id, bytes))
     }
@@ -149,6 +166,12 @@ impl Errors {
         let after = self.sent.map_or(now, |sent| sent.saturating_add(self.inhibit_time).max(now));
         waits.then_some(after)
     }
+}
+
+/// Whether a node keeps its errors: without messages and history, it leaves the error register to the application.
+#[inline(always)]
+pub(crate) fn are_kept<D: Dictionary + ?Sized>(dictionary: &D) -> bool {
+    dictionary.objects().has(COB_ID) || dictionary.objects().has(HISTORY)
 }
 
 /// The bit of the error register for a code (CiA 301 §7.5.2.2).
@@ -165,6 +188,9 @@ const fn class(code: u16) -> u8 {
 
 /// Puts an error at the start of the history; the oldest one is dropped when it is full.
 fn remember<D: Dictionary + ?Sized>(dictionary: &mut D, error: [u8; 4]) {
+    if !dictionary.objects().has(HISTORY) {
+        return;
+    }
     let Ok(count) = dictionary.number(HISTORY, 0) else { return };
     let mut rest = u32::from_le_bytes(error);
     let mut sub = 0;

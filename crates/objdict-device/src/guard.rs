@@ -3,9 +3,9 @@
 //! SDO writes go through it. It asks `rules` about values that no service could follow, and passes the others on
 //! to the services.
 
-use crate::dictionary::{Dictionary, Scope, forward};
+use crate::dictionary::{Dictionary, Scope, forward, number};
 use crate::services::{RESTORE, STORE, Services};
-use crate::{Abort, Attributes, errors, rules};
+use crate::{Abort, Attributes, Objects, errors, rules};
 
 /// A dictionary that refuses what communication objects cannot be, and whose services follow what is written to it; see
 /// [`Pdos::guard`](crate::Pdos::guard) and [`Node::guard`](crate::Node::guard).
@@ -20,13 +20,14 @@ const CONFIGURATION: u16 = 0x1020;
 
 impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
     /// Whether an entry of 1010h or 1011h does what a signature says; if so, it is not a value.
-    fn is_command(index: u16, sub: u8) -> bool {
-        matches!(index, STORE | RESTORE) && sub > 0
+    fn is_command(&self, index: u16, sub: u8) -> bool {
+        let objects = self.dictionary.objects();
+        (objects.has(STORE) || objects.has(RESTORE)) && matches!(index, STORE | RESTORE) && sub > 0
     }
 
     /// Clears the date of the configuration, which is another one now (CiA 301 §7.5.2.23).
     fn forget_configuration(&mut self, index: u16) {
-        if index != CONFIGURATION {
+        if self.dictionary.objects().has(CONFIGURATION) && index != CONFIGURATION {
             for sub in 1..=2 {
                 // a device without 1020h has nothing to clear
                 let _ = self.dictionary.replace(CONFIGURATION, sub, &[0; 4]);
@@ -39,6 +40,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
     forward! { dictionary:
         fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
         fn own_node_id(self: &Self) -> Option<u8>;
+        fn objects(self: &Self) -> Objects;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn restart(self: &mut Self, scope: Scope, node_id: u8);
         fn begin_read(self: &mut Self, index: u16, sub: u8) -> Result<Option<usize>, Abort>;
@@ -48,7 +50,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
 
     fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
         // what is read is what the device can do
-        if Self::is_command(index, sub)
+        if self.is_command(index, sub)
             && self.attributes(index, sub)?.readable
             && !self.dictionary.can_store(sub)
         {
@@ -57,7 +59,12 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
             return Ok(4);
         }
         let is_empty = |count| count < u64::from(sub);
-        if index == errors::HISTORY && sub > 0 && self.dictionary.number(index, 0).is_ok_and(is_empty) {
+        let has_history = self.dictionary.objects().has(errors::HISTORY);
+        if has_history
+            && index == errors::HISTORY
+            && sub > 0
+            && self.dictionary.number(index, 0).is_ok_and(is_empty)
+        {
             self.attributes(index, sub)?;
             return Err(Abort::NoData);
         }
@@ -66,17 +73,20 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
 
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
         let entry = self.dictionary.attributes(index, sub)?;
+        let has_date = self.dictionary.objects().has(CONFIGURATION);
         let mut stays = false;
         // the dictionary itself knows why it refuses others
         if entry.writable && bytes.len() == entry.size && bytes.len() <= 8 {
-            let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
+            let number = number(bytes);
             rules::check::<_, S>(self.dictionary, index, sub, number)?;
-            match (index, sub) {
-                (STORE, 1..) => return self.dictionary.store(sub),
-                (RESTORE, 1..) => return self.dictionary.restore(sub),
-                _ => {}
+            if self.is_command(index, sub) {
+                return if index == STORE {
+                    self.dictionary.store(sub)
+                } else {
+                    self.dictionary.restore(sub)
+                };
             }
-            stays = self.dictionary.number(index, sub) == Ok(number);
+            stays = has_date && self.dictionary.number(index, sub) == Ok(number);
         }
         self.dictionary.write(index, sub, bytes)?;
         if !stays {
@@ -88,7 +98,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
 
     fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
         // nothing of a signature is kept
-        if Self::is_command(index, sub) { Ok(false) } else { self.dictionary.begin_write(index, sub, length) }
+        if self.is_command(index, sub) { Ok(false) } else { self.dictionary.begin_write(index, sub, length) }
     }
 
     fn end_write(&mut self, index: u16, sub: u8, length: usize) -> Result<(), Abort> {

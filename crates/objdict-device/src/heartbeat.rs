@@ -89,12 +89,12 @@ impl<const N: usize> HeartbeatConsumer<N> {
 
     /// Takes a frame at a time in microseconds. A node is monitored from its first heartbeat on.
     pub fn receive(&mut self, frame: &Frame, now: u64) -> Option<Heartbeat> {
-        let &[code] = frame.data() else { return None };
-        let state = NmtState::from_code(code)?;
         let is_sender = |node: &&mut Monitored| {
             node.node_id != 0 && u32::from(frame.id()) == ERROR_CONTROL + u32::from(node.node_id)
         };
         let node = self.nodes.iter_mut().find(is_sender)?;
+        let &[code] = frame.data() else { return None };
+        let state = NmtState::from_code(code)?;
         match core::mem::replace(&mut node.last, Last::At(now, state)) {
             Last::At(_, before) if before == state => None,
             Last::At(..) | Last::Never => Some(Heartbeat::State(node.node_id, state)),

@@ -13,6 +13,7 @@ mod heartbeat;
 mod lss;
 mod nmt;
 mod node;
+mod objects;
 mod pdo;
 #[cfg(feature = "embedded-storage")]
 mod program;
@@ -38,6 +39,7 @@ pub use heartbeat::{Heartbeat, HeartbeatConsumer};
 pub use lss::{LssReceived, LssSlave, LssStoreError};
 pub use nmt::{Nmt, NmtCommand, NmtState};
 pub use node::{Node, Received};
+pub use objects::Objects;
 pub use pdo::{Pdo, Pdos, Reception};
 #[cfg(feature = "embedded-storage")]
 pub use program::{ProgramRequest, ProgramState, WithProgram};

@@ -1,6 +1,7 @@
 //! NMT: the state of the node, boot-up and heartbeat.
 
 use crate::clock::{Periodic, milliseconds};
+use crate::dictionary::word;
 use crate::{Dictionary, Frame};
 
 /// The first CAN-ID of boot-up and heartbeat, to which the node-ID is added.
@@ -71,7 +72,7 @@ impl Nmt {
     #[must_use]
     pub const fn new(node_id: u8) -> Self {
         let state = NmtState::Initialising;
-        Self { node_id: node_id & 0x7F, state, announced: state, heartbeat: Periodic::NEVER }
+        Self { node_id: node_id & 0x7F, state, announced: state, heartbeat: Periodic::never() }
     }
 
     /// The node-ID.
@@ -117,7 +118,7 @@ impl Nmt {
 
     /// Reads 1017h after a write to it: the heartbeat begins at once.
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
-        let period = dictionary.number(0x1017, 0).map_or(0, |period| period as u16);
+        let period = word(dictionary, 0x1017, 0, 0) as u16;
         self.heartbeat.restart(milliseconds(period));
     }
 

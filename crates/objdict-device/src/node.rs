@@ -65,11 +65,14 @@ impl<const CHANNELS: usize, const R: usize, const T: usize, const N: usize> Serv
     const CHANNELS: Option<usize> = Some(CHANNELS);
 
     fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16, sub: u8) {
+        let objects = dictionary.objects();
         match index {
             0x1017 => self.nmt.load(dictionary),
             CONSUMER_TIME => self.consumers.load_entry(dictionary, sub),
-            errors::COB_ID | errors::INHIBIT_TIME => self.errors.load(dictionary),
-            sync::COB_ID | sync::PERIOD | sync::OVERFLOW => {
+            errors::COB_ID | errors::INHIBIT_TIME if objects.has(errors::COB_ID) => {
+                self.errors.load(dictionary);
+            }
+            sync::COB_ID | sync::PERIOD | sync::OVERFLOW if objects.has(sync::PERIOD) => {
                 self.sync.load(dictionary);
                 self.pdos.follow(dictionary, index);
             }
@@ -145,12 +148,14 @@ impl<
     pub fn boot(&mut self, now: u64) -> Frame {
         self.pdos.load(&mut self.dictionary);
         self.pdos.stop();
-        self.sync.boot(&mut self.dictionary, now);
+        if self.dictionary.objects().has(sync::PERIOD) {
+            self.sync.boot(&mut self.dictionary, now);
+        }
         self.consumers.load(&mut self.dictionary);
         self.errors.boot(&mut self.dictionary);
         let frame = self.nmt.boot(&mut self.dictionary, now);
-        let startup = self.dictionary.number(STARTUP, 0);
-        if startup.is_ok_and(|startup| startup & 5 == 0) {
+        let has_startup = self.dictionary.objects().has(STARTUP);
+        if has_startup && self.dictionary.number(STARTUP, 0).is_ok_and(|startup| startup & 5 == 0) {
             self.enter(NmtState::Operational);
         }
         frame
@@ -182,6 +187,9 @@ impl<
         let mut last = Reception::Ignored;
         self.pdos.receive_each(&mut self.dictionary, frame, now, |dictionary, reception| {
             last = reception;
+            if !errors::are_kept(dictionary) {
+                return;
+            }
             let mut state = |code, name: [u8; 2], is_active| match is_active {
                 true => errors.report(dictionary, code, [name[0], name[1], 0, 0, 0]),
                 false => errors.resolve(dictionary, code, name),
@@ -270,8 +278,11 @@ impl<
     /// The next frame to send at a time in microseconds: heartbeat, SYNC, emergency message, TPDO, or what an SDO server has to say.
     pub fn poll(&mut self, now: u64) -> Option<Frame> {
         self.look_for_losses(now);
+        let objects = self.dictionary.objects();
+        let emergency =
+            |errors: &mut Errors| if objects.has(errors::COB_ID) { errors.poll(now) } else { None };
         if self.is_stopping {
-            if let Some(emergency) = self.errors.poll(now) {
+            if let Some(emergency) = emergency(&mut self.errors) {
                 return Some(emergency);
             }
             self.enter(NmtState::Stopped);
@@ -282,11 +293,13 @@ impl<
         if !self.nmt.communicates() {
             return None;
         }
-        if let Some(frame) = self.sync.poll(now) {
+        if objects.has(sync::PERIOD)
+            && let Some(frame) = self.sync.poll(now)
+        {
             self.receive_pdo(&frame, now);
             return Some(frame);
         }
-        let frame = self.errors.poll(now).or_else(|| self.pdos.poll(&mut self.dictionary, now));
+        let frame = emergency(&mut self.errors).or_else(|| self.pdos.poll(&mut self.dictionary, now));
         frame.or_else(|| self.servers.iter_mut().find_map(|server| server.poll(&mut self.dictionary, now)))
     }
 
@@ -295,7 +308,9 @@ impl<
         while let Some(Heartbeat::Lost(node_id)) = self.consumers.poll(now) {
             self.report(error_code::HEARTBEAT, [node_id, 0, 0, 0, 0]);
         }
-        while let Some(index) = self.pdos.overdue(now) {
+        while errors::are_kept(&self.dictionary)
+            && let Some(index) = self.pdos.overdue(now)
+        {
             let [low, high] = number_of(index);
             self.report(error_code::RPDO_TIMEOUT, [low, high, 0, 0, 0]);
         }
@@ -312,9 +327,11 @@ impl<
         if !self.nmt.communicates() {
             return always.filter(|_| self.state() != NmtState::Initialising);
         }
-        let servers = self.servers.iter().filter_map(|server| server.next(now)).min();
-        let messages = earlier(self.sync.next(now), self.errors.next(now));
-        earlier(earlier(always, messages), earlier(self.pdos.next(now), servers))
+        let servers = self.servers.iter().fold(None, |next, server| earlier(next, server.next(now)));
+        let objects = self.dictionary.objects();
+        let sync = if objects.has(sync::PERIOD) { self.sync.next(now) } else { None };
+        let emergency = if objects.has(errors::COB_ID) { self.errors.next(now) } else { None };
+        earlier(earlier(always, earlier(sync, emergency)), earlier(self.pdos.next(now), servers))
     }
 }
 

@@ -1,12 +1,13 @@
 //! What may be written to communication objects (CiA 301 §7.5.2). Nodes ask these rules at run time, and tools ask them of downloads,
 //! so a configuration that a tool accepts is one that a node accepts.
 
+use crate::dictionary::word;
 use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::heartbeat::{CONSUMER_TIME, monitored};
 use crate::pdo::mapping::Mapped;
 use crate::pdo::transmission_type::is_event_driven;
 use crate::services::{ERROR_BEHAVIOUR, RESTORE, STARTUP, STORE, Services};
-use crate::{Abort, Dictionary, errors, sync};
+use crate::{Abort, Dictionary, Objects, errors, sync};
 
 const BOOLEAN: u8 = 0x01;
 
@@ -127,40 +128,62 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
     value: u64,
 ) -> Result<(), Refusal> {
     let word = value as u32;
-    if !dictionary.serves_more() {
-        defined(!switches_on(index, sub, value) || dictionary.number(index, sub) == Ok(value))?;
+    let objects = dictionary.objects();
+    if switches_on(objects, index, sub, value) && !dictionary.serves_more() {
+        defined(dictionary.number(index, sub) == Ok(value))?;
     }
     match (index, sub) {
-        (errors::HISTORY, 0) => defined(value == 0),
-        (sync::COB_ID, 0) => check_sync::<D, S>(dictionary, word),
+        (errors::HISTORY, 0) if objects.writes(errors::HISTORY) => defined(value == 0),
+        (sync::COB_ID, 0) if objects.writes(sync::COB_ID) => check_sync::<D, S>(dictionary, word),
         (STORE, 1..) => ensure(value == u32::from_le_bytes(*b"save").into(), Refusal::Signature),
         (RESTORE, 1..) => ensure(value == u32::from_le_bytes(*b"load").into(), Refusal::Signature),
-        (sync::OVERFLOW, 0) => check_overflow(dictionary, value),
-        (TIME, 0) => {
+        (sync::OVERFLOW, 0) if objects.writes(sync::OVERFLOW) => check_overflow(dictionary, value),
+        (TIME, 0) if objects.writes(TIME) => {
             check_cob_id(dictionary, index, sub, word, |old| old & (SENDS_TIME | RECEIVES_TIME) == 0)
         }
-        (ERROR_BEHAVIOUR, 1..) => {
+        (ERROR_BEHAVIOUR, 1..) if objects.writes(ERROR_BEHAVIOUR) => {
             defined(matches!(value, 0..=2) || value >= 0x80 && dictionary.serves_more())
         }
-        (errors::COB_ID, 0) | (EMCY_CONSUMER, 1..=0x7F) => {
+        (errors::COB_ID, 0) | (EMCY_CONSUMER, 1..=0x7F)
+            if objects.writes(errors::COB_ID) || objects.writes(EMCY_CONSUMER) =>
+        {
             check_cob_id(dictionary, index, sub, word, is_not_valid)
         }
-        (CONSUMER_TIME, 1..) => check_consumer::<D, S>(dictionary, sub, value),
-        (0x1200..=0x12FF, 1 | 2) => check_sdo::<D, S>(dictionary, index, sub, word),
-        (0x1400..=0x15FF | 0x1800..=0x19FF, _) => check_communication(dictionary, index, sub, value),
-        (0x1600..=0x17FF | 0x1A00..=0x1BFF, _) => check_mapping(dictionary, index, sub, value),
+        (CONSUMER_TIME, 1..) if objects.writes(CONSUMER_TIME) => {
+            check_consumer::<D, S>(dictionary, sub, value)
+        }
+        (0x1200..=0x12FF, 1 | 2)
+            if objects.writes(0x1200) || objects.writes(0x1201) || objects.writes(0x1280) =>
+        {
+            check_sdo::<D, S>(dictionary, index, sub, word)
+        }
+        (0x1400..=0x15FF | 0x1800..=0x19FF, _) if objects.writes(0x1400) => {
+            check_communication(dictionary, index, sub, value)
+        }
+        (0x1600..=0x17FF | 0x1A00..=0x1BFF, _) if objects.writes(0x1600) => {
+            check_mapping(dictionary, index, sub, value)
+        }
         _ => Ok(()),
     }
 }
 
 /// Whether a value asks for a service that only an application has.
-const fn switches_on(index: u16, sub: u8, value: u64) -> bool {
+const fn switches_on(objects: Objects, index: u16, sub: u8, value: u64) -> bool {
     let word = value as u32;
     match (index, sub) {
-        (SYNC_WINDOW | GUARD_TIME | LIFE_TIME_FACTOR, 0) => value != 0,
-        (TIME, 0) => word & (SENDS_TIME | RECEIVES_TIME) != 0,
-        (EMCY_CONSUMER, 1..=0x7F) | (0x1280..=0x12FF, 1 | 2) => value != 0 && !is_not_valid(word),
-        (STARTUP, 0) => value & MASTER_BITS != 0,
+        (SYNC_WINDOW, 0) if objects.writes(SYNC_WINDOW) => value != 0,
+        (GUARD_TIME | LIFE_TIME_FACTOR, 0)
+            if objects.writes(GUARD_TIME) || objects.writes(LIFE_TIME_FACTOR) =>
+        {
+            value != 0
+        }
+        (TIME, 0) if objects.writes(TIME) => word & (SENDS_TIME | RECEIVES_TIME) != 0,
+        (EMCY_CONSUMER, 1..=0x7F) | (0x1280..=0x12FF, 1 | 2)
+            if objects.writes(EMCY_CONSUMER) || objects.writes(0x1280) =>
+        {
+            value != 0 && !is_not_valid(word)
+        }
+        (STARTUP, 0) if objects.writes(STARTUP) => value & MASTER_BITS != 0,
         _ => false,
     }
 }
@@ -192,7 +215,7 @@ fn check_cob_id<D: Dictionary + ?Sized>(
         return Ok(());
     }
     ensure(is_extended || !is_restricted(can_id(new)), Refusal::RestrictedCanId)?;
-    let old = dictionary.number(index, sub).map_or(NOT_VALID, |old| old as u32);
+    let old = word(dictionary, index, sub, NOT_VALID);
     ensure(is_free(old) || is_same_id(old, new), Refusal::InUse)
 }
 
@@ -219,8 +242,7 @@ fn check_sync<D: Dictionary + ?Sized, S: Services>(dictionary: &mut D, new: u32)
 fn check_overflow<D: Dictionary + ?Sized>(dictionary: &mut D, value: u64) -> Result<(), Refusal> {
     defined(matches!(value, 0 | 2..=240))?;
     let stays = dictionary.number(sync::OVERFLOW, 0) == Ok(value);
-    let runs = dictionary.number(sync::PERIOD, 0).is_ok_and(|period| period != 0);
-    ensure(stays || !runs, Refusal::PeriodRuns)
+    ensure(stays || word(dictionary, sync::PERIOD, 0, 0) == 0, Refusal::PeriodRuns)
 }
 
 /// 1016h: each node is monitored once.
@@ -254,7 +276,7 @@ fn check_sdo<D: Dictionary + ?Sized, S: Services>(
     if index == 0x1200 {
         return defined(old == Ok(new.into()));
     }
-    let other_is_free = dictionary.number(index, 3 - sub).is_ok_and(|other| is_not_valid(other as u32));
+    let other_is_free = is_not_valid(word(dictionary, index, 3 - sub, 0));
     let is_client_of_default = index >= 0x1280 && matches!(new, 0x581..=0x5FF | 0x601..=0x67F);
     match check_cob_id(dictionary, index, sub, new, is_not_valid) {
         Err(Refusal::RestrictedCanId) if is_client_of_default => {
@@ -270,7 +292,7 @@ fn check_sdo<D: Dictionary + ?Sized, S: Services>(
 }
 
 fn is_valid<D: Dictionary + ?Sized>(dictionary: &mut D, communication: u16) -> bool {
-    dictionary.number(communication, 1).is_ok_and(|cob_id| !is_not_valid(cob_id as u32))
+    !is_not_valid(word(dictionary, communication, 1, NOT_VALID))
 }
 
 fn check_communication<D: Dictionary + ?Sized>(
@@ -286,7 +308,7 @@ fn check_communication<D: Dictionary + ?Sized>(
             // a master that never sets bit 30 disables the PDO first, and is followed
             let answers_remote = is_tpdo && new & (NOT_VALID | NO_REMOTE_FRAMES) == 0;
             if answers_remote && !dictionary.serves_more() {
-                let had = dictionary.number(index, 1).is_ok_and(|old| old as u32 & NO_REMOTE_FRAMES == 0);
+                let had = word(dictionary, index, 1, NO_REMOTE_FRAMES) & NO_REMOTE_FRAMES == 0;
                 defined(had)?;
             }
             check_cob_id(dictionary, index, 1, new, is_not_valid)?;
@@ -311,7 +333,7 @@ fn check_communication<D: Dictionary + ?Sized>(
 fn has_pdo<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
     let has_it = |old: u32| !is_not_valid(old) && is_same_id(old, cob_id);
     let mut pdos = (0x1400..=0x15FF).chain(0x1800..=0x19FF);
-    pdos.any(|index| dictionary.number(index, 1).is_ok_and(|old| has_it(old as u32)))
+    pdos.any(|index| has_it(word(dictionary, index, 1, NOT_VALID)))
 }
 
 /// Whether a CAN-ID is that of SYNC: each SYNC would be the data of a PDO with it.
@@ -329,8 +351,7 @@ fn check_mapping<D: Dictionary + ?Sized>(
     let is_rpdo = index < 0x1A00;
     ensure(!is_valid(dictionary, index - 0x200), Refusal::MappingIsValid)?;
     if sub != 0 {
-        let is_in_use = dictionary.number(index, 0).is_ok_and(|count| count != 0);
-        ensure(!is_in_use, Refusal::MappingInUse)?;
+        ensure(word(dictionary, index, 0, 0) == 0, Refusal::MappingInUse)?;
         // an empty entry; counted ones are checked with the number
         return if value == 0 { Ok(()) } else { bits_of(dictionary, sub, value, is_rpdo).map(drop) };
     }
@@ -344,7 +365,8 @@ fn check_mapping<D: Dictionary + ?Sized>(
     let has_all = count == 0 || dictionary.attributes(index, count).is_ok();
     ensure(has_all, Refusal::NoMappingEntry(count))?;
     let mut bits = 0;
-    for sub in 1..=count {
+    for before in 0..count {
+        let sub = before + 1;
         let mapped = dictionary.number(index, sub).map_err(|_| Refusal::NoMappingEntry(sub))?;
         ensure(mapped != 0, Refusal::NothingMapped(sub))?;
         bits += u16::from(bits_of(dictionary, sub, mapped, is_rpdo)?);

@@ -1,6 +1,7 @@
 //! SYNC as the node sends it.
 
 use crate::clock::Periodic;
+use crate::dictionary::word;
 use crate::frame::EXTENDED;
 use crate::{Dictionary, Frame};
 
@@ -16,7 +17,7 @@ pub(crate) const PRODUCES: u32 = 1 << 30;
 
 /// The COB-ID of SYNC; a device without 1005h has 80h.
 pub(crate) fn cob_id<D: Dictionary + ?Sized>(dictionary: &mut D) -> u32 {
-    dictionary.number(COB_ID, 0).map_or(0x80, |cob_id| cob_id as u32)
+    word(dictionary, COB_ID, 0, 0x80)
 }
 
 /// Sends SYNC as 1005h, 1006h and 1019h say, while the node is pre-operational or operational (CiA 301 §7.2.5).
@@ -32,7 +33,7 @@ impl SyncProducer {
     /// It sends nothing before [`SyncProducer::boot`].
     #[must_use]
     pub const fn new() -> Self {
-        Self { cob_id: 0, overflow: 0, counter: 0, sync: Periodic::NEVER }
+        Self { cob_id: 0, overflow: 0, counter: 0, sync: Periodic::never() }
     }
 
     /// Reads the objects after a reset. The first SYNC is due after a period.
@@ -44,9 +45,10 @@ impl SyncProducer {
     /// Reads the objects after a write to one of them. The first SYNC is due at once.
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.cob_id = cob_id(dictionary);
-        let mut number = |index| dictionary.number(index, 0).unwrap_or(0);
+        let mut number = |index| word(dictionary, index, 0, 0);
         self.overflow = number(OVERFLOW) as u8;
-        let period = if self.cob_id & (PRODUCES | EXTENDED) != PRODUCES { 0 } else { number(PERIOD) };
+        let period =
+            if self.cob_id & (PRODUCES | EXTENDED) != PRODUCES { 0 } else { u64::from(number(PERIOD)) };
         self.sync.restart(period);
         self.restart();
     }

@@ -4,7 +4,7 @@
 use objdict_device::{Abort, Frame};
 
 use super::bench::{Bench, MS, RESET_COMMUNICATION, STOP, SentFrame};
-use super::described::{DescribedEntry, hex};
+use super::described::hex;
 use super::sync_frame::{send_sync, send_wrong_sync, sync_id};
 use super::{CheckStep, checks, ensure, impossible};
 
@@ -28,8 +28,8 @@ checks! { "emergency":
 /// The CAN-ID of the messages.
 pub(super) fn can_id(bench: &Bench<'_>) -> CheckStep<u16> {
     let standard = 0x80 + u64::from(bench.described.node_id);
-    let is_known = bench.described.find(0x1014, 0).is_some_and(DescribedEntry::is_readable);
-    let cob_id = if is_known { bench.described.number(0x1014, 0) } else { standard };
+    let entry = bench.described.needs(0x1014, 0)?;
+    let cob_id = if entry.is_readable() { bench.described.number(0x1014, 0) } else { standard };
     match cob_id >> 29 {
         0 => Ok((cob_id & 0x7FF) as u16),
         _ => impossible("1014h is not valid or has 29 bits by default"),
@@ -110,6 +110,8 @@ fn register(bench: &mut Bench<'_>) -> CheckStep {
     if bench.described.needs(0x1001, 0)?.size() != Some(1) {
         return impossible("1001h does not have one byte");
     }
+    // without both the application has the register
+    bench.described.needs(0x1014, 0).or_else(|_| bench.described.needs(0x1003, 0))?;
     cause(bench, 0x7FF)?;
     bench.expect(0x1001, 0, &[0x11])?;
     end(bench, 0)?;

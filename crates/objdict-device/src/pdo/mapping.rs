@@ -1,6 +1,6 @@
 //! What a PDO carries: the values of its mapped entries, bit after bit.
 
-use crate::dictionary::Place;
+use crate::dictionary::{Place, word};
 use crate::{Abort, Dictionary};
 
 /// As many mapped entries are found once, when the mapping is loaded; those beyond are looked for each time.
@@ -51,8 +51,6 @@ impl FoundEntry {
 /// The mapping of a PDO.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ActiveMapping {
-    /// The index, such as 1A00h.
-    index: u16,
     count: u8,
     /// Length in bits, or why no frame has this mapping.
     bits: Result<u8, Abort>,
@@ -62,24 +60,20 @@ pub(super) struct ActiveMapping {
 }
 
 impl ActiveMapping {
-    pub(super) const fn new(index: u16) -> Self {
-        Self { index, count: 0, bits: Ok(0), places: [DUMMY; KEPT], lengths: [0; KEPT] }
+    pub(super) const fn new() -> Self {
+        Self { count: 0, bits: Ok(0), places: [Place(0); KEPT], lengths: [0; KEPT] }
     }
 
-    pub(super) const fn index(&self) -> u16 {
-        self.index
+    /// Finds the mapped entries of an object, such as 1A00h.
+    pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) {
+        self.count = word(dictionary, index, 0, 0).min(64) as u8;
+        self.bits = self.find(dictionary, index);
     }
 
-    /// Finds the mapped entries.
-    pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
-        self.count = dictionary.number(self.index, 0).unwrap_or(0).min(64) as u8;
-        self.bits = self.find(dictionary);
-    }
-
-    fn find<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<u8, Abort> {
+    fn find<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) -> Result<u8, Abort> {
         let mut bits = 0;
         for at in 0..self.count {
-            let found = FoundEntry::of(dictionary, self.index, at + 1)?;
+            let found = FoundEntry::of(dictionary, index, at + 1)?;
             bits += found.bits.min(65);
             if bits > 64 {
                 return Err(Abort::PdoTooLong);
@@ -105,6 +99,7 @@ impl ActiveMapping {
     fn walk<D: Dictionary + ?Sized>(
         &self,
         dictionary: &mut D,
+        index: u16,
         mut each: impl FnMut(&mut D, Place, u8, u8) -> Result<(), Abort>,
     ) -> Result<(), Abort> {
         self.bits?;
@@ -113,7 +108,7 @@ impl ActiveMapping {
             let kept = (self.places.get(usize::from(at)), self.lengths.get(usize::from(at)));
             let found = match kept {
                 (Some(&place), Some(&bits)) => FoundEntry { place, bits },
-                _ => FoundEntry::of(dictionary, self.index, at + 1)?,
+                _ => FoundEntry::of(dictionary, index, at + 1)?,
             };
             // an application may have changed the mapping since it was loaded
             let end = first.saturating_add(found.bits);
@@ -129,9 +124,13 @@ impl ActiveMapping {
     }
 
     /// The frame with the present values, and its length in bytes.
-    pub(super) fn pack<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Result<(u64, u8), Abort> {
+    pub(super) fn pack<D: Dictionary + ?Sized>(
+        &self,
+        dictionary: &mut D,
+        index: u16,
+    ) -> Result<(u64, u8), Abort> {
         let mut frame = 0;
-        self.walk(dictionary, |dictionary, place, bits, first| {
+        self.walk(dictionary, index, |dictionary, place, bits, first| {
             frame |= (dictionary.number_at(place)? & lowest(bits)) << first;
             Ok(())
         })?;
@@ -139,9 +138,14 @@ impl ActiveMapping {
     }
 
     /// Writes the values of a frame. One that is refused stays as it is, and does not keep the others from being written.
-    pub(super) fn unpack<D: Dictionary + ?Sized>(&self, dictionary: &mut D, frame: u64) -> Result<(), Abort> {
+    pub(super) fn unpack<D: Dictionary + ?Sized>(
+        &self,
+        dictionary: &mut D,
+        index: u16,
+        frame: u64,
+    ) -> Result<(), Abort> {
         let mut answer = Ok(());
-        self.walk(dictionary, |dictionary, place, bits, first| {
+        self.walk(dictionary, index, |dictionary, place, bits, first| {
             answer = answer.and(write(dictionary, place, bits, frame >> first));
             Ok(())
         })?;
@@ -167,6 +171,8 @@ fn write<D: Dictionary + ?Sized>(
 }
 
 /// A mask of so many bits, 1 to 64.
+// a shift of 64 bits is longer than a call
+#[inline(never)]
 const fn lowest(bits: u8) -> u64 {
     u64::MAX >> (64_u8.saturating_sub(bits) & 63)
 }

@@ -5,7 +5,8 @@ mod receive;
 pub(crate) mod transmission_type;
 mod transmit;
 
-use crate::clock::milliseconds;
+use crate::clock::{earlier, milliseconds};
+use crate::dictionary::word;
 use crate::frame::{EXTENDED, NOT_VALID, can_id};
 use crate::guard::Guarded;
 use crate::services::Services;
@@ -99,23 +100,31 @@ impl PdoParameters {
             inhibit_time: 0,
             event_timer: 0,
             sync_start: 0,
-            mapping: ActiveMapping::new(index | MAPPING),
+            mapping: ActiveMapping::new(),
         }
     }
 
     fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
-        let mut number = |sub, default| dictionary.number(self.index, sub).unwrap_or(default);
-        self.cob_id = number(1, u64::from(NOT_VALID)) as u32;
+        let mut number = |sub, default| word(dictionary, self.index, sub, default);
+        self.cob_id = number(1, NOT_VALID);
         self.transmission_type = number(2, 255) as u8;
         self.inhibit_time = number(3, 0) as u16;
         self.event_timer = number(5, 0) as u16;
         self.sync_start = number(6, 0) as u8;
-        self.mapping.load(dictionary);
+        self.mapping.load(dictionary, self.index | MAPPING);
+    }
+
+    fn pack<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Result<(u64, u8), Abort> {
+        self.mapping.pack(dictionary, self.index | MAPPING)
+    }
+
+    fn unpack<D: Dictionary + ?Sized>(&self, dictionary: &mut D, frame: u64) -> Result<(), Abort> {
+        self.mapping.unpack(dictionary, self.index | MAPPING, frame)
     }
 
     /// Whether an object is the communication parameters or the mapping.
     const fn has_object(&self, index: u16) -> bool {
-        index == self.index || index == self.mapping.index()
+        index & !MAPPING == self.index
     }
 
     const fn is_valid(&self) -> bool {
@@ -145,12 +154,12 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         };
         let mut at = 0;
         while at < R {
-            pdos.rpdos[at] = Rpdo::new(rpdos[at]);
+            pdos.rpdos[at].parameters.index = rpdos[at];
             at += 1;
         }
         at = 0;
         while at < T {
-            pdos.tpdos[at] = Tpdo::new(tpdos[at]);
+            pdos.tpdos[at].parameters.index = tpdos[at];
             at += 1;
         }
         pdos
@@ -165,7 +174,7 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
 
     fn load_sync<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.sync = sync::cob_id(dictionary);
-        self.counts = dictionary.number(sync::OVERFLOW, 0).is_ok_and(|overflow| overflow != 0);
+        self.counts = word(dictionary, sync::OVERFLOW, 0, 0) != 0;
     }
 
     /// Starts the PDOs when the node becomes operational. Each event-driven TPDO is sent once.
@@ -243,9 +252,11 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
     /// When a TPDO is to be sent or an RPDO is overdue; `None` if only a frame or a request can lead to that.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
-        let tpdos = self.tpdos.iter().filter_map(|tpdo| tpdo.next(now));
-        let rpdos = self.rpdos.iter().filter_map(Rpdo::deadline);
-        tpdos.chain(rpdos).filter(|_| self.is_running).min()
+        if !self.is_running {
+            return None;
+        }
+        let next = self.tpdos.iter().fold(None, |next, tpdo| earlier(next, tpdo.next(now)));
+        self.rpdos.iter().fold(next, |next, rpdo| earlier(next, rpdo.deadline()))
     }
 
     /// Requests a TPDO of type 0, 254 or 255 by the index of its communication parameters: it is sent as soon as SYNC or its inhibit
@@ -263,8 +274,14 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
 
     /// Follows a write to the dictionary.
     pub(crate) fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) {
-        if matches!(index, sync::COB_ID | sync::OVERFLOW) {
+        let objects = dictionary.objects();
+        if (objects.writes(sync::COB_ID) || objects.writes(sync::OVERFLOW))
+            && matches!(index, sync::COB_ID | sync::OVERFLOW)
+        {
             self.load_sync(dictionary);
+        }
+        if !objects.writes(0x1400) && !objects.writes(0x1600) {
+            return;
         }
         if let Some(rpdo) = self.rpdos.iter_mut().find(|rpdo| rpdo.parameters.has_object(index)) {
             rpdo.load(dictionary);

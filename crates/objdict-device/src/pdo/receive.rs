@@ -52,7 +52,7 @@ impl Rpdo {
         let data = u64::from_le_bytes(frame.bytes());
         let is_event_driven = self.parameters.is_event_driven();
         if is_event_driven {
-            if let Err(abort) = self.parameters.mapping.unpack(dictionary, data) {
+            if let Err(abort) = self.parameters.unpack(dictionary, data) {
                 return Reception::Refused(index, abort);
             }
         } else {
@@ -68,7 +68,7 @@ impl Rpdo {
     pub(super) fn sync<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         if let Some(data) = self.held.take() {
             // what the dictionary refuses stays as it is, and its client is not here to be asked
-            let _ = self.parameters.mapping.unpack(dictionary, data);
+            let _ = self.parameters.unpack(dictionary, data);
         }
     }
 

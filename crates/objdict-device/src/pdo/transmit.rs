@@ -40,7 +40,7 @@ impl Tpdo {
     pub(super) fn request_if_changed<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         let sent = self.sent.map(|(_, frame)| frame);
         if self.parameters.is_valid()
-            && self.parameters.mapping.pack(dictionary).is_ok_and(|(frame, _)| Some(frame) != sent)
+            && self.parameters.pack(dictionary).is_ok_and(|(frame, _)| Some(frame) != sent)
         {
             self.request();
         }
@@ -87,7 +87,7 @@ impl Tpdo {
     /// The frame; `None` for a mapping without entries, or with one that cannot be read.
     pub(super) fn send<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Option<Frame> {
         (self.requested, self.due) = (false, false);
-        let packed = self.parameters.mapping.pack(dictionary);
+        let packed = self.parameters.pack(dictionary);
         let (frame, length) = packed.unwrap_or_default();
         self.sent = Some((now, frame));
         (length > 0).then(|| Frame::full(self.parameters.cob_id, frame.to_le_bytes()).shortened(length))

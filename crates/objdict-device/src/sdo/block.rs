@@ -10,9 +10,32 @@ const SEGMENTS: u8 = 127;
 /// Bit of a sequence number: the last segment of the transfer.
 const LAST: u8 = 0x80;
 
-/// Where a block transfer is.
+/// Where a block transfer is. Without the feature none exists, so the compiler leaves out what handles one.
+#[cfg(feature = "block-transfer")]
+pub(super) type Block = BlockState;
+
+#[cfg(not(feature = "block-transfer"))]
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Block {
+pub(super) enum Block {}
+
+#[cfg(not(feature = "block-transfer"))]
+impl core::ops::Deref for Block {
+    type Target = BlockState;
+
+    fn deref(&self) -> &BlockState {
+        match *self {}
+    }
+}
+
+#[cfg(not(feature = "block-transfer"))]
+impl core::ops::DerefMut for Block {
+    fn deref_mut(&mut self) -> &mut BlockState {
+        match *self {}
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BlockState {
     /// The CRC of the bytes so far, if the client wants one.
     crc: Option<u16>,
     /// Segments in a sub-block.
@@ -29,12 +52,19 @@ pub(super) struct Block {
     last: [u8; 7],
 }
 
-impl Block {
-    const fn new(command: u8, size: u8) -> Self {
-        let crc = if command & 4 == 0 { None } else { Some(0) };
-        Self { crc, size, sequence: 0, is_last: false, is_late: false, counted: 0, last: [0; 7] }
-    }
+/// Begins a transfer; a server without them does not know the command.
+#[cfg(feature = "block-transfer")]
+const fn begin(command: u8, size: u8) -> Result<Block, Abort> {
+    let crc = if command & 4 == 0 { None } else { Some(0) };
+    Ok(BlockState { crc, size, sequence: 0, is_last: false, is_late: false, counted: 0, last: [0; 7] })
+}
 
+#[cfg(not(feature = "block-transfer"))]
+const fn begin(_: u8, _: u8) -> Result<Block, Abort> {
+    Err(Abort::UnknownCommand)
+}
+
+impl BlockState {
     fn count(&mut self, bytes: &[u8]) {
         self.crc = self.crc.map(|so_far| crc(so_far, bytes));
         self.counted += bytes.len();
@@ -72,9 +102,10 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         command: u8,
         data: [u8; 4],
     ) -> Result<[u8; 8], Abort> {
+        let block = begin(command, SEGMENTS)?;
         let length = (command & 2 != 0).then(|| u32::from_le_bytes(data));
         self.expect(dictionary, length)?;
-        self.transfer = ServerState::BlockDownload(Block::new(command, SEGMENTS));
+        self.transfer = ServerState::BlockDownload(block);
         Ok(self.with_entry((0xA4, [SEGMENTS, 0, 0, 0])))
     }
 
@@ -137,9 +168,9 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         command: u8,
         [size, ..]: [u8; 4],
     ) -> Result<[u8; 8], Abort> {
-        let size = block_size(size)?;
+        let block = begin(command, block_size(size)?)?;
         let length = self.load(dictionary)?;
-        self.transfer = ServerState::BlockUploadStart(Block::new(command, size));
+        self.transfer = ServerState::BlockUploadStart(block);
         Ok(self.with_entry((0xC6, (length as u32).to_le_bytes())))
     }
 
@@ -156,7 +187,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
                 Ok(None)
             }
             (2, ServerState::BlockUpload(block)) => self.acknowledged(block, sequence, size),
-            (1, ServerState::BlockUploadEnd) => {
+            (1, ServerState::BlockUploadEnd(block)) if block.is_last => {
                 self.transfer = ServerState::None;
                 Ok(None)
             }
@@ -170,7 +201,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             return Err(Abort::SequenceNumber);
         }
         if block.is_last && sequence == block.sequence {
-            self.transfer = ServerState::BlockUploadEnd;
+            self.transfer = ServerState::BlockUploadEnd(block);
             return Ok(Some(self.end_of_upload(block)));
         }
         self.done += 7 * usize::from(sequence);

@@ -50,7 +50,7 @@ enum ServerState {
     BlockDownloadEnd(Block),
     BlockUploadStart(Block),
     BlockUpload(Block),
-    BlockUploadEnd,
+    BlockUploadEnd(Block),
 }
 
 /// The first byte and the last four of an answer with the entry in between.
@@ -159,7 +159,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
 
     /// The COB-IDs of request and response; `None` while the channel is not valid.
     fn cob_ids<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Option<(u32, u32)> {
-        if self.object == 0x1200 {
+        if self.object == 0x1200 || !dictionary.objects().has(0x1201) {
             let node_id = u32::from(self.node_id);
             return Some((0x600 + node_id, 0x580 + node_id));
         }
@@ -174,6 +174,12 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             Some(self.with_entry((0x80, abort.code().to_le_bytes())))
         });
         Some(Frame::full(response, bytes?))
+    }
+
+    /// Whether the dictionary takes or gives the value in pieces, which those of a table without programs never do.
+    #[inline(always)]
+    fn is_in_pieces<D: Dictionary + ?Sized>(&self, dictionary: &D) -> bool {
+        dictionary.objects().has(0x1F50) && self.in_pieces
     }
 
     const fn with_entry(&self, (command, [a, b, c, d]): AnswerBytes) -> [u8; 8] {
@@ -243,7 +249,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             };
             self.expect(dictionary, Some(length as u32))?;
             let value = data.get(..length).unwrap_or(&data);
-            if self.in_pieces {
+            if self.is_in_pieces(dictionary) {
                 self.keep(dictionary, value)?;
                 self.finish_download(dictionary)?;
             } else {
@@ -266,7 +272,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         let length = length.map(|length| usize::try_from(length).unwrap_or(usize::MAX));
         self.in_pieces = dictionary.begin_write(index, sub, length)?;
-        if !self.in_pieces {
+        if !self.is_in_pieces(dictionary) {
             if attributes.size == 0 {
                 return Err(Abort::CannotStore);
             }
@@ -308,7 +314,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         if self.length.is_some_and(|length| end > length) {
             return Err(Abort::TooLong);
         }
-        if self.in_pieces {
+        if self.is_in_pieces(dictionary) {
             let (index, sub) = self.address();
             dictionary.write_piece(index, sub, self.done, bytes)?;
         } else {
@@ -325,7 +331,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         let (index, sub) = self.address();
         self.transfer = ServerState::None;
-        if self.in_pieces {
+        if self.is_in_pieces(dictionary) {
             return dictionary.end_write(index, sub, self.done);
         }
         let value = self.buffer.get(..self.done).ok_or(Abort::OutOfMemory)?;
@@ -383,7 +389,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         let used = rest.min(7);
         let mut bytes = [0; 7];
         let piece = bytes.get_mut(..used).unwrap_or_default();
-        if self.in_pieces {
+        if self.is_in_pieces(dictionary) {
             let (index, sub) = self.address();
             dictionary.read_piece(index, sub, start, piece)?;
         } else {

@@ -14,9 +14,15 @@ macro_rules! aborts {
             /// The abort code.
             #[must_use]
             pub const fn code(self) -> u32 {
+                if let Self::Other(code) = self { code } else { self.known() }
+            }
+
+            // constants alone, of which the compiler makes a table
+            #[inline(never)]
+            const fn known(self) -> u32 {
                 match self {
                     $(Self::$name => $code,)*
-                    Self::Other(code) => code,
+                    Self::Other(_) => 0,
                 }
             }
 

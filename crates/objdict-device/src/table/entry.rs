@@ -33,6 +33,29 @@ pub struct Entry<D> {
 }
 
 impl<D: Table> Entry<D> {
+    /// The flags and data types that any row has: the compiler leaves out the code for others.
+    const USED: (u16, u32) = {
+        let (mut flags, mut types, mut entries) = (0, 0, D::ENTRIES);
+        while let [entry, rest @ ..] = entries {
+            flags |= entry.flags;
+            types |= 1 << (entry.data_type & 31);
+            entries = rest;
+        }
+        (flags, types)
+    };
+
+    /// Whether it has this flag.
+    #[inline(always)]
+    const fn has(&self, flag: u16) -> bool {
+        Self::USED.0 & flag != 0 && self.flags & flag != 0
+    }
+
+    /// Whether any row is of one of these data types, which have their bits.
+    #[inline(always)]
+    const fn uses(types: u32) -> bool {
+        Self::USED.1 & types != 0
+    }
+
     /// A row: `ram` is the offset of its value in `Data`, 0 for a value in flash, `rom` that of
     /// its data in flash. Both have at most 19 bits.
     #[must_use]
@@ -113,7 +136,7 @@ impl<D: Table> Entry<D> {
     /// Whether the default is an offset to the node-ID.
     #[must_use]
     pub const fn adds_node_id(&self) -> bool {
-        self.flags & NODE_ID_DEFAULT != 0
+        self.has(NODE_ID_DEFAULT)
     }
 
     /// The name in the description; empty if the table has none.
@@ -138,7 +161,7 @@ impl<D: Table> Entry<D> {
     #[must_use]
     pub const fn size(&self) -> usize {
         match number_size(self.data_type) {
-            0 => self.head(0),
+            0 if Self::uses(NO_NUMBERS) => self.head(0),
             size => size,
         }
     }
@@ -147,7 +170,7 @@ impl<D: Table> Entry<D> {
     #[must_use]
     pub const fn default_bytes(&self) -> &'static [u8] {
         match number_size(self.data_type) {
-            0 => self.stored(4, self.head(2)),
+            0 if Self::uses(NO_NUMBERS) => self.stored(4, self.head(2)),
             size => self.stored(0, size),
         }
     }
@@ -161,7 +184,7 @@ impl<D: Table> Entry<D> {
     /// The low limit for a node with the bits of the value; `None` without limit, or where limits are left out.
     #[must_use]
     pub const fn low_limit(&self, node_id: u8) -> Option<u64> {
-        if !D::CHECKS_LIMITS || self.flags & LOW == 0 {
+        if !D::CHECKS_LIMITS || !self.has(LOW) {
             return None;
         }
         Some(self.number(1, LOW_NODE_ID, node_id))
@@ -170,10 +193,10 @@ impl<D: Table> Entry<D> {
     /// The high limit for a node, as [`Self::low_limit`].
     #[must_use]
     pub const fn high_limit(&self, node_id: u8) -> Option<u64> {
-        if !D::CHECKS_LIMITS || self.flags & HIGH == 0 {
+        if !D::CHECKS_LIMITS || !self.has(HIGH) {
             return None;
         }
-        let block = if self.flags & LOW != 0 { 2 } else { 1 };
+        let block = if self.has(LOW) { 2 } else { 1 };
         Some(self.number(block, HIGH_NODE_ID, node_id))
     }
 
@@ -191,16 +214,17 @@ impl<D: Table> Entry<D> {
 
     /// Whether its value has a current length, which is in front of its bytes.
     pub(super) const fn has_length(&self) -> bool {
-        !self.is_number() && !self.is_block()
+        Self::uses(NO_NUMBERS & !(1 << BLOCK)) && !self.is_number() && !self.is_block()
     }
 
     pub(super) const fn is_time(&self) -> bool {
-        matches!(self.data_type, TIME_OF_DAY | TIME_DIFFERENCE)
+        Self::uses(1 << TIME_OF_DAY | 1 << TIME_DIFFERENCE)
+            && matches!(self.data_type, TIME_OF_DAY | TIME_DIFFERENCE)
     }
 
     /// Whether the application must transfer its data: a DOMAIN without capacity.
     pub(super) const fn is_elsewhere(&self) -> bool {
-        self.data_type == DOMAIN && self.size() == 0
+        Self::uses(1 << DOMAIN) && self.data_type == DOMAIN && self.size() == 0
     }
 
     /// The offset of its value; 0 for a value in flash.
@@ -225,6 +249,7 @@ impl<D: Table> Entry<D> {
     }
 
     /// One of the two lengths before a non-numeric default.
+    #[inline(never)]
     const fn head(&self, skip: usize) -> usize {
         match self.stored(skip, 2) {
             [low, high] => *low as usize | (*high as usize) << 8,
@@ -236,7 +261,7 @@ impl<D: Table> Entry<D> {
     const fn number(&self, block: usize, flag: u16, node_id: u8) -> u64 {
         let size = number_size(self.data_type);
         let number = number(self.data_type, self.stored(block * size, size));
-        if self.flags & flag == 0 { number } else { number.wrapping_add((node_id & 0x7F) as u64) }
+        if !self.has(flag) { number } else { number.wrapping_add((node_id & 0x7F) as u64) }
     }
 
     /// Whether a value may be written.
@@ -246,11 +271,11 @@ impl<D: Table> Entry<D> {
             Err(Abort::TooLong)
         } else if length < size && !self.has_length() {
             Err(Abort::TooShort)
-        } else if self.data_type == UNICODE_STRING && length & 1 != 0 {
+        } else if Self::uses(1 << UNICODE_STRING) && self.data_type == UNICODE_STRING && length & 1 != 0 {
             Err(Abort::LengthMismatch)
-        } else if self.data_type == BOOLEAN && bytes != [0] && bytes != [1] {
+        } else if Self::uses(1 << BOOLEAN) && self.data_type == BOOLEAN && bytes != [0] && bytes != [1] {
             Err(Abort::InvalidValue)
-        } else if D::CHECKS_LIMITS && self.flags & (LOW | HIGH) != 0 {
+        } else if D::CHECKS_LIMITS && self.has(LOW | HIGH) {
             self.check_limits(number(self.data_type, bytes), node_id)
         } else {
             Ok(())
@@ -281,19 +306,40 @@ pub(super) const fn part(bytes: &[u8], start: usize, length: usize) -> &[u8] {
     }
 }
 
-/// Size of a number of this data type, in bytes; 0 for other types.
-const fn number_size(data_type: u8) -> usize {
-    match data_type {
-        BOOLEAN | INTEGER8 | UNSIGNED8 => 1,
-        INTEGER16 | UNSIGNED16 => 2,
-        INTEGER24 | UNSIGNED24 => 3,
-        INTEGER32 | UNSIGNED32 | REAL32 => 4,
-        INTEGER40 | UNSIGNED40 => 5,
-        INTEGER48 | UNSIGNED48 | TIME_OF_DAY | TIME_DIFFERENCE => 6,
-        INTEGER56 | UNSIGNED56 => 7,
-        INTEGER64 | UNSIGNED64 | REAL64 => 8,
-        _ => 0,
+/// Size of a number of each data type, in bytes; 0 for other types.
+const NUMBER_SIZES: [u8; 32] = {
+    let (mut sizes, mut data_type) = ([0; 32], 0);
+    while data_type < 32 {
+        sizes[data_type as usize] = match data_type {
+            BOOLEAN | INTEGER8 | UNSIGNED8 => 1,
+            INTEGER16 | UNSIGNED16 => 2,
+            INTEGER24 | UNSIGNED24 => 3,
+            INTEGER32 | UNSIGNED32 | REAL32 => 4,
+            INTEGER40 | UNSIGNED40 => 5,
+            INTEGER48 | UNSIGNED48 | TIME_OF_DAY | TIME_DIFFERENCE => 6,
+            INTEGER56 | UNSIGNED56 => 7,
+            INTEGER64 | UNSIGNED64 | REAL64 => 8,
+            _ => 0,
+        };
+        data_type += 1;
     }
+    sizes
+};
+
+/// The bits of the data types that are no numbers.
+const NO_NUMBERS: u32 = {
+    let (mut types, mut data_type) = (0, 0);
+    while data_type < 32 {
+        types |= ((NUMBER_SIZES[data_type] == 0) as u32) << data_type;
+        data_type += 1;
+    }
+    types
+};
+
+// those with several callers are not inlined, which takes less flash
+#[inline(never)]
+const fn number_size(data_type: u8) -> usize {
+    if data_type < 32 { NUMBER_SIZES[data_type as usize] as usize } else { 0 }
 }
 
 const fn is_signed(data_type: u8) -> bool {
@@ -314,6 +360,7 @@ pub(super) const fn number(data_type: u8, mut bytes: &[u8]) -> u64 {
 }
 
 /// Converts a value to a number with the same order; `None` for NaN.
+#[inline(never)]
 fn order(data_type: u8, number: u64) -> Option<u64> {
     const SIGN: u64 = 1 << 63;
     let (real, infinity) = match data_type {

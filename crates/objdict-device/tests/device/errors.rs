@@ -1,5 +1,6 @@
 //! Errors: the register, the history, emergency messages, and what the node does.
 
+use objdict_device::table::{Data, Entry, READ, Table};
 use objdict_device::{
     Abort, Dictionary, Frame, Heartbeat, NmtState, Node, Pdos, Received, Reception, error_code,
 };
@@ -147,4 +148,23 @@ fn a_sync_of_another_length_is_reported() {
     assert_eq!(sent(&mut device, 0), [emergency(error_code::SYNC_LENGTH, 0x11, 0)]);
     device.receive(&frame(0x80, &[]), 0);
     assert_eq!(sent(&mut device, 0), [emergency(0, 0, 0)]);
+}
+
+/// A device without 1003h and 1014h.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Plain;
+
+impl Table for Plain {
+    const ENTRIES: &'static [Entry<Self>] =
+        &[Entry::new(0x1000, 0, UNSIGNED32, READ, 0, 0), Entry::new(0x1001, 0, UNSIGNED8, READ, 1, 0)];
+    const ROM: &'static [u8] = &[0; 4];
+}
+
+#[test]
+fn without_1014h_there_is_the_register_alone() {
+    let mut device = Node::<_, 8, 1, 0, 0, 0>::new(5, Data::<Plain, 2>::new(5), Pdos::new([], []));
+    device.boot(0);
+    device.report(0x2310, [0; 5]);
+    assert_eq!((device.poll(0), device.next(0)), (None, None));
+    assert_eq!(device.dictionary.number(0x1001, 0), Ok(3));
 }

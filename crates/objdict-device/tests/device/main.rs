@@ -1,5 +1,7 @@
 //! The services of a device, with clients and masters that are written here.
 
+// the sessions use block transfers too
+#![cfg(feature = "block-transfer")]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod client;
