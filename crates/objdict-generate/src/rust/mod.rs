@@ -16,13 +16,36 @@ use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
 use super::memory::Memory;
 use super::notes::in_order;
+use super::resolve::ValueShape;
 use super::table::DeviceTable;
 use super::table_size::TableLayout;
 use super::{BackendOutput, GenerateError, Options, render, unserved};
-use crate::model::Device;
+use crate::model::{DataType, Device};
 
-/// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
-const CODE: usize = 2_700;
+/// Bytes of `Data::new`, `read` and `write` with everything they call, on a Cortex-M4: the compiler leaves out what no row of the table
+/// needs. `tests/generate/thumb.rs` compares the sum with the linker.
+fn code(table: &DeviceTable, ram: usize) -> usize {
+    let rows = || table.rows.iter();
+    let is_any = |is_it: fn(&DataType) -> bool| {
+        rows().filter_map(|row| row.resolved.shape.data_type()).any(|of| is_it(&of))
+    };
+    let flagged = |flags: [&str; 2]| rows().any(|row| row.flags().any(|flag| flags.contains(&flag)));
+    let adds_node_id = flagged(["NODE_ID_DEFAULT"; 2]);
+    let has_limits = flagged(["LOW", "HIGH"]);
+    let has_lengths = rows().any(|row| !matches!(row.resolved.shape, ValueShape::Word(_)));
+    let parts = [
+        (true, 1_090),
+        (has_lengths, 337),
+        (adds_node_id || has_limits, 171),
+        (adds_node_id, 150),
+        (has_limits, 422),
+        // offsets beyond what an instruction has room for
+        (ram >= 256, 25),
+        (is_any(|of| *of == DataType::DOMAIN), 30),
+        (is_any(|of| *of == DataType::BOOLEAN), 40),
+    ];
+    parts.iter().filter(|(is_needed, _)| *is_needed).map(|(_, bytes)| bytes).sum()
+}
 
 /// Tables for Rust, with or without the standard library.
 pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, GenerateError> {
@@ -49,11 +72,14 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
         ram: od.places.total,
         section: if options.cell.is_some() { Memory::Initialised } else { Memory::Zeroed },
         value: view::value_size,
-        code: CODE,
+        code: code(&table, od.places.total),
         name: options.entry_names.then_some((8, 0)), // a slice on 32 bits
         counted: match options.cell {
             Some(_) => {
                 "the tables and values, with the initial values of `SHARED` in flash, on any processor; the code on a Cortex-M4, optimised for size"
+            }
+            None if options.runtime => {
+                "the tables and values, on any processor; the code on a Cortex-M4, optimised for size, without the services of the node (docs/runtime.md)"
             }
             None => {
                 "the tables and values, on any processor (a `static` of the values takes as much flash again); the code on a Cortex-M4, optimised for size"
