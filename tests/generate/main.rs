@@ -16,6 +16,7 @@ mod hooks;
 mod live;
 mod meanings;
 mod misra;
+mod node_size;
 mod notes;
 mod odd;
 mod oracle;
