@@ -26,8 +26,9 @@ pub(super) fn is_other_object(at: &Expected<'_>) -> bool {
     }
     let (name, known) = (at.against.object.name().to_lowercase(), at.against.facts.name.to_lowercase());
     let words = name.split(|char: char| !char.is_alphabetic()).filter(|word| word.len() > 2);
-    let (named, all) =
-        words.fold((0, 0), |(named, all), word| (named + usize::from(known.contains(word)), all + 1));
+    let (named, all) = words.fold((0, 0), |(named, all), word| {
+        (named + usize::from(known.contains(word.trim_end_matches('s'))), all + 1)
+    });
     all > 0 && named * 2 <= all
 }
 
