@@ -26,9 +26,13 @@ pub(super) fn is_other_object(at: &Expected<'_>) -> bool {
     }
     let (name, known) = (at.against.object.name().to_lowercase(), at.against.facts.name.to_lowercase());
     let words = name.split(|char: char| !char.is_alphabetic()).filter(|word| word.len() > 2);
-    let (named, all) = words.fold((0, 0), |(named, all), word| {
-        (named + usize::from(known.contains(word.trim_end_matches('s'))), all + 1)
-    });
+    // plurals, and words without blanks: `ReadAnalogInput16Bit`
+    let is_known = |word: &str| {
+        let mut parts = known.split(|char: char| !char.is_alphabetic()).filter(|part| part.len() > 2);
+        known.contains(word) || parts.any(|part| word.contains(part))
+    };
+    let (named, all) =
+        words.fold((0, 0), |(named, all), word| (named + usize::from(is_known(word)), all + 1));
     all > 0 && named * 2 <= all
 }
 
