@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use objdict_device::{Abort, Attributes, Dictionary, Objects, Scope};
+use objdict_device::{Abort, Attributes, Dictionary, ObjectSet, Scope};
 use objdict_generate::{LiveEntry, Options, StorageGroup, live_entries};
 
 use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
@@ -55,7 +55,7 @@ impl PowerOn {
 pub struct LiveDictionary {
     /// In ascending order.
     entries: Arc<[LiveEntry]>,
-    objects: Objects,
+    objects: ObjectSet,
     values: Vec<Vec<u8>>,
     /// What the node restarts with.
     stored: Vec<Vec<u8>>,
@@ -85,8 +85,9 @@ impl LiveDictionary {
         let entries: Arc<[LiveEntry]> = live_entries(&power_on.values_of(device), node_id, options).into();
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
         let (stored, by_group) = (values.clone(), !options.groups.is_empty());
-        let with_object = |objects: Objects, entry: &LiveEntry| objects.with(entry.index, entry.is_writable);
-        let objects = entries.iter().fold(Objects::NONE, with_object);
+        let with_object =
+            |objects: ObjectSet, entry: &LiveEntry| objects.with(entry.index, entry.is_writable);
+        let objects = entries.iter().fold(ObjectSet::NONE, with_object);
         Self { entries, objects, stored, values, dropped: Vec::new(), node_id, by_group, is_any: false }
     }
 
@@ -259,7 +260,7 @@ impl Dictionary for LiveDictionary {
         Ok(())
     }
 
-    fn objects(&self) -> Objects {
+    fn objects(&self) -> ObjectSet {
         self.objects
     }
 

@@ -4,7 +4,7 @@
 //! (`next`), so they are tested without a bus.
 
 use crate::table::{Data, Entry, Table};
-use crate::{Abort, Objects};
+use crate::{Abort, ObjectSet};
 
 /// What is known of an entry without its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -185,8 +185,8 @@ pub trait Dictionary {
 
     /// Its communication objects, if the compiler is to leave out the services of the others. A dictionary that adds objects to those of
     /// a table, or transfers values in pieces, keeps the default.
-    fn objects(&self) -> Objects {
-        Objects::ANY
+    fn objects(&self) -> ObjectSet {
+        ObjectSet::ANY
     }
 
     /// The node-ID of the values, if it is known: a node does not monitor itself.
@@ -280,8 +280,8 @@ impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
     }
 
     #[inline(always)]
-    fn objects(&self) -> Objects {
-        const { Objects::of::<D>() }
+    fn objects(&self) -> ObjectSet {
+        const { ObjectSet::of::<D>() }
     }
 
     fn own_node_id(&self) -> Option<u8> {

@@ -5,7 +5,7 @@
 
 use crate::dictionary::{Dictionary, Scope, forward, number};
 use crate::services::{RESTORE, STORE, Services};
-use crate::{Abort, Attributes, Objects, errors, rules};
+use crate::{Abort, Attributes, ObjectSet, errors, rules};
 
 /// A dictionary that refuses what communication objects cannot be, and whose services follow what is written to it; see
 /// [`Pdos::guard`](crate::Pdos::guard) and [`Node::guard`](crate::Node::guard).
@@ -40,7 +40,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
     forward! { dictionary:
         fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
         fn own_node_id(self: &Self) -> Option<u8>;
-        fn objects(self: &Self) -> Objects;
+        fn objects(self: &Self) -> ObjectSet;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn restart(self: &mut Self, scope: Scope, node_id: u8);
         fn begin_read(self: &mut Self, index: u16, sub: u8) -> Result<Option<usize>, Abort>;

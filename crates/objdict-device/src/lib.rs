@@ -39,7 +39,7 @@ pub use heartbeat::{Heartbeat, HeartbeatConsumer};
 pub use lss::{LssReceived, LssSlave, LssStoreError};
 pub use nmt::{Nmt, NmtCommand, NmtState};
 pub use node::{Node, Received};
-pub use objects::Objects;
+pub use objects::ObjectSet;
 pub use pdo::{Pdo, Pdos, Reception};
 #[cfg(feature = "embedded-storage")]
 pub use program::{ProgramRequest, ProgramState, WithProgram};

@@ -5,13 +5,13 @@ use crate::table::Table;
 /// The communication objects of a dictionary, for [`Dictionary::objects`](crate::Dictionary::objects). What serves an object that is not
 /// among them is not linked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Objects {
+pub struct ObjectSet {
     present: u64,
     /// Those with an entry that SDOs can write.
     writable: u64,
 }
 
-impl Objects {
+impl ObjectSet {
     /// No object.
     pub const NONE: Self = Self { present: 0, writable: 0 };
 

@@ -5,7 +5,7 @@ use embedded_storage::nor_flash::NorFlash;
 use crate::dictionary::forward;
 use crate::flash::UNIT;
 use crate::sdo::crc::crc;
-use crate::{Abort, Attributes, Dictionary, Objects, Place, Region, Scope};
+use crate::{Abort, Attributes, Dictionary, ObjectSet, Place, Region, Scope};
 
 /// Program data, control, software identification and flash status (CiA 302-3); sub-index 1 is the program.
 const DATA: u16 = 0x1F50;
@@ -170,7 +170,7 @@ impl<V: Dictionary, F: NorFlash> Dictionary for WithProgram<V, F> {
     forward! { data:
         fn serves_more(self: &Self) -> bool;
         fn own_node_id(self: &Self) -> Option<u8>;
-        fn objects(self: &Self) -> Objects;
+        fn objects(self: &Self) -> ObjectSet;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
         fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;

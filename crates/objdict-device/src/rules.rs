@@ -7,7 +7,7 @@ use crate::heartbeat::{CONSUMER_TIME, monitored};
 use crate::pdo::mapping::Mapped;
 use crate::pdo::transmission_type::is_event_driven;
 use crate::services::{ERROR_BEHAVIOUR, RESTORE, STARTUP, STORE, Services};
-use crate::{Abort, Dictionary, Objects, errors, sync};
+use crate::{Abort, Dictionary, ObjectSet, errors, sync};
 
 const BOOLEAN: u8 = 0x01;
 
@@ -168,7 +168,7 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
 }
 
 /// Whether a value asks for a service that only an application has.
-const fn switches_on(objects: Objects, index: u16, sub: u8, value: u64) -> bool {
+const fn switches_on(objects: ObjectSet, index: u16, sub: u8, value: u64) -> bool {
     let word = value as u32;
     match (index, sub) {
         (SYNC_WINDOW, 0) if objects.writes(SYNC_WINDOW) => value != 0,

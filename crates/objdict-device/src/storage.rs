@@ -2,7 +2,7 @@
 
 use crate::dictionary::{Place, Scope, forward};
 use crate::table::{AnyGroup, Data, ImageError, Table};
-use crate::{Abort, Attributes, Dictionary, Objects};
+use crate::{Abort, Attributes, Dictionary, ObjectSet};
 
 /// A table with storage groups. The generated file implements it.
 pub trait Grouped: Table {
@@ -139,7 +139,7 @@ impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Dictionary
         fn write(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn serves_more(self: &Self) -> bool;
         fn own_node_id(self: &Self) -> Option<u8>;
-        fn objects(self: &Self) -> Objects;
+        fn objects(self: &Self) -> ObjectSet;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
         fn attributes_at(self: &Self, place: Place) -> Result<Attributes, Abort>;

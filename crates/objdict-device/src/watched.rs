@@ -3,7 +3,7 @@
 use crate::dictionary::{Place, Scope, entry_at, forward};
 use crate::services::{RESTORE, STORE};
 use crate::table::{Data, Entry, Handle, Hooked, Hooks, Typed, Variable};
-use crate::{Abort, Attributes, Dictionary, Grouped, Objects, Storage, Stored};
+use crate::{Abort, Attributes, Dictionary, Grouped, ObjectSet, Storage, Stored};
 
 /// Values that can call hooks: [`Data`], with or without storage.
 pub trait Watchable<H>: Dictionary {
@@ -144,7 +144,7 @@ impl<V: Watchable<H>, H, const FLAGS: usize> Dictionary for Watched<V, H, FLAGS>
         fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;
         fn serves_more(self: &Self) -> bool;
         fn own_node_id(self: &Self) -> Option<u8>;
-        fn objects(self: &Self) -> Objects;
+        fn objects(self: &Self) -> ObjectSet;
         fn replace(self: &mut Self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
         fn restart(self: &mut Self, scope: Scope, node_id: u8);
         fn locate(self: &Self, index: u16, sub: u8) -> Result<Place, Abort>;
