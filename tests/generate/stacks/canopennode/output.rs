@@ -309,7 +309,7 @@ pub(super) fn shapes() -> Vec<(String, Device, bool)> {
         right.objects.insert(index, var(entry("Value", data_type, Access::Rw, Some(Value::Unsigned(0)))));
     };
     let (byte, long) = (DataType::UNSIGNED8, DataType::UNSIGNED32);
-    [0x1005, 0x1006, 0x1007, 0x1012].map(|index| value(index, long));
+    [0x1005, 0x1006, 0x1007, 0x1012].into_iter().for_each(|index| value(index, long));
     value(0x1019, byte);
     for (index, highest) in [(0x1201, 2), (0x1280, 3)] {
         let types = [byte, long, long, byte].into_iter().zip(0..=highest);
