@@ -245,7 +245,7 @@ fn outputs(file: &NetworkFile) -> Option<Vec<(String, String)>> {
     files.extend(build.lely(&LelyOptions { remote_pdos: true, ..LelyOptions::default() }).ok()?);
     files.extend(build.node_list().ok()?);
     files.push(build.manager().ok()?);
-    files.extend(build.bus_yml().into_iter().take(1));
+    files.extend(build.bus_yml().ok()?.into_iter().take(1));
     for target in [Target::C, Target::RUST] {
         let tables = generate(&build.manager_device().ok()?, target, &Options::default()).ok()?;
         let text = tables.files.iter().map(|file| String::from_utf8_lossy(&file.contents).into_owned());

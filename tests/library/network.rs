@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use objdict::download::{ConciseDcf, effective};
 use objdict::format::network::{Build, BuiltFile, ConfigurationTime, NetworkFile, init, schema};
-use objdict::format::{self, Description, Format};
+use objdict::format::{self, Description, Format, WriteOptions};
 use objdict::model::{Device, Value};
 use objdict::network::{DcfgenMode, End, LelyOptions, MessageRow, Overview};
 use objdict::source::{SourceFile, SourceOptions};
@@ -116,12 +116,64 @@ fn every_stream_is_accepted_by_its_node() {
     }
 }
 
+/// A network of the same drive in each format that is no EDS.
+pub(crate) fn of_formats() -> NetworkFile {
+    let folder = new_folder("formats");
+    let servo = format::open(&path("servo.eds"), &SourceOptions::default()).unwrap();
+    let mut text = "[bus]\nbit-rate = 250\nmanager = \"plc\"\n[manager]\nid = 1\n".to_owned();
+    let written = |format| format::write(servo.device(), format, &WriteOptions::default()).unwrap().bytes;
+    let json = format::json::write_device(servo.device()).into_bytes();
+    let files = [
+        ("xml", "xdd", written(Format::Xdd)),
+        ("toml", "toml", written(Format::Toml)),
+        ("json", "json", json),
+    ];
+    for (id, (name, ending, bytes)) in (5..).zip(files) {
+        std::fs::write(folder.join(format!("{name}.{ending}")), bytes).unwrap();
+        text += &format!("[node.{name}]\nfile = \"{name}.{ending}\"\nid = {id}\nheartbeat = \"200ms\"\n");
+    }
+    std::fs::write(folder.join("network.toml"), text).unwrap();
+    NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap()
+}
+
+/// A node has a DCF, and dcfgen an EDS, whatever the format of its description is.
+#[test]
+fn every_description_becomes_a_dcf() {
+    let file = of_formats();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
+    let dcfs = build.dcfs().unwrap();
+    let read = |file: &BuiltFile| {
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        assert!(text.starts_with("[FileInfo]"), "{}", file.name);
+        let source = SourceFile::from_text(&file.name, text);
+        format::read(source, Format::Dcf).device().clone()
+    };
+    for (slave, built) in file.compiled().unwrap().nodes().zip(&dcfs) {
+        let device = read(built);
+        assert!(built.name.ends_with(".dcf") && device.node_id() == Some(slave.node_id), "{}", built.name);
+        assert_eq!(
+            device.value(0x1017, 0).as_deref(),
+            slave.device.value(0x1017, 0).as_deref(),
+            "{}",
+            built.name
+        );
+    }
+    let bus = build.bus_yml().unwrap();
+    let names: Vec<&str> = bus.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["bus.yml", "xml.eds", "toml.eds", "json.eds"]);
+    let yml = String::from_utf8_lossy(&bus[0].bytes);
+    for built in &bus[1..] {
+        assert!(yml.contains(&format!("dcf: \"{}\"", built.name)), "{yml}");
+        assert!(read(built).object(0x6041).is_some(), "{}", built.name);
+    }
+}
+
 /// A `bus.yml` that is written says what was read.
 #[test]
 fn a_written_bus_yml_builds_the_same() {
     for name in ["worked.yml", "cell.yml"] {
         let folder = new_folder(&format!("bus-yml-{name}"));
-        for BuiltFile { name, bytes } in open(name).build(DcfgenMode::Corrected).unwrap().bus_yml() {
+        for BuiltFile { name, bytes } in open(name).build(DcfgenMode::Corrected).unwrap().bus_yml().unwrap() {
             std::fs::write(folder.join(name), bytes).unwrap();
         }
         let again = NetworkFile::open(&folder.join("bus.yml"), &Default::default()).unwrap();

@@ -26,7 +26,7 @@ const SOFTWARE: u16 = 0x1F56;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BootFiles {
-    /// The DCF or XDC of each node, and the DCF of the manager.
+    /// The DCF of each node, and of the manager.
     Dcf,
     /// The files of Lely's master; the nodes are their descriptions.
     Lely,

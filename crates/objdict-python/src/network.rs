@@ -77,7 +77,7 @@ fn files(build: &Build<'_>, target: &str) -> PyResult<Result<Vec<BuiltFile>, Bui
         "lely" => build.lely(&LelyOptions { mode: DcfgenMode::Corrected, remote_pdos: false }),
         "manager" => build.manager().map(|file| vec![file]),
         "cpj" => build.node_list(),
-        "busyml" => Ok(build.bus_yml()),
+        "busyml" => build.bus_yml(),
         _ => return Err(raised(format_args!("there is no target `{target}`"))),
     })
 }

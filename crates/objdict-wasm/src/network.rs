@@ -174,7 +174,7 @@ const TARGETS: [(&str, Making); 8] = [
     ("concise", |build| build.concise().map_err(BadRequest::new)),
     ("dcf", |build| build.dcfs().map_err(BadRequest::new)),
     ("manager", |build| build.manager().map(|file| vec![file]).map_err(BadRequest::new)),
-    ("busyml", |build| Ok(build.bus_yml())),
+    ("busyml", |build| build.bus_yml().map_err(BadRequest::new)),
     ("cpj", |build| build.node_list().map_err(BadRequest::new)),
     ("c", |build| tables(build, "c")),
     ("rust", |build| tables(build, "rust")),

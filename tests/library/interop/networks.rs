@@ -15,7 +15,7 @@ use objdict::source::SourceOptions;
 use serde_json::json;
 
 use super::{environment, expected_entries, readings, text_of, upload};
-use crate::network::{lely, new_folder, open, path, verified};
+use crate::network::{lely, new_folder, of_formats, open, path, verified};
 use crate::support;
 
 const NETWORKS: [&str; 2] = ["worked.yml", "cell.yml"];
@@ -189,9 +189,9 @@ fn of_xdc(text: &str) -> BTreeMap<String, i64> {
 #[test]
 fn dcfs_have_the_effective_values() {
     let Some(programs) = environment() else { return };
-    for name in NETWORKS.into_iter().chain(["chapter4.toml", "line.toml"]) {
+    let files = NETWORKS.into_iter().chain(["chapter4.toml", "line.toml"]).map(|name| (name, open(name)));
+    for (name, file) in files.chain([("formats", of_formats())]) {
         let folder = new_folder(&format!("effective-{name}"));
-        let file = open(name);
         let network = file.network().unwrap();
         let build = file.build(DcfgenMode::Corrected).unwrap();
         write(&folder, verified(&build, build.dcfs().unwrap()));

@@ -308,7 +308,7 @@ pub(crate) struct NetworkTimingArgs {
 
 /// The files that boot a network.
 const BOOT_FILES: [(BootFiles, &str, &str); 2] = [
-    (BootFiles::Dcf, "dcf", "The DCF or XDC of each node, and the DCF of the manager"),
+    (BootFiles::Dcf, "dcf", "The DCF of each node, and of the manager"),
     (BootFiles::Lely, "lely", "The files of Lely's master; the nodes are their descriptions"),
 ];
 
@@ -317,7 +317,7 @@ const BOOT_FILES: [(BootFiles, &str, &str); 2] = [
 pub(crate) enum NetworkTarget {
     /// The files of Lely's master: master.dcf, master.bin and one .bin per node
     Lely,
-    /// The DCF or XDC of each node, and the DCF of the manager
+    /// The DCF of each node, and of the manager
     Dcf,
     /// One concise DCF per node, in an order that nodes accept
     Concise,
@@ -325,7 +325,7 @@ pub(crate) enum NetworkTarget {
     Manager,
     /// bus.yml of dcfgen, with the descriptions of the nodes
     Busyml,
-    /// A node list (CiA 306-3) with the DCF or XDC of each node
+    /// A node list (CiA 306-3) with the DCF of each node
     Cpj,
     /// C tables of the manager for its own firmware
     C,

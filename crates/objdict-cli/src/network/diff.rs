@@ -195,7 +195,8 @@ impl<'f> ComparedNetwork<'f> {
         if let Err(error) = self.build.configured_nodes() {
             files.extend(failed("dcf", error));
         }
-        files.extend(self.build.bus_yml().into_iter().take(1));
+        let bus = self.build.bus_yml().unwrap_or_else(|error| failed("bus.yml", error));
+        files.extend(bus.into_iter().take(1));
         Ok(files)
     }
 }

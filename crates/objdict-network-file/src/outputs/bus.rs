@@ -3,18 +3,24 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fmt::Write as _;
+use std::path::Path;
 
-use super::{Build, BuiltFile};
+use super::{Build, BuildError, BuiltFile, is_ini};
+use objdict_format as format;
+use objdict_format::{Dialect, Format, Syntax, WriteOptions};
 use objdict_model::json::quoted;
-use objdict_model::model::PdoKind;
+use objdict_model::model::{Device, DeviceKind, PdoKind};
 use objdict_network::{
     DownloadRequest, Heartbeat, Manager, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
 };
 use objdict_node::configure::Setting;
 
 impl Build<'_> {
-    /// The network as dcfgen takes it, with the descriptions of the nodes.
-    pub fn bus_yml(&self) -> Vec<BuiltFile> {
+    /// The network as dcfgen takes it, with the descriptions of the nodes: copies of an EDS or DCF, new ones of other formats.
+    ///
+    /// # Errors
+    /// When a description cannot be written.
+    pub fn bus_yml(&self) -> Result<Vec<BuiltFile>, BuildError> {
         let mut files: Vec<BuiltFile> = Vec::new();
         let mut copied = BTreeMap::new();
         let mut text = String::new();
@@ -30,20 +36,41 @@ impl Build<'_> {
             let _ = writeln!(text, "\n{}:\n  dcf: {}", quoted(&node.name.value), quoted(&name));
             number(&mut text, "node_id", Some(slave.node_id));
             written(node, &mut text);
-            if let Some(description) = self.file.descriptions.get(&node.file.value).filter(|_| is_new) {
-                files.push(BuiltFile { name, bytes: description.source().to_bytes() });
+            if is_new {
+                let bytes = match (self.foreign(slave.node), self.file.descriptions.get(&node.file.value)) {
+                    (None, Some(description)) => description.source().to_bytes(),
+                    (device, _) => as_ini(node, device.unwrap_or(&node.device), &name)?,
+                };
+                files.push(BuiltFile { name, bytes });
             }
         }
         files.insert(0, BuiltFile { name: "bus.yml".to_owned(), bytes: text.into_bytes() });
-        files
+        Ok(files)
+    }
+
+    /// The device of a node whose description dcfgen does not read: it is neither an EDS nor a DCF.
+    fn foreign(&self, node: usize) -> Option<&Device> {
+        let node = &self.network.nodes[node];
+        match self.file.descriptions.get(&node.file.value) {
+            Some(description) if is_ini(description) => None,
+            Some(description) => Some(description.device()),
+            None => Some(&node.device),
+        }
     }
 
     /// The name of the copy of a node's description, and whether it is a new one. Files of one name in different folders get
     /// the name of the node too.
     fn copied<'a>(&'a self, node: usize, copied: &mut BTreeMap<String, &'a str>) -> (String, bool) {
         let file = self.network.nodes[node].file.value.as_str();
-        let name = file.rsplit(['/', '\\']).next().unwrap_or_default();
-        for name in [name.to_owned(), format!("{}-{name}", self.stems[node])] {
+        let own = file.rsplit(['/', '\\']).next().unwrap_or_default();
+        let name = match self.foreign(node) {
+            None => own.to_owned(),
+            Some(device) => {
+                let ending = if device.kind == DeviceKind::Node { "dcf" } else { "eds" };
+                Path::new(own).with_extension(ending).to_string_lossy().into_owned()
+            }
+        };
+        for name in [name.clone(), format!("{}-{name}", self.stems[node])] {
             match copied.entry(name.to_lowercase()) {
                 Entry::Vacant(entry) => {
                     entry.insert(file);
@@ -53,7 +80,7 @@ impl Build<'_> {
                 Entry::Occupied(_) => {}
             }
         }
-        (name.to_owned(), false)
+        (name, false)
     }
 
     fn master(&self, manager: &Manager, text: &mut String) {
@@ -86,6 +113,16 @@ impl Build<'_> {
         }
         number(text, "boot_time", present(manager.boot_time.value));
     }
+}
+
+/// The description of a node as an EDS, or as a DCF if it is that of a node.
+fn as_ini(node: &Node, device: &Device, file_name: &str) -> Result<Vec<u8>, BuildError> {
+    let mut device = device.clone();
+    device.file_info.get_or_insert_default().file_name = Some(file_name.to_owned());
+    let options = WriteOptions { dialect: Dialect::Lely, embed: true, ..WriteOptions::default() };
+    let written = format::write(&device, Format::of(Syntax::Ini, device.kind), &options);
+    let failed = |error| BuildError::Edit { node: node.name.value.clone(), error };
+    Ok(written.map_err(failed)?.bytes)
 }
 
 fn value<T>(said: Option<Said<T>>) -> Option<T> {

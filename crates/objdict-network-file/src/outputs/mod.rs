@@ -10,9 +10,9 @@ use std::borrow::Cow;
 use super::NetworkFile;
 use super::lock::locked;
 use objdict_format as format;
-use objdict_format::{EditError, Format, NodeSettings, WriteOptions};
+use objdict_format::{Description, EditError, Format, NodeSettings, WriteOptions};
 use objdict_model::Language;
-use objdict_model::model::{Assignment, Commissioning, Device, Value};
+use objdict_model::model::{Assignment, Commissioning, Device, DeviceKind, Value};
 use objdict_network::{
     Compiled, DcfgenMode, LelyOptions, Network, NetworkLock, Overview, Slave, Timing, TimingOptions, compile,
     configuration_file, lely_master,
@@ -172,7 +172,7 @@ impl Build<'_> {
         self.compiled.slaves.iter().map(stream).collect()
     }
 
-    /// The DCF or XDC of each node, and the DCF of the manager.
+    /// The DCF of each node, and of the manager.
     ///
     /// # Errors
     /// When a DCF cannot be written.
@@ -268,18 +268,17 @@ impl Build<'_> {
         }
     }
 
-    /// The DCF of a device of a node: its description with the values, as far as that is a text.
+    /// The DCF of a device of a node: the text of an EDS or DCF with the values, a new one for other formats.
     fn dcf(&self, slave: &Slave, device: &Device) -> Result<BuiltFile, BuildError> {
         let node = &self.network.nodes[slave.node];
         let name = &node.name.value;
         let failed = |error| BuildError::Edit { node: name.clone(), error };
         let is_manager = self.compiled.manager.as_ref().is_some_and(|manager| manager.node == slave.node);
         let commissioning = self.commissioning(name, slave.node_id, device, is_manager);
-        let Some(description) = self.file.descriptions.get(&node.file.value) else {
-            return written(name, &self.stems[slave.node], device.clone(), commissioning);
+        let file_name = format!("{}.dcf", self.stems[slave.node]);
+        let Some(description) = self.file.descriptions.get(&node.file.value).filter(|of| is_ini(of)) else {
+            return written(name, file_name, device.clone(), commissioning);
         };
-        let ending = if description.format().syntax() == format::Syntax::Xml { "xdc" } else { "dcf" };
-        let file_name = format!("{}.{ending}", self.stems[slave.node]);
         let settings = NodeSettings {
             node: &commissioning,
             plugged: Some(device),
@@ -291,20 +290,25 @@ impl Build<'_> {
     }
 }
 
+/// Whether a description is a text that programs of CiA 306 read.
+fn is_ini(description: &Description) -> bool {
+    description.format().syntax() == format::Syntax::Ini
+}
+
 /// A new DCF of a device.
 fn written(
     name: &str,
-    stem: &str,
+    file_name: String,
     mut device: Device,
     commissioning: Commissioning,
 ) -> Result<BuiltFile, BuildError> {
-    let file_name = format!("{stem}.dcf");
-    device.commissioning = Some(commissioning);
+    let title = if commissioning.manager == Some(true) { "Manager" } else { "Node" };
+    (device.kind, device.commissioning) = (DeviceKind::Node, Some(commissioning));
     let info = device.file_info.get_or_insert_default();
     info.file_name = Some(file_name.clone());
     info.file_version.get_or_insert(1);
     info.file_revision.get_or_insert(0);
-    info.description.get_or_insert_with(|| format!("Manager `{name}`"));
+    info.description.get_or_insert_with(|| format!("{title} `{name}`"));
     info.created_by.get_or_insert_with(|| "objdict".to_owned());
     let options = WriteOptions { embed: true, ..WriteOptions::default() };
     let written = format::write(&device, Format::Dcf, &options);
