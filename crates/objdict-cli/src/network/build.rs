@@ -46,9 +46,17 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
             tell(&listed(*subject, &errors)?);
         }
     }
-    if tally.errors > 0 && !args.force && !(args.strict_dcfgen && is_clear) {
+    // what is not read as its author means it is not built; dcfgen reads some of it
+    let is_misread = file.text_errors().any(|error| !(args.strict_dcfgen && error.is_understood));
+    if tally.errors > 0 && (!args.force || is_misread) && !(args.strict_dcfgen && is_clear) {
         let failure = Failure::new(format_args!("{tally}, so nothing is built"));
-        failure.help("correct them; `--force` builds anyway").print();
+        let help = match is_misread {
+            true => {
+                "correct them; `--force` does not apply to keys, values and descriptions that cannot be read"
+            }
+            false => "correct them; `--force` builds anyway",
+        };
+        failure.help(help).print();
         return Ok(Outcome::Findings);
     }
     let mut others = Tally::default();
@@ -119,7 +127,7 @@ fn files(args: &NetworkBuildArgs, build: &Build<'_>, mode: DcfgenMode) -> Result
         NetworkTarget::Concise => build.concise(),
         NetworkTarget::Dcf => build.dcfs(),
         NetworkTarget::Manager => build.manager().map(|file| vec![file]),
-        NetworkTarget::Busyml => Ok(build.bus_yml()),
+        NetworkTarget::Busyml => build.bus_yml(),
         NetworkTarget::Cpj => build.node_list(),
         NetworkTarget::C => return tables(build, "c"),
         NetworkTarget::Rust => return tables(build, "rust"),
