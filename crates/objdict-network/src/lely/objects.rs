@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::text::{Type, hex};
 use super::{LelyWriter, Mirrored};
 use crate::compiled::{PdoState, received_type};
-use crate::model::{MappedObject, PdoKind};
+use crate::model::{DataType, MappedObject, PdoKind};
 
 const ARRAY: u8 = 8;
 const RECORD: u8 = 9;
@@ -241,6 +241,7 @@ impl<'a> LelyWriter<'a> {
     }
 
     fn entries(&mut self, kind: &str, access: &str, places: &MasterPlaces<'_>) {
+        let is_strict = self.is_strict();
         for (number, added) in &places.added {
             if added.is_empty() {
                 continue;
@@ -250,6 +251,7 @@ impl<'a> LelyWriter<'a> {
             self.out.record(&section, &name, RECORD, added.len(), "Highest sub-index supported");
             for (sub, (object, pdo)) in (1_u8..).zip(added) {
                 let (name, data_type) = described(pdo, object);
+                let data_type = if is_strict { data_type } else { carried_type(data_type, object.bits) };
                 self.out.section(&format!("{section}sub{sub:X}"));
                 self.out.key("ParameterName", format_args!("{}: {name}", pdo.node.name.value));
                 self.out.data(data_type, access);
@@ -272,10 +274,27 @@ impl<'a> LelyWriter<'a> {
     }
 }
 
+/// The data type of an entry that carries so many bits: an unsigned one where the node maps another length than its entry has, or
+/// has no type. dcfgen takes the type of the node as it is.
+fn carried_type(data_type: u16, bits: u8) -> u16 {
+    let known = DataType(data_type);
+    let is_right = match known.bit_length() {
+        Some(length) => length == bits,
+        None => data_type != 0,
+    };
+    let unsigned = || match bits {
+        1 => Some(DataType::BOOLEAN),
+        _ if bits.is_multiple_of(8) => DataType::unsigned((bits / 8).into()),
+        _ => None,
+    };
+    // of other lengths there is no integer
+    if is_right { data_type } else { unsigned().unwrap_or(DataType::OCTET_STRING).0 }
+}
+
 /// The name and the data type of a mapped entry; those of the data type for a dummy.
 fn described(pdo: &Mirrored<'_>, object: &MappedObject) -> (String, u16) {
     if object.is_dummy() {
-        return (crate::model::DataType(object.index).to_string(), object.index);
+        return (DataType(object.index).to_string(), object.index);
     }
     let device = &pdo.node.device;
     let entry = device.entry(object.index, object.sub);
