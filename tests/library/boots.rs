@@ -420,6 +420,56 @@ fn a_fault_is_one_finding() {
     }
 }
 
+/// A network of `drive.eds`, which is `servo.eds` with another text.
+fn of_servo(folder: &str, (old, new): (&str, &str)) -> NetworkFile {
+    let folder = new_folder(folder);
+    let servo = fs::read_to_string(fixtures().join("network/servo.eds")).unwrap().replace("\r\n", "\n");
+    let changed = servo.replacen(old, new, 1);
+    assert_ne!(servo, changed, "{old}");
+    fs::write(folder.join("drive.eds"), changed).unwrap();
+    let text =
+        "[bus]\nbit-rate = 250\nmanager = \"m\"\n[manager]\nid = 1\n[node.a]\nfile = \"drive.eds\"\nid = 5\n";
+    read(text, &folder.join("network.toml"))
+}
+
+/// What a description gives a service is checked like what the network gives it.
+#[test]
+fn a_description_has_no_restricted_can_id() {
+    for (old, new, service) in [
+        ("DefaultValue=$NODEID+0x80\n", "DefaultValue=0x000\n", "EMCY of `a` has the CAN-ID 000h"),
+        ("DefaultValue=$NODEID+0x80\n", "DefaultValue=0x101\n", "EMCY of `a` has the CAN-ID 101h"),
+        ("DefaultValue=0x100\n", "DefaultValue=0x400006E0\n", "TIME of `a` has the CAN-ID 6E0h"),
+        ("DefaultValue=0x100\n", "DefaultValue=0x80000701\n", "TIME of `a` has the CAN-ID 701h"),
+        (
+            "DefaultValue=$NODEID+0x40000180\n",
+            "DefaultValue=0x40000601\n",
+            "TPDO 1 of `a` has the CAN-ID 601h",
+        ),
+    ] {
+        let found = found(&of_servo("restricted", (old, new)), Severity::Error);
+        let expected = format!("restricted-can-id: {service}, which is restricted");
+        assert!(found.iter().any(|found| found.starts_with(&expected)), "{new}: {found:?}");
+    }
+}
+
+/// The manager's entries for those of a node have the length that the node maps, and a type, though the node has them not.
+#[test]
+fn a_made_manager_is_right_about_a_node_that_is_not() {
+    for (old, new) in [
+        ("DefaultValue=0x60410010\n", "DefaultValue=0x60410020\n"),
+        (
+            "[6041]\nParameterName=Statusword\nObjectType=0x7\nDataType=0x0006\n",
+            "[6041]\nParameterName=Statusword\n",
+        ),
+    ] {
+        let file = of_servo("mapped", (old, new));
+        let built = file.build(DcfgenMode::Corrected).unwrap().manager().unwrap();
+        let text = String::from_utf8(built.bytes).unwrap();
+        let found = objdict::check(&format::read(SourceFile::from_text("m.dcf", text), Format::Dcf));
+        assert_eq!(errors(&found), BTreeSet::new(), "{new}");
+    }
+}
+
 /// The built DCFs have no warnings that the descriptions do not have, but for values that DCFs have in one line, a vendor-ID that
 /// no file states, and the retry factor that dcfgen writes. Nothing of the DCF of a manager that is made is left for comments.
 #[test]

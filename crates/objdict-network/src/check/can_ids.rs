@@ -87,12 +87,18 @@ impl<'n> NetworkCheck<'n, '_> {
     pub(super) fn can_ids(&mut self) {
         for (can_id, message) in &self.messages.0 {
             self.senders(*can_id, message);
-            let parties = message.senders.iter().chain(&message.receivers);
-            // the PDOs of a made description have the CAN-IDs of PDOs of the nodes
-            let is_own = |party: &&Party| {
-                matches!(party.service, Service::Pdo(_)) && !self.network.is_made(party.node)
+            let senders = message.senders.iter().map(|party| (party, true));
+            let parties = senders.chain(message.receivers.iter().map(|party| (party, false)));
+            let is_own = |(party, is_sender): &(&Party, bool)| match party.service {
+                // the PDOs of a made description have the CAN-IDs of PDOs of the nodes
+                Service::Pdo(_) => !self.network.is_made(party.node),
+                // what the network file sets is checked with the rules about devices
+                Service::Sync | Service::Time => self.can_id_origin(*can_id, party).is_some(),
+                Service::Emcy => *is_sender && self.can_id_origin(*can_id, party).is_some(),
+                _ => false,
             };
-            for party in parties.filter(is_own) {
+            let parties: Vec<&Party> = parties.filter(is_own).map(|(party, _)| party).collect();
+            for party in parties {
                 let Some(owner) = restricted(can_id.number).filter(|_| !can_id.is_extended) else { continue };
                 let message = format!(
                     "{} has the CAN-ID {can_id}, which is restricted: {owner}",
