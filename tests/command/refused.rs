@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use crate::support;
 
 /// What uses a device; `SOURCE` is its file, `NETWORK` a network of it.
-const OF_DEVICE: [&str; 17] = [
+const OF_DEVICE: [&str; 18] = [
     "convert SOURCE -o out.eds",
     "convert SOURCE -o out.xdd",
     "convert SOURCE -o out.json",
@@ -28,15 +28,18 @@ const OF_DEVICE: [&str; 17] = [
     "probe SOURCE --answers node.log",
     "decode node.log --with 5=SOURCE",
     "network show NETWORK",
+    "network build NETWORK --target dcf -o out --force",
 ];
 
 /// What uses a network.
-const OF_NETWORK: [&str; 9] = [
+const OF_NETWORK: [&str; 11] = [
     "network show SOURCE",
     "network graph SOURCE",
     "network timing SOURCE",
     "network boot SOURCE",
     "network build SOURCE --target lely -o out",
+    "network build SOURCE --target dcf -o out --force",
+    "diff servo.eds servo.eds --against SOURCE",
     "network diff SOURCE good.toml",
     "network diff good.toml SOURCE",
     "convert SOURCE -o out.dbc",

@@ -1,12 +1,14 @@
 //! Whether stored configurations still go into the new device.
 
 use std::path::Path;
+use std::slice;
 
 use crate::args::DiffArgs;
 use crate::convert::{read_data, refusal};
 use crate::dcf::{PackedContent, content};
 use crate::ending::Failure;
 use crate::input::{ExpandArgs, name_of};
+use crate::network::refuse_misread;
 use objdict_format::identify::{ContentKind, identify_source};
 use objdict_lint::changes::{DeviceChange, configuration_refused};
 use objdict_model::model::Device;
@@ -83,10 +85,8 @@ fn of_node(args: &DiffArgs, path: &Path, [old, new]: [&Device; 2]) -> Result<Sto
 /// The configurations of the nodes of a network that are the old device, by vendor-ID and product code.
 fn of_network(args: &DiffArgs, path: &Path, old: &Device) -> Result<Vec<StoredConfiguration>, Failure> {
     let file = NetworkFile::open(path, &args.paths.options()).map_err(Failure::new)?;
-    let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else {
-        let help = format!("`objdict network check {}` says why", name_of(path));
-        return Err(Failure::new(format_args!("`{}` is not a network", name_of(path))).help(help));
-    };
+    refuse_misread(&file, slice::from_ref(&path.to_path_buf()))?;
+    let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else { return Ok(Vec::new()) };
     let identity = |device: &Device| device.identity().vendor_id.zip(device.identity().product_code);
     let wanted = identity(old);
     let nodes = compiled.nodes().filter(|node| wanted.is_some() && identity(&node.device) == wanted);
