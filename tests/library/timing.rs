@@ -110,6 +110,9 @@ fn deadlines_are_those_of_receivers() {
     // of 450 ms, 300 ms pass until the next heartbeat is due
     assert_eq!(heartbeat("1.5x"), Some((150_000_000, DeadlineKind::Receiver)));
     assert_eq!(heartbeat("3x"), Some((300_000_000, DeadlineKind::Period)));
+    // the next heartbeat is late in any case
+    assert_eq!(heartbeat("1x"), Some((0, DeadlineKind::Receiver)));
+    assert_eq!(heartbeat("0.5x"), Some((0, DeadlineKind::Receiver)));
 }
 
 #[test]

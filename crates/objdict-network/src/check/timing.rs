@@ -87,6 +87,8 @@ impl<'n> NetworkCheck<'n, '_> {
         let late = self.schedule.late(rate.value.max(1)).into_iter();
         let late = late.filter_map(|(frame, response)| match (frame.kind, frame.deadline?) {
             (TrafficKind::SynchronousPdo, (_, DeadlineKind::SyncWindow | DeadlineKind::Period)) => None,
+            // a contradiction of times, which the rules about them report
+            (_, (0, DeadlineKind::Receiver)) => None,
             (_, (deadline, _)) => Some((frame, response.div_ceil(1000), deadline / 1000)),
         });
         let late: Vec<_> = late.collect();

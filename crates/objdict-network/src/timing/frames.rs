@@ -130,11 +130,8 @@ impl TimedFrame {
 
     /// A receiver that waits no longer than `time` after the last message.
     fn awaited(&mut self, time: u64) {
-        let rest = time.checked_sub(self.usual.unwrap_or(0)).filter(|rest| *rest > 0);
-        // what comes too late in any case is a contradiction of times, and no matter of the bus
-        if let Some(rest) = rest {
-            self.limit(rest, DeadlineKind::Receiver);
-        }
+        // nothing is left of a time that is not longer than the period: the message comes too late in any case
+        self.limit(time.saturating_sub(self.usual.unwrap_or(0)), DeadlineKind::Receiver);
     }
 }
 

@@ -161,7 +161,7 @@ impl TimingReport<'_> {
                 "{} ({}): {}",
                 message.can_id,
                 fit(&format!("{} of {}", message.name, message.sender.node), CELL),
-                help(remedy)
+                help(remedy, message.deadline)
             )?;
         }
         Ok(())
@@ -293,7 +293,11 @@ fn slack(message: &TimedMessage) -> String {
     }
 }
 
-fn help(remedy: &Remedy) -> String {
+fn help(remedy: &Remedy, deadline: Option<(u64, DeadlineKind)>) -> String {
+    if deadline == Some((0, DeadlineKind::Receiver)) {
+        return "lengthen the time that a receiver waits (1016h, or 5 of its RPDO): it is not longer than the period"
+            .to_owned();
+    }
     let rate = remedy.bit_rate.map(|rate| format!("{rate} kbit/s"));
     let before = remedy.before.map(|before| format!("a CAN-ID below {before}"));
     let helps: Vec<String> = rate.into_iter().chain(before).collect();
