@@ -47,7 +47,7 @@ text_rules! {
     "keys/wrong-type" = WRONG_TYPE, Error,
         explains Around ["missing-key"];
     summary: "a value of the wrong type",
-    checks: "Whether each value is a number, a text, true or false, a list or a table as its key demands. A number with a fraction where a whole one belongs, and a decimal number in quotes, are warnings.",
+    checks: "Whether each value is a number, a text, true or false, a list or a table as its key demands. A decimal number in quotes is a warning; so is, in a `bus.yml`, a number with a fraction where a whole one belongs, because dcfgen cuts off the fraction.",
     why: "The value cannot be used. dcfgen stops with a traceback, or takes something else: a quoted `\"false\"` is true.",
     example: "`cob_id: \"0x205\"`, `mandatory: \"no\"`",
     remedy: "Write the value as the message says.",

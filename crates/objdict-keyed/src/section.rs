@@ -468,7 +468,18 @@ pub fn or_foreign<'a>(
     }
 }
 
-/// A whole number in a range. What dcfgen silently reads as one is a warning.
+/// The findings about a file of dcfgen: it cuts off fractions without a word.
+pub fn with_cuts(findings: Findings) -> Findings {
+    let cut = |finding: Diagnostic| match finding.rule.id == WRONG_TYPE.id && finding.is_understood {
+        true => {
+            finding.severity(Severity::Warning).help("write a whole number: dcfgen cuts off the fraction")
+        }
+        false => finding,
+    };
+    findings.filter_map(|finding| Some(cut(finding)))
+}
+
+/// A whole number in a range. What else dcfgen silently reads as one is a warning; a fraction is one [in its files](with_cuts).
 pub fn integer(
     name: &str,
     tree: &KeyedTree,
@@ -480,8 +491,8 @@ pub fn integer(
         Kind::Float(number) if number.is_finite() && number.abs() < 1e18 => {
             let cut = number.trunc() as i128;
             if number.fract() != 0.0 {
-                let message = say!("`{}` is {}, which is read as {}", name, number, cut);
-                let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
+                let message = say!("`{}` is {}, which is not a whole number", name, number);
+                let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).understood();
                 findings.push(finding.help("write a whole number"));
             }
             cut

@@ -41,6 +41,7 @@ use objdict_format::patch::Patch;
 use objdict_format::{Description, Format};
 use objdict_keyed as keyed;
 use objdict_keyed::rules::WRONG_TYPE;
+use objdict_keyed::section::with_cuts;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity, say};
 use objdict_model::model::Device;
@@ -142,7 +143,11 @@ impl NetworkFile {
             _ if keyed::toml::is_toml(source.text()) => {
                 network_toml::read(source.text(), &mut descriptions, &mut findings)
             }
-            _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
+            _ => {
+                let network = bus_yml::read(source.text(), &mut descriptions, &mut findings);
+                findings = with_cuts(findings);
+                network
+            }
         };
         let of_text = findings.len();
         let resolved = network.map(|network| {
