@@ -73,7 +73,9 @@ impl<'a> Database<'a> {
             return;
         }
         let Some((main, others)) = ports.split_first() else { return };
-        let mut message = self.message(id, main);
+        // it is called as its sender calls it, though a counterpart does not describe it
+        let sender = ports.iter().find(|port| port.pdo.kind == PdoKind::Tpdo).unwrap_or(main);
+        let mut message = self.message(id, main, sender);
         for other in others {
             self.join(&mut message, main, other);
         }
@@ -81,10 +83,11 @@ impl<'a> Database<'a> {
     }
 
     /// The message of a PDO.
-    fn message(&mut self, id: DbcCanId, port: &Port<'a>) -> DbcMessage {
+    fn message(&mut self, id: DbcCanId, port: &Port<'a>, sender: &Port<'a>) -> DbcMessage {
+        let of = &self.stations[sender.node];
+        let name = words(&format!("{} {}{}", of.title, sender.pdo.kind, sender.pdo.number));
+        let name = self.names.claim(&name, &of.node_id.to_string());
         let station = &self.stations[port.node];
-        let name = words(&format!("{} {}{}", station.title, port.pdo.kind, port.pdo.number));
-        let name = self.names.claim(&name, &station.node_id.to_string());
         let mut message = DbcMessage::new(id, name, port.layout.bytes(), self.title(port));
         if let Some(number) = port.pdo.transmission_type {
             let transmission = station.decoder.transmission_type(port.pdo.kind, number.into());

@@ -188,7 +188,7 @@ fn a_counterpart_has_the_other_side() {
     let dbc = write(&[node(&drive, 1), counterpart], DbcOptions { sdo: true, bits: false });
     let messages = lines(&dbc, "BO_ ");
     let pdos: Vec<_> = messages.iter().filter(|line| line.contains("PDO")).collect();
-    assert_eq!(pdos, ["BO_ 385 Node_1_TPDO1: 2 Node_1", "BO_ 513 Node_1_RPDO1: 2 plc"]);
+    assert_eq!(pdos, ["BO_ 385 Node_1_TPDO1: 2 Node_1", "BO_ 513 plc_TPDO1: 2 plc"]);
     let signals = lines(&dbc, " SG_ ");
     assert!(signals.contains(&" SG_ Word : 0|16@1+ (1,0) [0|0] \"\" plc".to_owned()), "{signals:#?}");
     assert!(signals.contains(&" SG_ Level : 0|16@1- (1,0) [0|0] \"\" Node_1".to_owned()), "{signals:#?}");
