@@ -29,10 +29,10 @@ text_rules! {
 
     "traffic/late-heartbeat" = LATE_HEARTBEAT, Error;
     summary: "a heartbeat is late",
-    checks: "Whether heartbeats come in the time that a consumer allows (1016h) or, without a consumer, in 1.5 times the time of their producer (1017h).",
+    checks: "Whether heartbeats come in 1.5 times the time of their producer (1017h), or in less if a consumer allows less (1016h). Without 1017h, a consumer alone decides.",
     why: "Consumers take the node for lost: they send EMCY 8130h and may stop.",
     example: "no heartbeat for 900 ms of a node with a producer time of 500 ms",
-    remedy: "Find out why the node was silent, or allow more time in 1016h.",
+    remedy: "Find out why the node was silent, or allow more time in 1017h, and in 1016h of a consumer that waits less.",
     source: "CiA 301 §7.2.8.3.2.2",
 
     "traffic/event-timer" = EVENT_TIMER, Warning;

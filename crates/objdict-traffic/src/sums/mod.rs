@@ -296,7 +296,8 @@ impl BusSums {
         }
     }
 
-    /// How long each node may be without a heartbeat: as its consumers say, else 1.5 times its own time.
+    /// How long each node may be without a heartbeat: 1.5 times its own time, or less if a consumer waits less. A consumer that waits
+    /// longer is no reason for a heartbeat to be late.
     fn find_limits(&mut self, bus: &Bus<'_>) {
         const MILLISECOND: i64 = 1_000_000;
         let services: Vec<_> = bus
@@ -313,11 +314,10 @@ impl BusSums {
                 produced.map(|time| i64::from(time) * MILLISECOND * 3 / 2);
         }
         let consumed = services.iter().flat_map(|(_, services)| &services.heartbeat_consumers);
-        let mut consumed: Vec<_> = consumed.filter(|consumer| consumer.time != 0).collect();
-        consumed.sort_by_key(|consumer| std::cmp::Reverse(consumer.time));
-        for consumer in consumed {
+        for consumer in consumed.filter(|consumer| consumer.time != 0) {
             if let Some(node) = self.nodes.get_mut(usize::from(consumer.node_id)) {
-                node.limit = Some(i64::from(consumer.time) * MILLISECOND);
+                let time = i64::from(consumer.time) * MILLISECOND;
+                node.limit = Some(node.limit.map_or(time, |limit| limit.min(time)));
             }
         }
     }
