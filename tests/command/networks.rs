@@ -134,7 +134,7 @@ fn candidates(key: &str, schema: &Value, present: Option<&Value>) -> Vec<Value> 
     };
     let text: &[&str] = match key {
         "manager" => &["drive"],
-        "file" | "dcf" => &["copy.eds", "renamed.eds", "counter.eds"],
+        "file" | "dcf" => &["copy.eds", "renamed.eds", "revised.eds", "counter.eds"],
         "use" => &["slow"],
         "watch" => &["4x"],
         "transmission" | "type" => &["sync/2", "event", "sync/0"],
@@ -284,6 +284,7 @@ fn folder() -> tempfile::TempDir {
     write("coupler.eds", &fixture("eds/coupler-modular.eds"));
     let servo = fixture("network/servo.eds");
     write("copy.eds", &servo);
+    write("revised.eds", &servo.replacen("FileRevision=0", "FileRevision=2", 1));
     write("renamed.eds", &servo.replacen("ParameterName=Device type", "ParameterName=Kind of device", 1));
     folder
 }
@@ -335,6 +336,9 @@ fn a_network_has_no_difference_from_itself() {
         assert_eq!(diff(folder, name, name), (String::new(), 0), "{name}");
     }
     assert_eq!(diff(folder, "n.toml", "faulty.toml").1, 1);
+    fs::write(folder.join("revised.toml"), network.replacen("servo.eds", "revised.eds", 1)).unwrap();
+    let said = "description of CON:\n- FileRevision=0\n+ FileRevision=2\n";
+    assert_eq!(diff(folder, "revised.toml", "n.toml"), (said.to_owned(), 1));
     let file = read(folder, "n.toml");
     assert!(!file.check().has_errors());
     let built: BTreeSet<String> = file

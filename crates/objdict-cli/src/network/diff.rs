@@ -15,7 +15,7 @@ use super::super::stdout::Output;
 use super::{open_to_use, show, timing};
 use objdict_lint::changes::{DeviceChange, compare};
 use objdict_model::diagnostic::{one_line, plural};
-use objdict_model::model::{DeviceKind, PdoKind};
+use objdict_model::model::{Device, DeviceKind, PdoKind};
 use objdict_network::{
     BootPlan, Compiled, DcfgenMode, End, LelyOptions, Network, NodeRow, Overview, Service, Slave, Timing,
     TimingOptions,
@@ -67,6 +67,8 @@ pub(super) fn run(args: &NetworkDiffArgs, out: &mut Output) -> Result<Outcome, F
             let sent = first.sends(node, &second, other, out)?;
             is_same &= sent.is_empty();
             is_same &= has(node, other, &sent, changed.contains(&SectionOrder::Boot), out)?;
+            let title = format!("description of {}", one_line(&node.name));
+            is_same &= lines(&title, &information(&node.device), &information(&other.device), out)?;
         }
     }
     // what no section is about
@@ -261,6 +263,21 @@ fn has(
         writeln!(out, "~ {}: {}", address(change), one_line(&change.message.shown()))?;
     }
     Ok(found.is_empty())
+}
+
+/// What a DCF takes over of its description but for names and dates, which `compare` leaves out.
+fn information(device: &Device) -> Vec<String> {
+    let info = device.file_info.clone().unwrap_or_default();
+    let numbers = [("FileVersion", info.file_version), ("FileRevision", info.file_revision)];
+    let numbers = numbers.map(|(key, number)| (key, number.map(|number| number.to_string())));
+    let texts = [
+        ("EDSVersion", info.eds_version),
+        ("Description", info.description),
+        ("CreatedBy", info.created_by),
+        ("ModifiedBy", info.modified_by),
+    ];
+    let lines = numbers.into_iter().chain(texts);
+    lines.filter_map(|(key, text)| Some(format!("{key}={}", one_line(&text?)))).collect()
 }
 
 /// Prints the lines of outputs that differ; whether there are none.

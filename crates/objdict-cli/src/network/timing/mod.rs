@@ -295,7 +295,7 @@ fn slack(message: &TimedMessage) -> String {
 
 fn help(remedy: &Remedy, deadline: Option<(u64, DeadlineKind)>) -> String {
     if deadline == Some((0, DeadlineKind::Receiver)) {
-        return "lengthen the time that a receiver waits (1016h, or 5 of its RPDO): it is not longer than the period"
+        return "lengthen the time that a receiver waits (1016h, or the event timer of its RPDO): it is not longer than the period"
             .to_owned();
     }
     let rate = remedy.bit_rate.map(|rate| format!("{rate} kbit/s"));
