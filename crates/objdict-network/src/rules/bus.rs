@@ -28,9 +28,9 @@ text_rules! {
     source: "CiA 301 §7.3.3",
 
     "network/restricted-can-id" = RESTRICTED_CAN_ID, Error;
-    summary: "a PDO has a CAN-ID that belongs to another service",
-    checks: "Whether the CAN-ID of each valid PDO is one that CiA 301 leaves to PDOs.",
-    why: "The PDO disturbs NMT, SDO or error control of other nodes, also of those that are added later.",
+    summary: "a service has a CAN-ID that belongs to another one",
+    checks: "Whether the CAN-ID of each valid PDO is one that CiA 301 leaves to PDOs, and so for SYNC, TIME and EMCY as descriptions have them. `cia301/restricted-can-id` checks what the network file gives these services.",
+    why: "The service disturbs NMT, SDO or error control of other nodes, also of those that are added later.",
     example: "`cob_id: 0x605`",
     remedy: "Use a CAN-ID of 181h to 57Fh or 680h to 6DFh.",
     source: "CiA 301 §7.3.5, table 40",
