@@ -123,14 +123,10 @@ pub(crate) fn of_formats() -> NetworkFile {
     let mut text = "[bus]\nbit-rate = 250\nmanager = \"plc\"\n[manager]\nid = 1\n".to_owned();
     let written = |format| format::write(servo.device(), format, &WriteOptions::default()).unwrap().bytes;
     let json = format::json::write_device(servo.device()).into_bytes();
-    let files = [
-        ("xml", "xdd", written(Format::Xdd)),
-        ("toml", "toml", written(Format::Toml)),
-        ("json", "json", json),
-    ];
-    for (id, (name, ending, bytes)) in (5..).zip(files) {
-        std::fs::write(folder.join(format!("{name}.{ending}")), bytes).unwrap();
-        text += &format!("[node.{name}]\nfile = \"{name}.{ending}\"\nid = {id}\nheartbeat = \"200ms\"\n");
+    let files = [("xdd", written(Format::Xdd)), ("toml", written(Format::Toml)), ("json", json)];
+    for (id, (name, bytes)) in (5..).zip(files) {
+        std::fs::write(folder.join(format!("{name}.{name}")), bytes).unwrap();
+        text += &format!("[node.{name}]\nfile = \"{name}.{name}\"\nid = {id}\nheartbeat = \"200ms\"\n");
     }
     std::fs::write(folder.join("network.toml"), text).unwrap();
     NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap()
@@ -141,30 +137,18 @@ pub(crate) fn of_formats() -> NetworkFile {
 fn every_description_becomes_a_dcf() {
     let file = of_formats();
     let build = file.build(DcfgenMode::Corrected).unwrap();
-    let dcfs = build.dcfs().unwrap();
-    let read = |file: &BuiltFile| {
-        let text = String::from_utf8(file.bytes.clone()).unwrap();
-        assert!(text.starts_with("[FileInfo]"), "{}", file.name);
-        let source = SourceFile::from_text(&file.name, text);
-        format::read(source, Format::Dcf).device().clone()
-    };
-    for (slave, built) in file.compiled().unwrap().nodes().zip(&dcfs) {
+    let read = |file: &BuiltFile| read_dcf(file.bytes.clone()).device().clone();
+    for (slave, built) in file.compiled().unwrap().nodes().zip(&build.dcfs().unwrap()) {
         let device = read(built);
         assert!(built.name.ends_with(".dcf") && device.node_id() == Some(slave.node_id), "{}", built.name);
-        assert_eq!(
-            device.value(0x1017, 0).as_deref(),
-            slave.device.value(0x1017, 0).as_deref(),
-            "{}",
-            built.name
-        );
+        assert_eq!(device.value(0x1017, 0), slave.device.value(0x1017, 0), "{}", built.name);
     }
     let bus = build.bus_yml().unwrap();
     let names: Vec<&str> = bus.iter().map(|file| file.name.as_str()).collect();
-    assert_eq!(names, ["bus.yml", "xml.eds", "toml.eds", "json.eds"]);
-    let yml = String::from_utf8_lossy(&bus[0].bytes);
+    assert_eq!(names, ["bus.yml", "xdd.eds", "toml.eds", "json.eds"]);
     for built in &bus[1..] {
-        assert!(yml.contains(&format!("dcf: \"{}\"", built.name)), "{yml}");
-        assert!(read(built).object(0x6041).is_some(), "{}", built.name);
+        let is_named = String::from_utf8_lossy(&bus[0].bytes).contains(&format!("dcf: \"{}\"", built.name));
+        assert!(is_named && read(built).object(0x6041).is_some(), "{}", built.name);
     }
 }
 
