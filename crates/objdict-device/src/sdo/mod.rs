@@ -159,9 +159,12 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
 
     /// The COB-IDs of request and response; `None` while the channel is not valid.
     fn cob_ids<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Option<(u32, u32)> {
-        if self.object == 0x1200 || !dictionary.objects().has(0x1201) {
+        if self.object == 0x1200 {
             let node_id = u32::from(self.node_id);
             return Some((0x600 + node_id, 0x580 + node_id));
+        }
+        if !dictionary.objects().has(0x1201) {
+            return None;
         }
         let mut cob_id = |sub| dictionary.number(self.object, sub).map(|number| number as u32);
         let (request, response) = (cob_id(1).ok()?, cob_id(2).ok()?);
