@@ -68,10 +68,8 @@ const DEVICES: &[Device] = &[
             "cia301/mapped-object-missing 0x1A01sub1 / DefaultValue",
             "cia301/wrong-mapping-count 0x1A01sub0 / DefaultValue",
             "cia401/device-type-without-channels 0x1000 / DefaultValue",
+            // name and types are those of another object, which is one finding
             "cia401/wrong-data-type 0x6410sub1 / DataType",
-            "cia401/wrong-data-type 0x6410sub2 / DataType",
-            "cia401/wrong-access 0x6410sub1 / AccessType",
-            "cia401/wrong-access 0x6410sub2 / AccessType",
             "naming/name-of-other-object 0x6410 / ParameterName",
         ],
         also: &["cia306/wrong-highest-sub-index 0x1401sub0 / DefaultValue"],

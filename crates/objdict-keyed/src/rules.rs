@@ -39,7 +39,7 @@ text_rules! {
     "keys/former-key" = FORMER_KEY, Warning;
     summary: "a key under its present and its former name",
     checks: "Whether a table has a parameter only once where it had another name in an earlier version: `event-timer` and `event` in a `device.toml`, `transmission` and `type` in a `network.toml`. The former name alone is not a finding; the JSON Schemas mark it as deprecated.",
-    why: "One of the two values is not used: the one that stands first.",
+    why: "One of the two values is not used: the first one.",
     example: "`tpdo.1 = { type = \"sync/1\", transmission = \"event\" }`",
     remedy: "Remove one of the two.",
     source: "objdict, docs/device.md and docs/network.md",

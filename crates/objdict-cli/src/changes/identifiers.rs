@@ -9,9 +9,9 @@ use objdict_model::diagnostic::Text;
 use objdict_model::model::{Device, Part};
 
 /// An object, or an entry by its sub-index.
-type EntryKey = (u16, Option<u8>);
+type IdentifierKey = (u16, Option<u8>);
 
-type EntryIdentifiers = BTreeMap<EntryKey, Identifier>;
+type EntryIdentifiers = BTreeMap<IdentifierKey, Identifier>;
 
 /// The identifiers of a device; none if no table can be generated of it.
 fn names(device: &Device) -> EntryIdentifiers {
@@ -23,7 +23,7 @@ fn names(device: &Device) -> EntryIdentifiers {
 /// a number.
 pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
     let (old, new) = (names(old), names(new));
-    let mut explained: BTreeSet<EntryKey> = BTreeSet::new();
+    let mut explained: BTreeSet<IdentifierKey> = BTreeSet::new();
     let mut moved = BTreeMap::new();
     for change in changes.iter_mut() {
         let (Some((key, new_key)), Some(reach)) = (keys(change), IdentifierReach::of(change)) else {
@@ -59,7 +59,7 @@ pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
 }
 
 /// The entry that a change is about, in the old and in the new device.
-fn keys(change: &DeviceChange) -> Option<(EntryKey, EntryKey)> {
+fn keys(change: &DeviceChange) -> Option<(IdentifierKey, IdentifierKey)> {
     let key = (change.index?, change.sub);
     let new = match change.new_place.as_ref().map(|place| &place.part) {
         Some(Part::Object(index)) => (*index, change.sub),

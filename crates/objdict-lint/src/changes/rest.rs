@@ -163,9 +163,7 @@ fn counted(device: &Device, other: &Device) -> Device {
         *device.lists.get_mut(list) = Some(members);
     }
     for (index, object) in device.objects.iter_mut() {
-        // the right number follows from the sub-indexes
-        let count = object.subs.len();
-        object.sub_number = object.sub_number.filter(|&number| usize::from(number) != count);
+        object.sub_number = None;
         if let Some((stated, compact)) = stated.get(index).and_then(|of| Some((of, of.compact.as_deref()?))) {
             keep_unused(object, stated, compact);
         }
@@ -176,7 +174,6 @@ fn counted(device: &Device, other: &Device) -> Device {
 /// Gives an expanded object what it states for all its entries, or for one of them, and what no entry has: those described one by
 /// one have their own values.
 fn keep_unused(object: &mut Object, stated: &Object, compact: &Compact) {
-    object.sub_number = None;
     let is_described = |sub: u8| stated.subs.get(sub).is_some();
     let mut unused = compact.clone();
     unused.names.retain(|(sub, _)| is_described(*sub));

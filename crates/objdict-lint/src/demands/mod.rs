@@ -17,7 +17,7 @@ mod values;
 
 use std::sync::Arc;
 
-use super::{EntryAt, Options};
+use super::Options;
 use crate::diagnostic::{Argument, Sayable, Severity, say};
 use crate::model::{Device, Entry, Object, Place};
 use crate::profile::{self, Confidence, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
@@ -89,20 +89,6 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
         applied.extend(repeated);
     }
     applied
-}
-
-/// The definition of an entry in a document for all devices or in the profile of its device; `None` if the object has another
-/// structure there.
-pub(crate) fn facts_of(at: &EntryAt<'_>) -> Option<EntryFacts<'static>> {
-    let documents = profile::for_all(at.device).chain(profile::of_device(at.device));
-    let object = documents.into_iter().find_map(|profile| {
-        let blocks = if profile.repeats { MAX_BLOCKS } else { 1 };
-        (0..blocks).find_map(|block| profile.object_in(block, at.index))
-    })?;
-    let is_alike =
-        !object.states_type() || at.object.object_type().has_subs() == object.object_type().has_subs();
-    let shared = u8::from(at.object.compact.is_some());
-    object.entry(at.sub.unwrap_or(shared)).filter(|_| is_alike)
 }
 
 /// Whether the device has an object that the document defines for another logical device.

@@ -90,7 +90,7 @@ const MOST_CONSUMERS: usize = 127;
 
 /// What becomes of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC or SRDOs.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Need {
+enum EntryNeed {
     /// The stack does not start without it.
     Start,
     /// It may be missing; the stack does not start with one of another length.
@@ -101,12 +101,12 @@ enum Need {
     Option,
 }
 
-use Need::{Length, Option as Optional, Service, Start};
+use EntryNeed::{Length, Option as Optional, Service, Start};
 
 /// Entries that the stack reads: first and last index, first and last sub-index, length in bytes. From `CO_EM_init`, `CO_NMT_init`,
 /// `CO_HBconsumer_init`, `CO_SYNC_init`, `CO_TIME_init`, `CO_SDOserver_init`, `CO_SDOclient_init`, `PDO_initMapping`, `CO_RPDO_init`,
 /// `CO_TPDO_init`, `CO_GFC_init`, `CO_SRDO_config` and `OD_write_1010`.
-const ENTRIES: &[(u16, u16, u8, u8, u8, Need)] = &[
+const ENTRIES: &[(u16, u16, u8, u8, u8, EntryNeed)] = &[
     (0x1001, 0x1001, 0, 0, 1, Start),
     (0x1005, 0x1007, 0, 0, 4, Start),
     (0x1010, 0x1011, 1, 127, 4, Optional),
@@ -301,7 +301,14 @@ impl WantedObject<'_> {
 }
 
 /// The unmet requirement of an entry that the stack reads as a number of `bytes` bytes.
-fn entry(index: u16, object: &Object, sub: u8, bytes: u8, need: Need, is_counted: bool) -> Option<Unmet> {
+fn entry(
+    index: u16,
+    object: &Object,
+    sub: u8,
+    bytes: u8,
+    need: EntryNeed,
+    is_counted: bool,
+) -> Option<Unmet> {
     let cause = if matches!(need, Start | Length) { Cause::Start } else { Cause::Entry };
     let unmet = |place, message, help: String| Some(Unmet { cause, place, message, help, missing: None });
     let Some(entry) = object.entry(sub) else {

@@ -9,28 +9,33 @@ use crate::{OutputFile, TableAspect, TableDifference};
 
 /// What a project can notice, by the aspect and the place: an entry, a macro, or a member of a memory.
 #[derive(Default)]
-struct Facts(BTreeMap<(TableAspect, String), String>);
+struct RowFacts(BTreeMap<(TableAspect, String), String>);
 
-type Differences = Option<Vec<TableDifference>>;
+type RowDifferences = Option<Vec<TableDifference>>;
 
 /// Compares tables of CANopenNode 1.3 with generated files; `None` if they are none.
-pub(crate) fn compare_v1(header: &str, source: &str, made: &[OutputFile]) -> Differences {
+pub(crate) fn compare_v1(header: &str, source: &str, made: &[OutputFile]) -> RowDifferences {
     compare(v1, header, source, made)
 }
 
 /// The same for canopen-stack.
-pub(crate) fn compare_keys(header: &str, source: &str, made: &[OutputFile]) -> Differences {
+pub(crate) fn compare_keys(header: &str, source: &str, made: &[OutputFile]) -> RowDifferences {
     compare(keys, header, source, made)
 }
 
 /// The same for CanFestival.
-pub(crate) fn compare_indexes(header: &str, source: &str, made: &[OutputFile]) -> Differences {
+pub(crate) fn compare_indexes(header: &str, source: &str, made: &[OutputFile]) -> RowDifferences {
     compare(indexes, header, source, made)
 }
 
-fn compare(read: fn(&str, &str) -> Facts, header: &str, source: &str, made: &[OutputFile]) -> Differences {
+fn compare(
+    read: fn(&str, &str) -> RowFacts,
+    header: &str,
+    source: &str,
+    made: &[OutputFile],
+) -> RowDifferences {
     let [new_header, new_source] = super::texts(made)?;
-    let (Facts(mut old), Facts(new)) = (read(header, source), read(new_header, new_source));
+    let (RowFacts(mut old), RowFacts(new)) = (read(header, source), read(new_header, new_source));
     if !old.keys().any(|(aspect, _)| *aspect == TableAspect::Objects) {
         return None;
     }
@@ -49,7 +54,7 @@ fn compare(read: fn(&str, &str) -> Facts, header: &str, source: &str, made: &[Ou
     Some(found)
 }
 
-impl Facts {
+impl RowFacts {
     fn add(&mut self, aspect: TableAspect, place: &str, fact: String) {
         self.0.insert((aspect, place.to_owned()), fact);
     }
@@ -119,9 +124,9 @@ fn tokens<'t>(value: &Initialiser<'t>) -> Vec<Token<'t>> {
 }
 
 /// `{index, highest sub-index, attribute, length, data}`; the rows of a record are `{data, attribute, length}`.
-fn v1(header: &str, source: &str) -> Facts {
+fn v1(header: &str, source: &str) -> RowFacts {
     let (macros, declared) = scan(header);
-    let (values, mut facts) = (variables(source), Facts::default());
+    let (values, mut facts) = (variables(source), RowFacts::default());
     for (name, value) in &macros {
         if ["OD_", "ODL_", "ODA_", "CO_NO_"].iter().any(|start| name.starts_with(start)) {
             facts.add(TableAspect::Names, name, plain_number(value));
@@ -158,8 +163,8 @@ fn v1(header: &str, source: &str) -> Facts {
 }
 
 /// `{CO_KEY(index, sub-index, flags), type, data}`.
-fn keys(_: &str, source: &str) -> Facts {
-    let (values, mut facts) = (variables(source), Facts::default());
+fn keys(_: &str, source: &str) -> RowFacts {
+    let (values, mut facts) = (variables(source), RowFacts::default());
     for (_, row) in values.values().flat_map(Initialiser::items) {
         let [(_, key), (_, of), (_, data), ..] = row.items() else { continue };
         let ["CO_KEY", index, sub, flags] = key.words()[..] else { continue };
@@ -175,8 +180,8 @@ fn keys(_: &str, source: &str) -> Facts {
 }
 
 /// `{access, type, size, data}`, or a macro with them, in a variable whose name ends in `_Index` and the index.
-fn indexes(_: &str, source: &str) -> Facts {
-    let (values, mut facts) = (variables(source), Facts::default());
+fn indexes(_: &str, source: &str) -> RowFacts {
+    let (values, mut facts) = (variables(source), RowFacts::default());
     for (name, rows) in &values {
         let index = name.rsplit_once("_Index").and_then(|(_, index)| u64::from_str_radix(index, 16).ok());
         let rows = rows.items().iter().filter(|_| index.is_some()).enumerate();

@@ -7,9 +7,9 @@ use crate::literal::iec_number;
 use crate::model::{
     Access, DataType, Device, Entry, Field, InvalidValue, ObjectType, Part, Place, Reason, TypeKind, Value,
 };
-use crate::profile::EntryFacts;
+use crate::profile::{self, EntryFacts, MAX_BLOCKS};
 use crate::rule::rules;
-use crate::{EntryAt, demands, respell, stated};
+use crate::{EntryAt, respell, stated};
 
 rules! {
     source: "CiA 306-1 §4.6.3.2";
@@ -259,7 +259,7 @@ fn write_only_default(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let Some(default) = at.entry.default.as_ref().filter(|value| !is_zero_or_empty(value)) else { return };
     // CiA 402 defines settings that cannot be read; the other entries of documents that are `wo` are commands
-    let facts = demands::facts_of(at).filter(|facts| facts.access.contains(&Access::Wo));
+    let facts = facts_of(at).filter(|facts| facts.access.contains(&Access::Wo));
     if facts.is_some_and(|facts| is_choice(&facts) || facts.name == "Size of data record") {
         return;
     }
@@ -298,7 +298,7 @@ fn fixed_by_limits(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     // a device may support only one of the choices that its profile defines
-    if at.entry.default.as_ref() == Some(low) && demands::facts_of(at).as_ref().is_some_and(is_choice) {
+    if at.entry.default.as_ref() == Some(low) && facts_of(at).as_ref().is_some_and(is_choice) {
         return;
     }
     let message = say!("the entry is writable, but its limits allow only {:h}", low);
@@ -483,4 +483,18 @@ fn report_exceeded(
     let message = say!("{} is {}, but `{}` is {}", what, number(value), field, number(limit));
     let finding = VALUE_OUTSIDE_LIMITS.at(place, message).label(at.field(field), "the limit");
     findings.push(finding.help("correct the value or the limit"));
+}
+
+/// The definition of an entry in a document for all devices or in the profile of its device; `None` if the object has another
+/// structure there.
+fn facts_of(at: &EntryAt<'_>) -> Option<EntryFacts<'static>> {
+    let documents = profile::for_all(at.device).chain(profile::of_device(at.device));
+    let object = documents.into_iter().find_map(|profile| {
+        let blocks = if profile.repeats { MAX_BLOCKS } else { 1 };
+        (0..blocks).find_map(|block| profile.object_in(block, at.index))
+    })?;
+    let is_alike =
+        !object.states_type() || at.object.object_type().has_subs() == object.object_type().has_subs();
+    let shared = u8::from(at.object.compact.is_some());
+    object.entry(at.sub.unwrap_or(shared)).filter(|_| is_alike)
 }
