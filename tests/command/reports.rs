@@ -364,7 +364,8 @@ fn sections(text: &str) -> BTreeMap<u64, Option<String>> {
         let index = digits(name.get(..4)?, 16)?;
         let sub = name[4..].strip_prefix("sub").map(|sub| digits(sub, 16));
         match sub {
-            Some(sub) => Some(format!("0x{index:04X}sub{:X}", sub?)),
+            // above FFh it is no sub-index, so the section has no place
+            Some(sub) => sub.filter(|sub| *sub <= 0xFF).map(|sub| format!("0x{index:04X}sub{sub:X}")),
             None => (name.len() == 4).then(|| format!("0x{index:04X}")),
         }
     };

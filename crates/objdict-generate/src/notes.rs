@@ -1,6 +1,6 @@
 //! Notes about what a target cannot express, ordered and without repetition.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::Note;
 use crate::diagnostic::counted;
@@ -28,21 +28,24 @@ pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {
 pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<Note> = Vec::new();
     let mut known: HashMap<(bool, String), usize> = HashMap::new();
+    let mut merged = BTreeSet::new();
     for note in notes {
         let key = index_of(&note.place).map(|(is_entry, _)| (is_entry, note.message.clone()));
         let first = key.as_ref().and_then(|key| known.get(key).copied());
-        match first.and_then(|first| kept.get_mut(first)) {
-            Some(first) => first.also.push(note.place),
+        match first.and_then(|first| Some((first, kept.get_mut(first)?))) {
+            Some((number, first)) => {
+                merged.insert(number);
+                first.also.push(note.place);
+            }
             None => {
                 known.extend(key.map(|key| (key, kept.len())));
                 kept.push(note);
             }
         }
     }
-    for note in &mut kept {
-        let Some((is_entry, index)) = index_of(&note.place).filter(|_| !note.also.is_empty()) else {
-            continue;
-        };
+    // those that were merged before say so already
+    for (_, note) in kept.iter_mut().enumerate().filter(|(number, _)| merged.contains(number)) {
+        let Some((is_entry, index)) = index_of(&note.place) else { continue };
         let more = match is_entry {
             true => counted(note.also.len(), "more entry", "more entries"),
             false => counted(note.also.len(), "more object", "more objects"),

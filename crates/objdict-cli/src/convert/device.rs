@@ -60,9 +60,8 @@ pub(super) fn of_description(
         let mut unread = format::unread(&description);
         let kept = KeptData { embed, meanings: format::has_meaning_keys(&description) };
         let mut converted = of_device(args, job, description.into_described(), kept, max_losses)?;
-        // comments are of a description, not of its values
-        let is_description = job.to.format().is_some() || job.to == FileKind::Json;
-        unread.retain(|loss| is_description || loss.kind == LossKind::Lost);
+        // comments are of a description, not of its model or values
+        unread.retain(|loss| job.to.format().is_some() || loss.kind == LossKind::Lost);
         unread.append(&mut converted.losses);
         Ok(ConvertedFile { losses: unread, ..converted })
     };

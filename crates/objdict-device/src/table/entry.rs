@@ -307,31 +307,17 @@ pub(super) const fn part(bytes: &[u8], start: usize, length: usize) -> &[u8] {
 }
 
 /// Size of a number of each data type, in bytes; 0 for other types.
-const NUMBER_SIZES: [u8; 32] = {
-    let (mut sizes, mut data_type) = ([0; 32], 0);
-    while data_type < 32 {
-        sizes[data_type as usize] = match data_type {
-            BOOLEAN | INTEGER8 | UNSIGNED8 => 1,
-            INTEGER16 | UNSIGNED16 => 2,
-            INTEGER24 | UNSIGNED24 => 3,
-            INTEGER32 | UNSIGNED32 | REAL32 => 4,
-            INTEGER40 | UNSIGNED40 => 5,
-            INTEGER48 | UNSIGNED48 | TIME_OF_DAY | TIME_DIFFERENCE => 6,
-            INTEGER56 | UNSIGNED56 => 7,
-            INTEGER64 | UNSIGNED64 | REAL64 => 8,
-            _ => 0,
-        };
-        data_type += 1;
-    }
-    sizes
-};
+const NUMBER_SIZES: [u8; 28] =
+    [0, 1, 1, 2, 4, 1, 2, 4, 4, 0, 0, 0, 6, 6, 0, 0, 3, 8, 5, 6, 7, 8, 3, 0, 5, 6, 7, 8];
 
 /// The bits of the data types that are no numbers.
 const NO_NUMBERS: u32 = {
-    let (mut types, mut data_type) = (0, 0);
-    while data_type < 32 {
-        types |= ((NUMBER_SIZES[data_type] == 0) as u32) << data_type;
+    let (mut types, mut data_type, mut sizes): (u32, u32, &[u8]) =
+        (!0 << NUMBER_SIZES.len(), 0, &NUMBER_SIZES);
+    while let [size, rest @ ..] = sizes {
+        types |= ((*size == 0) as u32) << data_type;
         data_type += 1;
+        sizes = rest;
     }
     types
 };
@@ -339,7 +325,10 @@ const NO_NUMBERS: u32 = {
 // those with several callers are not inlined, which takes less flash
 #[inline(never)]
 const fn number_size(data_type: u8) -> usize {
-    if data_type < 32 { NUMBER_SIZES[data_type as usize] as usize } else { 0 }
+    match NUMBER_SIZES.split_at_checked(data_type as usize) {
+        Some((_, [size, ..])) => *size as usize,
+        _ => 0,
+    }
 }
 
 const fn is_signed(data_type: u8) -> bool {
