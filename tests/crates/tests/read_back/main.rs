@@ -31,12 +31,12 @@ fn generated(device: &Device, target: &str) -> Generated {
 fn noted(notes: &[Note], text: &str) -> BTreeMap<u16, usize> {
     let mut noted = BTreeMap::new();
     for note in notes.iter().filter(|note| note.message.contains(text)) {
-        let index = match note.place.part {
-            Part::Entry(index, _) | Part::Object(index) => index,
-            _ => panic!("{note}: not about an entry"),
-        };
-        let more = note.message.split("; also for ").nth(1).and_then(|rest| rest.split(' ').next());
-        *noted.entry(index).or_default() += 1 + more.map_or(0, |more| more.parse().unwrap());
+        for place in std::iter::once(&note.place).chain(&note.also) {
+            let (Part::Entry(index, _) | Part::Object(index)) = place.part else {
+                panic!("{note}: not about an entry")
+            };
+            *noted.entry(index).or_default() += 1;
+        }
     }
     noted
 }
