@@ -207,7 +207,7 @@ fn has_ending(path: &Path, endings: &[&str]) -> bool {
     endings.iter().any(|known| ending.eq_ignore_ascii_case(known))
 }
 
-/// Says which folders have several DCFs that were found in them: each is checked alone.
+/// Names the folders in which several DCFs were found, because each is checked alone.
 pub(super) fn note_networks(files: &[InputFile]) {
     let mut counts: BTreeMap<&Path, usize> = BTreeMap::new();
     for file in files.iter().filter(|file| !file.is_named && has_ending(&file.path, &["dcf"])) {

@@ -142,7 +142,7 @@ fn result(patch: &Patch, findings: &Findings) -> String {
         (0, 0) => "applies".to_owned(),
         (0, warnings) if warnings >= patch.len() => "no longer needed".to_owned(),
         (0, warnings) => format!("applies, {warnings} of {} changes no longer needed", patch.len()),
-        // those of its keys are no changes
+        // errors in the keys of the patch are no changes
         (errors, _) if errors > patch.len() => "does not apply".to_owned(),
         (errors, _) => format!("does not apply: {errors} of {} changes", patch.len()),
     }

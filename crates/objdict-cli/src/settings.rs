@@ -238,7 +238,7 @@ impl CommandSettings {
                 Some(cause) => format!("`{name}` cannot be used: {cause}"),
                 None => format!("`{name}` cannot be used"),
             };
-            Failure::new(message).help("run `objdict check` for the places of all reasons")
+            Failure::new(message).help("run `objdict check` to list all errors")
         })
     }
 

@@ -1,4 +1,4 @@
-//! Which communication objects a dictionary has. The compiler knows that of a table, and leaves out the services of the others.
+//! The communication objects of a dictionary. For a table they are constants, so the compiler leaves out unused services.
 
 use crate::table::Table;
 

@@ -43,7 +43,7 @@ pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
             }
         }
     }
-    // those that were merged before say so already
+    // notes merged earlier already state their count
     for (_, note) in kept.iter_mut().enumerate().filter(|(number, _)| merged.contains(number)) {
         let Some((is_entry, index)) = index_of(&note.place) else { continue };
         let more = match is_entry {

@@ -72,11 +72,11 @@ fn keys(change: &DeviceChange) -> Option<(IdentifierKey, IdentifierKey)> {
 /// What a change has to do with identifiers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum IdentifierReach {
-    /// Another name, which says that they change.
+    /// A different name: its message lists the identifiers.
     Renamed,
-    /// The same words, so it says nothing of them.
+    /// A name with the same words: its message does not list them.
     Respelled,
-    /// A structure that has others.
+    /// A different structure or place, which explains them.
     Explained,
 }
 

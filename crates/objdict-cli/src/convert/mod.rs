@@ -235,7 +235,7 @@ fn finish(
     Ok(())
 }
 
-/// Says that a source has the errors of the description that it is made of, because commands refuse it.
+/// Reports errors that a source has from its description, because commands refuse such a source.
 fn note_errors(job: &Job, bytes: Vec<u8>) {
     let name = name_of(&job.output);
     let Ok(source) = SourceFile::from_bytes(&name, bytes, &SourceOptions::default()) else { return };
@@ -244,7 +244,7 @@ fn note_errors(job: &Job, bytes: Vec<u8>) {
     if errors > 0 {
         let errors = plural(errors, "error");
         note(&format!(
-            "note: `{name}` has {errors} of the description; `objdict check {name}` shows what to correct before it is converted\n"
+            "note: `{name}` has {errors} from the description; correct them before you convert it (`objdict check {name}` lists them)\n"
         ));
     }
 }

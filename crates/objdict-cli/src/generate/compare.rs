@@ -22,7 +22,7 @@ pub(crate) struct TableDifferences<'a> {
     version: Version<1>,
     /// The header that the tables are compared with.
     header: String,
-    /// The layout (`--layout`) with which the fewest differ: that of the version of the editor which wrote the header.
+    /// The layout (`--layout`) with the fewest differences, which identifies the editor version that wrote the header.
     #[serde(skip_serializing_if = "Option::is_none")]
     layout: Option<&'static str>,
     /// What differs, by who notices it.

@@ -62,7 +62,7 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
     findings.push(Diagnostic { fix, ..finding });
 }
 
-/// Reports a different access type; that of another object has one finding, about its data type.
+/// Reports a different access type. A vendor object in place of the profile object has one finding, about its data type.
 pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let wrong = at.entry.access.filter(|&access| !at.facts.accepts_access(access));
     // the access type of a compactly stored object may be meant for sub-index 0

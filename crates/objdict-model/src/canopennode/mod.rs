@@ -7,6 +7,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::diagnostic::plural;
 use crate::model::{Device, Object, Place, TypeKind};
 
 /// A requirement that a description does not meet.
@@ -313,14 +314,14 @@ fn entry(
     let unmet = |place, message, help: String| Some(Unmet { cause, place, message, help, missing: None });
     let Some(entry) = object.entry(sub) else {
         let message = format!("sub-index {sub:02X}h of {index:04X}h is missing");
-        let help = format!("describe the entry with {bytes} {}", plural(bytes));
+        let help = format!("describe the entry with {}", plural(bytes.into(), "byte"));
         let is_needed = matches!(need, Start | Service) || is_counted;
         return if is_needed { unmet(Place::object(index), message, help) } else { None };
     };
     let data_type = entry.data_type?; // a missing data type has another rule
     let found = match (data_type.byte_length(), data_type.kind()) {
         (Some(length), _) if length == bytes => return None,
-        (Some(length), _) => format!("the entry has {length} {}", plural(length)),
+        (Some(length), _) => format!("the entry has {}", plural(length.into(), "byte")),
         (None, TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved) => return None,
         (None, _) => format!("the entry is a {data_type}"),
     };
@@ -328,16 +329,12 @@ fn entry(
     let message = format!("{found}, but the stack reads {bytes}{stack_reads}");
     let help = match index {
         0x1201..=0x127F => format!(
-            "use a data type of {bytes} {}, or move an object that is no SDO server to 2000h to 5FFFh",
-            plural(bytes)
+            "use a data type of {}, or move an object that is no SDO server to 2000h to 5FFFh",
+            plural(bytes.into(), "byte")
         ),
-        _ => format!("use a data type of {bytes} {}", plural(bytes)),
+        _ => format!("use a data type of {}", plural(bytes.into(), "byte")),
     };
     unmet(Place::entry(index, sub), message, help)
-}
-
-fn plural(bytes: u8) -> &'static str {
-    if bytes == 1 { "byte" } else { "bytes" }
 }
 
 /// The indexes of each label.

@@ -132,7 +132,7 @@ pub fn transmission_type(text: &str) -> Option<u8> {
     }
 }
 
-/// A transmission type in words: what [`transmission_type`] reads.
+/// The name of a transmission type, as [`transmission_type`] reads it.
 pub fn transmission_word(number: u8) -> String {
     let named = ["event", "event-vendor", "rtr", "rtr-sync"].map(str::to_owned);
     let words = named.into_iter().chain([format!("sync/{number}"), number.to_string()]);

@@ -228,8 +228,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/unclosed-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
-    row("cia306/unknown-key", EDITOR, Dropped, "the key is lost"),
-    row("cia306/unknown-key", NODE, Dropped, "the key is lost"),
+    row("cia306/unknown-key", &[CanOpenEditor, NodeCanopen], Dropped, "the key is lost"),
     row("cia306/unknown-key", PYTHON_CANOPEN, Dropped, "the key is lost")
         .when("other than `Factor`, `Unit`, `Description`", |description, finding| {
             !eds::is_meaning_key(shown(description, finding))

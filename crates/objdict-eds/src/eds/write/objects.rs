@@ -185,7 +185,7 @@ impl EdsWriter<'_> {
             sections.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
         }
         if let Some(meanings) = &self.meanings {
-            // an element without a meaning has that of its array
+            // an element without a meaning takes the meaning of its array
             let array = own.array.filter(|_| entry.parameter.is_none());
             meaning(sections, meanings, array.unwrap_or(entry));
         }
