@@ -18,6 +18,11 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** The fields of an element take nothing more until it is drawn anew. */
+export function disable(element: HTMLElement): void {
+  for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
+}
+
 export const hex = (number: number, digits: number): string => number.toString(16).toUpperCase().padStart(digits, "0");
 export const indexText = (index: number): string => `${hex(index, 4)}h`;
 export const addressText = (index: number, sub: number): string => `${hex(index, 4)}h:${hex(sub, 2)}`;

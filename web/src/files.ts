@@ -3,7 +3,7 @@
 import { Refused, make } from "./engine";
 import { h } from "./dom";
 import type { Refusal } from "./protocol";
-import type { OpenDocument, Store } from "./store";
+import { contentOf, type OpenDocument, type Store } from "./store";
 
 /** A file as the command lists it (crates/objdict-cli/src/open/files.rs). */
 interface Served {
@@ -20,35 +20,32 @@ export interface Home {
   number: number;
   /** The version on the disk. */
   etag: string;
-  saved: string;
 }
 
 /** So many are drawn; the search has the others. */
 const MAX_SHOWN = 400;
-
-const contentOf = ({ state }: OpenDocument): string => `${state.encoding}\n${state.text}`;
 
 export class Files {
   readonly dialogs: HTMLDialogElement[];
   readonly buttons: HTMLElement[];
   private readonly place = document.querySelector<HTMLMetaElement>('meta[name="objdict-files"]')?.content;
   private list: Served[] = [];
-  private readonly question = h("p");
+  private readonly asking = h("dialog", { "aria-labelledby": "ask-title" });
   private readonly entries = h("ul", { class: "candidates" });
   private readonly search = h("input", { type: "search", placeholder: "Name", "aria-label": "Search files", oninput: () => this.drawList() });
 
   constructor(private readonly store: Store) {
-    const [list, ask] = [this.listDialog(), this.askDialog()];
-    this.dialogs = [list, ask];
+    const list = this.listDialog();
+    this.dialogs = [list, this.asking];
     const show = h("button", { onclick: () => list.showModal() }, "Files …");
-    const save = h("button", { title: "Ctrl+S", onclick: () => this.save() }, "Save");
+    const save = h("button", { title: "Ctrl+S", onclick: () => void this.save() }, "Save");
     this.buttons = this.place === undefined ? [] : [show, save];
     store.onDraw(() => (save.disabled = !this.canSave()));
   }
 
   /** Whether a document has changes that are in no file. */
   isChanged(document: OpenDocument): boolean {
-    return document.home ? contentOf(document) !== document.home.saved : document.state.is_changed;
+    return document.saved === undefined ? document.state.is_changed : contentOf(document) !== document.saved;
   }
 
   /** Loads the list and opens what was named on the command line. */
@@ -65,17 +62,21 @@ export class Files {
   }
 
   /** Asks before the shown file is replaced; `false` if it cannot be saved in place. */
-  save(): boolean {
+  async save(): Promise<boolean> {
     const [home, shown] = [this.canSave(), this.store.current];
     if (!home || !shown) return false;
     const { name } = this.list[home.number]!;
-    if (this.isChanged(shown)) {
-      this.question.textContent = `Replace ${name} on the disk?`;
-      this.dialogs[1]!.showModal();
-    } else {
-      this.say(`${name} has no changes.`);
-    }
+    const isTaken = await this.store.attempt(() => this.store.settled());
+    if (isTaken && this.isChanged(shown)) this.ask("Save", `Replace ${name} on the disk?`, "Replace", () => this.write(shown));
+    else if (isTaken) this.say(`${name} has no changes.`);
     return true;
+  }
+
+  /** Asks before changes that are in no file are thrown away. */
+  async close(document: OpenDocument): Promise<void> {
+    const isTaken = await this.store.attempt(() => this.store.settled());
+    if (isTaken && !this.isChanged(document)) return this.store.close(document);
+    this.ask("Close", `${document.state.name} has changes that are not saved.`, "Close without saving", () => this.store.close(document));
   }
 
   private canSave(): Home | undefined {
@@ -83,14 +84,14 @@ export class Files {
     return home && !this.list[home.number]!.is_read_only ? home : undefined;
   }
 
-  private async write(): Promise<void> {
-    const document = this.store.current!;
+  private async write(document: OpenDocument): Promise<void> {
     const home = document.home!;
     await this.store.attempt(async () => {
       const saved = contentOf(document);
       const { files } = await make({ do: "bytes", document: document.id });
       const response = await this.fetch(`/${home.number}`, { method: "PUT", headers: { "If-Match": home.etag }, body: files[0]!.bytes as BodyInit });
-      Object.assign(home, { etag: response.headers.get("etag"), saved });
+      home.etag = response.headers.get("etag")!;
+      document.saved = saved;
       this.say(`${this.list[home.number]!.name} is saved.`);
     });
   }
@@ -112,7 +113,7 @@ export class Files {
       const bytes = new Uint8Array(await response.arrayBuffer());
       if (!(await store.open(name, bytes))) return;
       const opened = store.documents.at(-1)!;
-      opened.home = { number, etag: response.headers.get("etag")!, saved: contentOf(opened) };
+      opened.home = { number, etag: response.headers.get("etag")! };
     });
   }
 
@@ -147,18 +148,15 @@ export class Files {
     this.entries.replaceChildren(...rows);
   }
 
-  private askDialog(): HTMLDialogElement {
-    const save = (event: Event) => {
+  private ask(title: string, question: string, answer: string, made: () => Promise<void>): void {
+    const make = (event: Event) => {
       event.preventDefault();
-      dialog.close();
-      void this.write();
+      this.asking.close();
+      void made();
     };
-    const cancel = h("button", { type: "button", onclick: () => dialog.close() }, "Cancel");
-    const dialog = h(
-      "dialog",
-      { "aria-labelledby": "ask-title" },
-      h("form", { method: "dialog", onsubmit: save }, h("h2", { id: "ask-title" }, "Save"), this.question, h("div", { class: "actions" }, cancel, h("button", { type: "submit", class: "main" }, "Replace"))),
-    );
-    return dialog;
+    const cancel = h("button", { type: "button", onclick: () => this.asking.close() }, "Cancel");
+    const actions = h("div", { class: "actions" }, cancel, h("button", { type: "submit", class: "main" }, answer));
+    this.asking.replaceChildren(h("form", { method: "dialog", onsubmit: make }, h("h2", { id: "ask-title" }, title), h("p", {}, question), actions));
+    this.asking.showModal();
   }
 }

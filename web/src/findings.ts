@@ -16,7 +16,7 @@ function fixButton(store: Store, finding: Finding): HTMLElement | false {
     void store.change(
       fix.encoding
         ? { do: "encode", document: document.id, encoding: fix.encoding }
-        : { do: "edit", document: document.id, edits: fix.edits },
+        : { do: "edit", document: document.id, revision: document.checked, edits: fix.edits },
     );
   const title = fix.safety === "safe" ? "keeps the meaning" : "needs your review";
   return h("button", { class: `fix ${fix.safety}`, title, onclick: make, "data-key": `fix-${finding.fingerprint}` }, fix.title);

@@ -1,7 +1,7 @@
 // Middle: an object as a form. Each field is the text that the file has, with its meaning and what was found about it.
 
 import { ask } from "./engine";
-import { h, indexText } from "./dom";
+import { disable, h, indexText } from "./dom";
 import type { FieldForm, Finding, ObjectForm, PartForm } from "./protocol";
 import type { Store } from "./store";
 
@@ -67,7 +67,6 @@ function fieldRow(store: Store, part: PartForm, field: FieldForm): HTMLElement {
     "data-key": place,
     onchange: set,
     onkeydown: (event: KeyboardEvent) => {
-      if (event.key === "Enter") set();
       if (event.key === "Escape") input.value = field.text ?? "";
     },
   });
@@ -114,15 +113,16 @@ export function formView(store: Store): HTMLElement {
   let top = 0;
   view.addEventListener("scroll", () => (top = view.scrollTop));
   const choices = Object.entries(CHOICES).map(([name, values]) => h("datalist", { id: `choices-${name}` }, ...values.map((value) => h("option", { value }))));
+  const wanted = () => `${store.current?.id}-${store.index}`;
+  const leave = () => view.dataset.shown !== wanted() && disable(view);
+  store.onLeave(leave);
   store.onDraw(async () => {
     const { current, index } = store;
     view.hidden = store.view !== "form";
     if (view.hidden || !current || index === undefined) return;
     const number = ++asked;
-    const wanted = `${current.id}-${index}`;
-    const same = view.dataset.shown === wanted;
-    // while the engine is busy, the fields are those of another object: nothing that is typed may go there
-    if (!same) for (const field of view.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
+    const shown = wanted();
+    const same = view.dataset.shown === shown;
     const form = await ask<ObjectForm>({ do: "form", document: current.id, index }).catch(() => undefined);
     if (number !== asked) return;
     if (!form) {
@@ -130,10 +130,11 @@ export function formView(store: Store): HTMLElement {
       return;
     }
     const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
-    view.dataset.shown = wanted;
+    view.dataset.shown = shown;
     view.replaceChildren(h("h2", {}, h("span", { class: "address" }, indexText(form.index)), ` ${form.name} `, h("span", { class: "type" }, form.kind)), ...form.parts.map((part) => partSection(store, form, part)), ...choices);
     if (!same && top > 0) view.scrollTop = 0;
     if (key) view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
+    leave();
   });
   return view;
 }

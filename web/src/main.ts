@@ -80,11 +80,12 @@ function button(label: string, what: () => void, attributes: Record<string, stri
 }
 
 function undo(): void {
-  if (store.current?.state.can_undo) void store.change({ do: "undo", document: store.current.id });
+  // what was typed just now can be undone, though the engine does not have it yet
+  if (store.current && store.current.state.kind !== "log") void store.change({ do: "undo", document: store.current.id });
 }
 
 function redo(): void {
-  if (store.current?.state.can_redo) void store.change({ do: "redo", document: store.current.id });
+  if (store.current && store.current.state.kind !== "log") void store.change({ do: "redo", document: store.current.id });
 }
 
 function examplesMenu(): HTMLElement {
@@ -153,7 +154,7 @@ function documentTabs(): HTMLElement {
           "span",
           { class: document === store.current ? "document current" : "document" },
           h("button", { "aria-current": document === store.current ? "page" : undefined, onclick: () => store.show(document) }, document.state.name, files.isChanged(document) ? " •" : ""),
-          h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void store.close(document) }, "×"),
+          h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void files.close(document) }, "×"),
         ),
       ),
       network,
@@ -202,9 +203,9 @@ function notice(): HTMLElement {
       store.notice = undefined;
       store.draw();
     };
-    const { kind, message, help } = store.notice;
+    const { kind, message, help, action } = store.notice;
     element.className = `notice ${kind}`;
-    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", button("Close", close, { class: "quiet" }));
+    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", action ? button(action.label, action.make) : "", button("Close", close, { class: "quiet" }));
   });
   return element;
 }
@@ -232,10 +233,12 @@ function listen(): void {
     const key = event.key.toLowerCase();
     // in a field, the browser undoes what was typed there
     const isTyping = event.target instanceof HTMLInputElement && event.target.value !== event.target.defaultValue;
-    const save = () => files.save() || (store.current && store.current.state.kind !== "log" && dialogs.save.showModal());
+    const save = () => void files.save().then((isSaved) => !isSaved && store.current && store.current.state.kind !== "log" && dialogs.save.showModal());
     const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: save }[key];
     if (!action || (isTyping && (key === "z" || key === "y"))) return;
     event.preventDefault();
+    // a field says what it has when it is left
+    if (event.target instanceof HTMLInputElement) event.target.blur();
     action();
   });
   addEventListener("hashchange", () => store.follow());

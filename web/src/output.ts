@@ -3,7 +3,7 @@
 import { make } from "./engine";
 import { h, numberIn } from "./dom";
 import type { MadeFile, Request } from "./protocol";
-import type { Store } from "./store";
+import { contentOf, type Store } from "./store";
 import { zip } from "./zip";
 
 export function download(name: string, content: Blob): void {
@@ -20,7 +20,11 @@ export const BIT_RATES = [10, 20, 50, 125, 250, 500, 800, 1000];
 
 const stem = (name: string): string => name.replace(/\.[^.]*$/, "");
 
+/** The format of the file itself: nothing is converted, whatever the name. */
+const OWN = "";
+
 const FORMATS: [ending: string, label: string, needsNode: boolean][] = [
+  [OWN, "as it is", false],
   ["eds", "EDS", false],
   ["dcf", "DCF", true],
   ["xdd", "XDD", false],
@@ -64,7 +68,7 @@ export function saveDialog(store: Store): HTMLDialogElement {
   const format = h("select", { id: "save-format" }, ...FORMATS.map(([ending, label]) => h("option", { value: ending }, label)));
   const choice = h("label", {}, "Format ", format);
   const follow = () => {
-    if (!choice.hidden) name.value = `${stem(name.value)}.${format.value}`;
+    if (!choice.hidden && format.value !== OWN) name.value = `${stem(name.value)}.${format.value}`;
     const isDevice = store.current?.state.kind === "device";
     node.hidden = !isDevice || !FORMATS.find(([ending]) => ending === format.value)![2];
     compact.hidden = !isDevice || !["eds", "dcf"].includes(format.value);
@@ -72,16 +76,25 @@ export function saveDialog(store: Store): HTMLDialogElement {
   format.addEventListener("change", follow);
   const save = async (event: Event) => {
     event.preventDefault();
-    const document = store.current!.id;
+    const shown = store.current!;
+    const document = shown.id;
     const number = (input: HTMLInputElement) => (input.value ? Number(input.value) : undefined);
     const request: Request = { do: "save", document, name: name.value, node_id: number(nodeId), bit_rate: number(bitRate), storage: compact.hidden ? undefined : (storage.value as "compact" | "expanded") || undefined };
-    await store.attempt(async () => {
-      const { files, notes } = await make(request);
-      deliver(files, "");
+    const isOwn = choice.hidden || format.value === OWN;
+    const isSaved = await store.attempt(async () => {
+      await store.settled();
+      const content = contentOf(shown);
+      const { files, notes } = await make(isOwn ? { do: "bytes", document } : request);
+      deliver(isOwn ? files.map((file) => ({ ...file, name: name.value })) : files, "");
+      // a file of `objdict open` is saved where it is
+      if (isOwn && !shown.home) shown.saved = content;
       say(store, notes.map((note) => `not in the file: ${note}`));
     });
-    dialog.close();
+    // what was filled in stays beside the reason why it is refused
+    if (isSaved) dialog.close();
+    else problem.textContent = [store.notice?.message, store.notice?.help].filter(Boolean).join("; ");
   };
+  const problem = h("p", { class: "remark error", role: "alert" });
   const dialog = h(
     "dialog",
     { "aria-labelledby": "save-title" },
@@ -93,6 +106,7 @@ export function saveDialog(store: Store): HTMLDialogElement {
       h("label", {}, "Name ", name),
       node,
       compact,
+      problem,
       h("datalist", { id: "bit-rates" }, ...BIT_RATES.map((rate) => h("option", { value: rate }))),
       h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Save")),
     ),
@@ -100,8 +114,8 @@ export function saveDialog(store: Store): HTMLDialogElement {
   dialog.addEventListener("toggle", () => {
     if (!dialog.open || !store.current) return;
     const { state, outline } = store.current;
-    format.value = /\.(\w+)$/.exec(state.name)?.[1]?.toLowerCase() ?? "eds";
-    if (!format.value) format.value = "eds";
+    format.value = OWN;
+    problem.textContent = "";
     // of a network the text is saved
     choice.hidden = state.kind !== "device";
     storage.value = "";

@@ -1,7 +1,7 @@
 // Middle: a PDO as eight bytes, with what it carries. Objects are added, moved and removed by mouse and by keyboard; each step changes
 // the mapping entries in the file.
 
-import { addressText, h, hex, numberIn, placeOf } from "./dom";
+import { addressText, disable, h, hex, numberIn, placeOf } from "./dom";
 import type { FieldChange, Mappable, Mapped, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
@@ -56,20 +56,25 @@ export function pdoView(store: Store): HTMLElement {
   let filter = "";
 
   const field = () => (store.current!.outline.is_node ? "ParameterValue" : "DefaultValue");
-  const change = async (pdo: PdoRow, mapped: Mapped[], focus?: number) => {
-    const done = await store.change({ do: "change", document: store.current!.id, changes: mappingChanges(pdo, mapped, field()) });
-    if (done && focus !== undefined) requestAnimationFrame(() => view.querySelector<HTMLElement>(`[data-key="mapped-${focus}"]`)?.focus());
+  /** The changes wait for each other: each is made of the mapping that the one before has left. */
+  let changes: Promise<unknown> = Promise.resolve();
+  const change = (of: PdoRow, made: (mapped: Mapped[]) => Mapped[], focus?: number) => {
+    const document = store.current!;
+    changes = changes.then(async () => {
+      const pdo = document.outline.pdos.find(({ mapping }) => mapping === of.mapping);
+      if (!pdo) return;
+      const done = await store.change({ do: "change", document: document.id, changes: mappingChanges(pdo, made(pdo.mapped), field()) });
+      if (done && focus !== undefined) requestAnimationFrame(() => view.querySelector<HTMLElement>(`[data-key="mapped-${focus}"]`)?.focus());
+    });
   };
-  const add = (pdo: PdoRow, { index, sub, bits, name }: Mappable, at = pdo.mapped.length) =>
-    void change(pdo, [...pdo.mapped.slice(0, at), { index, sub, bits, name }, ...pdo.mapped.slice(at)], at);
+  const add = (pdo: PdoRow, { index, sub, bits, name }: Mappable, at?: number) =>
+    change(pdo, (mapped) => mapped.toSpliced(at ?? mapped.length, 0, { index, sub, bits, name }), at ?? pdo.mapped.length);
   const move = (pdo: PdoRow, from: number, to: number) => {
     if (to < 0 || to >= pdo.mapped.length || from === to) return;
-    const mapped = pdo.mapped.filter((_, position) => position !== from);
-    mapped.splice(to, 0, pdo.mapped[from]!);
-    void change(pdo, mapped, to);
+    change(pdo, (mapped) => mapped.toSpliced(from, 1).toSpliced(to, 0, ...mapped.slice(from, from + 1)), to);
   };
   const remove = (pdo: PdoRow, at: number) =>
-    void change(pdo, pdo.mapped.filter((_, position) => position !== at), Math.max(0, at - 1));
+    change(pdo, (mapped) => mapped.toSpliced(at, 1), Math.max(0, at - 1));
   const communication = (pdo: PdoRow, sub: number, value: string) =>
     void store.change({ do: "change", document: store.current!.id, changes: [{ change: "set", at: `${placeOf(pdo.communication, sub)} / ${field()}`, value }] });
 
@@ -206,6 +211,8 @@ export function pdoView(store: Store): HTMLElement {
     return about.length > 0 && h("section", { "aria-label": "Findings about this PDO" }, ...about.map((finding) => h("p", { class: `remark ${finding.severity}` }, finding.message)));
   };
 
+  const wanted = () => `${store.current?.id}-${store.pdo}`;
+  store.onLeave(() => view.dataset.shown !== wanted() && disable(view));
   store.onDraw(() => {
     view.hidden = store.view !== "pdo";
     const pdo = store.current?.outline.pdos[store.pdo];
@@ -218,6 +225,7 @@ export function pdoView(store: Store): HTMLElement {
     const active = document.activeElement as HTMLElement | null;
     const key = view.contains(active) ? active?.dataset?.key : undefined;
     const top = view.scrollTop;
+    view.dataset.shown = wanted();
     view.replaceChildren(
       h("h2", {}, `${pdo.kind} ${pdo.number} `, h("span", { class: "type" }, `${hex(pdo.communication, 4)}h, ${hex(pdo.mapping, 4)}h`)),
       bytes(pdo),

@@ -50,7 +50,7 @@ export type Request =
   | { do: "close" | "state" | "original" | "bytes" | "outline" | "undo" | "redo" | "modules" | "network" | "build"; document: number }
   | { do: "form"; document: number; index: number }
   | { do: "check"; document: number; fixes?: boolean; places?: boolean; tools?: string[] }
-  | { do: "edit"; document: number; edits: TextEdit[] }
+  | { do: "edit"; document: number; revision: number; edits: TextEdit[] }
   | { do: "encode"; document: number; encoding: string }
   | { do: "change"; document: number; changes: FieldChange[] }
   | { do: "patch"; document: number; patch: string }
@@ -80,6 +80,8 @@ export interface State {
   is_changed: boolean;
   can_undo: boolean;
   can_redo: boolean;
+  /** Counts the texts of the document. */
+  revision: number;
   devices: number;
 }
 

@@ -1,6 +1,6 @@
 // What is open and what is shown, and how it changes: each change asks the engine and draws what came of it.
 
-import { Refused, ask } from "./engine";
+import { Refused, ask, settled } from "./engine";
 import { hex } from "./dom";
 import type { Home } from "./files";
 import type { LogSummary, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
@@ -26,9 +26,13 @@ export interface OpenDocument {
   check: "running" | "done" | "failed";
   /** Whether the report has its fixes yet. */
   has_fixes: boolean;
+  /** The text that the report is about. */
+  checked: number;
   original: string;
   /** Where it is saved in place. */
   home?: Home;
+  /** What was saved last. */
+  saved?: string;
   network?: NetworkView;
   log?: LogSummary;
   /** The bytes of a log, whose text the page does not have. */
@@ -43,7 +47,12 @@ export interface Notice {
   kind: "error" | "note";
   message: string;
   help?: string;
+  /** What can be done about it, on a button. */
+  action?: { label: string; make: () => void };
 }
+
+/** What a document has, to be compared with what was saved. */
+export const contentOf = ({ state }: OpenDocument): string => `${state.encoding}\n${state.text}`;
 
 /** The parts of a page that are drawn anew. */
 export type Drawing = (store: Store) => void;
@@ -62,14 +71,22 @@ export class Store {
   notice: Notice | undefined;
   /** Counts the changes of all documents: a network is made of several. */
   revision = 0;
+  private changes: Promise<unknown> = Promise.resolve();
   private drawings: Drawing[] = [];
+  private leavings: Drawing[] = [];
   private scheduled = false;
 
   onDraw(drawing: Drawing): void {
     this.drawings.push(drawing);
   }
 
+  /** Is called at once when something else is to be shown: until it is drawn, the fields in sight are those of what was left. */
+  onLeave(leaving: Drawing): void {
+    this.leavings.push(leaving);
+  }
+
   draw(): void {
+    this.leavings.forEach((leaving) => leaving(this));
     if (this.scheduled) return;
     this.scheduled = true;
     requestAnimationFrame(() => {
@@ -102,7 +119,7 @@ export class Store {
 
   /** Shows a document that the engine has opened. */
   async take({ document: id, state, notes }: Opened, bytes?: Uint8Array): Promise<void> {
-    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, original: state.text };
+    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, checked: state.revision, original: state.text };
     if (state.kind === "log") opened.bytes = bytes;
     const [outline, checked] = this.read(opened);
     await outline;
@@ -136,7 +153,7 @@ export class Store {
     if (state.kind !== "device") return [];
     const outlined = ask<Outline>({ do: "outline", document }).then((outline) => void (of.outline = outline));
     const checked = ask<Report>({ do: "check", document, tools: this.tools }).then((report) => {
-      Object.assign(of, { report, check: "done", has_fixes: false });
+      Object.assign(of, { report, check: "done", has_fixes: false, checked: state.revision });
       // what is drawn now asks before
       setTimeout(() => void this.findFixes(of));
     });
@@ -175,23 +192,29 @@ export class Store {
 
   /** Which fixes are sound takes some checks of the text, so they come behind the findings. */
   private async findFixes(of: OpenDocument): Promise<void> {
-    const text = of.state.text;
+    const { revision } = of.state;
     const report = await ask<Report>({ do: "check", document: of.id, fixes: true, tools: this.tools }).catch(() => of.report);
-    if (of.state.text !== text) return;
-    of.report = report;
-    of.has_fixes = true;
+    if (of.state.revision !== revision) return;
+    Object.assign(of, { report, has_fixes: true, checked: revision });
     this.draw();
   }
 
-  /** Changes the current document. */
-  async change(request: Request): Promise<boolean> {
-    const of = this.current;
-    if (!of) return false;
-    return this.attempt(async () => {
+  /** Changes a document, also one that is no longer shown. */
+  async change(request: Request & { document: number }): Promise<boolean> {
+    const changed = this.attempt(async () => {
       const state = await ask<State>(request);
+      const of = this.documents.find(({ id }) => id === request.document);
       this.notice = undefined;
-      await this.refresh(of, state);
+      if (of) await this.refresh(of, state);
     });
+    this.changes = Promise.all([this.changes, changed]);
+    return changed;
+  }
+
+  /** Ends when every change that was begun is in the documents, and all that was typed. */
+  async settled(): Promise<void> {
+    await this.changes;
+    await settled();
   }
 
   async refresh(of: OpenDocument, state: State): Promise<void> {
@@ -257,10 +280,10 @@ export class Store {
     const message = "The engine failed, which is an error of objdict, and was started again. The files are open as they were; undo begins here.";
     this.documents = [];
     this.current = undefined;
-    for (const { state, bytes, home } of former) {
+    for (const { state, bytes, home, saved } of former) {
       if (!(await this.open(state.name, bytes ?? new TextEncoder().encode(state.text)))) continue;
       const opened = this.documents.at(-1)!;
-      opened.home = home;
+      Object.assign(opened, { home, saved });
       // the page has the text, not the bytes
       const { encoding } = state;
       if (opened.state.encoding !== encoding) await this.change({ do: "encode", document: opened.id, encoding });

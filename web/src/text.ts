@@ -7,7 +7,7 @@ import { unifiedMergeView } from "@codemirror/merge";
 import { search, searchKeymap } from "@codemirror/search";
 import { Annotation, ChangeSet, EditorState, type Text } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-import { ask } from "./engine";
+import { askAtOnce, sendFirst } from "./engine";
 import { h } from "./dom";
 import type { Position, State, TextEdit } from "./protocol";
 import type { OpenDocument, Store } from "./store";
@@ -60,25 +60,34 @@ export function editsOf(changes: ChangeSet, before: Text, lineEnd: string): Text
   return edits;
 }
 
-class Editor {
-  readonly view: EditorView;
-  private document: OpenDocument | undefined;
-  /** The lines that the engine has. */
+/** The one stretch of the text in which another differs. */
+function differenceOf(old: Text, now: Text): ChangeSet {
+  const [before, after] = [old.toString(), now.toString()];
+  let start = 0;
+  while (start < before.length && start < after.length && before[start] === after[start]) start++;
+  let end = 0;
+  while (end < before.length - start && end < after.length - start && before[before.length - 1 - end] === after[after.length - 1 - end]) end++;
+  return ChangeSet.of({ from: start, to: before.length - end, insert: after.slice(start, after.length - end) }, before.length);
+}
+
+/** The text of a document as it is edited, also while another is shown. */
+class EditedText {
+  private state: EditorState;
+  private view: EditorView | undefined;
+  /** The lines that the engine has, and their number. */
   private known: Text;
+  private revision: number;
+  /** What was typed since. */
   private pending: ChangeSet | undefined;
+  private sending: Promise<void> | undefined;
   private timer = 0;
-  private isAsking = false;
 
   constructor(
-    private store: Store,
-    parent: HTMLElement,
+    private readonly store: Store,
+    readonly document: OpenDocument,
   ) {
-    this.view = new EditorView({ parent, state: this.stateOf("", false) });
-    this.known = this.view.state.doc;
-  }
-
-  private stateOf(text: string, readOnly: boolean): EditorState {
-    return EditorState.create({
+    const { text, is_read_only, revision } = document.state;
+    this.state = EditorState.create({
       doc: text,
       extensions: [
         lineNumbers(),
@@ -87,68 +96,119 @@ class Editor {
         drawSelection(),
         search({ top: true }),
         keymap.of([...defaultKeymap, ...searchKeymap]),
-        EditorState.readOnly.of(readOnly),
+        EditorState.readOnly.of(is_read_only),
         EditorView.contentAttributes.of({ "aria-label": "Text of the file", spellcheck: "false", tabindex: "0" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged && !update.transactions.some((transaction) => transaction.annotation(fromEngine))) this.typed(update.changes);
         }),
       ],
     });
+    this.known = this.state.doc;
+    this.revision = revision;
+  }
+
+  show(view: EditorView): void {
+    this.view = view;
+    view.setState(this.state);
+  }
+
+  leave(): void {
+    this.state = this.view!.state;
+    this.view = undefined;
   }
 
   private typed(changes: ChangeSet): void {
     this.pending = this.pending ? this.pending.compose(changes) : changes;
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.send(), PAUSE);
+    this.timer = window.setTimeout(() => void this.sendAndSay(), PAUSE);
   }
 
-  /** Gives what was typed to the engine; what is typed meanwhile waits. */
+  private async sendAndSay(): Promise<void> {
+    const { store, document } = this;
+    if (!store.documents.includes(document)) return;
+    if (await store.attempt(() => this.settled())) return;
+    // the text has a character that the encoding lacks; it stays as it was typed
+    if (document.state.encoding === "UTF-8" || !store.notice) return;
+    const encode = () => store.change({ do: "encode", document: document.id, encoding: "UTF-8" });
+    store.notice.action = { label: "Write the file in UTF-8", make: () => void encode().then(() => this.sendAndSay()) };
+  }
+
+  /** Ends when the engine has all that was typed. */
+  async settled(): Promise<void> {
+    clearTimeout(this.timer);
+    this.follow();
+    while (this.sending || this.pending) {
+      await (this.sending ??= this.send().finally(() => {
+        this.sending = undefined;
+        this.follow();
+      }));
+    }
+  }
+
   private async send(): Promise<void> {
-    const { document, pending, store } = this;
-    if (this.isAsking || !pending || !document) return;
-    const lineEnd = /\r\n|\r|\n/.exec(document.state.text)?.[0] ?? "\n";
-    this.isAsking = true;
+    const { document, known, revision, store } = this;
+    const sent = this.pending!;
     this.pending = undefined;
-    const edits = editsOf(pending, this.known, lineEnd);
-    const after = pending.apply(this.known);
-    await store.attempt(async () => {
-      const state = await ask<State>({ do: "edit", document: document.id, edits });
-      this.known = after;
+    const lineEnd = /\r\n|\r|\n/.exec(document.state.text)?.[0] ?? "\n";
+    try {
+      const state = await askAtOnce<State>({ do: "edit", document: document.id, revision, edits: editsOf(sent, known, lineEnd) });
+      this.known = sent.apply(known);
+      this.revision = state.revision;
       store.notice = undefined;
-      await store.refresh(document, state);
-    });
-    this.isAsking = false;
-    if (this.pending) void this.send();
+      void store.attempt(() => store.refresh(document, state));
+    } catch (error) {
+      this.pending = this.pending ? sent.compose(this.pending) : sent;
+      // of a text that was changed meanwhile it is sent again, where it belongs now
+      if (document.state.revision === revision) throw error;
+    }
+  }
+
+  /** Takes over what the engine changed, and leaves what was typed, the rest of the text and the cursor where they are. */
+  private follow(): void {
+    const { text, revision } = this.document.state;
+    if (this.sending || revision === this.revision) return;
+    const now = this.state.toText(text);
+    const changes = differenceOf(this.known, now);
+    const spec = { changes: this.pending ? changes.map(this.pending) : changes, annotations: fromEngine.of(true) };
+    this.pending = this.pending?.map(changes, true);
+    [this.known, this.revision] = [now, revision];
+    if (changes.empty) return;
+    if (this.view) this.view.dispatch(spec);
+    else this.state = this.state.update(spec).state;
   }
 
   draw(): void {
-    const document = this.store.current;
-    if (!document) return;
-    if (document !== this.document) {
-      this.document = document;
-      this.pending = undefined;
-      this.view.setState(this.stateOf(document.state.text, document.state.is_read_only));
-      this.known = this.view.state.doc;
-    } else if (!this.pending && !this.isAsking) {
-      this.follow(document.state.text);
-    }
-    if (!this.pending) this.view.dispatch(setDiagnostics(this.view.state, diagnosticsOf(document, this.view.state.doc)));
+    this.follow();
+    if (!this.pending && !this.sending) this.view!.dispatch(setDiagnostics(this.view!.state, diagnosticsOf(this.document, this.view!.state.doc)));
+  }
+}
+
+class Editor {
+  private readonly view: EditorView;
+  private texts: EditedText[] = [];
+  private shown: EditedText | undefined;
+
+  constructor(
+    private readonly store: Store,
+    parent: HTMLElement,
+  ) {
+    this.view = new EditorView({ parent });
+    sendFirst(async () => {
+      for (const text of this.texts) if (store.documents.includes(text.document)) await text.settled();
+    });
   }
 
-  /** Takes over what the engine changed, and leaves the rest of the text and the cursor where they are. */
-  private follow(text: string): void {
-    const now = this.view.state.doc;
-    const wanted = this.view.state.toText(text);
-    if (!now.eq(wanted)) {
-      const [old, next] = [now.toString(), wanted.toString()];
-      let start = 0;
-      while (start < old.length && start < next.length && old[start] === next[start]) start++;
-      let end = 0;
-      while (end < old.length - start && end < next.length - start && old[old.length - 1 - end] === next[next.length - 1 - end]) end++;
-      const changes = { from: start, to: old.length - end, insert: next.slice(start, next.length - end) };
-      this.view.dispatch({ changes, annotations: fromEngine.of(true) });
+  draw(): void {
+    const { current, documents } = this.store;
+    this.texts = this.texts.filter(({ document }) => documents.includes(document));
+    if (!current) return;
+    if (this.shown?.document !== current) {
+      this.shown?.leave();
+      this.shown = this.texts.find(({ document }) => document === current) ?? new EditedText(this.store, current);
+      if (!this.texts.includes(this.shown)) this.texts.push(this.shown);
+      this.shown.show(this.view);
     }
-    this.known = this.view.state.doc;
+    this.shown.draw();
   }
 
   goTo(line: number): void {

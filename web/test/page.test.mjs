@@ -4,79 +4,14 @@ import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import axe from "axe-core";
-import { chromium as browserType } from "playwright-core";
-import { chromium, dist, fixture, host, noCommand, objdict, root, without } from "./support.mjs";
+import { browser, changedLines, checked, download, open, saveAs, server, skip, withPage } from "./page.mjs";
+import { dist, fixture, host, noCommand, objdict, root } from "./support.mjs";
 
-const executablePath = chromium();
-const skip = without(executablePath, "no Chromium: install the package `chromium`");
 const single = join(dist, "objdict-workbench.html");
-let browser;
-let server;
-
-before(async () => {
-  if (skip) return;
-  browser = await browserType.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
-  server = await host();
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
-
-/** Opens the page; afterwards nothing has been asked of another origin, and nothing has failed. */
-async function withPage(use, { address = server.address, size = { width: 1280, height: 800 } } = {}) {
-  const context = await browser.newContext({ viewport: size, acceptDownloads: true });
-  const page = await context.newPage();
-  const [requests, problems] = [[], []];
-  page.on("request", (request) => requests.push(request.url()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  page.on("dialog", (dialog) => problems.push(dialog.message()));
-  await page.goto(address);
-  await use(page);
-  const base = new URL("./", address).href;
-  const foreign = requests.filter((url) => !url.startsWith(base) && !/^(blob|data):/.test(url));
-  assert.deepEqual(foreign, []);
-  assert.deepEqual(problems, []);
-  await context.close();
-}
-
-async function open(page, ...files) {
-  const list = files.map(([name, buffer]) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(buffer) }));
-  await page.setInputFiles("input[type=file]", list);
-  await page.waitForFunction((names) => {
-    const open = [...document.querySelectorAll(".document")].map((tab) => tab.textContent);
-    return names.every((name) => open.some((tab) => tab.includes(name))) && document.querySelector(".document.current");
-  }, files.map(([name]) => name));
-}
-
 const NETWORK = ["line.toml", "island.eds", "servo.eds"].map((name) => [name, fixture(`network/${name}`)]);
-
-const checked = (page) => page.waitForSelector('.findings ul[aria-busy="false"]');
-
-/** The bytes of a file that the page saves. */
-async function download(page, what) {
-  const [file] = await Promise.all([page.waitForEvent("download"), what()]);
-  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
-}
-
-async function saveAs(page, format, fill = {}, select = {}) {
-  await page.getByRole("button", { name: "Save as …" }).click();
-  if (format) await page.selectOption("#save-format", format);
-  for (const [id, value] of Object.entries(fill)) await page.fill(id, value);
-  for (const [id, value] of Object.entries(select)) await page.selectOption(id, value);
-  return download(page, () => page.locator("dialog[open] button[type=submit]").click());
-}
-
-/** The lines that differ, as numbers. */
-function changedLines(old, now) {
-  const [before, after] = [old, now].map((bytes) => bytes.toString("latin1").split("\n"));
-  assert.equal(before.length, after.length);
-  return before.map((_, line) => line).filter((line) => before[line] !== after[line]);
-}
 
 const DRIVE = "drive-402.eds";
 

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use crate::answer::BadRequest;
 use crate::place::place;
 
-/// So many bytes of former texts are kept, and at least one text.
+/// So many changed bytes are kept for undo, and at least one step.
 const MAX_HISTORY: usize = 64 << 20;
 
 /// A text that is being edited.
@@ -25,8 +25,38 @@ const MAX_HISTORY: usize = 64 << 20;
 pub(crate) struct EditedDocument {
     content: DocumentContent,
     original: Vec<u8>,
-    before: Vec<Vec<u8>>,
-    after: Vec<Vec<u8>>,
+    before: Vec<Step>,
+    after: Vec<Step>,
+    /// Counts the texts that it has had: an edit of the text is for one of them.
+    revision: usize,
+}
+
+/// The one stretch of bytes in which two texts differ.
+#[derive(Debug)]
+struct Step {
+    start: usize,
+    old: Vec<u8>,
+    new: Vec<u8>,
+}
+
+impl Step {
+    fn between(old: &[u8], new: &[u8]) -> Self {
+        let same = |(one, other): &(&u8, &u8)| one == other;
+        let start = old.iter().zip(new).take_while(same).count();
+        let (old, new) = (old.get(start..).unwrap_or_default(), new.get(start..).unwrap_or_default());
+        let end = old.iter().rev().zip(new.iter().rev()).take_while(same).count();
+        let inner = |bytes: &[u8]| bytes.get(..bytes.len() - end).unwrap_or_default().to_vec();
+        Self { start, old: inner(old), new: inner(new) }
+    }
+
+    fn back(self) -> Self {
+        Self { old: self.new, new: self.old, ..self }
+    }
+
+    fn make(&self, mut bytes: Vec<u8>) -> Vec<u8> {
+        bytes.splice(self.start..self.start + self.old.len(), self.new.iter().copied());
+        bytes
+    }
 }
 
 /// What a text is read as.
@@ -73,6 +103,8 @@ pub(crate) struct DocumentState<'a> {
     pub(crate) is_changed: bool,
     pub(crate) can_undo: bool,
     pub(crate) can_redo: bool,
+    /// The number of this text.
+    pub(crate) revision: usize,
     /// How many devices the file has; the first is shown.
     pub(crate) devices: usize,
 }
@@ -81,12 +113,16 @@ impl EditedDocument {
     pub(crate) fn open(name: &str, bytes: Vec<u8>) -> Result<Self, BadRequest> {
         let original = bytes.clone();
         let content = DocumentContent::Description(Box::new(read(name, bytes, None)?));
-        Ok(Self { content, original, before: Vec::new(), after: Vec::new() })
+        Ok(Self::unchanged(content, original))
     }
 
     pub(crate) fn network(name: &str, bytes: Vec<u8>) -> Result<Self, BadRequest> {
         let content = DocumentContent::Network(source(name, bytes.clone())?);
-        Ok(Self { content, original: bytes, before: Vec::new(), after: Vec::new() })
+        Ok(Self::unchanged(content, bytes))
+    }
+
+    fn unchanged(content: DocumentContent, original: Vec<u8>) -> Self {
+        Self { content, original, before: Vec::new(), after: Vec::new(), revision: 0 }
     }
 
     pub(crate) fn description(&self) -> Result<&Description, BadRequest> {
@@ -136,6 +172,7 @@ impl EditedDocument {
             is_changed: self.bytes() != self.original,
             can_undo: !self.before.is_empty(),
             can_redo: !self.after.is_empty(),
+            revision: self.revision,
             devices,
         }
     }
@@ -185,8 +222,11 @@ impl EditedDocument {
         })
     }
 
-    /// Makes edits of the text.
-    pub(crate) fn edit(&mut self, edits: Vec<TextEdit>) -> Result<(), BadRequest> {
+    /// Makes edits of the text that has this revision.
+    pub(crate) fn edit(&mut self, revision: usize, edits: Vec<TextEdit>) -> Result<(), BadRequest> {
+        if revision != self.revision {
+            return Err(BadRequest::new("the text was changed meanwhile").help("type it again"));
+        }
         let source = self.source();
         let mut made = Edits::new(source);
         for edit in edits {
@@ -282,33 +322,41 @@ impl EditedDocument {
     }
 
     pub(crate) fn undo(&mut self) -> Result<(), BadRequest> {
-        let Some(bytes) = self.before.pop() else { return Ok(()) };
-        let now = self.bytes();
-        self.content = self.reread(bytes)?;
-        self.after.push(now);
+        let Some(step) = self.before.pop() else { return Ok(()) };
+        let step = step.back();
+        self.take(step.make(self.bytes()))?;
+        self.after.push(step);
         Ok(())
     }
 
     pub(crate) fn redo(&mut self) -> Result<(), BadRequest> {
-        let Some(bytes) = self.after.pop() else { return Ok(()) };
-        let now = self.bytes();
-        self.content = self.reread(bytes)?;
-        self.before.push(now);
+        let Some(step) = self.after.pop() else { return Ok(()) };
+        let step = step.back();
+        self.take(step.make(self.bytes()))?;
+        self.before.push(step);
         Ok(())
     }
 
-    /// The description of other bytes, and the way back to these.
+    /// Makes these the bytes of the file, which can be undone.
     pub(crate) fn replace(&mut self, bytes: Vec<u8>) -> Result<(), BadRequest> {
         let now = self.bytes();
         if bytes == now {
             return Ok(());
         }
-        self.content = self.reread(bytes)?;
+        let step = Step::between(&now, &bytes);
+        self.take(bytes)?;
         self.after.clear();
-        self.before.push(now);
-        while self.before.len() > 1 && self.before.iter().map(Vec::len).sum::<usize>() > MAX_HISTORY {
+        self.before.push(step);
+        let kept = |steps: &[Step]| steps.iter().map(|step| step.old.len() + step.new.len()).sum::<usize>();
+        while self.before.len() > 1 && kept(&self.before) > MAX_HISTORY {
             self.before.remove(0);
         }
+        Ok(())
+    }
+
+    fn take(&mut self, bytes: Vec<u8>) -> Result<(), BadRequest> {
+        self.content = self.reread(bytes)?;
+        self.revision += 1;
         Ok(())
     }
 

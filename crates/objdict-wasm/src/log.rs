@@ -90,7 +90,7 @@ impl Log {
     pub(crate) fn state(&self) -> Value {
         json!({
             "name": self.name, "kind": "log", "format": self.form.name(), "encoding": "", "text": "", "is_read_only": true,
-            "is_changed": false, "can_undo": false, "can_redo": false, "devices": 0,
+            "is_changed": false, "can_undo": false, "can_redo": false, "revision": 0, "devices": 0,
         })
     }
 

@@ -66,6 +66,7 @@ enum PageRequest {
     /// Edits of the text.
     Edit {
         document: usize,
+        revision: usize,
         edits: Vec<TextEdit>,
     },
     /// The text in another encoding.
@@ -273,7 +274,9 @@ impl Workbench {
                 self.document(document)?.report(fixes, places, &options(&tools)?)
             }
             PageRequest::Tools {} => data(Tool::ALL.into_iter().map(Tool::name).collect::<Vec<_>>()),
-            PageRequest::Edit { document, edits } => self.change(document, |document| document.edit(edits)),
+            PageRequest::Edit { document, revision, edits } => {
+                self.change(document, |document| document.edit(revision, edits))
+            }
             PageRequest::Encode { document, encoding } => {
                 self.change(document, |document| document.encode(&encoding))
             }

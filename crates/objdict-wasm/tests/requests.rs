@@ -98,21 +98,29 @@ fn a_field_is_one_line_and_undo_restores_the_bytes() {
 fn edits_have_lines_and_columns_of_characters() {
     let mut workbench = with("eds/minimal.eds");
     let before = text(&mut workbench);
-    let edit = |column: u32, end_column: u32, text: &str| {
-        json!({ "do": "edit", "document": 0, "edits": [
+    let edit = |revision: u32, column: u32, end_column: u32, text: &str| {
+        json!({ "do": "edit", "document": 0, "revision": revision, "edits": [
             { "line": 1, "column": column, "end_line": 1, "end_column": end_column, "text": text }
         ] })
     };
-    ok(&mut workbench, edit(1, 1, "; \u{e4}\u{1f600}\n"));
-    ok(&mut workbench, edit(4, 5, "b"));
+    ok(&mut workbench, edit(0, 1, 1, "; \u{e4}\u{1f600}\n"));
+    ok(&mut workbench, edit(1, 4, 5, "b"));
     assert_eq!(text(&mut workbench), format!("; \u{e4}b\n{before}"));
     let refused = ask(
         &mut workbench,
-        json!({ "do": "edit", "document": 0, "edits": [
+        json!({ "do": "edit", "document": 0, "revision": 2, "edits": [
         { "line": 100_000, "column": 1, "end_line": 1, "end_column": 1, "text": "" }
     ] }),
     );
     assert_eq!(refused["error"]["message"], "the text has no line 100000, column 1");
+    // an edit for a former text would go to another place
+    let refused = ask(&mut workbench, edit(1, 1, 1, "; "));
+    assert_eq!(refused["error"]["message"], "the text was changed meanwhile");
+    assert_eq!(text(&mut workbench), format!("; \u{e4}b\n{before}"));
+    for expected in [format!("; \u{e4}\u{1f600}\n{before}"), before.clone(), before] {
+        ok(&mut workbench, json!({ "do": "undo", "document": 0 }));
+        assert_eq!(text(&mut workbench), expected);
+    }
 }
 
 #[test]

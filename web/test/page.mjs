@@ -1,0 +1,73 @@
+// The page in Chromium, as the tests of its parts use it.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before } from "node:test";
+import { chromium as browserType } from "playwright-core";
+import { chromium, host, without } from "./support.mjs";
+
+const executablePath = chromium();
+export const skip = without(executablePath, "no Chromium: install the package `chromium`");
+export let browser;
+export let server;
+
+before(async () => {
+  if (skip) return;
+  browser = await browserType.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+  server = await host();
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** Opens the page; afterwards nothing has been asked of another origin, and nothing has failed. */
+export async function withPage(use, { address = server.address, size = { width: 1280, height: 800 } } = {}) {
+  const context = await browser.newContext({ viewport: size, acceptDownloads: true });
+  const page = await context.newPage();
+  const [requests, problems] = [[], []];
+  page.on("request", (request) => requests.push(request.url()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("dialog", (dialog) => problems.push(dialog.message()));
+  await page.goto(address);
+  await use(page);
+  const base = new URL("./", address).href;
+  const foreign = requests.filter((url) => !url.startsWith(base) && !/^(blob|data):/.test(url));
+  assert.deepEqual(foreign, []);
+  assert.deepEqual(problems, []);
+  await context.close();
+}
+
+export async function open(page, ...files) {
+  const list = files.map(([name, buffer]) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(buffer) }));
+  await page.setInputFiles("input[type=file]", list);
+  await page.waitForFunction((names) => {
+    const open = [...document.querySelectorAll(".document")].map((tab) => tab.textContent);
+    return names.every((name) => open.some((tab) => tab.includes(name))) && document.querySelector(".document.current");
+  }, files.map(([name]) => name));
+}
+
+export const checked = (page) => page.waitForSelector('.findings ul[aria-busy="false"]');
+
+/** The bytes of a file that the page saves. */
+export async function download(page, what) {
+  const [file] = await Promise.all([page.waitForEvent("download"), what()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+export async function saveAs(page, format, fill = {}, select = {}) {
+  await page.getByRole("button", { name: "Save as …" }).click();
+  if (format) await page.selectOption("#save-format", format);
+  for (const [id, value] of Object.entries(fill)) await page.fill(id, value);
+  for (const [id, value] of Object.entries(select)) await page.selectOption(id, value);
+  return download(page, () => page.locator("dialog[open] button[type=submit]").click());
+}
+
+/** The lines that differ, as numbers. */
+export function changedLines(old, now) {
+  const [before, after] = [old, now].map((bytes) => bytes.toString("latin1").split("\n"));
+  assert.equal(before.length, after.length);
+  return before.map((_, line) => line).filter((line) => before[line] !== after[line]);
+}
+
