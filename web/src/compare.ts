@@ -13,7 +13,7 @@ export function compareView(store: Store): HTMLElement {
     view.hidden = store.view !== "compare";
     const { current } = store;
     if (view.hidden || !current) return;
-    const others = store.documents.filter((other) => other !== current);
+    const others = store.documents.filter((other) => other !== current && other.state.kind === "device");
     if (!others.some((other) => other.id === old)) old = others[0]?.id;
     if (old === undefined) {
       view.replaceChildren(h("p", { class: "nothing" }, "Open a second file to compare it with this one."));

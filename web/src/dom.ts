@@ -23,6 +23,23 @@ export function disable(element: HTMLElement): void {
   for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
 }
 
+const arranged = new WeakMap<HTMLElement, Map<string, HTMLElement>>();
+
+/** Gives an element these children, and keeps those that it has with the same key: a click is lost when the element under it is
+ *  replaced between its two ends. */
+export function arrange(parent: HTMLElement, children: [key: string, make: () => HTMLElement][]): void {
+  const former = arranged.get(parent);
+  const now = new Map(children.map(([key, make]) => [key, former?.get(key) ?? make()]));
+  arranged.set(parent, now);
+  const kept = new Set(now.values());
+  for (const child of [...parent.children]) if (!kept.has(child as HTMLElement)) child.remove();
+  let at = parent.firstElementChild;
+  for (const child of kept) {
+    if (child === at) at = at.nextElementSibling;
+    else parent.insertBefore(child, at);
+  }
+}
+
 export const hex = (number: number, digits: number): string => number.toString(16).toUpperCase().padStart(digits, "0");
 export const indexText = (index: number): string => `${hex(index, 4)}h`;
 export const addressText = (index: number, sub: number): string => `${hex(index, 4)}h:${hex(sub, 2)}`;

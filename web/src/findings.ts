@@ -1,7 +1,7 @@
 // Right: what was found, with fixes.
 
 import { ask } from "./engine";
-import { h, indexOf } from "./dom";
+import { arrange, h, indexOf } from "./dom";
 import type { Finding } from "./protocol";
 import type { Store } from "./store";
 
@@ -73,10 +73,11 @@ export function findingsPanel(store: Store): HTMLElement {
     summary.textContent = document ? { running: "Checking …", done: counts, failed: "The check failed" }[document.check] : "";
     safe.hidden = !findings.some((finding) => finding.fix?.safety === "safe");
     const objects = new Set(document?.outline.objects.map((object) => object.index));
-    const shown = findings.slice(0, MAX_SHOWN).map((finding) => item(store, finding, objects));
-    if (findings.length > MAX_SHOWN) shown.push(h("li", {}, `and ${findings.length - MAX_SHOWN} more`));
-    if (document?.check === "done" && findings.length === 0) shown.push(h("li", { class: "nothing" }, "No findings."));
-    list.replaceChildren(...shown);
+    const key = (finding: Finding, at: number) => JSON.stringify([document?.id, document?.checked, at, finding, document?.outline.objects.length]);
+    const shown = findings.slice(0, MAX_SHOWN).map((finding, at): [string, () => HTMLElement] => [key(finding, at), () => item(store, finding, objects)]);
+    if (findings.length > MAX_SHOWN) shown.push([`${findings.length}`, () => h("li", {}, `and ${findings.length - MAX_SHOWN} more`)]);
+    if (document?.check === "done" && findings.length === 0) shown.push(["none", () => h("li", { class: "nothing" }, "No findings.")]);
+    arrange(list, shown);
     list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
   });
   return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, safe), toolChoice(store), list);

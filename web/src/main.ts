@@ -4,7 +4,7 @@ import { compareView } from "./compare";
 import { configureDialog } from "./configure";
 import { addDialog, newDialog, pasteDialog } from "./create";
 import { ask, startEngine } from "./engine";
-import { h } from "./dom";
+import { arrange, h } from "./dom";
 import { EXAMPLES } from "./examples";
 import { Files } from "./files";
 import { findingsPanel } from "./findings";
@@ -15,7 +15,7 @@ import { objectsPanel } from "./objects";
 import { productsDialog, saveDialog } from "./output";
 import { pdoView } from "./pdo";
 import type { Opened } from "./protocol";
-import { Store, VIEWS, type View } from "./store";
+import { Store, VIEWS, type OpenDocument, type View } from "./store";
 import { diffView, textView } from "./text";
 
 const store = new Store();
@@ -144,21 +144,27 @@ function switchTheme(): void {
 function documentTabs(): HTMLElement {
   const tabs = h("nav", { class: "documents", "aria-label": "Open files" });
   const network = button("Network of these files", () => void store.attempt(async () => store.take(await ask<Opened>({ do: "new-network" }))), { class: "quiet" });
+  const tab = (document: OpenDocument) =>
+    h(
+      "span",
+      {},
+      h("button", { onclick: () => store.show(document) }),
+      h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void files.close(document) }, "×"),
+    );
   store.onDraw(() => {
     tabs.hidden = store.documents.length === 0;
     const count = store.documents.filter(({ state }) => state.kind === "device").length;
     network.hidden = count < 2 || store.documents.some(({ state }) => state.kind === "network");
-    tabs.replaceChildren(
-      ...store.documents.map((document) =>
-        h(
-          "span",
-          { class: document === store.current ? "document current" : "document" },
-          h("button", { "aria-current": document === store.current ? "page" : undefined, onclick: () => store.show(document) }, document.state.name, files.isChanged(document) ? " •" : ""),
-          h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void files.close(document) }, "×"),
-        ),
-      ),
-      network,
-    );
+    arrange(tabs, [...store.documents.map((document): [string, () => HTMLElement] => [`${document.id}`, () => tab(document)]), ["network", () => network]]);
+    for (const [at, document] of store.documents.entries()) {
+      const isCurrent = document === store.current;
+      const element = tabs.children[at]!;
+      element.className = isCurrent ? "document current" : "document";
+      const name = element.firstElementChild!;
+      if (isCurrent) name.setAttribute("aria-current", "page");
+      else name.removeAttribute("aria-current");
+      name.textContent = `${document.state.name}${files.isChanged(document) ? " •" : ""}`;
+    }
   });
   return tabs;
 }

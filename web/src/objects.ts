@@ -1,6 +1,6 @@
 // Left: the objects and PDOs of the device, with a search. Only the rows that are in sight are in the page.
 
-import { h, indexOf, indexText } from "./dom";
+import { arrange, h, indexOf, indexText } from "./dom";
 import type { ObjectRow, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
@@ -113,7 +113,8 @@ export function objectsPanel(store: Store): HTMLElement {
     const first = Math.max(0, Math.floor(scroll.scrollTop / ROW) - AROUND);
     const last = Math.min(rows.length, Math.ceil((scroll.scrollTop + (scroll.clientHeight || 800)) / ROW) + AROUND);
     list.style.height = `${rows.length * ROW}px`;
-    list.replaceChildren(...rows.slice(first, last).map((row, at) => element(row, first + at)));
+    const key = (row: Row, number: number) => JSON.stringify([number, row, isSelected(row), row.kind === "object" && marks.get(row.object.index)]);
+    arrange(list, rows.slice(first, last).map((row, at) => [key(row, first + at), () => element(row, first + at)]));
     const selected = rows.findIndex(isSelected);
     if (selected >= first && selected < last) list.setAttribute("aria-activedescendant", `row-${selected}`);
     else list.removeAttribute("aria-activedescendant");

@@ -47,7 +47,7 @@ const PRODUCTS: [id: string, label: string, request: (document: number, node_id?
 function deliver(files: MadeFile[], archive: string): void {
   const [first] = files;
   if (!first) return;
-  if (files.length === 1) download(first.name.split("/").at(-1)!, new Blob([first.bytes as BlobPart]));
+  if (files.length === 1) download(first.name.split("/").at(-1)!, new Blob([first.bytes as BlobPart], { type: "application/octet-stream" }));
   else download(archive, zip(files));
 }
 

@@ -161,7 +161,8 @@ export function pdoView(store: Store): HTMLElement {
     const canId = pdo.can_id == null ? "" : `CAN-ID ${hex(pdo.can_id, 3)}h on this node${store.current!.outline.node_id ? "" : " (with node-ID 1)"}. `;
     const inhibit = pdo.inhibit_time ? `${pdo.inhibit_time / 10} ms at least between two messages` : "no inhibit time";
     const event = pdo.event_timer ? `sent every ${pdo.event_timer} ms at the latest` : "no event timer";
-    const cobId = pdo.cob_id === undefined || Number.isNaN(numberIn(pdo.cob_id)) ? (pdo.cob_id ?? "") : `0x${hex(numberIn(pdo.cob_id), 8)}`;
+    const number = numberIn(pdo.cob_id ?? "");
+    const cobId = Number.isNaN(number) ? (pdo.cob_id ?? "") : `0x${hex(number, 8)}`;
     return h(
       "section",
       { "aria-label": "Communication" },

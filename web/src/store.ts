@@ -55,7 +55,7 @@ export interface Notice {
 export const contentOf = ({ state }: OpenDocument): string => `${state.encoding}\n${state.text}`;
 
 /** The parts of a page that are drawn anew. */
-export type Drawing = (store: Store) => void;
+export type Drawing = (store: Store) => unknown;
 
 export class Store {
   documents: OpenDocument[] = [];
@@ -93,7 +93,8 @@ export class Store {
       this.scheduled = false;
       if (this.current) void this.readTogether(this.current);
       const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
-      this.drawings.forEach((drawing) => drawing(this));
+      // one part that fails takes no other with it
+      for (const drawing of this.drawings) void (async () => drawing(this))().catch((error: unknown) => this.say(error));
       if (key && (document.activeElement === document.body || !document.activeElement)) {
         document.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus();
       }
@@ -106,11 +107,18 @@ export class Store {
       await what();
       return true;
     } catch (error) {
-      const help = error instanceof Refused ? error.help : undefined;
-      this.notice = { kind: "error", message: error instanceof Error ? error.message : String(error), help };
-      this.draw();
+      this.say(error);
       return false;
     }
+  }
+
+  private say(error: unknown): void {
+    const message = error instanceof Error ? error.message : String(error);
+    const help = error instanceof Refused ? error.help : undefined;
+    // a part that fails each time would be drawn for ever
+    if (this.notice?.message === message) return;
+    this.notice = { kind: "error", message, help };
+    this.draw();
   }
 
   async open(name: string, bytes: Uint8Array): Promise<boolean> {
