@@ -20,7 +20,8 @@ export function compareView(store: Store): HTMLElement {
       return;
     }
     const number = ++asked;
-    const changes = await ask<Change[]>({ do: "compare", old, new: current.id });
+    const from = old;
+    const changes = await store.inTurn(() => ask<Change[]>({ do: "compare", old: from, new: current.id }));
     if (number !== asked) return;
     const choice = h(
       "select",

@@ -33,8 +33,9 @@ export function configureDialog(store: Store): HTMLDialogElement {
     event.preventDefault();
     const lines = settings.value.split("\n").map((line) => line.trim()).filter(Boolean);
     const node = { name: name.value, node_id: Number(nodeId.value), bit_rate: Number(bitRate.value), node_name: nodeName.value, modules: plugged, settings: lines };
+    const document = store.current!.id;
     dialog.close();
-    await store.attempt(async () => store.take(await ask<Opened>({ do: "configure", document: store.current!.id, node })));
+    await store.attempt(async () => store.take(await store.inTurn(() => ask<Opened>({ do: "configure", document, node }))));
   };
   const dialog = h(
     "dialog",

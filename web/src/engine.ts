@@ -59,33 +59,13 @@ function send(request: Request, bytes?: Uint8Array): Promise<{ ok: unknown; file
   });
 }
 
-/** These are about the text that the page shows, so what was typed goes before them. */
-const ABOUT_THE_TEXT: Request["do"][] = ["edit", "change", "patch", "fix-all", "add-objects", "undo", "redo", "link", "configure", "compare"];
-
-let typed: () => Promise<void> = async () => {};
-
-/** Has what was typed sent by this before the engine is asked about the text. */
-export function sendFirst(send: () => Promise<void>): void {
-  typed = send;
-}
-
-/** Ends when the engine has what was typed. */
-export const settled = (): Promise<void> => typed();
-
 /** The data that a request gives. */
 export async function ask<T>(request: Request, bytes?: Uint8Array): Promise<T> {
-  if (ABOUT_THE_TEXT.includes(request.do)) await typed();
-  return askAtOnce(request, bytes);
-}
-
-/** The same, before what was typed. */
-export async function askAtOnce<T>(request: Request, bytes?: Uint8Array): Promise<T> {
   return (await send(request, bytes)).ok as T;
 }
 
 /** The files that a request makes, with the notes about them. */
 export async function make(request: Request): Promise<{ files: MadeFile[]; notes: string[] }> {
-  await typed();
   const { ok, files } = await send(request);
   return { files, notes: (ok as { notes: string[] }).notes };
 }

@@ -1,6 +1,6 @@
 // The files that `objdict open` serves: open when the page is loaded, in a list, and saved in place. Elsewhere there are none.
 
-import { Refused, make } from "./engine";
+import { Refused } from "./engine";
 import { h } from "./dom";
 import type { Refusal } from "./protocol";
 import { contentOf, type OpenDocument, type Store } from "./store";
@@ -88,7 +88,7 @@ export class Files {
     const home = document.home!;
     await this.store.attempt(async () => {
       const saved = contentOf(document);
-      const { files } = await make({ do: "bytes", document: document.id });
+      const { files } = await this.store.make({ do: "bytes", document: document.id });
       const response = await this.fetch(`/${home.number}`, { method: "PUT", headers: { "If-Match": home.etag }, body: files[0]!.bytes as BodyInit });
       home.etag = response.headers.get("etag")!;
       document.saved = saved;

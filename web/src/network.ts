@@ -1,6 +1,5 @@
 // Middle: a network. What it sends and how late that may be, who is linked with whom, and all files that are built of it.
 
-import { make } from "./engine";
 import { h, hex } from "./dom";
 import { download } from "./output";
 import type { LinkChange, Mappable, NetworkEnd, NetworkView, Overview, Side, Timing } from "./protocol";
@@ -164,7 +163,7 @@ export function networkView(store: Store): HTMLElement {
   let shown: NetworkView | undefined;
   const build = () =>
     void store.attempt(async () => {
-      const { files, notes } = await make({ do: "build", document: store.current!.id });
+      const { files, notes } = await store.make({ do: "build", document: store.current!.id });
       download(`${store.current!.state.name.replace(/\.[^.]*$/, "")}.zip`, zip(files));
       store.notice = notes.length > 0 ? { kind: "note", message: notes.join("; ") } : undefined;
       store.draw();

@@ -1,6 +1,5 @@
 // What is written: the file as it is now or in another format, and what is generated of it.
 
-import { make } from "./engine";
 import { h, numberIn } from "./dom";
 import type { MadeFile, Request } from "./protocol";
 import { contentOf, type Store } from "./store";
@@ -84,7 +83,7 @@ export function saveDialog(store: Store): HTMLDialogElement {
     const isSaved = await store.attempt(async () => {
       await store.settled();
       const content = contentOf(shown);
-      const { files, notes } = await make(isOwn ? { do: "bytes", document } : request);
+      const { files, notes } = await store.make(isOwn ? { do: "bytes", document } : request);
       deliver(isOwn ? files.map((file) => ({ ...file, name: name.value })) : files, "");
       // a file of `objdict open` is saved where it is
       if (isOwn && !shown.home) shown.saved = content;
@@ -140,7 +139,7 @@ export function productsDialog(store: Store): HTMLDialogElement {
       const [all, notes]: [MadeFile[], string[]] = [[], []];
       const node = numberIn(nodeId.value);
       for (const [id, , request] of chosen) {
-        const made = await make(request(document.id, Number.isNaN(node) ? undefined : node));
+        const made = await store.make(request(document.id, Number.isNaN(node) ? undefined : node));
         const folder = chosen.length > 1 && made.files.length > 1 ? `${id}/` : "";
         all.push(...made.files.map((file) => ({ ...file, name: folder + file.name })));
         notes.push(...made.notes.map((note) => `${id}: ${note}`));

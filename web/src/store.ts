@@ -1,9 +1,9 @@
 // What is open and what is shown, and how it changes: each change asks the engine and draws what came of it.
 
-import { Refused, ask, settled } from "./engine";
+import { Refused, ask, make } from "./engine";
 import { hex } from "./dom";
 import type { Home } from "./files";
-import type { LogSummary, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
+import type { LogSummary, MadeFile, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
 
 export type View = "form" | "text" | "diff" | "pdo" | "compare" | "network" | "log";
 
@@ -71,7 +71,10 @@ export class Store {
   notice: Notice | undefined;
   /** Counts the changes of all documents: a network is made of several. */
   revision = 0;
-  private changes: Promise<unknown> = Promise.resolve();
+  /** Sends what was typed; the text has it replaced. */
+  sendTyped: () => Promise<void> = async () => {};
+  /** The last of what is done in turn. */
+  private turn: Promise<unknown> = Promise.resolve();
   private drawings: Drawing[] = [];
   private leavings: Drawing[] = [];
   private scheduled = false;
@@ -207,26 +210,47 @@ export class Store {
     this.draw();
   }
 
+  /** Does one thing after the other, in the order in which the user asked for them. */
+  enqueue<T>(what: () => Promise<T>): Promise<T> {
+    const done = this.turn.then(what);
+    this.turn = done.catch(() => {});
+    return done;
+  }
+
+  /** The same after what was typed so far. */
+  inTurn<T>(what: () => Promise<T>): Promise<T> {
+    const typed = this.sendTyped();
+    return this.enqueue(async () => {
+      await typed;
+      return what();
+    });
+  }
+
+  /** Ends when all that was typed and changed so far is in the documents. */
+  settled(): Promise<void> {
+    return this.inTurn(async () => {});
+  }
+
   /** Changes a document, also one that is no longer shown. */
   async change(request: Request & { document: number }): Promise<boolean> {
-    const changed = this.attempt(async () => {
-      const state = await ask<State>(request);
-      const of = this.documents.find(({ id }) => id === request.document);
+    const of = this.documents.find(({ id }) => id === request.document);
+    return this.attempt(async () => {
+      await this.inTurn(async () => {
+        const state = await ask<State>(request);
+        if (of) of.state = state;
+      });
       this.notice = undefined;
-      if (of) await this.refresh(of, state);
+      if (of) await this.refresh(of);
     });
-    this.changes = Promise.all([this.changes, changed]);
-    return changed;
   }
 
-  /** Ends when every change that was begun is in the documents, and all that was typed. */
-  async settled(): Promise<void> {
-    await this.changes;
-    await settled();
+  /** The files that a request makes of the documents as they are now. */
+  make(request: Request): Promise<{ files: MadeFile[]; notes: string[] }> {
+    return this.inTurn(() => make(request));
   }
 
-  async refresh(of: OpenDocument, state: State): Promise<void> {
-    of.state = state;
+  /** Reads what is shown of a document beside its text. */
+  async refresh(of: OpenDocument): Promise<void> {
     await Promise.all(this.read(of));
     this.changed();
   }

@@ -7,7 +7,7 @@ import { unifiedMergeView } from "@codemirror/merge";
 import { search, searchKeymap } from "@codemirror/search";
 import { Annotation, ChangeSet, EditorState, type Text } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-import { askAtOnce, sendFirst } from "./engine";
+import { ask } from "./engine";
 import { h } from "./dom";
 import type { Position, State, TextEdit } from "./protocol";
 import type { OpenDocument, Store } from "./store";
@@ -77,9 +77,9 @@ class EditedText {
   /** The lines that the engine has, and their number. */
   private known: Text;
   private revision: number;
-  /** What was typed since. */
-  private pending: ChangeSet | undefined;
-  private sending: Promise<void> | undefined;
+  /** What was typed since, in the steps in which it is sent; what is typed now belongs to the last one while it is open. */
+  private steps: ChangeSet[] = [];
+  private isOpen = false;
   private timer = 0;
 
   constructor(
@@ -118,7 +118,9 @@ class EditedText {
   }
 
   private typed(changes: ChangeSet): void {
-    this.pending = this.pending ? this.pending.compose(changes) : changes;
+    const last = this.isOpen ? this.steps.pop() : undefined;
+    this.steps.push(last ? last.compose(changes) : changes);
+    this.isOpen = true;
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => void this.sendAndSay(), PAUSE);
   }
@@ -126,60 +128,69 @@ class EditedText {
   private async sendAndSay(): Promise<void> {
     const { store, document } = this;
     if (!store.documents.includes(document)) return;
-    if (await store.attempt(() => this.settled())) return;
+    if (await store.attempt(() => this.send())) return;
     // the text has a character that the encoding lacks; it stays as it was typed
     if (document.state.encoding === "UTF-8" || !store.notice) return;
-    const encode = () => store.change({ do: "encode", document: document.id, encoding: "UTF-8" });
-    store.notice.action = { label: "Write the file in UTF-8", make: () => void encode().then(() => this.sendAndSay()) };
+    store.notice.action = { label: "Write the file in UTF-8", make: () => void this.encode().then(() => this.sendAndSay()) };
   }
 
-  /** Ends when the engine has all that was typed. */
-  async settled(): Promise<void> {
+  /** Before what was typed, which the encoding lacks. */
+  private async encode(): Promise<void> {
+    const { store, document } = this;
+    await store.attempt(() => store.enqueue(async () => void (document.state = await ask<State>({ do: "encode", document: document.id, encoding: "UTF-8" }))));
+  }
+
+  /** Sends what was typed so far, behind all that was asked for before. */
+  async send(): Promise<void> {
     clearTimeout(this.timer);
-    this.follow();
-    while (this.sending || this.pending) {
-      await (this.sending ??= this.send().finally(() => {
-        this.sending = undefined;
-        this.follow();
-      }));
-    }
+    if (this.steps.length === 0) return;
+    this.isOpen = false;
+    await this.store.enqueue(() => this.sendFirst());
   }
 
-  private async send(): Promise<void> {
-    const { document, known, revision, store } = this;
-    const sent = this.pending!;
-    this.pending = undefined;
+  private async sendFirst(): Promise<void> {
+    const { document, store } = this;
+    this.follow();
+    const [sent] = this.steps;
+    if (!sent) return;
     const lineEnd = /\r\n|\r|\n/.exec(document.state.text)?.[0] ?? "\n";
     try {
-      const state = await askAtOnce<State>({ do: "edit", document: document.id, revision, edits: editsOf(sent, known, lineEnd) });
-      this.known = sent.apply(known);
-      this.revision = state.revision;
-      store.notice = undefined;
-      void store.attempt(() => store.refresh(document, state));
+      document.state = await ask<State>({ do: "edit", document: document.id, revision: this.revision, edits: editsOf(sent, this.known, lineEnd) });
     } catch (error) {
-      this.pending = this.pending ? sent.compose(this.pending) : sent;
-      // of a text that was changed meanwhile it is sent again, where it belongs now
-      if (document.state.revision === revision) throw error;
+      // it stays in the text, and is sent again with what is typed next
+      this.steps = [this.steps.reduce((all, step) => all.compose(step))];
+      this.isOpen = true;
+      throw error;
     }
+    this.steps.shift();
+    if (this.steps.length === 0) this.isOpen = false;
+    this.known = sent.apply(this.known);
+    this.revision = document.state.revision;
+    store.notice = undefined;
+    void store.attempt(() => store.refresh(document));
   }
 
   /** Takes over what the engine changed, and leaves what was typed, the rest of the text and the cursor where they are. */
   private follow(): void {
     const { text, revision } = this.document.state;
-    if (this.sending || revision === this.revision) return;
+    if (revision === this.revision) return;
     const now = this.state.toText(text);
-    const changes = differenceOf(this.known, now);
-    const spec = { changes: this.pending ? changes.map(this.pending) : changes, annotations: fromEngine.of(true) };
-    this.pending = this.pending?.map(changes, true);
+    let changes = differenceOf(this.known, now);
     [this.known, this.revision] = [now, revision];
     if (changes.empty) return;
+    this.steps = this.steps.map((step) => {
+      const moved = step.map(changes, true);
+      changes = changes.map(step);
+      return moved;
+    });
+    const spec = { changes, annotations: fromEngine.of(true) };
     if (this.view) this.view.dispatch(spec);
     else this.state = this.state.update(spec).state;
   }
 
   draw(): void {
     this.follow();
-    if (!this.pending && !this.sending) this.view!.dispatch(setDiagnostics(this.view!.state, diagnosticsOf(this.document, this.view!.state.doc)));
+    if (this.steps.length === 0) this.view!.dispatch(setDiagnostics(this.view!.state, diagnosticsOf(this.document, this.view!.state.doc)));
   }
 }
 
@@ -193,9 +204,10 @@ class Editor {
     parent: HTMLElement,
   ) {
     this.view = new EditorView({ parent });
-    sendFirst(async () => {
-      for (const text of this.texts) if (store.documents.includes(text.document)) await text.settled();
-    });
+    store.sendTyped = async () => {
+      const texts = this.texts.filter(({ document }) => store.documents.includes(document));
+      await Promise.all(texts.map((text) => text.send()));
+    };
   }
 
   draw(): void {

@@ -87,7 +87,7 @@ fn carriers(device: &Device) -> BTreeMap<(u16, u8), Vec<String>> {
     for pdo in device.pdos() {
         let name = pdo.to_string();
         for mapped in pdo.mapped().filter(|mapped| !mapped.is_dummy()) {
-            let names = carriers.entry((mapped.index, mapped.sub)).or_default();
+            let names = carriers.entry(mapped.entry()).or_default();
             // list a PDO that maps the entry twice only once; it would be the last in the list
             if names.last() != Some(&name) {
                 names.push(name.clone());

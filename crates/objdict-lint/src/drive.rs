@@ -96,7 +96,7 @@ impl<'a> Drive<'a> {
         let mut pdos = self.device.pdos().filter(|pdo| pdo.kind == PdoKind::Rpdo);
         pdos.any(|pdo| {
             let is_mapped =
-                || pdo.mapped().any(|object| (object.index, object.sub) == (self.index(index), sub));
+                || pdo.mapped().any(|object| object.entry() == (self.index(index), sub));
             pdo.is_valid() != Some(false) && is_mapped()
         })
     }

@@ -31,7 +31,7 @@ impl NetworkLock {
     pub(crate) fn carrier(&self, node: &str, kind: PdoKind, entry: (u16, u8)) -> Option<(PdoName, usize)> {
         let mut pdos = self.0.iter().filter(|((name, pdo), _)| name == node && pdo.kind == kind);
         pdos.find_map(|((_, pdo), locked)| {
-            let at = locked.mapping.iter().position(|mapped| (mapped.index, mapped.sub) == entry)?;
+            let at = locked.mapping.iter().position(|mapped| mapped.entry() == entry)?;
             Some((*pdo, at))
         })
     }

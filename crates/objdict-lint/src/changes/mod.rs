@@ -142,7 +142,7 @@ struct Side<'a> {
 impl<'a> Side<'a> {
     fn new(device: &'a Device) -> Self {
         let pdos: Vec<_> = device.pdos().collect();
-        let mapped = pdos.iter().flat_map(Pdo::mapped).map(|object| (object.index, object.sub));
+        let mapped = pdos.iter().flat_map(Pdo::mapped).map(|object| object.entry());
         Self { device, meanings: device.meanings(), mapped: mapped.collect() }
     }
 }

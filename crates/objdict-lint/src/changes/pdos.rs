@@ -49,7 +49,7 @@ impl DeviceComparison<'_> {
 
     /// Whether a frame has other data.
     fn is_remapped(&self, old: &Pdo<'_>, new: &Pdo<'_>) -> bool {
-        let here = |object: MappedObject| match self.moved.get(&(object.index, object.sub)) {
+        let here = |object: MappedObject| match self.moved.get(&object.entry()) {
             Some(&(index, sub)) => MappedObject { index, sub, ..object },
             None => object,
         };

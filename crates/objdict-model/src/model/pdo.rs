@@ -41,6 +41,11 @@ impl MappedObject {
         })
     }
 
+    /// The index and sub-index.
+    pub const fn entry(self) -> (u16, u8) {
+        (self.index, self.sub)
+    }
+
     /// Whether the number is 0, so that nothing is mapped.
     pub const fn is_unused(self) -> bool {
         self.to_number() == 0
@@ -108,7 +113,7 @@ impl<'a> Pdo<'a> {
             number,
             communication,
             mapping,
-            cob_id: communication.and_then(|object| CobId::from_value(object.value(1)?.as_ref())),
+            cob_id: communication.and_then(cob_id),
             transmission_type: number_in(communication, 2),
             inhibit_time: number_in(communication, 3),
             event_timer: number_in(communication, 5),
@@ -183,6 +188,10 @@ fn number_in<T: TryFrom<i128>>(object: Option<&Object>, sub: u8) -> Option<T> {
     object?.value(sub)?.as_integer().and_then(|number| T::try_from(number).ok())
 }
 
+fn cob_id(communication: &Object) -> Option<CobId> {
+    CobId::from_value(communication.value(1)?.as_ref())
+}
+
 fn slots(mapping: &Object) -> Vec<MappingSlot> {
     let mapped = |value: &Value| {
         let number = u32::try_from(value.as_integer()?).ok()?;
@@ -206,6 +215,11 @@ impl Device {
         let described = |index: Option<u16>| index.is_some_and(|index| self.objects.contains_key(&index));
         let exists = described(kind.communication_index(number)) || described(kind.mapping_index(number));
         exists.then(|| Pdo::new(self, kind, number))
+    }
+
+    /// The COB-ID of a PDO, sub-index 1 of its communication parameter.
+    pub fn pdo_cob_id(&self, kind: PdoKind, number: u16) -> Option<CobId> {
+        self.object(kind.communication_index(number)?).and_then(cob_id)
     }
 
     /// The number of PDOs of a direction in [`pdos`](Self::pdos).

@@ -108,12 +108,12 @@ impl<'a> FrameReader<'a> {
         self.changes.pdos += 1;
     }
 
-    /// An entry of this object has another value.
-    fn note_change(&mut self, node_id: u8, index: u16) {
-        let stale = Stale::of(index);
+    /// An entry has another value.
+    fn note_change(&mut self, node_id: u8, entry: (u16, u8)) {
+        let (stale, (index, _)) = (Stale::of(entry), entry);
         self.stale.extend(stale.map(|stale| (node_id, stale)));
         self.changes.cycles += u64::from(matches!(index, 0x1005 | 0x1006 | 0x1016 | 0x1017));
-        self.changes.pdos += u64::from(matches!(stale, Some(Stale::Pdo(..))) || index == 0x1007);
+        self.changes.pdos += u64::from(matches!(stale, Some(Stale::Pdo(..) | Stale::Content(..))) || index == 0x1007);
     }
 
     /// The words for a frame with a CAN-ID of 11 bits.
@@ -269,8 +269,10 @@ impl<'a> FrameReader<'a> {
     }
 
     fn reset(&mut self, node_id: u8) {
-        if self.nodes.get_mut(node_id).is_some_and(TalkingNode::reset) {
-            self.note_other_values(node_id);
+        if let Some(stale) = self.nodes.get_mut(node_id).and_then(TalkingNode::reset) {
+            self.stale.extend(stale.into_iter().map(|stale| (node_id, stale)));
+            self.changes.cycles += 1;
+            self.changes.pdos += 1;
         }
     }
 
@@ -319,11 +321,11 @@ impl<'a> FrameReader<'a> {
             (0x1010, 1 | 2) if is_accepted && bytes == b"save" => return node.store(),
             (0x1011, 1 | 2) if is_accepted && bytes == b"load" => return node.restore(),
             (0x1010 | 0x1011, _) => return,
-            _ if self.has_defaults => node.learn(entry),
+            _ if self.has_defaults => node.learn_written(entry, bytes),
             _ => {}
         }
         if node.take(entry, bytes) {
-            self.note_change(node_id, entry.0);
+            self.note_change(node_id, entry);
         }
     }
 
@@ -331,8 +333,8 @@ impl<'a> FrameReader<'a> {
     fn find_users(&mut self) {
         for (node_id, stale) in std::mem::take(&mut self.stale) {
             if let Some(node) = self.nodes.get_mut(node_id) {
-                if self.has_defaults {
-                    node.learn_mapped(stale);
+                if self.has_defaults && stale == Stale::All {
+                    node.learn_mapped();
                 }
                 self.users.update(node, stale);
             }

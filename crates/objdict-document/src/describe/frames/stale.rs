@@ -8,24 +8,28 @@ use objdict_network::Service;
 pub(super) enum Stale {
     All,
     Pdo(PdoKind, u16),
+    /// What a PDO carries, which is written entry by entry; its CAN-ID is the same.
+    Content(PdoKind, u16),
     /// Those that are no PDOs.
     Others,
 }
 
 impl Stale {
-    /// What an object decides.
-    pub(super) fn of(index: u16) -> Option<Self> {
-        let pdo = || PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));
-        match index {
-            0x1005 | 0x1012 | 0x1014 | 0x1200..=0x127F => Some(Self::Others),
-            _ => pdo().map(|(kind, number)| Self::Pdo(kind, number)),
+    /// What an entry decides.
+    pub(super) fn of((index, sub): (u16, u8)) -> Option<Self> {
+        if matches!(index, 0x1005 | 0x1012 | 0x1014 | 0x1200..=0x127F) {
+            return Some(Self::Others);
         }
+        let made = |of: fn(PdoKind, u16) -> Self| move |(kind, number)| of(kind, number);
+        let communication = if sub == 1 { Self::Pdo } else { Self::Content };
+        let pdo = PdoKind::of_communication(index).map(made(communication));
+        pdo.or_else(|| PdoKind::of_mapping(index).map(made(Self::Content)))
     }
 
     pub(super) fn has(self, service: Service) -> bool {
         match (self, service) {
             (Self::All, _) => true,
-            (Self::Pdo(kind, number), service) => service == Service::pdo(kind, number),
+            (Self::Pdo(kind, number) | Self::Content(kind, number), service) => service == Service::pdo(kind, number),
             (Self::Others, service) => !matches!(service, Service::Pdo(_)),
         }
     }

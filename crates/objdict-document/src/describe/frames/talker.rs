@@ -8,7 +8,7 @@ use super::sdo::Transfers;
 use super::stale::Stale;
 use crate::dbc::{Scaled, scaling_of};
 use crate::describe::{Decoder, ValueReader};
-use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Pdo, Value};
+use crate::model::{Assignment, DataType, Device, Entry, MappedObject, Meanings, Object, PdoKind, Value};
 use crate::profile;
 
 /// The most entries that a node has beyond its description.
@@ -38,6 +38,8 @@ pub(super) struct TalkingNode<'a> {
     pub(super) device: Cow<'a, Device>,
     /// The entries of `device` that no description has, or of which none has a value.
     learnt: BTreeSet<(u16, u8)>,
+    /// What differs between `start` and `device`.
+    changed: BTreeSet<Stale>,
 }
 
 impl<'a> TalkingNode<'a> {
@@ -50,6 +52,7 @@ impl<'a> TalkingNode<'a> {
             start: Cow::Borrowed(device),
             device: Cow::Borrowed(device),
             learnt: BTreeSet::new(),
+            changed: BTreeSet::new(),
         }
     }
 }
@@ -83,8 +86,9 @@ impl<'a> Nodes<'a> {
         if self.get(node_id).is_none() {
             let name = Cow::Owned(format!("node {node_id}"));
             let [described, start, device] = std::array::from_fn(|_| Cow::Owned(Device::default()));
-            let (is_described, learnt) = (false, BTreeSet::new());
-            self.add(TalkingNode { name, node_id, is_described, described, start, device, learnt });
+            let (learnt, changed) = (BTreeSet::new(), BTreeSet::new());
+            let is_described = false;
+            self.add(TalkingNode { name, node_id, is_described, described, start, device, learnt, changed });
         }
     }
 
@@ -305,17 +309,23 @@ impl TalkingNode<'_> {
     }
 
     /// Adds the entries that PDOs map and no description has.
-    pub(super) fn learn_mapped(&mut self, stale: Stale) {
-        let entries = |pdo: Pdo<'_>| -> Vec<_> {
-            let objects = pdo.slots.iter().filter_map(|slot| slot.object);
-            objects.filter(|object| !object.is_unused()).map(|object| (object.index, object.sub)).collect()
-        };
-        let entries: Vec<(u16, u8)> = match stale {
-            Stale::Pdo(kind, number) => self.device.pdo(kind, number).map(entries).unwrap_or_default(),
-            Stale::All => self.device.pdos().flat_map(entries).collect(),
-            Stale::Others => return,
-        };
-        entries.into_iter().for_each(|entry| self.learn(entry));
+    pub(super) fn learn_mapped(&mut self) {
+        let slots = self.device.pdos().flat_map(|pdo| pdo.slots);
+        let mapped: Vec<MappedObject> = slots.filter_map(|slot| slot.object).collect();
+        mapped.into_iter().filter(|object| !object.is_unused()).for_each(|object| self.learn(object.entry()));
+    }
+
+    /// Adds an entry that was read or written, and the one that a mapping entry maps by it.
+    pub(super) fn learn_written(&mut self, entry: (u16, u8), bytes: &[u8]) {
+        self.learn(entry);
+        if let ((index, 1..), &[bits, sub, low, high]) = (entry, bytes)
+            && PdoKind::of_mapping(index).is_some()
+        {
+            let mapped = MappedObject::from_number(u32::from_le_bytes([bits, sub, low, high]));
+            if !mapped.is_unused() {
+                self.learn(mapped.entry());
+            }
+        }
     }
 
     /// Adds an entry that no description has, as the documents define it, so that it can have a value.
@@ -360,6 +370,7 @@ impl TalkingNode<'_> {
             known == value
         });
         if !is_known {
+            self.changed.extend(Stale::of(entry));
             self.device.to_mut().assign(&[Assignment { index, sub, value }]);
             let is_stated = self.start.entry(index, sub).is_some_and(|entry| entry.value().is_some());
             if !is_stated && self.learnt.len() < MAX_LEARNT {
@@ -373,6 +384,7 @@ impl TalkingNode<'_> {
     pub(super) fn store(&mut self) {
         if let Cow::Owned(device) = &self.device {
             self.start = Cow::Owned(device.clone());
+            self.changed.clear();
         }
     }
 
@@ -380,22 +392,23 @@ impl TalkingNode<'_> {
     pub(super) fn restore(&mut self) {
         if self.is_described {
             self.start = Cow::Owned(self.described.unconfigured().into_owned());
+            self.changed.insert(Stale::All);
             // so that a reset finds other values, also where none was written
             self.device.to_mut();
         }
     }
 
-    /// Goes back to the values that it has after a reset; whether they are others.
-    pub(super) fn reset(&mut self) -> bool {
+    /// Goes back to the values that it has after a reset; what that changes, if there are any others.
+    pub(super) fn reset(&mut self) -> Option<BTreeSet<Stale>> {
         if !self.is_described || matches!(self.device, Cow::Borrowed(_)) {
-            return false;
+            return None;
         }
         let running = std::mem::replace(&mut self.device, self.start.clone());
         let mut kept = std::mem::take(&mut self.learnt);
         // what the device is, no reset changes
         kept.insert((0x1000, 0));
         self.take_seen(&running, &kept);
-        true
+        Some(std::mem::take(&mut self.changed))
     }
 
     /// Takes what was seen of a node before its description was known.

@@ -8,7 +8,7 @@ use objdict_network::Service;
 use super::signals::PdoContent;
 use super::stale::Stale;
 use super::talker::TalkingNode;
-use crate::model::{CobId, Pdo, PdoKind, SdoChannel, predefined};
+use crate::model::{CobId, PdoKind, SdoChannel, predefined};
 
 /// A CAN-ID as a number: bit 31 says that it has 29 bits.
 pub(super) type IdKey = u32;
@@ -59,26 +59,30 @@ impl Users {
 
     /// Takes services of a node as they are now.
     pub(super) fn update(&mut self, node: &TalkingNode<'_>, stale: Stale) {
+        if matches!(stale, Stale::Content(..)) {
+            let users = self.0.values_mut().flatten();
+            users
+                .filter(|user| user.node_id == node.node_id && stale.has(user.service))
+                .for_each(|user| user.content = OnceCell::new());
+            return;
+        }
         self.0.retain(|_, users| {
             users.retain(|user| user.node_id != node.node_id || !stale.has(user.service));
             !users.is_empty()
         });
         match stale {
-            Stale::Pdo(kind, number) => {
-                node.device.pdo(kind, number).iter().for_each(|pdo| self.add_pdo(node, pdo));
-            }
+            Stale::Pdo(kind, number) => self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number)),
             Stale::Others => self.add_services(node),
             Stale::All => {
                 self.add_services(node);
-                node.device.pdos().for_each(|pdo| self.add_pdo(node, &pdo));
+                node.device.pdos().for_each(|pdo| self.add_pdo(node, pdo.kind, pdo.number, pdo.cob_id));
             }
+            Stale::Content(..) => {}
         }
     }
 
-    fn add_pdo(&mut self, node: &TalkingNode<'_>, pdo: &Pdo<'_>) {
-        if pdo.is_valid() == Some(true) {
-            self.add(node, pdo.cob_id, Service::pdo(pdo.kind, pdo.number), 0);
-        }
+    fn add_pdo(&mut self, node: &TalkingNode<'_>, kind: PdoKind, number: u16, cob_id: Option<CobId>) {
+        self.add(node, cob_id.filter(|cob_id| cob_id.is_valid()), Service::pdo(kind, number), 0);
     }
 
     fn add_services(&mut self, node: &TalkingNode<'_>) {

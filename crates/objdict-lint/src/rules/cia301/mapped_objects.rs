@@ -238,7 +238,7 @@ fn object_mapped_twice(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     for mapped in pdo.mapped.iter().filter(|mapped| !matches!(mapped.target, MappedTo::Dummy)) {
         let object = mapped.object;
         let place = |slot| facts.device.value_place(pdo.pdo.mapping_index(), slot);
-        match seen.get(&(object.index, object.sub)) {
+        match seen.get(&object.entry()) {
             Some(&first) => {
                 let message = say!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
                 let finding = OBJECT_MAPPED_TWICE.at(place(mapped.slot), message);
@@ -246,7 +246,7 @@ fn object_mapped_twice(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
                     .push(finding.label(place(first), "first mapped here").help("map the intended object"));
             }
             None => {
-                seen.insert((object.index, object.sub), mapped.slot);
+                seen.insert(object.entry(), mapped.slot);
             }
         }
     }

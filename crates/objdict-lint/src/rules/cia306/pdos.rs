@@ -150,7 +150,7 @@ fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     // another rule reports a PDO that maps an entry without a fixed length
     let is_mapped = |at: &EntryAt<'_>| {
-        let this = |mapped: MappedObject| (mapped.index, mapped.sub) == (at.index, at.sub.unwrap_or(0));
+        let this = |mapped: MappedObject| mapped.entry() == (at.index, at.sub.unwrap_or(0));
         at.device.pdos().any(|pdo| pdo.mapped().any(this))
     };
     let unmappable = entry

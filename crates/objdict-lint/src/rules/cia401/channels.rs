@@ -135,7 +135,7 @@ fn channels_without_pdo(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut
     ];
     for (kind, index, number, room) in arrays.into_iter().filter(|(_, _, number, room)| number > room) {
         let mut pdos = facts.pdos.iter().filter(|pdo| pdo.pdo.kind == kind);
-        let carries = |object: MappedObject| (object.index, object.sub) == (index, number);
+        let carries = |object: MappedObject| object.entry() == (index, number);
         if pdos.any(|pdo| {
             pdo.pdo.number > LAST_DEFAULT_PDO || pdo.mapped.iter().any(|mapped| carries(mapped.object))
         }) {
