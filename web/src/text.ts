@@ -80,6 +80,9 @@ class EditedText {
   /** What was typed since, in the steps in which it is sent; what is typed now belongs to the last one while it is open. */
   private steps: ChangeSet[] = [];
   private isOpen = false;
+  /** How many steps have their turn already, and when the last of them is sent. */
+  private queued = 0;
+  private sent: Promise<void> = Promise.resolve();
   private timer = 0;
 
   constructor(
@@ -143,27 +146,27 @@ class EditedText {
   /** Sends what was typed so far, behind all that was asked for before. */
   async send(): Promise<void> {
     clearTimeout(this.timer);
-    if (this.steps.length === 0) return;
     this.isOpen = false;
-    await this.store.enqueue(() => this.sendFirst());
+    for (; this.queued < this.steps.length; this.queued++) this.sent = this.store.enqueue(() => this.sendFirst());
+    await this.sent;
   }
 
   private async sendFirst(): Promise<void> {
     const { document, store } = this;
     this.follow();
     const [sent] = this.steps;
-    if (!sent) return;
+    if (!sent || this.queued === 0) return;
     const lineEnd = /\r\n|\r|\n/.exec(document.state.text)?.[0] ?? "\n";
     try {
       document.state = await ask<State>({ do: "edit", document: document.id, revision: this.revision, edits: editsOf(sent, this.known, lineEnd) });
     } catch (error) {
       // it stays in the text, and is sent again with what is typed next
       this.steps = [this.steps.reduce((all, step) => all.compose(step))];
-      this.isOpen = true;
+      [this.isOpen, this.queued] = [true, 0];
       throw error;
     }
     this.steps.shift();
-    if (this.steps.length === 0) this.isOpen = false;
+    this.queued--;
     this.known = sent.apply(this.known);
     this.revision = document.state.revision;
     store.notice = undefined;
