@@ -1,4 +1,4 @@
-//! docs/rules, a page for each group of rules, and docs/portability.md, out of what is known of other tools.
+//! docs/rules, a page for each group of rules, docs/portability.md, out of what is known of other tools, and tables in other pages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -7,6 +7,7 @@ use std::path::Path;
 
 use objdict::compat::{MESSAGES, REACTIONS};
 use objdict::diagnostic::RuleInfo;
+use objdict::format::input::FileKind;
 use objdict::lint::changes::Audience;
 use objdict::registry;
 
@@ -18,7 +19,10 @@ pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
     let mut pages = rule_pages(&shares::read(&folder.join("rules-shares.tsv"))?)?;
     pages.insert("portability.md".to_owned(), portability_page());
-    pages.insert("diff.md".to_owned(), with_verdicts(&folder.join("diff.md"))?);
+    let generated = [("diff.md", "verdicts", verdicts()), ("formats.md", "formats", FileKind::table())];
+    for (page, mark, table) in generated {
+        pages.insert(page.to_owned(), with_table(&folder, page, mark, &table)?);
+    }
     for (name, text) in &pages {
         let (path, shown) = (folder.join(name), format!("docs/{name}"));
         if check {
@@ -51,16 +55,19 @@ fn remove_leftovers(folder: &Path, pages: &BTreeMap<String, String>, check: bool
     Ok(())
 }
 
-/// The marks around the table of verdicts in docs/diff.md.
-const VERDICTS: [&str; 2] = ["<!-- verdicts -->\n", "<!-- end of verdicts -->"];
+/// A page of docs with a table between its marks: `<!-- verdicts -->`.
+fn with_table(folder: &Path, page: &str, mark: &str, table: &str) -> Result<String, String> {
+    let text = fs::read_to_string(folder.join(page));
+    let text = text.map_err(|error| format!("cannot read docs/{page}: {error}"))?;
+    let marks = [format!("<!-- {mark} -->\n"), format!("<!-- end of {mark} -->")];
+    let parts =
+        text.split_once(&marks[0]).and_then(|(before, rest)| Some((before, rest.split_once(&marks[1])?.1)));
+    let (before, behind) = parts.ok_or_else(|| format!("docs/{page} has no marks around its {mark}"))?;
+    Ok(format!("{before}{}{table}{}{behind}", marks[0], marks[1]))
+}
 
-/// docs/diff.md with the table of the kinds of changes and their verdicts for each audience.
-fn with_verdicts(file: &Path) -> Result<String, String> {
-    let text = fs::read_to_string(file).map_err(|error| format!("cannot read docs/diff.md: {error}"))?;
-    let parts = text
-        .split_once(VERDICTS[0])
-        .and_then(|(before, rest)| Some((before, rest.split_once(VERDICTS[1])?.1)));
-    let (before, behind) = parts.ok_or("docs/diff.md has no marks around the table of verdicts")?;
+/// The kinds of changes and their verdicts for each audience.
+fn verdicts() -> String {
     let titles = Audience::ALL.map(Audience::title).join(" | ");
     let mut table = format!("| change | {titles} |\n|---|{}\n", "---|".repeat(Audience::ALL.len()));
     for rule in objdict::lint::changes::rules() {
@@ -72,7 +79,7 @@ fn with_verdicts(file: &Path) -> Result<String, String> {
         let info = &rule.info;
         let _ = writeln!(table, "| [{}]({}) | {verdicts} |", info.summary, address(info.id));
     }
-    Ok(format!("{before}{}{table}{}{behind}", VERDICTS[0], VERDICTS[1]))
+    table
 }
 
 /// The address of a rule's page in the documentation, from `docs` on.

@@ -7,14 +7,18 @@ use std::sync::Arc;
 use ignore::WalkBuilder;
 
 use super::ending::{Failure, detail, note};
-use super::input::{name_of, source_name};
+use super::input::{FileKind, name_of, source_name};
 use super::settings::{CommandSettings, Project};
 use objdict_format::identify::{ContentKind, identify};
 use objdict_model::source::{self, MAX_TOML_SIZE};
 use objdict_network_file::may_be_network;
 
 /// The endings of the descriptions that are looked for in folders.
-const ENDINGS: [&str; 7] = ["eds", "dcf", "xdd", "xdc", "xpd", "nxdd", "nxdc"];
+fn endings() -> Vec<&'static str> {
+    let has_own = |kind: &FileKind| kind.format().is_some_and(|format| FileKind::from(format) == *kind);
+    let kinds = FileKind::read().filter(|kind| has_own(kind) && *kind != FileKind::Toml);
+    kinds.flat_map(|kind| kind.endings().iter().copied()).collect()
+}
 
 /// Those of projects and of many other files.
 const SHARED_ENDINGS: [&str; 2] = ["xml", "od"];
@@ -162,7 +166,7 @@ impl Gathered<'_> {
     }
 
     fn nothing_in(&mut self, message: std::fmt::Arguments<'_>) {
-        let endings: Vec<String> = ENDINGS.iter().map(|ending| format!(".{ending}")).collect();
+        let endings: Vec<String> = endings().iter().map(|ending| format!(".{ending}")).collect();
         let help = format!("descriptions end in {}; a file that is named is always read", endings.join(", "));
         self.failures.push(Failure::new(message).help(help));
     }
@@ -199,7 +203,7 @@ pub(super) fn is_source(path: &Path) -> bool {
 }
 
 fn is_description(path: &Path) -> bool {
-    has_ending(path, &ENDINGS)
+    has_ending(path, &endings())
 }
 
 fn has_ending(path: &Path, endings: &[&str]) -> bool {

@@ -18,10 +18,15 @@ use objdict_format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use objdict_format::input::{FileKind, Input};
 use objdict_format::patch::Patch;
 use objdict_format::{Description, EditError, ReadError, WriteOptions};
-use objdict_model::diagnostic::one_line;
+use objdict_model::diagnostic::{listing_or, one_line};
 use objdict_model::model::Device;
 use objdict_model::source;
 use objdict_model::source::{DEFAULT_MAX_SIZE, Encoding, SourceError};
+
+/// The extensions of kinds of files, for a message: "`.eds` or `.dcf`".
+pub(super) fn extensions(kinds: impl IntoIterator<Item = FileKind>) -> String {
+    listing_or(kinds.into_iter().map(|kind| format!(".{}", kind.ending()))).to_string()
+}
 
 /// What reports call the standard input.
 const STDIN: &str = "<stdin>";

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::args::NewArgs;
+use super::args::{NewArgs, outputs};
 use super::ending::{Failure, Outcome, note};
 use super::input::{FileKind, name_of};
 use super::stdout::Output;
@@ -11,8 +11,6 @@ use objdict_format as format;
 use objdict_format::scaffold::{BaseError, FEATURES, Feature, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold};
 use objdict_format::{WriteOptions, json};
 use objdict_model::model::{ClockTime, Date};
-
-const OUTPUTS: &str = "name an output that ends in .eds, .xdd, .toml or .json, or the format with `--to`";
 
 pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let profile = profile(args)?;
@@ -25,7 +23,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let by_name = if is_stdout { Some(FileKind::Eds) } else { FileKind::of(&args.output) };
     let Some(kind) = args.to.or(by_name) else {
         let message = format!("`{}` has no extension of a known format", name_of(&args.output));
-        return Err(Failure::new(message).help(OUTPUTS));
+        return Err(Failure::new(message).help(outputs_help()));
     };
     let wanted = Wanted {
         profile,
@@ -48,7 +46,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
             Some(format) => format::write(&device, format, &WriteOptions::default())?.bytes,
             None => {
                 let message = format!("a new device cannot be a {}", kind.name());
-                return Err(Failure::new(message).help(OUTPUTS));
+                return Err(Failure::new(message).help(outputs_help()));
             }
         },
     };
@@ -65,6 +63,10 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let file = name_of(&args.output);
     out.summary(format_args!("{file} ({}), {objects} objects, {pdos} PDOs", kind.name()))?;
     Ok(Outcome::Clean)
+}
+
+fn outputs_help() -> String {
+    format!("name an output that ends in {}, or the format with `--to`", outputs())
 }
 
 /// The profile that was said, else the first one that has the features.

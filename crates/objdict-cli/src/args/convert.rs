@@ -6,11 +6,12 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::network::NetworkPathArgs;
 use crate::canonical::CanonicalArgs;
-use crate::input::{ExpandArgs, FileKind, InputArgs};
+use crate::input::{ExpandArgs, FileKind, InputArgs, extensions};
 use crate::settings::ConfigFileArgs;
 use crate::values::{node_id, node_name, one_of};
 use crate::written_files::OverwriteArgs;
 use objdict_format::XddVersion;
+use objdict_model::diagnostic::series;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct ConvertArgs {
@@ -88,16 +89,29 @@ impl ConvertArgs {
 const VERSIONS: [(XddVersion, &str, &str); 2] =
     [(XddVersion::V1_0, "1.0", ""), (XddVersion::V1_1, "1.1", "")];
 
-/// The kinds of files that a description is converted to, by their words.
-fn output_help() -> String {
-    let endings: Vec<String> = FileKind::written().map(|kind| format!(".{}", kind.ending())).collect();
+/// The help of the command, with the formats that it reads and writes.
+pub(super) fn about() -> String {
+    let names = |kinds: &mut dyn Iterator<Item = FileKind>| series(kinds.map(FileKind::name)).to_string();
+    let (read, written) = (names(&mut FileKind::read()), names(&mut FileKind::written()));
     format!(
-        "The file to write: {}; `-` is standard output, the default with --to. Of one file also several: `-o a.dcf -o a.xdd`. \
-         For several files: a folder, with --to, or one DBC for all of them",
-        endings.join(" ")
+        "Convert between formats\n\n\
+         Reads {read}, and writes {written}. \
+         EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep \
+         comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored \
+         in properties or comment lines of objdict (docs/formats.md). A DBC contains the messages of one node, or of all nodes of a network \
+         (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented."
     )
 }
 
+fn output_help() -> String {
+    format!(
+        "The file to write: {}; `-` is standard output, the default with --to. Of one file also several: `-o a.dcf -o a.xdd`. \
+         For several files: a folder, with --to, or one DBC for all of them",
+        extensions(FileKind::written())
+    )
+}
+
+/// The kinds of files that a description is converted to, by their words.
 fn written_kinds() -> impl TypedValueParser<Value = FileKind> {
     let words = PossibleValuesParser::new(FileKind::written().map(FileKind::word));
     words.try_map(|word| FileKind::written().find(|kind| kind.word() == word).ok_or("no kind of file"))

@@ -37,7 +37,7 @@ pub(super) use self::network::{
     NetworkDiffArgs, NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs,
     NetworkShowArgs, NetworkTarget, NetworkTimingArgs, NetworkVerifyArgs,
 };
-pub(super) use self::new::NewArgs;
+pub(super) use self::new::{NewArgs, outputs};
 pub(super) use self::open::OpenArgs;
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 pub(super) use self::probe::ProbeArgs;
@@ -143,12 +143,8 @@ pub(super) enum Command {
     /// Compares two descriptions as `diff` does, and reports which of revision number, product code, FileVersion, FileRevision and
     /// ModificationDate do not move with the changes. --fix sets them. Exits with 1 if something is missing (docs/diff.md).
     Release(ReleaseArgs),
-    /// Convert between EDS, DCF, XDD, XDC, `device.toml`, JSON and concise DCF, and export to DBC
-    ///
-    /// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep
-    /// comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored
-    /// in properties or comment lines of objdict (docs/formats.md). A DBC contains the messages of one node, or of all nodes of a network
-    /// (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented.
+    /// Convert between formats
+    #[command(long_about = convert::about())]
     Convert(ConvertArgs),
     /// Create the DCF of a node from an EDS
     ///

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use super::features::FeatureArgs;
+use crate::input::extensions;
 use crate::values::{self, one_of};
 use objdict_format::input::FileKind;
 use objdict_model::model::Date;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NewArgs {
-    /// The file to write: .eds .xdd .toml .json; `-` is standard output
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", help = format!("The file to write: {}; `-` is standard output", outputs()))]
     pub output: PathBuf,
     /// The format to write [default: by the extension of the output, else eds]
     #[arg(long, value_parser = one_of(&KINDS), value_name = "FORMAT")]
@@ -53,6 +53,11 @@ const KINDS: [(FileKind, &str, &str); 4] = [
     (FileKind::Toml, "toml", "The short source of a device (docs/device.md)"),
     (FileKind::Json, "json", ""),
 ];
+
+/// The extensions of new descriptions.
+pub(crate) fn outputs() -> String {
+    extensions(KINDS.map(|(kind, ..)| kind))
+}
 
 /// A number in decimal or, behind `0x`, in hexadecimal.
 pub(super) fn number(text: &str) -> Result<u32, String> {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::super::args::ConvertArgs;
 use super::super::ending::Failure;
-use super::super::input::{FileKind, name_of};
+use super::super::input::{FileKind, extensions, name_of};
 use super::super::written_files::{is_folder, is_stdout};
 use objdict_format::patch::Patch;
 
@@ -33,11 +33,7 @@ impl Job {
 
 /// The endings of the formats that are written, for the help of an error.
 fn known_endings() -> String {
-    let endings: Vec<String> = FileKind::written().map(|kind| format!("`.{}`", kind.ending())).collect();
-    match endings.split_last() {
-        Some((last, others)) => format!("{} and {last} are known", others.join(", ")),
-        None => String::new(),
-    }
+    format!("use {}", extensions(FileKind::written()))
 }
 
 /// What the arguments ask for: one file or several of one file, a folder for all files, or one DBC of all of them.
@@ -81,10 +77,10 @@ fn plan_output(inputs: &[PathBuf], output: &Path, stated: Option<FileKind>) -> R
         [input] if !is_folder(output) => {
             let to = stated.or(named).ok_or_else(|| {
                 let message = format!("`{}` has no extension of a known format", name_of(output));
-                Failure::new(message).help(format!("{}; or name the format with `--to`", known_endings()))
+                Failure::new(message).help(format!("{}, or name the format with `--to`", known_endings()))
             })?;
-            if to == FileKind::Cpj {
-                return Err(Failure::new("node lists are not written").help(known_endings()));
+            if FileKind::written().all(|kind| kind != to) {
+                return Err(Failure::new(format_args!("no {} is written", to.name())).help(known_endings()));
             }
             Ok(vec![job(input, to)])
         }

@@ -16,7 +16,7 @@ pub(super) use self::losses::LossesJson as LossDocument;
 use super::annotation::DescribedStream;
 use super::args::ConvertArgs;
 use super::ending::{Failure, Outcome, note};
-use super::input::{FileKind, Input, name_of, source_name};
+use super::input::{FileKind, Input, extensions, name_of, source_name};
 use super::progress::{Progress, give_way};
 use super::settings::{CommandSettings, SettingsArgs};
 use super::stdout::Output;
@@ -263,7 +263,8 @@ fn of_configuration(job: &Job, configuration: &ConciseDcf) -> Result<ConvertedFi
             let name = to.name();
             let message =
                 format!("a concise DCF holds values and no description, so no {name} can be made of it");
-            Err(Failure::new(message).help("it can become `.json` or `.cdcf.txt`"))
+            let kinds = [FileKind::Json, FileKind::Cdcf, FileKind::CdcfText];
+            Err(Failure::new(message).help(format!("it can become {}", extensions(kinds))))
         }
     }
 }

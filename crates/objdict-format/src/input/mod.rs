@@ -21,10 +21,14 @@ use objdict_model::diagnostic::Severity;
 use objdict_model::model::Device;
 use objdict_model::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
-/// Declares the kinds of files, each with its word on the command line and the ending of its files, what people call it, the
-/// feature of this crate with which it is read, and its format where it is a description with its text.
+/// How the formats are written whose texts are edited.
+const EDITED: &str = "by edits of the text, or in the canonical style";
+
+/// Declares the kinds of files, each with its word on the command line, the endings of its files, what people call it, the
+/// feature of this crate with which it is read, its format where it is a description with its text, how it is written, and
+/// what docs/formats.md says of it.
 macro_rules! file_kinds {
-    ($( $(#[$doc:meta])+ $kind:ident $word:literal $ending:literal $name:literal $feature:expr, $format:expr; )+) => {
+    ($( $(#[$doc:meta])+ $kind:ident $word:literal $endings:expr, $name:literal $feature:expr, $format:expr, $written:expr, $about:literal; )+) => {
         /// A kind of file that commands and build scripts read or write.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
@@ -34,7 +38,6 @@ macro_rules! file_kinds {
         }
 
         impl FileKind {
-            #[cfg(feature = "clap")]
             const ALL: &[Self] = &[$( Self::$kind ),+];
 
             /// Its word on the command line.
@@ -43,9 +46,9 @@ macro_rules! file_kinds {
                 match self { $( Self::$kind => $word ),+ }
             }
 
-            /// The ending of its files.
-            pub const fn ending(self) -> &'static str {
-                match self { $( Self::$kind => $ending ),+ }
+            /// The endings of its files, the usual one first.
+            pub const fn endings(self) -> &'static [&'static str] {
+                match self { $( Self::$kind => &$endings ),+ }
             }
 
             /// What people call it.
@@ -62,47 +65,95 @@ macro_rules! file_kinds {
             pub const fn format(self) -> Option<Format> {
                 match self { $( Self::$kind => $format ),+ }
             }
+
+            /// How it is written from a description; `None` if it is not.
+            #[cfg(feature = "clap")]
+            const fn writing(self) -> Option<&'static str> {
+                match self { $( Self::$kind => $written ),+ }
+            }
+
+            /// What docs/formats.md says of it.
+            #[cfg(feature = "clap")]
+            const fn about(self) -> &'static str {
+                match self { $( Self::$kind => $about ),+ }
+            }
         }
     };
 }
 
 file_kinds! {
     /// Electronic data sheet (CiA 306-1)
-    Eds "eds" "eds" "EDS" Some("default"), Some(Format::Eds);
+    Eds "eds" ["eds"], "EDS" Some("default"), Some(Format::Eds), Some(EDITED),
+        "electronic data sheet: a type of device (CiA 306-1)";
     /// Device configuration file (CiA 306-1)
-    Dcf "dcf" "dcf" "DCF" Some("default"), Some(Format::Dcf);
+    Dcf "dcf" ["dcf"], "DCF" Some("default"), Some(Format::Dcf), Some(EDITED),
+        "device configuration file: one node (CiA 306-1)";
     /// XML device description (CiA 311)
-    Xdd "xdd" "xdd" "XDD" Some("xdd"), Some(Format::Xdd);
+    Xdd "xdd" ["xdd", "nxdd", "xpd"], "XDD" Some("xdd"), Some(Format::Xdd), Some(EDITED),
+        "XML device description: a type of device (CiA 311, versions 1.0 and 1.1); networks (`.nxdd`) and profile databases (`.xpd`) of CANopenEditor are only read";
     /// XML device configuration (CiA 311)
-    Xdc "xdc" "xdc" "XDC" Some("xdd"), Some(Format::Xdc);
+    Xdc "xdc" ["xdc", "nxdc"], "XDC" Some("xdd"), Some(Format::Xdc), Some(EDITED),
+        "XML device configuration: one node (CiA 311); networks (`.nxdc`) of CANopenEditor are only read";
     /// The short source of a device (docs/device.md)
-    Toml "toml" "toml" "device.toml" Some("toml"), Some(Format::Toml);
+    Toml "toml" ["toml"], "device.toml" Some("toml"), Some(Format::Toml), Some(EDITED),
+        "short source of a device ([device.md](device.md))";
     /// Project of the editors for CANopenNode from before XDD
     // its objects are those of an XDD
-    CanopenNode "canopennode" "xml" "CANopenNode project" Some("xdd"), Some(Format::Xdd);
+    CanopenNode "canopennode" ["xml"], "CANopenNode project" Some("xdd"), Some(Format::Xdd), None,
+        "project of the editors for CANopenNode from before XDD, root element `device` ([below](#projects-of-canopennode))";
     /// Project of objdictgen, the generator of CanFestival, which is only read
-    Objdictgen "od" "od" "objdictgen project" Some("xdd"), Some(Format::Xdd);
+    Objdictgen "od" ["od"], "objdictgen project" Some("xdd"), Some(Format::Xdd), None,
+        "project of objdictgen, the generator of CanFestival ([below](#projects-of-objdictgen))";
     /// The model of a device, or the downloads of a concise DCF, as JSON
-    Json "json" "json" "JSON" Some("toml"), None;
+    Json "json" ["json"], "JSON" Some("toml"), None, Some("yes"),
+        "the whole model of a device, or the downloads of a concise DCF ([below](#json))";
     /// Concise DCF (CiA 302-3)
-    Cdcf "cdcf" "cdcf" "concise DCF" Some("toml"), None;
+    Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
+        "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
     /// Concise DCF as a text of one download a line (docs/dcf.md)
-    CdcfText "cdcf.txt" "cdcf.txt" "concise DCF as text" Some("toml"), None;
+    CdcfText "cdcf.txt" ["cdcf.txt"], "concise DCF as text" Some("toml"), None, Some("yes"),
+        "concise DCF as a text with one download per line ([dcf.md](dcf.md))";
     /// Node list (CiA 306-3)
-    Cpj "cpj" "cpj" "node list" Some("full"), None;
+    Cpj "cpj" ["cpj"], "node list" Some("full"), None, None,
+        "node list of a network (CiA 306-3)";
     /// The messages of nodes on the CAN bus, which is only written
     #[cfg_attr(feature = "clap", value(skip))]
-    Dbc "dbc" "dbc" "DBC" None, None;
+    Dbc "dbc" ["dbc"], "DBC" None, None, Some("[yes](#dbc)"),
+        "database of the CAN bus: the messages and signals of nodes";
 }
 
 impl FileKind {
     /// The kinds that a description is converted to.
     #[cfg(feature = "clap")]
     pub fn written() -> impl Iterator<Item = Self> {
-        Self::ALL
-            .iter()
-            .copied()
-            .filter(|kind| !matches!(kind, Self::CanopenNode | Self::Objdictgen | Self::Cpj))
+        Self::ALL.iter().copied().filter(|kind| kind.writing().is_some())
+    }
+
+    /// The kinds that are read.
+    #[cfg(feature = "clap")]
+    pub fn read() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|kind| kind.feature().is_some())
+    }
+
+    /// The table of formats in docs/formats.md.
+    #[cfg(feature = "clap")]
+    pub fn table() -> String {
+        let row = |kind: &Self| {
+            let endings: Vec<_> = kind.endings().iter().map(|ending| format!("`.{ending}`")).collect();
+            let read = if kind.feature().is_some() { "yes" } else { "no" };
+            let (endings, written) = (endings.join(", "), kind.writing().unwrap_or("no"));
+            format!("| {endings} | {} | {read} | {written} |\n", kind.about())
+        };
+        let rows: String = Self::ALL.iter().map(row).collect();
+        format!("| extension | format | read | written |\n|---|---|---|---|\n{rows}")
+    }
+
+    /// The usual ending of its files.
+    pub const fn ending(self) -> &'static str {
+        match self.endings() {
+            [usual, ..] => usual,
+            [] => "",
+        }
     }
 
     /// What the last known ending of a name says, so `drive.eds.txt` is an EDS.
@@ -111,14 +162,11 @@ impl FileKind {
         if name.to_ascii_lowercase().ends_with(".cdcf.txt") {
             return Some(Self::CdcfText);
         }
-        name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
-            "json" => Some(Self::Json),
-            "cdcf" => Some(Self::Cdcf),
-            "cpj" => Some(Self::Cpj),
-            "dbc" => Some(Self::Dbc),
-            "od" => Some(Self::Objdictgen),
-            ending => Format::from_name(ending).map(Self::from),
-        })
+        // an ending of several kinds means the first, and much else is XML
+        let kinds = Self::ALL.iter().copied().filter(|kind| *kind != Self::CanopenNode);
+        let is =
+            |kind: &Self, part: &str| kind.endings().iter().any(|known| known.eq_ignore_ascii_case(part));
+        name.rsplit('.').find_map(|part| kinds.clone().find(|kind| is(kind, part)))
     }
 
     /// The kind of a content that commands read.
