@@ -241,8 +241,9 @@ pub mod format {
     pub use objdict_format::nodelist;
     #[cfg(feature = "toml")]
     pub use objdict_format::{
-        ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, concise,
-        convert, device_schema, has_meaning_keys, json, losses, new_device_toml, patch, unread, write,
+        ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, canopeneditor,
+        concise, convert, device_schema, has_meaning_keys, json, losses, new_device_toml, patch, unread,
+        write,
     };
     pub use objdict_format::{Description, ReadError, identify, input, open, read};
     pub use objdict_model::source::EditError;

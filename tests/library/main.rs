@@ -6,6 +6,8 @@
 mod agree;
 mod boot;
 mod boots;
+#[cfg(feature = "full")]
+mod canopeneditor;
 mod changes;
 mod circles;
 mod compat;

@@ -25,7 +25,9 @@ use objdict_model::source::{DEFAULT_MAX_SIZE, Encoding, SourceError};
 
 /// The extensions of kinds of files, for a message: "`.eds` or `.dcf`".
 pub(super) fn extensions(kinds: impl IntoIterator<Item = FileKind>) -> String {
-    listing_or(kinds.into_iter().map(|kind| format!(".{}", kind.ending()))).to_string()
+    let mut endings: Vec<String> = kinds.into_iter().map(|kind| format!(".{}", kind.ending())).collect();
+    endings.dedup();
+    listing_or(endings).to_string()
 }
 
 /// What reports call the standard input.

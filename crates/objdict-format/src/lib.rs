@@ -3,6 +3,8 @@
 #![cfg_attr(not(feature = "full"), allow(unreachable_pub, reason = "what is used depends on the features"))]
 
 #[cfg(feature = "full")]
+pub mod canopeneditor;
+#[cfg(feature = "full")]
 mod complete;
 #[cfg(feature = "full")]
 mod configured;

@@ -310,6 +310,11 @@ fn lost_without_objects(device: &mut Device, format: Format, options: &WriteOpti
     lost.into_iter().map(|found| found.change).filter(is_apart).collect()
 }
 
+/// What is read of a text of a format without embedded data does not have of the device that it was made of.
+pub(super) fn lost(device: &Device, read: &Device, limit: usize) -> Result<Vec<Loss>, EditError> {
+    Ok(losses_of(missing(device, read, limit)?, LossKind::Lost))
+}
+
 /// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.
 ///
 /// # Errors

@@ -31,6 +31,8 @@ use serde_json::json;
 use crate::support;
 
 #[cfg(feature = "full")]
+mod canopeneditor;
+#[cfg(feature = "full")]
 mod dbc;
 mod edited;
 #[cfg(feature = "full")]
@@ -39,8 +41,14 @@ mod networks;
 #[cfg(feature = "cli")]
 mod schemas;
 
-const PACKAGES: [&str; 5] =
-    ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema-rs==0.61.0"];
+const PACKAGES: [&str; 6] = [
+    "canopen==2.4.1",
+    "dcf-tools==2.4.2",
+    "cantools==45.1.0",
+    "canmatrix==1.3.3",
+    "jsonschema-rs==0.61.0",
+    "protobuf==6.33.0",
+];
 
 /// The folder with the programs of the environment, made once; `None`, and the test is skipped, when it cannot be made here.
 pub(crate) fn environment() -> Option<&'static Path> {

@@ -10,7 +10,7 @@ use super::super::input::{FileKind, name_of};
 use super::super::node::{commissioning, former_node_id, restated, valid_node_id};
 use super::Job;
 use objdict_format as format;
-use objdict_format::{Description, Format, Loss, LossKind, Syntax, WriteOptions, json, stated_name};
+use objdict_format::{Description, Format, Loss, LossKind, Syntax, WriteOptions, Written, json, stated_name};
 use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{counted, series};
 use objdict_model::model::{Commissioning, Device, DeviceKind, Part, Place};
@@ -153,6 +153,10 @@ pub(super) fn of_device(
     let device = expanded.unwrap_or(device);
     match job.to {
         FileKind::Json => Ok(ConvertedFile::whole(json::write_device(&device).into_bytes())),
+        FileKind::CanopenEditorJson => {
+            let Written { bytes, losses, .. } = format::canopeneditor::write(&device, max_losses)?;
+            Ok(ConvertedFile { bytes, losses })
+        }
         FileKind::Cdcf => {
             let (configuration, losses) = configuration(args, job, &device)?;
             Ok(ConvertedFile { bytes: configuration.write().map_err(Failure::new)?, losses })

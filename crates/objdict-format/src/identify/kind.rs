@@ -67,6 +67,8 @@ content_kinds! {
     ObjdictgenProject "objdictgen project" KindRole::Read(Format::Xdd), None;
     /// Project of objdictgen in the JSON of its newer versions.
     ObjdictgenJson "objdictgen project as JSON" KindRole::Canopen, Some("`odg convert device.json device.od` makes a project that is read");
+    /// Project of CANopenEditor in the JSON of protobuf.
+    CanopenEditorJson "CANopenEditor project as JSON" KindRole::Canopen, Some("convert it to an XDD");
     /// The short source of a device (docs/device.md).
     DeviceToml "device.toml" KindRole::Read(Format::Toml), None;
     /// Node list (CiA 306-3).

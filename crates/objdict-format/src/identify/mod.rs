@@ -131,6 +131,7 @@ impl Identification {
             Kind::ConciseDcf | Kind::ConciseText | Kind::JsonConciseDcf => {
                 "is a concise DCF, which holds values and describes no device"
             }
+            Kind::CanopenEditorJson => "is a project of CANopenEditor as JSON",
             Kind::JsonDevice => "is a device as JSON",
             Kind::DeviceToml => "is the short source of a device (device.toml)",
             Kind::BusConfiguration => {

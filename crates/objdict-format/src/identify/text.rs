@@ -28,13 +28,18 @@ pub(super) fn toml(text: &str) -> Option<Identification> {
     Some(Identification::new(kind, format!("its first key is `format`, with `{format}1`")))
 }
 
-/// A JSON document of objdict. Its names may be in any order, so every `kind` is looked at.
+/// A JSON document of objdict or of an editor. Names may be in any order, so every `kind` is looked at.
 fn json(text: &str) -> Option<Identification> {
     if text.contains("\"od data\"") {
         let reason = "it is JSON with the `$id` `od data`";
         return Some(Identification::new(ContentKind::ObjdictgenJson, reason));
     }
-    if !text.contains("\"version\"") {
+    let is_field = |name: &str| text.contains(&format!("\"{name}\""));
+    if is_field("subObjects") || is_field("deviceInfo") && is_field("fileInfo") {
+        let reason = "it is JSON with fields of the message `CanOpenDevice`, such as `subObjects`";
+        return Some(Identification::new(ContentKind::CanopenEditorJson, reason));
+    }
+    if !is_field("version") {
         return None;
     }
     text.match_indices("\"kind\"").find_map(|(at, key)| {

@@ -27,6 +27,11 @@ impl Reading {
                 }
                 .map_err(|error| damaged(error.into()))
             }
+            FileKind::CanopenEditorJson => {
+                self.limited_values(source)?;
+                let device = crate::canopeneditor::read(source.text());
+                device.map(|device| Input::Device(Box::new(device))).map_err(|error| damaged(error.into()))
+            }
             FileKind::Cdcf => {
                 let configuration = ConciseDcf::parse(&source.to_bytes());
                 configuration.map(Input::Concise).map_err(|error| damaged(error.into()))

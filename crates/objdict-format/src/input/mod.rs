@@ -107,6 +107,9 @@ file_kinds! {
     /// The model of a device, or the downloads of a concise DCF, as JSON
     Json "json" ["json"], "JSON" Some("toml"), None, Some("yes"),
         "the whole model of a device, or the downloads of a concise DCF ([below](#json))";
+    /// Project of CANopenEditor as JSON, with the settings for CANopenNode
+    CanopenEditorJson "canopeneditor-json" ["json"], "CANopenEditor project" Some("toml"), None, Some("yes, with `--to canopeneditor-json`"),
+        "project of CANopenEditor, as its JSON (protobuf) ([below](#projects-of-canopeneditor))";
     /// Concise DCF (CiA 302-3)
     Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
         "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
@@ -174,6 +177,7 @@ impl FileKind {
         match kind {
             ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
             ContentKind::ObjdictgenProject => Some(Self::Objdictgen),
+            ContentKind::CanopenEditorJson => Some(Self::CanopenEditorJson),
             ContentKind::NodeList => Some(Self::Cpj),
             ContentKind::ConciseDcf => Some(Self::Cdcf),
             ContentKind::ConciseText => Some(Self::CdcfText),

@@ -113,9 +113,9 @@ pub use plain::{Plain, WithPlainValues};
 #[cfg(feature = "schema")]
 pub use schema::HexBytes;
 #[cfg(feature = "serde")]
-pub use serial::{HexText, hex_number, hex_text};
+pub use serial::{HexText, hex_number, hex_text, unique_keys};
 #[cfg(feature = "serde")]
-pub(crate) use serial::{index_keys, index_list, is_default, real_text, sub_list, unique_keys};
+pub(crate) use serial::{index_keys, index_list, is_default, real_text, sub_list};
 pub use services::{HeartbeatConsumer, SdoChannel, Services};
 pub use stack::{SrdoAccess, StackOptions};
 pub use unparsed::{Extra, ExtraSection, InvalidValue, InvalidValues, Reason};

@@ -161,14 +161,14 @@ pub(crate) mod index_keys {
 }
 
 /// Maps with unique keys: otherwise the second value would silently win.
-pub(crate) mod unique_keys {
+pub mod unique_keys {
     use super::{
         BTreeMap, BTreeSet, Deserialize, Deserializer, Error, MapAccess, PhantomData, Serialize, Serializer,
         Visitor, fmt,
     };
 
     /// Writes a map unchanged.
-    pub(crate) fn serialize<K: Serialize, T: Serialize, S: Serializer>(
+    pub fn serialize<K: Serialize, T: Serialize, S: Serializer>(
         map: &BTreeMap<K, T>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
@@ -176,7 +176,7 @@ pub(crate) mod unique_keys {
     }
 
     /// Reads a map; a repeated key is an error.
-    pub(crate) fn deserialize<'de, K, T, D>(deserializer: D) -> Result<BTreeMap<K, T>, D::Error>
+    pub fn deserialize<'de, K, T, D>(deserializer: D) -> Result<BTreeMap<K, T>, D::Error>
     where
         K: Deserialize<'de> + Ord + Clone + fmt::Display,
         T: Deserialize<'de>,
@@ -186,7 +186,7 @@ pub(crate) mod unique_keys {
     }
 
     /// Reads the keys and values of a map in the order of the file; a repeated key is an error.
-    pub(crate) fn pairs<'de, K, T, D>(deserializer: D) -> Result<Vec<(K, T)>, D::Error>
+    pub fn pairs<'de, K, T, D>(deserializer: D) -> Result<Vec<(K, T)>, D::Error>
     where
         K: Deserialize<'de> + Ord + Clone + fmt::Display,
         T: Deserialize<'de>,

@@ -133,9 +133,9 @@ impl<'a> PlacedText<'a> {
         meant: impl FnOnce(Value, &mut Quirks) -> Value,
         findings: &mut Findings,
     ) -> Result<Option<Value>, Reason> {
-        let Some(text) = value_text(&self.text, data_type) else { return Ok(None) };
+        let Some(text) = stated_text(&self.text, data_type) else { return Ok(None) };
         let mut quirks = Quirks::default();
-        let value = value(text, data_type, &mut quirks)?;
+        let value = read_value(text, data_type, &mut quirks)?;
         let value = meant(value, &mut quirks);
         literal::spelling(text, self.at, quirks, Some(&value), findings);
         Ok(Some(value))
@@ -312,7 +312,7 @@ fn pdo_mapping(word: &str) -> Option<PdoMapping> {
 
 /// The part of a text that is the value: blanks at the ends are significant only in strings. `None` for an
 /// empty text, and for the `0` that editors for CANopenNode write for a DOMAIN, which has no value.
-pub(crate) fn value_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
+pub fn stated_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
     let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
     let text = if is_string { text } else { text.trim_ascii() };
     let is_filler = data_type == Some(DataType::DOMAIN) && text == "0";
@@ -321,7 +321,7 @@ pub(crate) fn value_text(text: &str, data_type: Option<DataType>) -> Option<&str
 
 /// The value of a text. Blanks between the bytes of an OCTET_STRING are no quirk: without them CANopenEditor reads
 /// a single byte.
-pub(crate) fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
+pub fn read_value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
     let mut bytes = text.split_ascii_whitespace();
     let are_pairs = data_type == Some(DataType::OCTET_STRING) && bytes.all(|byte| byte.len() == 2);
     if are_pairs {

@@ -21,6 +21,7 @@ pub mod write;
 mod xdd_writer;
 
 pub use self::configure::{to_xdc, to_xdd, with_objects};
+pub use self::fact::{read_value, stated_text};
 pub use self::fix::edits;
 pub use self::fmt::arrange;
 pub use self::layout::{containers, is_network, is_project};
@@ -28,4 +29,4 @@ pub use self::locate::ElementLocator;
 pub use self::read::{read, read_literally};
 pub use self::schema::{words_of, xsd};
 pub use self::version::XddVersion;
-pub use self::write::write;
+pub use self::write::{print_value, write};

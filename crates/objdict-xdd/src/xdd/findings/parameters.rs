@@ -147,8 +147,8 @@ pub(super) fn fit(
     for value in stated.chain(values).chain(ends).filter(|value| !is_scaled(*value)) {
         let Some(attribute) = value.attribute(n::value) else { continue };
         let text = attribute.value();
-        let Some(text) = fact::value_text(&text, Some(data_type)) else { continue };
-        let message = match fact::value(text, Some(data_type), &mut Quirks::default()) {
+        let Some(text) = fact::stated_text(&text, Some(data_type)) else { continue };
+        let message = match fact::read_value(text, Some(data_type), &mut Quirks::default()) {
             Ok(_) => continue,
             Err(Reason::OutOfRange { low, high }) => {
                 format!("`{text}` does not fit {data_type}, which allows {low} to {high}")

@@ -7,7 +7,7 @@ use crate::model::{
     Parameter, ParameterAccess, PdoMapping, Place, ScaledValue, ValueRange,
 };
 use crate::xdd::defaults::written_access;
-use crate::xdd::fact::{self, value_text};
+use crate::xdd::fact::{self, stated_text};
 use crate::xdd::schema::Slots;
 use crate::xdd::types;
 
@@ -138,12 +138,12 @@ impl EntryValues<'_> {
     /// Fills a missing value. Returns whether the entry then has everything that the parameter has.
     fn fill(&mut self, slot: Slots, value: &ScaledValue) -> bool {
         let is_plain = value.offset.is_none() && value.multiplier.is_none() && value.labels.is_empty();
-        let Some(text) = value_text(&value.value, self.data_type) else { return is_plain };
+        let Some(text) = stated_text(&value.value, self.data_type) else { return is_plain };
         if let Some(invalid) = self.entry.invalid_values.get(&slot.field()) {
             return is_plain && &*invalid.text == text;
         }
         let mut quirks = Quirks::default();
-        let read = fact::value(text, self.data_type, &mut quirks).map(|value| match slot {
+        let read = fact::read_value(text, self.data_type, &mut quirks).map(|value| match slot {
             Slots::High => literal::high_limit(value, self.entry, &mut quirks),
             _ => value,
         });
@@ -168,8 +168,8 @@ fn outer_limits(ranges: &[ValueRange], data_type: Option<DataType>) -> Option<(&
         return Some((min, max));
     }
     let number = |value: &ScaledValue| {
-        let text = value_text(&value.value, data_type)?;
-        fact::value(text, data_type, &mut Quirks::default()).ok()?.as_real()
+        let text = stated_text(&value.value, data_type)?;
+        fact::read_value(text, data_type, &mut Quirks::default()).ok()?.as_real()
     };
     let limits =
         ranges.iter().map(|ValueRange { min, max, .. }| Some(((number(min)?, min), (number(max)?, max))));

@@ -8,7 +8,7 @@ use crate::model::{
 use crate::xdd::defaults::{
     DIRECTIONS, channel_field, count, count_attribute, default_rate_field, range_length, supported_field,
 };
-use crate::xdd::fact::{PlacedText, bit_rate, hex, value_text};
+use crate::xdd::fact::{PlacedText, bit_rate, hex, stated_text};
 use crate::xdd::layout::DescriptionProfile;
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::network::{DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
@@ -140,7 +140,7 @@ impl<'a> XddReader<'a> {
         for attribute in child.attributes() {
             let text = PlacedText::of(attribute);
             let index = || Ok(text.hex(4)?.and_then(|number| u16::try_from(number).ok()));
-            let word = |to_eds: fn(&str) -> Box<str>| Ok(value_text(&text.text, None).map(to_eds));
+            let word = |to_eds: fn(&str) -> Box<str>| Ok(stated_text(&text.text, None).map(to_eds));
             let findings = &mut self.findings;
             let is_read = match attribute.tag() {
                 n::dataType => index().map(|index| segment.data_type = index.map(DataType)),

@@ -7,6 +7,7 @@ mod objects;
 mod parameters;
 
 use self::parameters::EntryParameters;
+pub use self::parameters::print_value;
 use super::profile_class::ProfileClass;
 use super::schema::{CONTAINER, PROFILE};
 use super::shape;

@@ -1,7 +1,7 @@
 //! The object list.
 
 use super::Writer;
-use super::parameters::{REFERENCE, value_text};
+use super::parameters::{REFERENCE, print_value};
 use crate::model::{Access, Entry, Field, Object, ObjectList, ObjectType};
 use crate::xdd::defaults::{self, count, count_attribute};
 use crate::xdd::schema::network::{OBJECT, OBJECT_LIST, SUB_OBJECT};
@@ -67,7 +67,7 @@ impl Writer<'_> {
                 stated.or_else(|| unstated(entry, Access::Rw.name()))
             }
             _ => match at {
-                AttributePlace::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
+                AttributePlace::Value(place) => print_value(index, entry, place.get(entry), &place.field()),
                 _ => facts::text(entry, attribute, at),
             },
         };

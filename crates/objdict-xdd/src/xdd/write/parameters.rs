@@ -171,7 +171,7 @@ impl ParameterMaker<'_> {
 
     /// A value, or the invalid text.
     fn value(&self, value: Option<&Value>, field: &Field) -> Option<ScaledValue> {
-        let text = value_text(self.index, self.entry, value, field)?;
+        let text = print_value(self.index, self.entry, value, field)?;
         Some(ScaledValue { value: text.into(), ..ScaledValue::default() })
     }
 }
@@ -241,7 +241,7 @@ impl UsedIds {
 pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
 
 /// The text of a value, or the invalid text. CiA 311 knows no default of a DOMAIN.
-pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
+pub fn print_value(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
     let is_domain = entry.implied_type() == Some(DataType::DOMAIN);
     match value {
         _ if is_domain && *field == Field::DefaultValue => None,
