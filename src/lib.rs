@@ -242,8 +242,8 @@ pub mod format {
     #[cfg(feature = "toml")]
     pub use objdict_format::{
         ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, canopeneditor,
-        concise, convert, device_schema, has_meaning_keys, json, losses, new_device_toml, patch, unread,
-        write,
+        concise, convert, device_schema, has_meaning_keys, json, losses, new_device_toml, object_table,
+        patch, unread, write,
     };
     pub use objdict_format::{Description, ReadError, identify, input, open, read};
     pub use objdict_model::source::EditError;

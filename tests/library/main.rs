@@ -48,6 +48,8 @@ mod network;
 mod new;
 mod numbers;
 mod objdictgen;
+#[cfg(feature = "full")]
+mod object_table;
 #[cfg(feature = "cli")]
 mod pages;
 mod patch;

@@ -1,20 +1,29 @@
 //! `objdict new`.
 
 use std::io::Write;
+use std::path::Path;
 
 use super::args::{NewArgs, outputs};
+use super::convert::losses;
 use super::ending::{Failure, Outcome, note};
 use super::input::{FileKind, name_of};
 use super::stdout::Output;
-use super::written_files::{is_stdout, save};
+use super::written_files::{is_stdout, keep, save};
 use objdict_format as format;
-use objdict_format::scaffold::{BaseError, FEATURES, Feature, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold};
-use objdict_format::{WriteOptions, json};
-use objdict_model::model::{ClockTime, Date};
+use objdict_format::input::Reading;
+use objdict_format::scaffold::{
+    BaseError, FEATURES, Feature, Features, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold,
+};
+use objdict_format::{ReadError, WriteOptions, json, object_table};
+use objdict_model::model::{ClockTime, Date, Device, PdoKind};
+use objdict_model::source::{self, DEFAULT_MAX_SIZE};
 
 pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let profile = profile(args)?;
-    if args.vendor_id.is_none() {
+    let table = args.from.as_ref().map(|path| table(args, path)).transpose()?;
+    let identity = |sub| u32::try_from(table.as_ref()?.value(0x1018, sub)?.as_integer()?).ok();
+    let vendor_id = args.vendor_id.or_else(|| identity(1));
+    if vendor_id.is_none() {
         note(&format!("note: the vendor-ID is 0x{NO_VENDOR:08X}; set yours with `--vendor-id`\n"));
     }
     let (date, time) = date_and_time(args.date)?;
@@ -30,20 +39,36 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         features: args.features.0.clone(),
         file_name: if is_stdout { format!("device.{}", kind.ending()) } else { name.into_owned() },
         vendor_name: args.vendor_name.clone(),
-        vendor_id: args.vendor_id.unwrap_or(NO_VENDOR),
+        vendor_id: vendor_id.unwrap_or(NO_VENDOR),
         product_name: args.product_name.clone(),
-        product_code: args.product_code,
-        revision: args.revision,
+        product_code: args.product_code.or_else(|| identity(2)).unwrap_or(1),
+        revision: args.revision.or_else(|| identity(3)).unwrap_or(0x0001_0000),
         author: args.author.clone().unwrap_or_else(|| args.vendor_name.clone()),
         date,
         time,
     };
-    let device = scaffold(&wanted).map_err(failure)?;
+    let is_described = table.is_some();
+    let mut device = scaffold(&wanted).map_err(failure)?;
+    if let Some(Device { objects, lists, application, .. }) = table {
+        device = Device { objects, lists, application, ..device };
+        let count = |kind| u16::try_from(device.pdo_count(kind)).ok();
+        let counts = [PdoKind::Rpdo, PdoKind::Tpdo].map(count);
+        if let Some(info) = &mut device.device_info {
+            [info.rpdo_count, info.tpdo_count] = counts;
+        }
+    }
     let bytes = match kind {
         FileKind::Json => json::write_device(&device).into_bytes(),
-        FileKind::Toml => format::new_device_toml(&wanted).map_err(failure)?.into_bytes(),
+        FileKind::Toml if !is_described => format::new_device_toml(&wanted).map_err(failure)?.into_bytes(),
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
-            Some(format) => format::write(&device, format, &WriteOptions::default())?.bytes,
+            Some(format) => {
+                let options = WriteOptions { embed: is_described, ..WriteOptions::default() };
+                let written = format::write(&device, format, &options)?;
+                if is_described {
+                    note(&losses(&written.losses));
+                }
+                written.bytes
+            }
             None => {
                 let message = format!("a new device cannot be a {}", kind.name());
                 return Err(Failure::new(message).help(outputs_help()));
@@ -63,6 +88,23 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let file = name_of(&args.output);
     out.summary(format_args!("{file} ({}), {objects} objects, {pdos} PDOs", kind.name()))?;
     Ok(Outcome::Clean)
+}
+
+/// The objects of a table.
+fn table(args: &NewArgs, path: &Path) -> Result<Device, Failure> {
+    if args.features.0 != Features::default() {
+        let failure = Failure::new("a table has all objects of the device, so features add none");
+        return Err(failure.help("leave out the features, or `--from`"));
+    }
+    keep(path);
+    let name = name_of(path);
+    let source =
+        source::read(path, DEFAULT_MAX_SIZE).and_then(|bytes| Reading::default().source(&name, bytes));
+    let source = source.map_err(ReadError::from)?;
+    object_table::read(source.text()).map_err(|error| {
+        let failure = Failure::new(format_args!("cannot read `{name}`: {error}"));
+        failure.help("`objdict docs --to csv` writes all columns (docs/docs.md)")
+    })
 }
 
 fn outputs_help() -> String {

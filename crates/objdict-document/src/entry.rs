@@ -6,7 +6,7 @@ use super::anchor::Anchor;
 use super::context::{CodeName, Context};
 use super::details::{self, Details};
 use crate::describe::ValueReader;
-use crate::model::{DataType, Entry, Field, PdoKind, PdoMapping, Value};
+use crate::model::{DataType, Entry, Field, Value};
 use crate::profile::ObjectFacts;
 
 /// The view of a sub-index.
@@ -66,7 +66,7 @@ impl<'a> EntryView<'a> {
             data_type: data_type(&entry),
             bits: entry.data_type.and_then(DataType::bit_length),
             access: entry.access.map_or("", |access| access.name()),
-            pdo: directions(&entry),
+            pdo: entry.pdo_directions(),
             default: field(Field::DefaultValue, entry.default.as_ref()),
             is_changed: entry.is_changed(context.node_id),
             value: value.or_else(|| {
@@ -119,19 +119,6 @@ fn data_type(entry: &Entry) -> Cow<'static, str> {
         Some(data_type) => match data_type.name() {
             Some(name) => name.into(),
             None => data_type.to_string().into(),
-        },
-    }
-}
-
-fn directions(entry: &Entry) -> &'static str {
-    match entry.pdo_mapping {
-        None | Some(PdoMapping::No) => "",
-        Some(_) => match (entry.fits_pdo(PdoKind::Rpdo), entry.fits_pdo(PdoKind::Tpdo)) {
-            (true, true) => "RPDO TPDO",
-            (true, false) => "RPDO",
-            (false, true) => "TPDO",
-            // not allowed by the access type, which `check` reports
-            (false, false) => "PDO",
         },
     }
 }

@@ -175,7 +175,7 @@ fn device(form: ProjectForm) -> Device {
     device
 }
 
-/// CANopenEditor fails without a time, so the start of 1970 stands for none, as in an XDD; it writes the year 1 for none itself.
+/// A time that is not stated, which CANopenEditor needs all the same, as in an XDD; it writes the year 1 itself.
 const NO_TIME: &str = "1970-01-01T00:00:00Z";
 
 fn file_info(form: &FileForm) -> FileInfo {

@@ -10,6 +10,8 @@ mod complete;
 mod configured;
 #[cfg(feature = "full")]
 mod convert;
+#[cfg(feature = "full")]
+pub mod csv;
 mod description;
 #[cfg(feature = "full")]
 pub mod device_toml;
@@ -27,6 +29,8 @@ pub mod mention;
 pub mod nodelist;
 #[cfg(feature = "xdd")]
 mod objdictgen;
+#[cfg(feature = "full")]
+pub mod object_table;
 #[cfg(feature = "full")]
 pub mod patch;
 pub mod scaffold;

@@ -15,6 +15,9 @@ pub(crate) struct NewArgs {
     /// The format to write [default: by the extension of the output, else eds]
     #[arg(long, value_parser = one_of(&KINDS), value_name = "FORMAT")]
     pub to: Option<FileKind>,
+    /// A table of the objects as CSV, with the columns that `docs --to csv` writes, instead of those of a profile
+    #[arg(long, value_name = "FILE", conflicts_with = "profile")]
+    pub from: Option<PathBuf>,
     /// The device profile: 301, 401, 402, 404 or 406 [default: that of the features]
     #[arg(long, value_name = "NUMBER")]
     pub profile: Option<u16>,
@@ -27,12 +30,12 @@ pub(crate) struct NewArgs {
     /// Name of the product
     #[arg(long, value_name = "NAME", default_value = "Device", value_parser = text)]
     pub product_name: String,
-    /// Product code
-    #[arg(long, value_name = "NUMBER", default_value = "1", value_parser = number)]
-    pub product_code: u32,
-    /// Revision number, with the major revision in the upper 16 bits
-    #[arg(long, value_name = "NUMBER", default_value = "0x00010000", value_parser = number)]
-    pub revision: u32,
+    /// Product code [default: 1, or 1018h of the table]
+    #[arg(long, value_name = "NUMBER", value_parser = number)]
+    pub product_code: Option<u32>,
+    /// Revision number, with the major revision in the upper 16 bits [default: 0x00010000, or 1018h of the table]
+    #[arg(long, value_name = "NUMBER", value_parser = number)]
+    pub revision: Option<u32>,
     /// Author of the description [default: the vendor]
     #[arg(long, value_name = "NAME", value_parser = text)]
     pub author: Option<String>,

@@ -92,7 +92,7 @@ impl LossReport {
 }
 
 /// A line for each loss, or for all with the same reason, and how many there are.
-pub(super) fn text(losses: &[Loss]) -> String {
+pub(in super::super) fn text(losses: &[Loss]) -> String {
     if losses.is_empty() {
         return String::new();
     }

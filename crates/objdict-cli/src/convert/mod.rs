@@ -13,6 +13,7 @@ use self::jobs::Job;
 use self::losses::LossReport;
 #[cfg(feature = "schema")]
 pub(super) use self::losses::LossesJson as LossDocument;
+pub(super) use self::losses::text as losses;
 use super::annotation::DescribedStream;
 use super::args::ConvertArgs;
 use super::ending::{Failure, Outcome, note};

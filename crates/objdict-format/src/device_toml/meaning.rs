@@ -65,10 +65,20 @@ pub(super) fn read(
     }
     if section.get("bits").is_some() {
         let members: Vec<VarDeclaration> = members(section, address, findings);
-        let id = bits_id(address);
-        entry.parameter_mut().data_type = Some(DataTypeRef::Defined(id.as_str().into()));
-        application.data_types.push(struct_of(&entry.name, &id, members));
+        set_bits(address, entry, members, application);
     }
+}
+
+/// Gives an entry the type of a word of bits.
+pub(crate) fn set_bits(
+    address: &str,
+    entry: &mut Entry,
+    members: Vec<VarDeclaration>,
+    application: &mut ApplicationProcess,
+) {
+    let id = bits_id(address);
+    entry.parameter_mut().data_type = Some(DataTypeRef::Defined(id.as_str().into()));
+    application.data_types.push(struct_of(&entry.name, &id, members));
 }
 
 fn members(section: &KeyedTable<'_>, address: &str, findings: &mut Findings) -> Vec<VarDeclaration> {
@@ -106,7 +116,7 @@ fn struct_of(name: &str, id: &str, members: Vec<VarDeclaration>) -> TypeDefiniti
     TypeDefinition { name: name.into(), unique_id: id.into(), labels: Labels::default(), shape }
 }
 
-fn member(address: &str, (first, last): (u8, u8), name: &str) -> VarDeclaration {
+pub(crate) fn member(address: &str, (first, last): (u8, u8), name: &str) -> VarDeclaration {
     let is_single = first == last;
     let simple = if is_single { SimpleType::Bool } else { SimpleType::Bitstring };
     VarDeclaration {

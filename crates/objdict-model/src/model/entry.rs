@@ -127,6 +127,20 @@ impl Entry {
         }
     }
 
+    /// The kinds of PDOs that may map it: `RPDO`, `TPDO`, both; empty for none.
+    pub fn pdo_directions(&self) -> &'static str {
+        match self.pdo_mapping {
+            None | Some(PdoMapping::No) => "",
+            Some(_) => match (self.fits_pdo(PdoKind::Rpdo), self.fits_pdo(PdoKind::Tpdo)) {
+                (true, true) => "RPDO TPDO",
+                (true, false) => "RPDO",
+                (false, true) => "TPDO",
+                // not allowed by the access type, which `check` reports
+                (false, false) => "PDO",
+            },
+        }
+    }
+
     /// The flags; no flags if missing.
     pub fn flags(&self) -> ObjFlags {
         self.flags.unwrap_or_default()

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::exchange::{Exchange, SdoAnswer, SdoRequest};
+use objdict_format::csv::records;
 
 /// Why a table is not one of answers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,7 +99,7 @@ fn cell(column: &str, value: &serde_json::Value) -> Option<String> {
 }
 
 fn of_csv(text: &str) -> Result<Vec<NamedCells>, AnswersError> {
-    let mut rows = records(text).into_iter();
+    let mut rows = records(text).into_iter().map(|(_, row)| row);
     let headings: Vec<String> = rows.next().unwrap_or_default().iter().map(|name| heading(name)).collect();
     for column in [INDEX, SUB] {
         if !headings.iter().any(|name| name == column) {
@@ -115,39 +116,6 @@ fn heading(name: &str) -> String {
         "subindex" => SUB.to_owned(),
         name => name.to_owned(),
     }
-}
-
-/// The records of CSV (RFC 4180), separated by what the first line is separated by; lines of `#` are comments.
-fn records(text: &str) -> Vec<Vec<String>> {
-    let first = text.lines().find(|line| !is_skipped(line)).unwrap_or_default();
-    let separator = [';', '\t'].into_iter().find(|&separator| first.contains(separator)).unwrap_or(',');
-    let (mut records, mut record, mut cell, mut is_quoted) = (Vec::new(), Vec::new(), String::new(), false);
-    let mut characters = text.chars().peekable();
-    while let Some(character) = characters.next() {
-        match character {
-            '"' if is_quoted && characters.peek() == Some(&'"') => {
-                cell.push('"');
-                characters.next();
-            }
-            '"' => is_quoted = !is_quoted,
-            _ if is_quoted => cell.push(character),
-            '\r' => {}
-            '\n' => {
-                record.push(std::mem::take(&mut cell));
-                records.push(std::mem::take(&mut record));
-            }
-            _ if character == separator => record.push(std::mem::take(&mut cell)),
-            _ => cell.push(character),
-        }
-    }
-    record.push(cell);
-    records.push(record);
-    records.retain(|record| !is_skipped(&record[0]) || record.len() > 1);
-    records
-}
-
-fn is_skipped(line: &str) -> bool {
-    line.trim().is_empty() || line.starts_with('#')
 }
 
 /// A row that is read.
