@@ -47,6 +47,8 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "decode @.log --with 5=@.eds --plot @ --html @-log.html"),
     (Text, "decode @.eds"),
     (Text, "decode @-none.log"),
+    (Text, "new --from @.eds -o @-made.eds"),
+    (Text, "convert @.eds --to canopeneditor-json -o @-project.json"),
     (Text, "probe @.eds -o @-probe"),
     (Text, "probe --answers @.eds --learn -o @-learned.eds"),
     (Text, "probe @.eds --write --overwrite -o @-probe"),

@@ -50,7 +50,8 @@ fn a_table_of_people_has_few_columns() {
     let text = "index;sub;object_name;name;object_type;data_type;access;pdo;default;unit\r\n\
         0x2000;0x00;\"Speed; \"\"set\"\"\";\"Speed; \"\"set\"\"\";VAR;INTEGER16;rww;RPDO;-16;'-rpm\r\n\
         0x2001;0x00;Gains;Highest sub-index;ARRAY;UNSIGNED8;ro;;1;\r\n\
-        0x2001;0x01;Gains;Gain;ARRAY;REAL32;rw;;0.5;\r\n";
+        0x2001;0x01;;Gain;;REAL32;rw;;0.5;\r\n\
+        0x2002;;Mode;Mode;VAR;UNSIGNED8;rw;;3;\r\n";
     let device = object_table::read(text).unwrap();
     let speed = &device.objects[&0x2000].main;
     assert_eq!((&*speed.name, speed.pdo_mapping), ("Speed; \"set\"", Some(PdoMapping::Optional)));
@@ -58,7 +59,8 @@ fn a_table_of_people_has_few_columns() {
     let unit = speed.parameter.as_ref().unwrap().unit.as_ref().unwrap();
     assert_eq!(unit.labels.name_in("en"), Some("-rpm"));
     assert_eq!(device.entry(0x2001, 1).unwrap().default, Some(Value::Real32(0.5)));
-    assert_eq!(device.lists.manufacturer, Some(vec![0x2000, 0x2001]));
+    assert_eq!(device.entry(0x2002, 0).unwrap().default, Some(Value::Unsigned(3)));
+    assert_eq!(device.lists.manufacturer, Some(vec![0x2000, 0x2001, 0x2002]));
 }
 
 #[test]
@@ -97,6 +99,10 @@ fn faults_are_named_with_line_and_column() {
             "line 4, column `sub`: the entry is there twice: `0x00`",
         ),
         (
+            "0x2000,,ARRAY,UNSIGNED8,rw",
+            "line 2, column `data_type`: the sub-index of the entry is missing: `UNSIGNED8`",
+        ),
+        (
             "0x2000,0x00,ARRAY,UNSIGNED8,rw\n0x2000,0x01,RECORD,UNSIGNED8,rw",
             "line 3, column `object_type`: another row of the object has another: `RECORD`",
         ),
@@ -109,4 +115,17 @@ fn faults_are_named_with_line_and_column() {
     let missing = object_table::read("index,sub,object_type,data_type\n").unwrap_err();
     assert_eq!(missing, "line 1, column `access`: the column is missing");
     assert!(object_table::read("").is_err());
+}
+
+#[test]
+fn damaged_tables_are_no_panic() {
+    let description = format::open(&fixtures().join("xdd/press-402.xdd"), &SourceOptions::default()).unwrap();
+    let text = table(description.device());
+    let starts: Vec<usize> = text.char_indices().map(|(at, _)| at).collect();
+    for &at in starts.iter().step_by(97) {
+        let _ = object_table::read(&text[..at]);
+        for insertion in ["\"", "\n", ",", ";", " = ", " / ", "–", "'=", "0x", "("] {
+            let _ = object_table::read(&[&text[..at], insertion, &text[at..]].concat());
+        }
+    }
 }

@@ -18,6 +18,10 @@ const COLUMNS: &str = "index sub object_type data_type access object_name name p
     keys object_facts object_keys links invalid_values";
 const NEEDED: usize = 5;
 
+/// The columns about the object, which are the same in all its rows; only the first row needs them.
+const OF_OBJECT: &str =
+    "object_type object_name object_description object_name_in_file object_facts object_keys links";
+
 /// The columns that follow from the others.
 const COMPUTED: [&str; 5] = ["bits", "changed", "meaning", "mapped_in", "downloads"];
 
@@ -60,10 +64,11 @@ pub fn read(text: &str) -> Result<Device, String> {
         if rows.iter().any(|(other, _)| *other == sub) {
             return Err(row.error("sub", "the entry is there twice"));
         }
-        let differs =
-            |column: &&str| rows.first().is_some_and(|(_, first)| first.get(column) != row.get(column));
-        if let Some(column) = ["object_type", "object_name"].iter().find(|column| differs(column)) {
-            return Err(row.error(column, "another row of the object has another"));
+        if let Some((_, first)) = rows.first() {
+            let differs = |column: &&str| ![first.get(column), ""].contains(&row.get(column));
+            if let Some(column) = OF_OBJECT.split_whitespace().find(differs) {
+                return Err(row.error(column, "another row of the object has another"));
+            }
         }
         rows.push((sub, row));
     }
@@ -113,10 +118,18 @@ fn object(
     let object_type =
         first.word("object_type", |word| ObjectType::ALL.into_iter().find(|known| known.name() == word))?;
     object.orphan = object_type.is_none();
-    if rows.len() == 1
-        && *first_sub == Some(0)
-        && object_type.is_some_and(|object_type| !object_type.has_subs())
-    {
+    let has_subs = object_type.is_none_or(ObjectType::has_subs);
+    let without_sub = rows.iter().filter(|(sub, _)| sub.is_none() && (has_subs || rows.len() > 1));
+    let missing = |row: &Row| {
+        let column = ["data_type", "access", "default", "value"]
+            .into_iter()
+            .find(|column| !row.get(column).is_empty())?;
+        Some(row.error(column, "the sub-index of the entry is missing"))
+    };
+    if let Some(error) = without_sub.into_iter().find_map(|(_, row)| missing(row)) {
+        return Err(error);
+    }
+    if rows.len() == 1 && !has_subs && first_sub.is_none_or(|sub| sub == 0) {
         object.main = first.entry(&format!("{index:04X}"), &Parameter::usual_id(index, None), application)?;
     } else {
         if !object.orphan {
@@ -129,6 +142,8 @@ fn object(
         }
     }
     object.main.object_type = object_type;
+    let count = object.subs.iter().filter(|(sub, _)| *sub < 0xFF).count();
+    object.sub_number = u8::try_from(count).ok().filter(|count| *count > 0);
     let links = first.get("links").split("; ").filter(|link| !link.is_empty());
     let links = links.map(|link| first.hex("links", link, 4)).collect::<Result<Vec<_>, _>>();
     object.links = links?;
@@ -395,21 +410,23 @@ fn allow(text: &str, parameter: &mut Parameter) {
     parameter.allowed_values.get_or_insert_with(AllowedValues::default).ranges.push(range);
 }
 
+/// The most levels of groups; names of further ones are part of the last.
+const MAX_DEPTH: usize = 8;
+
 /// Adds a parameter to the group of a path, `Drive / Limits`.
-fn group(groups: &mut Vec<ParameterGroup>, path: &str, id: &str) {
-    let (name, rest) = path.split_once(" / ").map_or((path, None), |(name, rest)| (name, Some(rest)));
-    let is_it = |group: &ParameterGroup| group.labels.name_in(LANGUAGE) == Some(name);
-    let at = groups.iter().position(is_it).unwrap_or(groups.len());
-    if at == groups.len() {
-        let unique_id = format!("UID_PG_{at}_{id}").into();
-        groups.push(ParameterGroup {
-            unique_id,
-            labels: Labels::name(LANGUAGE, name),
-            ..ParameterGroup::default()
-        });
-    }
-    match rest {
-        Some(rest) => group(&mut groups[at].groups, rest, id),
-        None => groups[at].parameters.push(id.into()),
+fn group(mut groups: &mut Vec<ParameterGroup>, path: &str, id: &str) {
+    let mut names = path.splitn(MAX_DEPTH, " / ").enumerate().peekable();
+    while let Some((depth, name)) = names.next() {
+        let is_it = |group: &ParameterGroup| group.labels.name_in(LANGUAGE) == Some(name);
+        let at = groups.iter().position(is_it).unwrap_or(groups.len());
+        if at == groups.len() {
+            let unique_id = format!("UID_PG_{id}_{depth}_{at}").into();
+            let labels = Labels::name(LANGUAGE, name);
+            groups.push(ParameterGroup { unique_id, labels, ..ParameterGroup::default() });
+        }
+        if names.peek().is_none() {
+            groups[at].parameters.push(id.into());
+        }
+        groups = &mut groups[at].groups;
     }
 }

@@ -22,7 +22,7 @@ use objdict::format::log::{LogOptions, LogReader, LogTime};
 use objdict::format::network::{BootFiles, Installation, NetworkFile};
 use objdict::format::patch::{self, Patch};
 use objdict::format::{
-    self, Description, Dialect, Format, NodeSettings, WriteOptions, concise, json, nodelist,
+    self, Description, Dialect, Format, NodeSettings, WriteOptions, canopeneditor, concise, json, nodelist,
 };
 use objdict::generate::{self, Target};
 use objdict::lint::Options;
@@ -321,6 +321,10 @@ fn json_of(bytes: &[u8]) {
     if let Ok(configuration) = json::read_configuration(utf8(bytes)) {
         let again = json::read_configuration(&json::write_configuration(&configuration));
         assert_eq!(again.as_ref(), Ok(&configuration), "JSON gives back the downloads");
+    }
+    if let Ok(device) = canopeneditor::read(utf8(bytes)) {
+        let written = canopeneditor::write(&device, usize::MAX).expect("any number of losses");
+        assert!(canopeneditor::read(utf8(&written.bytes)).is_ok(), "a project is read again");
     }
 }
 
