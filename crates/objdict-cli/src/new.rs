@@ -55,6 +55,10 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         let counts = [PdoKind::Rpdo, PdoKind::Tpdo].map(count);
         if let Some(info) = &mut device.device_info {
             [info.rpdo_count, info.tpdo_count] = counts;
+            // as in a device.toml: whole bytes can be mapped
+            if counts != [Some(0); 2] {
+                info.granularity = Some(8);
+            }
         }
     }
     let bytes = match kind {

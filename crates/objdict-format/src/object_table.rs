@@ -138,7 +138,8 @@ fn object(
         first.details(&mut object.main, ["object_description", "object_facts", "object_keys"])?;
         for (sub, row) in rows.iter().filter_map(|(sub, row)| Some(((*sub)?, row))) {
             let id = Parameter::usual_id(index, Some(sub));
-            object.subs.insert(sub, row.entry(&format!("{index:04X}sub{sub:X}"), &id, application)?);
+            let entry = row.entry(&format!("{index:04X}sub{sub:X}"), &id, application)?;
+            object.subs.insert(sub, Entry { object_type: Some(ObjectType::Var), ..entry });
         }
     }
     object.main.object_type = object_type;
