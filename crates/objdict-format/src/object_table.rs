@@ -294,7 +294,7 @@ impl Row {
                 }
                 ("persistent", "yes") => entry.parameter_mut().persistent = Some(true),
                 ("support", word) if Support::from_name(word).is_some() => {
-                    entry.parameter_mut().support = Support::from_name(word)
+                    entry.parameter_mut().support = Support::from_name(word);
                 }
                 ("allowed", text) => allow(text, entry.parameter_mut()),
                 ("upload file", text) => entry.configured_mut().upload_file = Some(text.into()),
