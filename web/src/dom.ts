@@ -23,6 +23,47 @@ export function disable(element: HTMLElement): void {
   for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
 }
 
+/** Chromium says of a field that is replaced that it was left. */
+let isRedrawing = false;
+
+/** Draws an element anew. The field that has the keyboard, known by its `data-key`, keeps it with what was typed there so far. */
+export function redraw(view: HTMLElement, ...children: Node[]): void {
+  const active = document.activeElement;
+  const former = active instanceof HTMLElement && view.contains(active) ? active : undefined;
+  const key = former?.dataset.key;
+  isRedrawing = true;
+  view.replaceChildren(...children);
+  isRedrawing = false;
+  if (!former || !key) return;
+  const again = view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
+  again?.focus({ preventScroll: true });
+  if (!(former instanceof HTMLInputElement && again instanceof HTMLInputElement)) return;
+  if (former.value !== former.defaultValue) again.value = former.value;
+  again.setSelectionRange(former.selectionStart, former.selectionEnd);
+}
+
+/** The events with which a field gives away its text: when it is left, and with Enter. Escape takes back what was typed. */
+export function committing(text: string, commit: (value: string) => Promise<boolean>): Record<string, (event: Event) => void> {
+  let given = text;
+  const give = ({ target }: Event) => {
+    const input = target as HTMLInputElement;
+    if (isRedrawing || input.value === given) return;
+    given = input.value;
+    void commit(given).then((done) => {
+      if (!done) input.value = given = text;
+    });
+  };
+  return {
+    onchange: give,
+    onblur: give,
+    onkeydown: (event: Event) => {
+      const { key } = event as KeyboardEvent;
+      if (key === "Enter") give(event);
+      if (key === "Escape") (event.target as HTMLInputElement).value = text;
+    },
+  };
+}
+
 const arranged = new WeakMap<HTMLElement, Map<string, HTMLElement>>();
 
 /** Gives an element these children, and keeps those that it has with the same key: a click is lost when the element under it is

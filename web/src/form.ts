@@ -1,7 +1,7 @@
 // Middle: an object as a form. Each field is the text that the file has, with its meaning and what was found about it.
 
 import { ask } from "./engine";
-import { disable, h, indexText } from "./dom";
+import { committing, disable, h, indexText, redraw } from "./dom";
 import type { FieldForm, Finding, ObjectForm, PartForm } from "./protocol";
 import type { Store } from "./store";
 
@@ -46,13 +46,9 @@ function fieldRow(store: Store, part: PartForm, field: FieldForm): HTMLElement {
   const [label, meaning] = MEANINGS[field.name] ?? [field.name, ""];
   const id = `field-${place.replace(/\W+/g, "-")}`;
   const found = foundAt(document.report.findings, place);
-  const set = () => {
-    const value = input.value;
-    if (value === (field.text ?? "")) return;
+  const set = (value: string) => {
     const change = value === "" ? ({ change: "remove", at: place } as const) : ({ change: "set", at: place, value } as const);
-    void store.change({ do: "change", document: document.id, changes: [change] }).then((done) => {
-      if (!done) input.value = field.text ?? "";
-    });
+    return store.change({ do: "change", document: document.id, changes: [change] });
   };
   const input = h("input", {
     id,
@@ -65,10 +61,7 @@ function fieldRow(store: Store, part: PartForm, field: FieldForm): HTMLElement {
     "aria-describedby": found.length > 0 ? `${id}-found ${id}-means` : `${id}-means`,
     "aria-invalid": found.some((finding) => finding.severity === "error") ? "true" : undefined,
     "data-key": place,
-    onchange: set,
-    onkeydown: (event: KeyboardEvent) => {
-      if (event.key === "Escape") input.value = field.text ?? "";
-    },
+    ...committing(field.text ?? "", set),
   });
   const isValue = field.name === "DefaultValue" || field.name === "ParameterValue";
   return h(
@@ -129,11 +122,9 @@ export function formView(store: Store): HTMLElement {
       view.replaceChildren(h("p", { class: "nothing" }, `There is no object ${indexText(index)}.`));
       return;
     }
-    const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
     view.dataset.shown = shown;
-    view.replaceChildren(h("h2", {}, h("span", { class: "address" }, indexText(form.index)), ` ${form.name} `, h("span", { class: "type" }, form.kind)), ...form.parts.map((part) => partSection(store, form, part)), ...choices);
+    redraw(view, h("h2", {}, h("span", { class: "address" }, indexText(form.index)), ` ${form.name} `, h("span", { class: "type" }, form.kind)), ...form.parts.map((part) => partSection(store, form, part)), ...choices);
     if (!same && top > 0) view.scrollTop = 0;
-    if (key) view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
     leave();
   });
   return view;

@@ -1,7 +1,7 @@
 // Middle: a PDO as eight bytes, with what it carries. Objects are added, moved and removed by mouse and by keyboard; each step changes
 // the mapping entries in the file.
 
-import { addressText, disable, h, hex, numberIn, placeOf } from "./dom";
+import { addressText, committing, disable, h, hex, numberIn, placeOf, redraw } from "./dom";
 import type { FieldChange, Mappable, Mapped, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
@@ -76,7 +76,7 @@ export function pdoView(store: Store): HTMLElement {
   const remove = (pdo: PdoRow, at: number) =>
     change(pdo, (mapped) => mapped.toSpliced(at, 1), Math.max(0, at - 1));
   const communication = (pdo: PdoRow, sub: number, value: string) =>
-    void store.change({ do: "change", document: store.current!.id, changes: [{ change: "set", at: `${placeOf(pdo.communication, sub)} / ${field()}`, value }] });
+    store.change({ do: "change", document: store.current!.id, changes: [{ change: "set", at: `${placeOf(pdo.communication, sub)} / ${field()}`, value }] });
 
   /** What is dragged: the position of a mapped object, or of one that can be mapped. */
   let dragged: { from: number } | { mappable: Mappable } | undefined;
@@ -148,7 +148,7 @@ export function pdoView(store: Store): HTMLElement {
   const setting = (pdo: PdoRow, sub: number, label: string, text: string, meaning: string, choices?: [number, string][]): HTMLElement | false => {
     if (!pdo.communication_subs.includes(sub)) return false;
     const id = `pdo-${sub}`;
-    const input = h("input", { id, value: text, "data-key": id, list: choices ? `${id}-choices` : undefined, autocomplete: "off", onchange: () => input.value !== text && communication(pdo, sub, input.value.split(":")[0]!.trim()) });
+    const input = h("input", { id, value: text, "data-key": id, list: choices ? `${id}-choices` : undefined, autocomplete: "off", ...committing(text, (value) => communication(pdo, sub, value.split(":")[0]!.trim())) });
     return h(
       "div",
       { class: "field" },
@@ -179,7 +179,7 @@ export function pdoView(store: Store): HTMLElement {
     const number = numberIn(digits);
     if (Number.isNaN(number)) return false;
     const flipped = `${prefix}0x${hex((number ^ 0x80000000) >>> 0, 8)}`;
-    return h("button", { onclick: () => communication(pdo, 1, flipped) }, pdo.is_valid === false ? "Make the PDO valid" : "Make the PDO not valid");
+    return h("button", { onclick: () => void communication(pdo, 1, flipped) }, pdo.is_valid === false ? "Make the PDO valid" : "Make the PDO not valid");
   };
 
   const candidates = (pdo: PdoRow): HTMLElement => {
@@ -223,23 +223,17 @@ export function pdoView(store: Store): HTMLElement {
       view.replaceChildren(h("p", { class: "nothing" }, "The device has no PDOs."));
       return;
     }
-    const active = document.activeElement as HTMLElement | null;
-    const key = view.contains(active) ? active?.dataset?.key : undefined;
     const top = view.scrollTop;
     view.dataset.shown = wanted();
-    view.replaceChildren(
+    redraw(
+      view,
       h("h2", {}, `${pdo.kind} ${pdo.number} `, h("span", { class: "type" }, `${hex(pdo.communication, 4)}h, ${hex(pdo.mapping, 4)}h`)),
       bytes(pdo),
-      ...[found(pdo) || ""],
+      ...[found(pdo) || []].flat(),
       settings(pdo),
       candidates(pdo),
     );
     view.scrollTop = top;
-    if (key) {
-      const again = view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
-      again?.focus({ preventScroll: true });
-      if (again instanceof HTMLInputElement && again.type === "search") again.setSelectionRange(filter.length, filter.length);
-    }
   });
   return view;
 }

@@ -349,6 +349,8 @@ test("a PDO without a COB-ID is shown, and a log beside a file is not compared",
     const without = drive.replace(/(\[1800sub1\][^[]*?)DefaultValue=[^\r\n]*\r?\n/i, "$1");
     assert.ok(without.length < drive.length);
     await open(page, ["bus.log", "(1.0) can0 000#0100\n"], [DRIVE, without]);
+    // the log is shown when all files are open
+    await page.waitForSelector(".document.current:has-text('bus.log')");
     await page.locator(".document button", { hasText: DRIVE }).click();
     await page.getByRole("option", { name: /^TPDO 1 / }).click();
     await page.waitForSelector(".pdo h2:has-text('TPDO 1')");

@@ -97,6 +97,25 @@ test("a character that the encoding lacks stays, and UTF-8 is offered", { skip }
     assert.ok(saved.includes("ParameterName=Ger\u{e4}t"));
   }));
 
+test("a form that is drawn anew leaves what is being typed", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, original]);
+    await page.getByLabel("Search objects", { exact: true }).fill("1017");
+    await page.getByRole("option", { name: /1017h/ }).click();
+    await page.waitForSelector(".form h2:has-text('1017h')");
+    const field = page.getByLabel("Default value").first();
+    await field.fill("12");
+    const former = await field.elementHandle();
+    await page.evaluate(() => dispatchEvent(new HashChangeEvent("hashchange")));
+    await page.waitForFunction((element) => !element.isConnected, former);
+    assert.equal(await page.locator(".document.current:has-text('•')").count(), 0);
+    await page.keyboard.type("34");
+    await page.keyboard.press("Enter");
+    await page.waitForSelector(".document.current:has-text('•')");
+    const saved = (await saveAs(page)).bytes.toString("latin1").split(/\r?\n/);
+    assert.deepEqual(changedLines(original, Buffer.from(saved.join("\r\n"), "latin1")).map((line) => saved[line]), ["DefaultValue=1234"]);
+  }));
+
 test("closing a file with changes asks", { skip }, () =>
   withPage(async (page) => {
     await open(page, [DRIVE, original]);
