@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use objdict::describe::frames::TransferStep;
 use objdict::format;
 use objdict::format::log::LogOptions;
+use objdict::format::network::NetworkFile;
 use objdict::model::{DataType, Device};
+use objdict::network::{End, Overview, Service};
 use objdict::probe::{Conversation, SdoAnswer};
 use objdict::profile::{self, Profile};
 use objdict::source::SourceOptions;
@@ -326,6 +328,45 @@ fn a_description_takes_nothing_away() {
             }
         }
     }
+}
+
+/// Also where the manager has no description: it is a node like any other.
+#[test]
+fn a_pdo_is_called_as_its_sender_is_in_the_network() {
+    let mut made = 0;
+    for path in support::files("network", &["toml", "yml"]) {
+        let file = NetworkFile::open(&path, &Default::default()).unwrap();
+        let (network, compiled) = (file.network().unwrap(), file.compiled().unwrap());
+        let mut descriptions = Descriptions::default();
+        descriptions.add_network(&file);
+        for message in Overview::new(network, compiled).messages {
+            let [End { node, position, service: service @ Service::Pdo(_) }] = message.senders.as_slice()
+            else {
+                continue;
+            };
+            made += usize::from(network.is_made(*position));
+            let log = format!("(1.0) can0 {}#0000\n", message.can_id.to_string().trim_end_matches('h'));
+            let said = words(&log, &descriptions).concat();
+            let wanted = format!("{node} {service}");
+            assert!(said.starts_with(&wanted), "{}: {wanted}: {said}", path.display());
+        }
+    }
+    assert!(made > 3, "{made}");
+}
+
+/// The nodes describe what a manager sends that has no description, and they have its values.
+#[test]
+fn entries_of_a_made_manager_have_the_meanings_of_the_nodes() {
+    let mut descriptions = Descriptions::default();
+    descriptions.add_network(&super::network::open("line.toml"));
+    let expected = [
+        "plc TPDO 4: 6040:00 Controlword = 15 (command: enable operation, switch on, enable voltage, quick stop off, \
+         enable operation)",
+        "plc: read 1803:01 COB-ID used by TPDO",
+        "plc TPDO 4 (1 byte, expected 2): 6040:00 Controlword is missing",
+    ];
+    let log = "(1.0) can0 20D#0F00\n(1.0) can0 601#4003180100000000\n(1.0) can0 20D#0F\n";
+    assert_eq!(words(log, &descriptions), expected);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use objdict_document::describe::frames::Talker;
 use objdict_model::model::Device;
 use objdict_network_file::NetworkFile;
 
@@ -18,6 +19,16 @@ pub struct DescribedNode {
     pub file: String,
     /// Whether values are those after a configuration: of a DCF, or of a node that the manager of a network configures.
     pub is_configured: bool,
+    /// Whether the description is made of its network, whose nodes describe the entries in its PDOs.
+    pub is_made: bool,
+}
+
+impl DescribedNode {
+    /// The node as a sender of frames.
+    pub(crate) fn talker(&self, node_id: u8) -> Talker<'_> {
+        let Self { name, device, is_made, .. } = self;
+        Talker { name, node_id, device, is_counterpart: *is_made }
+    }
 }
 
 /// What describes the nodes of a bus.
@@ -38,19 +49,13 @@ impl Descriptions {
         self.is_network = true;
         self.bit_rate = self.bit_rate.or(network.bit_rate.as_ref().map(|rate| rate.value));
         let manager = network.manager.as_ref().and_then(|manager| manager.node);
-        self.nodes.extend(compiled.nodes().map(|slave| {
-            let mut device = slave.device.clone();
-            if network.is_made(slave.node) {
-                // its PDOs carry the entries of the nodes, whose meanings the nodes know
-                device.objects.retain(|index, _| !matches!(index, 0x1400..=0x1BFF));
-            }
-            DescribedNode {
-                name: network.nodes[slave.node].name.value.clone(),
-                node_id: Some(slave.node_id),
-                device,
-                file: file.source.name().to_owned(),
-                is_configured: manager != Some(slave.node),
-            }
+        self.nodes.extend(compiled.nodes().map(|slave| DescribedNode {
+            name: network.nodes[slave.node].name.value.clone(),
+            node_id: Some(slave.node_id),
+            device: slave.device.clone(),
+            file: file.source.name().to_owned(),
+            is_configured: manager != Some(slave.node),
+            is_made: network.is_made(slave.node),
         }));
     }
 
@@ -66,6 +71,7 @@ impl Descriptions {
             name: stated.unwrap_or_else(stem),
             node_id: node_id.or(own),
             is_configured: own.is_some(),
+            is_made: false,
             device,
             file,
         });

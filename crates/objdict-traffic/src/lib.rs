@@ -22,7 +22,7 @@ pub use self::merged::{MergedLogs, NamedLog, Origin};
 pub use self::recording::{PageTexts, PlotChoice, Recording, address};
 pub use self::sums::{BusReport, BusSums, NodeEvent};
 use crate::log::LoggedFrame;
-use objdict_document::describe::frames::{DecodedFrame, FrameReader, RawFrame, Talker};
+use objdict_document::describe::frames::{DecodedFrame, FrameReader, RawFrame};
 pub use objdict_lint::recorded::traffic::RULES;
 
 /// The NMT state of a node that has sent its boot-up message.
@@ -47,17 +47,14 @@ pub struct Bus<'d> {
 
 impl<'d> Bus<'d> {
     fn new(channel: &str, descriptions: &'d Descriptions) -> Self {
-        let talkers = descriptions.nodes.iter().filter_map(|node| {
-            Some(Talker { name: &node.name, node_id: node.node_id?, device: &node.device })
-        });
+        let talkers = descriptions.nodes.iter().filter_map(|node| Some(node.talker(node.node_id?)));
         let reader = FrameReader::of_bus(talkers.collect());
         let (candidates, found) = (Candidates::new(descriptions), Vec::new());
         Self { channel: channel.to_owned(), reader, descriptions, candidates, found }
     }
 
     fn describe(&mut self, node_id: u8, node: &'d DescribedNode) {
-        let DescribedNode { name, device, .. } = node;
-        self.reader.describe(Talker { name, node_id, device });
+        self.reader.describe(node.talker(node_id));
         self.found.push((node_id, node));
     }
 

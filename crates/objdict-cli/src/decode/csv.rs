@@ -94,11 +94,11 @@ impl WideCsv {
         Self { max_rows, columns: Vec::new(), positions: BTreeMap::new(), rows: Vec::new(), left_out: 0 }
     }
 
-    fn column(&mut self, shown: &ShownFrame<'_, '_>, node_id: u8, signal: &PdoSignal<'_>) -> usize {
-        let key = (shown.at, node_id, signal.index, signal.sub);
+    fn column(&mut self, shown: &ShownFrame<'_, '_>, signal: &PdoSignal<'_>) -> usize {
+        let key = (shown.at, signal.node_id, signal.index, signal.sub);
         let columns = &mut self.columns;
         *self.positions.entry(key).or_insert_with(|| {
-            let node = shown.bus.reader.name(node_id);
+            let node = shown.bus.reader.name(signal.node_id);
             let name = match &*signal.name {
                 "" => format!("{:04X}:{:02X}", signal.index, signal.sub),
                 name => name.to_owned(),
@@ -113,7 +113,6 @@ impl WideCsv {
 impl FramePrinter for WideCsv {
     fn frame(&mut self, shown: &ShownFrame<'_, '_>, _out: &mut Output) -> io::Result<()> {
         let ShownFrame { frame, decoded, bus, .. } = shown;
-        let Some(node_id) = decoded.node_id.filter(|_| decoded.kind == FrameKind::Pdo) else { return Ok(()) };
         let frame_of_bus = raw(frame);
         let signals = bus.reader.signals(decoded, &frame_of_bus);
         if signals.is_empty() {
@@ -125,7 +124,7 @@ impl FramePrinter for WideCsv {
         }
         let cells = signals.iter().map(|signal| {
             let value = signal.scaled.clone().unwrap_or_else(|| plain(signal));
-            (self.column(shown, node_id, signal), value)
+            (self.column(shown, signal), value)
         });
         let cells = cells.collect();
         self.rows.push((frame.time, cells));

@@ -214,7 +214,7 @@ impl<'r> BootReport<'r> {
     fn lines(&self) -> impl Iterator<Item = TraceLine> + '_ {
         let talkers = self.run.nodes.iter().filter_map(|node| {
             let (name, node_id) = (node.name.as_str(), node.node_id);
-            Some(Talker { name, node_id, device: node.device.as_ref()? })
+            Some(Talker { name, node_id, device: node.device.as_ref()?, is_counterpart: false })
         });
         let mut reader = FrameReader::new(talkers.collect());
         self.run.events.iter().map(move |event| self.line(event, &mut reader))

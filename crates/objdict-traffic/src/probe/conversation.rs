@@ -50,7 +50,10 @@ impl<'d> Conversation<'d> {
 
     /// The conversation with a node on its default channel and those that its description has besides (1201h to 127Fh).
     pub fn with(device: &'d Device, node_id: u8) -> Self {
-        Self::of(FrameReader::of_bus(vec![Talker { name: "", node_id, device }]), node_id)
+        Self::of(
+            FrameReader::of_bus(vec![Talker { name: "", node_id, device, is_counterpart: false }]),
+            node_id,
+        )
     }
 
     fn of(reader: FrameReader<'d>, node_id: u8) -> Self {

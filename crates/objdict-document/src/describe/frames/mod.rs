@@ -245,16 +245,20 @@ impl<'a> FrameReader<'a> {
         Decoder::english(device, Some(node_id)).error_code(code.into())
     }
 
-    /// The node that has the PDO of a frame, and what it carries.
+    /// The node that describes the PDO of a frame, and what it carries.
     fn content(
         &self,
         decoded: &DecodedFrame,
         frame: &RawFrame<'_>,
     ) -> Option<(&TalkingNode<'a>, &PdoContent)> {
+        let key = users::key(frame.can_id, frame.is_extended);
         let is_pdo = matches!(decoded.service, Some(Service::Pdo(_)));
-        let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
+        let user = self.users.all(key).nth(decoded.user);
         let user = user.filter(|user| is_pdo && Some(user.service) == decoded.service)?;
-        let node = self.nodes.get(user.node_id)?;
+        let node_of = |user: &CanIdUser| self.nodes.get(user.node_id);
+        let is_describing = |user: &&CanIdUser| node_of(user).is_some_and(|node| !node.is_counterpart);
+        let user = [user].into_iter().chain(self.users.all(key)).find(is_describing).unwrap_or(user);
+        let node = node_of(user)?;
         Some((node, user.content(node)))
     }
 

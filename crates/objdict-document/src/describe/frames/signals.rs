@@ -10,6 +10,8 @@ use crate::model::{DataType, Pdo, Value};
 /// A value in a PDO.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PdoSignal<'r> {
+    /// The node whose entry it is.
+    pub node_id: u8,
     /// The index of the object.
     pub index: u16,
     /// The sub-index of the entry.
@@ -186,6 +188,7 @@ impl SignalPlace {
             (None, None) => String::new(),
         };
         PdoSignal {
+            node_id: node.node_id,
             index: self.index,
             sub: self.sub,
             name: Cow::Borrowed(&self.name),

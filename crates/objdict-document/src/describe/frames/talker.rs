@@ -23,6 +23,8 @@ pub struct Talker<'a> {
     pub node_id: u8,
     /// The device.
     pub device: &'a Device,
+    /// Whether its PDOs carry entries of other nodes, which describe them: it has no description of its own.
+    pub is_counterpart: bool,
 }
 
 /// A node with the values that the frames have shown.
@@ -31,6 +33,7 @@ pub(super) struct TalkingNode<'a> {
     pub(super) name: Cow<'a, str>,
     pub(super) node_id: u8,
     pub(super) is_described: bool,
+    pub(super) is_counterpart: bool,
     /// The description, and the meanings of all values.
     described: Cow<'a, Device>,
     /// The values after a reset.
@@ -43,14 +46,20 @@ pub(super) struct TalkingNode<'a> {
 }
 
 impl<'a> TalkingNode<'a> {
-    fn of_talker(Talker { name, node_id, device }: Talker<'a>) -> Self {
+    fn of_talker(Talker { name, node_id, device, is_counterpart }: Talker<'a>) -> Self {
+        let node = Self::of_device(node_id, Cow::Borrowed(device));
+        Self { name: Cow::Borrowed(name), is_counterpart, ..node }
+    }
+
+    fn of_device(node_id: u8, device: Cow<'a, Device>) -> Self {
         Self {
-            name: Cow::Borrowed(name),
+            name: Cow::default(),
             node_id,
             is_described: true,
-            described: Cow::Borrowed(device),
-            start: Cow::Borrowed(device),
-            device: Cow::Borrowed(device),
+            is_counterpart: false,
+            described: device.clone(),
+            start: device.clone(),
+            device,
             learnt: BTreeSet::new(),
             changed: BTreeSet::new(),
         }
@@ -84,11 +93,8 @@ impl<'a> Nodes<'a> {
     /// A node that no description covers, from now on.
     pub(super) fn add_unknown(&mut self, node_id: u8) {
         if self.get(node_id).is_none() {
-            let name = Cow::Owned(format!("node {node_id}"));
-            let [described, start, device] = std::array::from_fn(|_| Cow::Owned(Device::default()));
-            let (learnt, changed) = (BTreeSet::new(), BTreeSet::new());
-            let is_described = false;
-            self.add(TalkingNode { name, node_id, is_described, described, start, device, learnt, changed });
+            let (name, node) = (format!("node {node_id}"), TalkingNode::of_device(node_id, Cow::default()));
+            self.add(TalkingNode { name: Cow::Owned(name), is_described: false, ..node });
         }
     }
 

@@ -38,7 +38,8 @@ fn drive() -> Device {
 
 fn read(frames: &[(u16, &[u8])]) -> Vec<String> {
     let device = drive();
-    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut reader =
+        FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device, is_counterpart: false }]);
     frames.iter().map(|(can_id, data)| reader.read(*can_id, data, false).text).collect()
 }
 
@@ -155,7 +156,12 @@ fn frames_of_any_content_are_read() {
     let device = drive();
     for length in 0..=8 {
         for first in 0..=0xFF_u8 {
-            let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+            let mut reader = FrameReader::new(vec![Talker {
+                name: "drive",
+                node_id: 5,
+                device: &device,
+                is_counterpart: false,
+            }]);
             let data = [first, 0x08, 0x10, 0, 0xFF, 0xFF, 0xFF, 0xFF];
             for can_id in [0, 0x085, 0x100, 0x185, 0x205, 0x585, 0x605, 0x705, 0x7E4, 0x7E5] {
                 reader.read(can_id, &data[..length], first & 1 == 0);
@@ -167,7 +173,12 @@ fn frames_of_any_content_are_read() {
 /// The words for frames on a bus of which only the drive is described.
 fn read_bus(frames: &[(u16, &[u8])]) -> Vec<String> {
     let device = drive();
-    let mut reader = FrameReader::of_bus(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut reader = FrameReader::of_bus(vec![Talker {
+        name: "drive",
+        node_id: 5,
+        device: &device,
+        is_counterpart: false,
+    }]);
     frames.iter().map(|(can_id, data)| reader.read(*can_id, data, false).text).collect()
 }
 
@@ -185,7 +196,8 @@ fn a_mapping_that_is_written_counts() {
         write(0x23, 0x1800, 1, 0x0000_0190),
     ];
     let device = drive();
-    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut reader =
+        FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device, is_counterpart: false }]);
     for frame in &frames[..4] {
         reader.read(0x605, frame, false);
         let [_, low, high, sub, ..] = *frame;
@@ -287,7 +299,8 @@ fn nodes_without_a_description() {
 #[test]
 fn guarding_is_a_question_and_an_answer() {
     let device = drive();
-    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut reader =
+        FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device, is_counterpart: false }]);
     let mut kind = |is_remote, data: &[u8]| {
         reader.decode(&RawFrame { can_id: 0x705, is_extended: false, is_remote, data }).kind
     };
@@ -304,7 +317,7 @@ fn a_multiplexed_pdo_names_its_entry() {
     let mut device = drive();
     device.objects.get_mut(&0x1A00).unwrap().subs.get_mut(0).unwrap().default = Some(Value::Unsigned(0xFF));
     device.objects.get_mut(&0x1600).unwrap().subs.get_mut(0).unwrap().default = Some(Value::Unsigned(0xFE));
-    let talker = |name, node_id| Talker { name, node_id, device: &device };
+    let talker = |name, node_id| Talker { name, node_id, device: &device, is_counterpart: false };
     let mut reader = FrameReader::new(vec![talker("drive", 5), talker("other", 6)]);
     let mut words = |can_id, data: &[u8]| reader.read(can_id, data, false).text;
     let to_other = [0x86, 0x61, 0x60, 0, 0xFF, 9, 9, 9];
@@ -331,7 +344,8 @@ fn restored_defaults_count_from_the_next_reset() {
     device.kind = DeviceKind::Node;
     let mapped = device.objects.get_mut(&0x1A00).unwrap().subs.get_mut(0).unwrap();
     mapped.configured_mut().value = Some(Value::Unsigned(1));
-    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut reader =
+        FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device, is_counterpart: false }]);
     let mut words = |can_id, data: &[u8]| reader.read(can_id, data, false).text;
     let configured = "drive TPDO 1 (3 bytes, expected 2): 6041:00 Statusword = 7";
     assert_eq!(words(0x185, &[7, 0, 8]), configured);

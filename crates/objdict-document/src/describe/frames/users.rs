@@ -52,9 +52,9 @@ impl Users {
         self.0.get(&key)?.iter().enumerate().min_by_key(|(_, user)| is_rpdo(user.service))
     }
 
-    /// One of the users of a CAN-ID.
-    pub(super) fn get(&self, key: IdKey, at: usize) -> Option<&CanIdUser> {
-        self.0.get(&key)?.get(at)
+    /// All users of a CAN-ID.
+    pub(super) fn all(&self, key: IdKey) -> impl Iterator<Item = &CanIdUser> {
+        self.0.get(&key).into_iter().flatten()
     }
 
     /// Takes services of a node as they are now.

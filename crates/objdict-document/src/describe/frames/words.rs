@@ -64,10 +64,9 @@ impl FrameReader<'_> {
         let content = self.content(decoded, frame).map(|(_, content)| content);
         let is_multiplexed = content.is_some_and(|content| content.is_multiplexed);
         let multiplexer = signals::multiplexed(frame.data).filter(|_| is_multiplexed);
-        let owner = multiplexer.and_then(|(multiplexer, ..)| self.nodes.get(multiplexer.node_id()));
-        let owner = owner.or_else(|| self.nodes.get(decoded.node_id?));
         let signals = self.signals(decoded, frame);
-        let values: Vec<String> = signals.iter().map(|signal| signal_words(owner, signal)).collect();
+        let owner = |signal: &PdoSignal<'_>| self.nodes.get(signal.node_id);
+        let values: Vec<String> = signals.iter().map(|signal| signal_words(owner(signal), signal)).collect();
         let text = match (values.as_slice(), multiplexer) {
             ([value, ..], Some((Multiplexer::To(0), ..))) => format!("to all nodes: {value}"),
             ([value, ..], Some((Multiplexer::To(node_id), ..))) => {
