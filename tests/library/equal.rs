@@ -119,7 +119,10 @@ fn spelled(device: &Device) -> Device {
         modules.declared = None;
     }
     for (_, object) in device.objects.iter_mut() {
-        object.sub_number = None;
+        // one that follows from the sub-indexes
+        let described = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
+        let is_compact = object.compact.is_some();
+        object.sub_number.take_if(|number| usize::from(*number) == described || *number == 0 && is_compact);
     }
     device
 }

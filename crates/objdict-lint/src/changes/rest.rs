@@ -45,7 +45,8 @@ impl DeviceComparison<'_> {
         }
         let name =
             place.field.as_ref().map_or_else(|| place.part.to_string(), |field| field.name().into_owned());
-        let is_built = index.is_some() && (!name.contains('/') || name.starts_with("stack"));
+        let is_built =
+            index.is_some() && name != "SubNumber" && (!name.contains('/') || name.starts_with("stack"));
         let affected = Affected::ALL.without(Audience::Firmware, is_built);
         let spot = Spot { index, sub, affected, ..Spot::part(&place) };
         let [old, new] = [&difference.left, &difference.right].map(|datum| datum.as_ref().map(shown));
@@ -163,12 +164,20 @@ fn counted(device: &Device, other: &Device) -> Device {
         *device.lists.get_mut(list) = Some(members);
     }
     for (index, object) in device.objects.iter_mut() {
-        object.sub_number = None;
+        let odd = [stated, &other.objects].map(|objects| objects.get(index).and_then(odd_sub_number));
+        object.sub_number = stated.get(index).and_then(|of| of.sub_number).filter(|_| odd != [None; 2]);
         if let Some((stated, compact)) = stated.get(index).and_then(|of| Some((of, of.compact.as_deref()?))) {
             keep_unused(object, stated, compact);
         }
     }
     device
+}
+
+/// A `SubNumber` that does not follow from the sub-indexes; compact ones need not be counted.
+fn odd_sub_number(object: &Object) -> Option<u8> {
+    let described = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
+    let is_uncounted = |number: u8| number == 0 && object.compact.is_some();
+    object.sub_number.filter(|&number| usize::from(number) != described && !is_uncounted(number))
 }
 
 /// Gives an expanded object what it states for all its entries, or for one of them, and what no entry has: those described one by
