@@ -164,6 +164,30 @@ fn networks_have_patched_descriptions() {
     }
 }
 
+/// A patch with several problems is refused with each of them, in lines that can be read.
+#[test]
+fn commands_print_what_is_wrong_in_a_patch() {
+    let folder = folder();
+    let wrong = "format = \"objdict-patch/1\"\n[[change]]\nat = \"1017\"\nsett = { min = 0 }\n";
+    fs::write(folder.path().join("wrong.patch.toml"), wrong).unwrap();
+    let network = "[bus]\nbit-rate = 250\nmanager = \"m\"\n[node.m]\nfile = \"io-401.eds\"\nid = 1\n";
+    fs::write(folder.path().join("network.toml"), network).unwrap();
+    for arguments in [
+        "check io-401.eds --format concise",
+        "show io-401.eds",
+        "convert io-401.eds -o new.xdd",
+        "generate io-401.eds --target c -o new",
+        "network check network.toml --format concise",
+        "network show network.toml",
+    ] {
+        let output = run(folder.path(), &format!("{arguments} -p wrong.patch.toml"));
+        let told = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{arguments}: {told}");
+        assert!(told.contains("no key `sett`") && told.contains("changes nothing"), "{arguments}: {told}");
+        assert!(!told.contains('\u{FFFD}'), "{arguments}: {told}");
+    }
+}
+
 #[test]
 fn a_node_that_is_changed_in_place_keeps_its_text() {
     let folder = project();

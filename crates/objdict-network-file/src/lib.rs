@@ -339,6 +339,11 @@ impl NodeDescriptions<'_> {
             ReadError::Faulty { name, .. } => {
                 (format!("`{name}` has errors"), "correct them: `objdict check` shows them in its text")
             }
+            // a finding has one line
+            error @ ReadError::NotPatched { .. } => (
+                error.to_string().replacen('\n', ": ", 1).replace('\n', "; "),
+                "correct the patches: `objdict patch check` compares them with files",
+            ),
             error => (error.to_string(), WRONG),
         };
         if let Some(first) = self.several.get(&path) {

@@ -20,7 +20,6 @@ use super::written_files::{SaveFolder, Saved, keep, require_other, save, save_in
 use objdict_build::pipeline::{
     CheckedDescription, Error, Generation, MemoryLimits, Request, depfile, report_lines,
 };
-use objdict_format::ReadError;
 use objdict_format::input::Input;
 use objdict_format::scaffold;
 use objdict_generate::Target;
@@ -217,11 +216,7 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
             Failure::new(error).help("fix them, lower the severity of a rule with `--severity`, or generate anyway with `--force`").print();
             Ok(Outcome::Findings)
         }
-        Error::Input(
-            error @ (ReadError::SeveralDevices { .. }
-            | ReadError::TooManyEntries { .. }
-            | ReadError::TooManyParts { .. }),
-        ) => Err(error.into()),
+        Error::Input(error) => Err(error.into()),
         Error::Profile(error) => Err(error.into()),
         error @ Error::TooLarge { .. } => {
             Failure::new(&error).maybe_help(error.help()).print();
