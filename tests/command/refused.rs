@@ -136,6 +136,27 @@ fn a_device_with_an_error_is_refused_by_every_command() {
     refuses(&good, "check bad.toml --format concise", &OF_DEVICE);
 }
 
+/// Its author can correct it, or accept it in `objdict.toml`.
+#[test]
+fn a_device_in_which_a_rule_finds_an_error_is_refused_too() {
+    let good = fs::read_to_string("fixtures/toml/io.toml").unwrap();
+    let folder = folder(&good);
+    let object = "\n[object.5F00]\nname = \"Level\"\ntype = \"u8\"\ndefault = 9\nmax = 5\n";
+    fs::write(folder.path().join("bad.toml"), good + object).unwrap();
+    let report = run(folder.path(), "check bad.toml --format concise");
+    let rule = first_error(&report).unwrap();
+    assert!(!rule.starts_with("keys/"), "{rule}");
+    let makes = OF_DEVICE.into_iter().filter(|command| *command != "show SOURCE");
+    assert_eq!(lenient(folder.path(), &makes.collect::<Vec<_>>(), &rule), [""; 0]);
+    assert!(run(folder.path(), "show bad.toml").status.success());
+    fs::write(folder.path().join("objdict.toml"), format!("[rules]\n{rule:?} = \"warning\"\n")).unwrap();
+    for accepted in ["convert bad.toml -o out.eds", "conformance bad.toml", "network show of-bad.toml"] {
+        assert!(run(folder.path(), accepted).status.success(), "{accepted}");
+        let output = run(folder.path(), &format!("{accepted} --no-config"));
+        assert!(accepted.starts_with("conf") || !output.status.success(), "{accepted} --no-config");
+    }
+}
+
 #[test]
 fn a_network_with_an_error_in_its_text_is_refused_by_every_command() {
     let good = fs::read_to_string("fixtures/network/line.toml").unwrap();

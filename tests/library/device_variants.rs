@@ -20,7 +20,7 @@ fn reading(variant: &str) -> Reading {
 }
 
 fn variant(text: &str, name: &str) -> Result<Description, ReadError> {
-    let reading = Reading { despite_errors: true, ..reading(name) };
+    let reading = Reading { judge: None, ..reading(name) };
     match reading.read_one("device.toml", text.as_bytes().to_vec())?.1 {
         Input::Description(description) => Ok(*description),
         other => panic!("{other:?}"),

@@ -11,7 +11,7 @@ use clap::Args;
 use super::ending::Failure;
 use super::ending::detail;
 use super::patch_option::PatchArgs;
-use super::settings::ConfigFileArgs;
+use super::settings::{ConfigFileArgs, reading};
 use super::written_files::keep;
 use objdict_format::identify::ContentKind;
 use objdict_format::input::{DEFAULT_MAX_ENTRIES, Reading};
@@ -90,7 +90,7 @@ impl InputArgs {
         let (from, device, variant, encoding) = (self.from, self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..Reading::default() }
+        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..reading() }
     }
 
     /// How a file is read that has further patches.

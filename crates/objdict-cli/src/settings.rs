@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use clap::Args;
 
@@ -13,14 +13,16 @@ use super::profile_option::ProfileArgs;
 use super::values::{node_id, one_of};
 use super::written_files::keep;
 pub(crate) use objdict_build::pipeline::CheckSettings;
+use objdict_format::Description;
+use objdict_format::input::Reading;
 use objdict_format::patch::Patch;
 use objdict_lint::{Level, Options, Severities};
-use objdict_model::diagnostic::{Selection, Severity, Tool, series};
+use objdict_model::diagnostic::{Findings, Selection, Severity, Tool, series};
 use objdict_model::source::shown;
 pub(super) use objdict_project::config::Project;
 use objdict_project::registry;
 pub(crate) use objdict_project::workspace::ConfigSource;
-use objdict_project::workspace::{Overrides, Workspace};
+use objdict_project::workspace::{self, Overrides, Workspace};
 
 // Which configuration applies.
 #[derive(Clone, Debug, Default, Args)]
@@ -176,6 +178,7 @@ impl CommandSettings {
     /// # Errors
     /// When the configuration or a profile that they name cannot be read.
     pub(super) fn new(args: &SettingsArgs) -> Result<Self, Failure> {
+        *CONFIG.lock().unwrap_or_else(PoisonError::into_inner) = args.config.file.configuration();
         let overrides = Overrides {
             severities: args.config.severities(),
             profiles: args.profiles.load()?,
@@ -251,6 +254,20 @@ impl CommandSettings {
     pub(super) fn deny(&self, project: Option<&Project>) -> Severity {
         self.0.overrides().deny(project)
     }
+}
+
+/// Which configuration this run uses.
+static CONFIG: Mutex<ConfigSource> = Mutex::new(ConfigSource::Nearest);
+
+/// All findings of a source: every command that makes something of it refuses its errors.
+pub(super) fn judge(description: &Description) -> Vec<Findings> {
+    let config = CONFIG.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    workspace::configured_findings(description, config)
+}
+
+/// How every command reads that makes something of a file.
+pub(super) fn reading() -> Reading {
+    Reading { judge: Some(judge), ..Reading::default() }
 }
 
 /// A configuration that was opened: no output goes over its files, and patches that are for no file are named at the end.

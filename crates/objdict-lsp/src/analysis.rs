@@ -191,7 +191,8 @@ fn of_error(error: &ReadError, source: SourceFile, options: Options) -> Analysis
 fn of_other(path: &Path, source: SourceFile, reading: &Reading, options: Options) -> Analysis {
     let kind = identify_source(&source).kind;
     if kind.is_network() {
-        let mut paths = PathOptions::default();
+        let mut paths =
+            PathOptions { judge: Some(objdict_project::workspace::judge), ..PathOptions::default() };
         paths.patches.clone_from(&reading.patches);
         let network = NetworkFile::read(source, path.parent().unwrap_or(Path::new("")), &paths);
         let findings = options.severities.apply(network.check());

@@ -36,7 +36,7 @@ pub use self::stored::unreadable_configurations;
 pub use self::topology::location;
 use objdict_format as format;
 use objdict_format::identify::{ContentKind, identify_source};
-use objdict_format::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
+use objdict_format::input::{FileKind, Input, Judge, MAX_DEVICES, ReadError, Reading, of_text};
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format};
 use objdict_keyed as keyed;
@@ -117,7 +117,8 @@ impl NetworkFile {
     /// When a file cannot be read, or describes no device.
     pub fn of_descriptions(paths: &[PathBuf], options: &PathOptions) -> Result<Self, ReadError> {
         let source = SourceFile::from_text("network.toml", init(paths, options)?);
-        let options = PathOptions { patches: options.patches.clone(), ..PathOptions::default() };
+        let options =
+            PathOptions { patches: options.patches.clone(), judge: options.judge, ..PathOptions::default() };
         Ok(Self::read_from(source, None, &options))
     }
 
@@ -134,6 +135,7 @@ impl NetworkFile {
             read: BTreeMap::new(),
             several: BTreeMap::new(),
             patches: &options.patches,
+            judge: options.judge,
             files: Vec::new(),
         };
         let is_made = descriptions.folder.is_none();
@@ -252,6 +254,8 @@ pub struct PathOptions {
     pub allowed: Vec<PathBuf>,
     /// Patches of the descriptions.
     pub patches: Vec<Arc<Patch>>,
+    /// Which findings refuse a `device.toml`, if they are errors; `None` for those of its text.
+    pub judge: Option<Judge>,
     /// The PDOs of an earlier build, which keep their CAN-IDs and numbers.
     pub lock: NetworkLock,
 }
@@ -273,6 +277,7 @@ struct NodeDescriptions<'v> {
     /// The files with several devices, which nodes name by their numbers.
     several: BTreeMap<PathBuf, Rc<Description>>,
     patches: &'v [Arc<Patch>],
+    judge: Option<Judge>,
     files: Vec<PathBuf>,
 }
 
@@ -324,7 +329,8 @@ impl NodeDescriptions<'_> {
             error => (error.to_string(), error.help().unwrap_or(WRONG)),
         })?;
         self.files.push(path.clone());
-        let reading = Reading { device, variant, patches: self.patches.to_vec(), ..Reading::default() };
+        let (patches, judge) = (self.patches.to_vec(), self.judge.or(Some(of_text)));
+        let reading = Reading { device, variant, patches, judge, ..Reading::default() };
         let refused = |error: ReadError| match error {
             ReadError::SeveralDevices { .. } => {
                 (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)

@@ -153,3 +153,16 @@ impl Workspace {
 pub fn findings(description: &Description, options: &Options) -> Vec<Findings> {
     of_devices(description, |device| check_with(device, options))
 }
+
+/// The same with the configuration of its file; one that cannot be read is reported by who reads the patches in it.
+pub fn configured_findings(description: &Description, config: ConfigSource) -> Vec<Findings> {
+    let path = Path::new(description.source().name());
+    let mut workspace = Workspace::new(config, Overrides::default()).unwrap_or_default();
+    let project = workspace.project_of(path).unwrap_or_default();
+    findings(description, &workspace.overrides.options(path, project.as_deref()))
+}
+
+/// The same with the nearest configuration.
+pub fn judge(description: &Description) -> Vec<Findings> {
+    configured_findings(description, ConfigSource::Nearest)
+}

@@ -92,7 +92,7 @@ pub(crate) fn reading(
     project: Option<&Project>,
 ) -> Reading {
     // its findings can be asked for; what would be made of it is refused
-    let mut reading = Reading { despite_errors: true, ..Reading::default() };
+    let mut reading = Reading { judge: None, ..Reading::default() };
     (reading.node_id, reading.device, reading.variant) = (node_id, device, variant);
     reading.patches = project.map(|project| project.patches.clone()).unwrap_or_default();
     reading

@@ -88,7 +88,7 @@ pub(crate) fn findings_of(shared: &SharedDescription) -> PyResult<(Subject<'_>, 
 }
 
 /// What the configuration says of a file; bytes have none.
-fn options(shared: &SharedDescription) -> lint::Options {
+pub(crate) fn options(shared: &SharedDescription) -> lint::Options {
     let node_id = shared.node_id.filter(|id| (1..=127).contains(id));
     let overrides = Overrides { node_id, ..Overrides::default() };
     match &shared.path {

@@ -55,7 +55,7 @@ pub(crate) fn build_network<'py>(
 
 /// A network, its descriptions with the patches of the nearest configuration.
 pub(crate) fn opened(path: &Path) -> PyResult<NetworkFile> {
-    let mut options = PathOptions::default();
+    let mut options = PathOptions { judge: Some(objdict::workspace::judge), ..PathOptions::default() };
     options.patches = project_of(&mut Workspace::default(), path)?
         .map(|project| project.patches.clone())
         .unwrap_or_default();

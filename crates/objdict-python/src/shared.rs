@@ -9,9 +9,11 @@ use objdict::format::Description;
 use objdict::format::input::{FileKind, refuse_errors};
 use objdict::model::Device;
 use objdict::source::SourceFile;
+use objdict::workspace;
 
 use pyo3::PyResult;
 
+use super::findings::options;
 use super::meaning::{ValueMeaning, meanings};
 use super::raised;
 
@@ -52,7 +54,9 @@ impl SharedDescription {
     /// Refuses a source with errors, of which nothing is made.
     pub(crate) fn refuse_errors(&self) -> PyResult<()> {
         match &self.described {
-            Described::Text(description) => refuse_errors(description).map_err(raised),
+            Described::Text(description) => {
+                refuse_errors(description, workspace::findings(description, &options(self))).map_err(raised)
+            }
             Described::Model(..) => Ok(()),
         }
     }

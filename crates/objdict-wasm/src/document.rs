@@ -418,7 +418,7 @@ fn is_made(description: &Description, change: &Change) -> bool {
 
 /// The description in the bytes of a file; `from` is its format where that is known.
 fn read(name: &str, bytes: Vec<u8>, from: Option<FileKind>) -> Result<Description, BadRequest> {
-    match (Reading { from, despite_errors: true, ..Reading::default() }).read(name, bytes)? {
+    match (Reading { from, judge: None, ..Reading::default() }).read(name, bytes)? {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
             let message =

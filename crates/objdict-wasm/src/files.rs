@@ -11,6 +11,7 @@ use objdict::generate::{self, Target};
 use objdict::model::{Commissioning, DeviceKind};
 use objdict::report::{Location, grouped};
 use objdict::source::hash;
+use objdict::workspace;
 use serde::{Deserialize, Serialize};
 
 use crate::answer::BadRequest;
@@ -74,7 +75,7 @@ pub(crate) fn save(
         return Err(BadRequest::new("a DCF or XDC is for one node").help("state its node-ID, from 1 to 127"));
     }
     if format != description.format() {
-        refuse_errors(description)?;
+        refuse_errors(description, workspace::judge(description))?;
     }
     let has_text = !description.is_project() && !description.is_network();
     let mut notes = Vec::new();
@@ -116,7 +117,7 @@ pub(crate) fn tables(description: &Description, target: &str) -> Files {
         source_hash: Some(hash(source.text().as_bytes())),
         ..generate::Options::default()
     };
-    refuse_errors(description)?;
+    refuse_errors(description, workspace::judge(description))?;
     let made = generate::generate(description.device(), target, &options).map_err(BadRequest::new)?;
     let files = made.files.into_iter().map(|file| PageFile { name: file.path, bytes: file.contents });
     Ok((files.collect(), made.notes.iter().map(ToString::to_string).collect()))

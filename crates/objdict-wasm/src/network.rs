@@ -61,7 +61,7 @@ pub(crate) fn read(document: &EditedDocument, files: Rc<OpenFiles>) -> Result<Ne
     }
     let source = document::source(document.name(), document.bytes())?;
     let folder = Path::new(document.name()).parent().unwrap_or(Path::new(""));
-    let mut options = PathOptions::default();
+    let mut options = PathOptions { judge: Some(objdict::workspace::judge), ..PathOptions::default() };
     // what is open may be read, in whichever folder it is
     options.allowed.push(Path::new("").to_owned());
     Ok(with_buffers(files, || NetworkFile::read(source, folder, &options)))

@@ -144,7 +144,7 @@ impl Request {
         #[cfg(feature = "full")]
         let reading = self.with_patches(reading, project.as_ref(), files)?;
         // its errors are among the findings, and stop what is made
-        let reading = Reading { despite_errors: true, ..reading };
+        let reading = Reading { judge: None, ..reading };
         let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => {
                 let options = SourceOptions { encoding: None, max_size: reading.max_size };

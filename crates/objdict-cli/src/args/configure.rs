@@ -10,7 +10,7 @@ use super::report::PlainFormat;
 use crate::canonical::DialectArgs;
 use crate::input::{EntriesArgs, InputArgs, SizeArgs};
 use crate::patch_option::PatchArgs;
-use crate::settings::ConfigFileArgs;
+use crate::settings::{ConfigFileArgs, reading};
 use crate::values::{node_id, node_name, serial_number};
 use crate::written_files::is_stdout;
 use objdict_format::input::{FileKind, Reading};
@@ -165,7 +165,7 @@ impl ConfigureArgs {
         let (device, variant, encoding) = (self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..Reading::default() }
+        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..reading() }
     }
 }
 

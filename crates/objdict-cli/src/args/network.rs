@@ -9,7 +9,7 @@ use crate::baseline::BaselineArgs;
 use crate::ending::Failure;
 use crate::lock;
 use crate::patch_option::PatchArgs;
-use crate::settings::{CommandSettings, ConfigFileArgs, SettingsArgs};
+use crate::settings::{CommandSettings, ConfigFileArgs, SettingsArgs, judge};
 use crate::values::one_of;
 use crate::written_files::OverwriteArgs;
 use objdict_model::model::Date;
@@ -135,7 +135,7 @@ pub(crate) struct AllowedPathArgs {
 
 impl AllowedPathArgs {
     pub(crate) fn options(&self) -> PathOptions {
-        PathOptions { allowed: self.allow_path.clone(), ..PathOptions::default() }
+        PathOptions { allowed: self.allow_path.clone(), judge: Some(judge), ..PathOptions::default() }
     }
 
     /// The folders that files named in `file` may be read from.

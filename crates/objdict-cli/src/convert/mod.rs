@@ -28,7 +28,6 @@ use objdict_model::diagnostic::{Severity, plural};
 use objdict_model::source::{SourceFile, SourceOptions};
 use objdict_node::concise;
 use objdict_node::download::ConciseDcf;
-use objdict_project::workspace;
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut jobs = jobs::plan(args)?;
@@ -46,9 +45,7 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     let progress = Progress::new("converting", jobs.len());
     for jobs in jobs.chunk_by(|job, next| job.output == next.output) {
         let done = match jobs {
-            [job] if job.to != FileKind::Dbc => {
-                convert_one(args, job, &mut settings, &mut place, &mut report, out)
-            }
+            [job] if job.to != FileKind::Dbc => convert_one(args, job, &mut place, &mut report, out),
             jobs => dbc::convert(args, jobs, &mut report, out),
         };
         if let Err(failure) = done {
@@ -114,16 +111,12 @@ impl OutputPlace {
 fn convert_one(
     args: &ConvertArgs,
     job: &Job,
-    settings: &mut CommandSettings,
     place: &mut OutputPlace,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
     let reading = Reading { keep_disabled: true, ..args.input.reading_with(&job.patches) };
     let (from, input) = reading.read(&source_name(&job.input), args.input.size.read(&job.input)?)?;
-    if let Input::Description(description) = &input {
-        refuse_faulty(description, job, settings)?;
-    }
     match input {
         Input::Description(description) if description.device_count() == 0 => {
             let name = name_of(&job.input);
@@ -162,32 +155,6 @@ fn convert_one(
             Err(failure.help(format!("`objdict show {file}` names the files of its nodes")))
         }
     }
-}
-
-/// Refuses a source in which `objdict check` finds errors, also of rules: its author can correct them before others get an EDS. A
-/// vendor's description is converted as it is.
-fn refuse_faulty(
-    description: &Description,
-    job: &Job,
-    settings: &mut CommandSettings,
-) -> Result<(), Failure> {
-    if description.format() != Format::Toml {
-        return Ok(());
-    }
-    let project = settings.project_of(&job.input)?;
-    let options = settings.options(&job.input, project.as_deref());
-    // a variant has places of its own
-    let mut findings = workspace::findings(description, &options).into_iter();
-    let problems = description.map_devices(|device| {
-        let found = findings.next().unwrap_or_default();
-        let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
-        errors.map(|error| error.line(device.source(), |at| device.span_of(at))).collect::<Vec<_>>()
-    });
-    let problems = problems.concat();
-    if problems.is_empty() {
-        return Ok(());
-    }
-    Err(ReadError::Faulty { name: source_name(&job.input), problems: problems.join("\n") }.into())
 }
 
 /// The description with the text that its patches make of it.

@@ -18,6 +18,7 @@ use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
 use super::ending::{Failure, Outcome, note, tell};
 use super::input::{Input, name_of, source_name};
 use super::network;
+use super::settings::reading;
 use super::stdout::Output;
 use super::written_files::{keep, require_other};
 use objdict_document::describe::frames::{DecodedFrame, FrameKind};
@@ -224,7 +225,7 @@ fn descriptions<'a>(
         }
         let mut patches = args.patch.patches.clone();
         patches.extend(args.settings.config_file().patches_of(path)?);
-        let reading = Reading { patches, ..Reading::default() };
+        let reading = Reading { patches, ..reading() };
         let device = match reading.open(path)? {
             (_, Input::Description(description)) => description.device().clone(),
             (_, Input::Device(device)) => *device,

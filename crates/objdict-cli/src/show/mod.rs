@@ -18,6 +18,7 @@ use super::settings::ConfigFileArgs;
 use super::stdout::Output;
 use super::table::fit;
 use objdict_document::describe::ValueReader;
+use objdict_format::input::{Reading, of_text};
 use objdict_format::json as json_format;
 use objdict_model::model::{Address, Device, Entry, Object};
 use objdict_node::concise;
@@ -47,7 +48,10 @@ impl ShownDevice<'_> {
 }
 
 pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (kind, input) = args.input.read_one(&args.file, &ConfigFileArgs::default())?;
+    // what a rule finds is shown too
+    let patches = ConfigFileArgs::default().patches_of(&args.file)?;
+    let reading = Reading { judge: Some(of_text), ..args.input.reading_with(&patches) };
+    let (kind, input) = reading.read_one(&source_name(&args.file), args.input.size.read(&args.file)?)?;
     let (device, format) = match &input {
         Input::Description(description) if description.is_project() => (description.device(), kind.name()),
         Input::Description(description) => (description.device(), description.format().name()),

@@ -16,6 +16,7 @@ use super::identify::{ContentKind, identify_source};
 #[cfg(feature = "full")]
 use super::patch::Patch;
 use super::{Description, Format, Syntax};
+use objdict_model::diagnostic::Findings;
 #[cfg(feature = "full")]
 use objdict_model::diagnostic::Severity;
 use objdict_model::model::Device;
@@ -232,6 +233,14 @@ pub(crate) const VALUES_PER_ENTRY: usize = 10;
 /// A file with several devices is a network, and a node-ID is one of 127.
 pub const MAX_DEVICES: usize = 127;
 
+/// The findings of each device of a file.
+pub type Judge = fn(&Description) -> Vec<Findings>;
+
+/// Those of the text of each device, without those of rules.
+pub fn of_text(description: &Description) -> Vec<Findings> {
+    description.map_devices(|device| device.findings().clone())
+}
+
 /// How a file is read.
 #[derive(Clone, Debug)]
 pub struct Reading {
@@ -254,8 +263,8 @@ pub struct Reading {
     pub node_id: Option<u8>,
     /// Which variant of a `device.toml`; `None` is the device without its variants.
     pub variant: Option<String>,
-    /// Whether a `device.toml` is read although its text has errors, as where it is edited.
-    pub despite_errors: bool,
+    /// Which findings refuse a `device.toml`, if they are errors; `None` reads it in spite of them, as where it is edited.
+    pub judge: Option<Judge>,
     /// Patches, which are made in the descriptions that they are for.
     #[cfg(feature = "full")]
     pub patches: Vec<std::sync::Arc<Patch>>,
@@ -272,8 +281,8 @@ impl Default for Reading {
             max_entries,
             node_id: None,
             variant: None,
-            despite_errors: false,
             keep_disabled: false,
+            judge: Some(of_text),
             #[cfg(feature = "full")]
             patches: Vec::new(),
         }
@@ -465,31 +474,36 @@ impl Reading {
         Ok((kind, source))
     }
 
-    /// Refuses a description that a patch is for and does not fit, and a source whose own text has errors: what is made of it
-    /// would not be what its author wrote. Descriptions of vendors are read as they are.
+    /// Refuses a description that a patch is for and does not fit, and a source that has errors: what is made of it would not be
+    /// what its author means. Descriptions of vendors are read as they are.
     #[cfg(feature = "full")]
     fn refuse(&self, description: &Description) -> Result<(), ReadError> {
         if let Some(patched) = description.patched().filter(|patched| patched.has_errors()) {
             let name = description.source().name().to_owned();
             return Err(ReadError::NotPatched { name, problems: patched.lines().join("\n") });
         }
-        if self.despite_errors { Ok(()) } else { refuse_errors(description) }
+        let Some(judge) = self.judge else { return Ok(()) };
+        // no configuration accepts what is not read
+        refuse_errors(description, of_text(description))?;
+        refuse_errors(description, judge(description))
     }
 }
 
-/// Refuses a `device.toml` with errors in its text or in one of its variants.
+/// Refuses a `device.toml` with errors among the findings of its devices.
 ///
 /// # Errors
 /// [`ReadError::Faulty`] with the errors.
 #[cfg(feature = "full")]
-pub fn refuse_errors(description: &Description) -> Result<(), ReadError> {
+pub fn refuse_errors(description: &Description, findings: Vec<Findings>) -> Result<(), ReadError> {
     if description.format() != Format::Toml {
         return Ok(());
     }
     // a variant repeats the errors of the file
     let mut problems: Vec<String> = Vec::new();
+    let mut findings = findings.into_iter();
     description.map_devices(|device| {
-        let errors = device.findings().iter().filter(|finding| finding.severity == Severity::Error);
+        let found = findings.next().unwrap_or_default();
+        let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
         for line in errors.map(|error| error.line(device.source(), |at| device.span_of(at))) {
             if !problems.contains(&line) {
                 problems.push(line);
