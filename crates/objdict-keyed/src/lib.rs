@@ -1,6 +1,7 @@
 //! Files that people write as keys and values: a tree with the place of each value, and tables of the keys that a file may have.
 //! Part of `objdict`, which is the crate to depend on.
 
+pub mod notation;
 pub mod rules;
 pub mod schema;
 pub mod section;

@@ -2,7 +2,9 @@
 
 use serde_json::{Map, Value, json};
 
+use super::notation::{Notation, PARTS, TIME};
 use super::section::{Key, Shape};
+use super::types::TYPES;
 
 /// The dialect of the schemas.
 pub const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
@@ -34,32 +36,43 @@ fn property(key: &Key) -> Value {
     value
 }
 
+/// A text in a notation.
+pub fn text(notation: Notation) -> Value {
+    let types = TYPES.map(|(word, _)| word).join("|");
+    let parts = PARTS.iter().fold(notation.to_owned(), |text, (name, part)| text.replace(name, part));
+    json!({ "type": "string", "pattern": parts.replace("{words}", &types) })
+}
+
+/// One of these, or a list of them.
+pub fn one_or_list(item: &Value) -> Value {
+    json!({ "anyOf": [item, { "type": "array", "items": item }] })
+}
+
 fn shape(shape: &Shape) -> Value {
     match shape {
         Shape::Integer(low, high) => integer(*low, *high),
         Shape::Number => json!({ "type": "number", "exclusiveMinimum": 0 }),
         Shape::Flag => json!({ "anyOf": [{ "type": "boolean" }, { "enum": [0, 1] }] }),
+        Shape::Spelled(notation) => text(notation),
+        Shape::AllSpelled(notation) => one_or_list(&text(notation)),
+        Shape::IntegerOrText(low, high, form) => json!({ "anyOf": [integer(*low, *high), text(form)] }),
+        Shape::SpelledByName(notation) => with("object", "additionalProperties", text(notation)),
+        Shape::ValuesOf(notation) => {
+            json!({ "additionalProperties": self::shape(&Shape::Value), "propertyNames": text(notation), "type": "object" })
+        }
         Shape::Text => json!({ "type": ["string", "number"] }),
         Shape::Word(words) => json!({ "enum": words }),
         Shape::IntegerOr(low, high, word) => {
             json!({ "anyOf": [integer(*low, *high), { "const": word }] })
         }
         Shape::Value => json!({ "type": ["integer", "number", "string", "boolean"] }),
-        Shape::Time(high, _) => json!({ "anyOf": [integer(0, *high), { "type": "string" }] }),
-        Shape::ValueOrList => {
-            let value = self::shape(&Shape::Value);
-            json!({ "anyOf": [value, { "type": "array", "items": value }] })
-        }
-        Shape::Values => {
-            json!({ "type": "object", "additionalProperties": self::shape(&Shape::Value) })
-        }
+        Shape::Time(high, _) => json!({ "anyOf": [integer(0, *high), text(TIME)] }),
+        Shape::ValueOrList => one_or_list(&self::shape(&Shape::Value)),
+        Shape::Values => with("object", "additionalProperties", self::shape(&Shape::Value)),
         Shape::ValuesOrList => {
-            let value = self::shape(&Shape::Value);
-            json!({ "anyOf": [self::shape(&Shape::Values), { "type": "array", "items": value }] })
+            json!({ "anyOf": [self::shape(&Shape::Values), { "type": "array", "items": self::shape(&Shape::Value) }] })
         }
-        Shape::Texts => {
-            json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
-        }
+        Shape::Texts => one_or_list(&json!({ "type": "string" })),
         Shape::Numerals(low, high) => json!({ "type": "array", "items": integer(*low, *high) }),
         Shape::Map(keys) => object(keys),
         Shape::Named(keys) => with("object", "additionalProperties", object(keys)),

@@ -1,5 +1,6 @@
 //! Reading maps by a table of their keys, which also makes their JSON Schema.
 
+use super::notation::Notation;
 use super::rules::{FORMER_KEY, MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
@@ -56,10 +57,14 @@ pub enum Shape {
     Flag,
     /// A text.
     Text,
+    /// A text that is spelled so; a number is none.
+    Spelled(Notation),
     /// One of these words.
     Word(&'static [&'static str]),
     /// A whole number in a range, or this word.
     IntegerOr(i128, i128, &'static str),
+    /// A whole number in a range, or a text that is spelled so.
+    IntegerOrText(i128, i128, Notation),
     /// A time: a text with a unit, or a whole number up to the first one of units of so many nanoseconds.
     Time(i128, u64),
     /// A number or a text.
@@ -68,10 +73,16 @@ pub enum Shape {
     ValueOrList,
     /// A map of values by any names.
     Values,
+    /// A map of values by names that are spelled so.
+    ValuesOf(Notation),
+    /// A map of texts that are spelled so, by any names.
+    SpelledByName(Notation),
     /// A map of values by any names, or a list of values.
     ValuesOrList,
     /// A text, or a list of texts.
     Texts,
+    /// A text, or a list of texts that are spelled so.
+    AllSpelled(Notation),
     /// A list of whole numbers in a range.
     Numerals(i128, i128),
     /// Such a map.
@@ -235,21 +246,24 @@ impl<'t> KeyedTable<'t> {
         };
         match key.shape {
             Shape::IntegerOr(_, _, word) if tree.text() == Some(word) => {}
-            Shape::Integer(low, high) | Shape::IntegerOr(low, high, _) => {
+            Shape::IntegerOrText(..) if tree.text().is_some() => {}
+            Shape::Integer(low, high)
+            | Shape::IntegerOr(low, high, _)
+            | Shape::IntegerOrText(low, high, _) => {
                 integer(name, tree, (low, high), findings);
             }
             Shape::Number => drop(self.number(name, findings)),
             Shape::Flag => drop(self.flag(name, findings)),
-            Shape::Text => drop(self.text(name, findings)),
+            Shape::Text | Shape::Spelled(_) => drop(self.text(name, findings)),
             Shape::Word(_) => drop(self.word(name, findings)),
             Shape::Time(..) => drop(self.time::<i128>(name, findings)),
-            Shape::Texts => drop(self.texts(name, findings)),
+            Shape::Texts | Shape::AllSpelled(_) => drop(self.texts(name, findings)),
             Shape::Numbers(..) => drop(self.numbers(name, findings)),
             Shape::ValueOrList | Shape::ValuesOrList if list.is_some() => {
                 list.into_iter().flatten().for_each(|item| check_scalar(name, item, findings));
             }
             Shape::Value | Shape::ValueOrList => check_scalar(name, tree, findings),
-            Shape::Values | Shape::ValuesOrList => {
+            Shape::Values | Shape::ValuesOf(_) | Shape::SpelledByName(_) | Shape::ValuesOrList => {
                 for Pair { key, value } in self.named(name, findings) {
                     check_scalar(&key.spelled(), value, findings);
                 }
@@ -363,16 +377,35 @@ impl<'t> KeyedTable<'t> {
         })
     }
 
-    /// A text; numbers are taken as they are spelled.
+    /// A text; numbers are taken as they are spelled, but where a [notation](Shape::Spelled) would read them as others.
     pub fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
         let tree = self.get(name)?;
+        let is_spelled = matches!(self.shape(name), Some(Shape::Spelled(_)));
         match &*tree.kind {
-            Kind::Text(_) | Kind::Integer(_) | Kind::Float(_) => Some(Said::new(tree.spelled(), tree.span)),
+            Kind::Integer(_) | Kind::Float(_) if !is_spelled => Some(Said::new(tree.spelled(), tree.span)),
+            Kind::Text(text) => Some(Said::new(text.clone(), tree.span)),
             _ => {
                 findings.push(wrong(name, tree, "a text").help("write a text in quotes"));
                 None
             }
         }
+    }
+
+    /// What `parse` reads in a text; `expected` is what it is not otherwise, and a help.
+    pub fn parsed<T>(
+        &self,
+        name: &str,
+        parse: impl Fn(&str) -> Option<T>,
+        expected: [&'static str; 2],
+        findings: &mut Findings,
+    ) -> Option<Said<T>> {
+        let text = self.text(name, findings)?;
+        let parsed = parse(&text.value);
+        if parsed.is_none() {
+            let message = say!("`{}` is not {}", text.value.as_str(), expected[0]);
+            findings.push(Diagnostic::new(&WRONG_TYPE, text.at, message).help(expected[1]));
+        }
+        Some(Said::new(parsed?, text.at))
     }
 
     /// A text that is one of the words of the key.

@@ -1,5 +1,6 @@
 //! The keys of `network.toml`.
 
+use objdict_keyed::notation::{ADDRESS, ADDRESSES, FACTOR, FACTOR_OR_TIME, LINK_END, TRANSMISSION_TYPE};
 use objdict_keyed::section::{Key, Shape, bits, key};
 
 /// A time in an object of so many bits and nanoseconds a unit.
@@ -70,7 +71,7 @@ pub(super) const MANAGER: &[Key] = &[
     key("revision-number", bits(32), "Revision number (1018h:03)."),
     key("serial-number", bits(32), "Serial number (1018h:04)."),
     key("heartbeat", MILLISECONDS, HEARTBEAT),
-    key("watch", Shape::Text, WATCH),
+    key("watch", Shape::Spelled(FACTOR), WATCH),
     key("watches-nodes", Shape::Flag, "Whether the manager monitors the nodes (1016h)."),
     key("time-cob-id", bits(32), "COB-ID of TIME (1012h)."),
     key("emcy-inhibit", TENTHS, "Inhibit time of EMCY (1015h): a text with a unit, or a number of 100 µs."),
@@ -106,9 +107,13 @@ pub(super) const NODE: &[Key] = &[
         "The modules that are plugged, in order, by their numbers in the description.",
     ),
     key("heartbeat", MILLISECONDS, HEARTBEAT),
-    key("watch", Shape::Text, WATCH),
+    key("watch", Shape::Spelled(FACTOR), WATCH),
     key("watches-manager", Shape::Flag, "Whether the node monitors the manager (1016h)."),
-    key("watches", Shape::Values, "Further nodes that it monitors, each with a time: `1.5x` or `500ms`."),
+    key(
+        "watches",
+        Shape::SpelledByName(FACTOR_OR_TIME),
+        "Further nodes that it monitors: `1.5x` or `500ms`.",
+    ),
     key("guard-time", MILLISECONDS, "Guard time (100Ch): a text with a unit, or a number of ms."),
     key("life-time-factor", bits(8), "Life time factor (100Dh)."),
     key("time-cob-id", bits(32), "COB-ID of TIME (1012h)."),
@@ -146,33 +151,33 @@ pub(super) const PDO: &[Key] = &[
         Shape::IntegerOr(0, 0xFFFF_FFFF, "auto"),
         "COB-ID; `auto`: that of the predefined connection set.",
     ),
-    key("transmission", Shape::Text, TRANSMISSION).formerly("type"),
+    key("transmission", TRANSMISSION_TYPE, TRANSMISSION).formerly("type"),
     key("inhibit", TENTHS, INHIBIT),
     key("event-timer", MILLISECONDS, EVENT_TIMER),
     key("deadline", MILLISECONDS, DEADLINE),
     key("sync-start", bits(8), "SYNC start value."),
     key(
         "map",
-        Shape::Texts,
+        Shape::AllSpelled(ADDRESSES),
         "The mapped entries in the order of the frame: `6000:1`, `6000:1-5`, `0005` for a dummy.",
     ),
 ];
 
 pub(super) const SDO: &[Key] = &[
-    key("entry", Shape::Text, "The entry, by its address.").required(),
+    key("entry", Shape::Spelled(ADDRESS), "The entry, by its address.").required(),
     key("value", Shape::ValueOrList, "The value, or several ones in order.").required(),
 ];
 
 pub(super) const LINK: &[Key] = &[
     key(
         "from",
-        Shape::Text,
+        Shape::Spelled(LINK_END),
         "The entries of the producer: `left.6000:1-5`, `left.Statusword`; only the name of a manager without a description.",
     )
     .required(),
-    key("to", Shape::Texts, "As many entries of one consumer, or of each in a list; a manager as in `from`.")
+    key("to", Shape::AllSpelled(LINK_END), "As many entries of one consumer, or of each in a list; a manager as in `from`.")
         .required(),
-    key("transmission", Shape::Text, TRANSMISSION).formerly("type"),
+    key("transmission", TRANSMISSION_TYPE, TRANSMISSION).formerly("type"),
     key("inhibit", TENTHS, INHIBIT),
     key("event-timer", MILLISECONDS, EVENT_TIMER),
     key("deadline", MILLISECONDS, DEADLINE),

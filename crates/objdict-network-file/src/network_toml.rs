@@ -5,6 +5,7 @@ use super::requested_value;
 use super::rules::UNREADABLE_NODE;
 use super::types::with_type;
 use super::{NodeDescriptions, too_many};
+use objdict_keyed::notation::NO_TRANSMISSION;
 use objdict_keyed::rules::{MISSING_KEY, WRONG_TYPE};
 use objdict_keyed::section::{self, KeyedTable, integer, wrong};
 use objdict_keyed::toml;
@@ -155,20 +156,11 @@ impl NetworkReader<'_, '_> {
     }
 
     fn heartbeat(&mut self, section: &KeyedTable<'_>, consumer: &str) -> Heartbeat {
-        let factor = section.text("watch", self.findings).and_then(|watch| {
-            let factor = factor(&watch.value);
-            if factor.is_none() {
-                self.ill_typed(
-                    watch.at,
-                    &say!("`watch` is `{}`, which is not a factor", watch.value),
-                    "write a factor, as in `1.5x`",
-                );
-            }
-            factor
-        });
+        let factor =
+            section.parsed("watch", factor, ["a factor", "write a factor, as in `1.5x`"], self.findings);
         Heartbeat {
             producer: section.time("heartbeat", self.findings),
-            factor: factor.unwrap_or(Heartbeat::DEFAULT_FACTOR),
+            factor: factor.map_or(Heartbeat::DEFAULT_FACTOR, |factor| factor.value),
             consumer: section.flag(consumer, self.findings),
             watched: Vec::new(),
         }
@@ -202,7 +194,13 @@ impl NetworkReader<'_, '_> {
     fn nodes(&mut self, root: &KeyedTable<'_>) -> Option<Vec<Node>> {
         let types = root.named("type", self.findings);
         for kind in types {
-            KeyedTable::new(&format!("type {}", kind.key.spelled()), &kind.value, NODE, self.findings);
+            let name = format!("type {}", kind.key.spelled());
+            let Some(section) = KeyedTable::new(&name, &kind.value, NODE, self.findings) else { continue };
+            // what no node uses is read too
+            self.heartbeat(&section, "watches-manager");
+            self.watched(&section);
+            self.downloads(&section);
+            PdoKind::ALL.into_iter().for_each(|kind| drop(self.pdos(&section, kind)));
         }
         let nodes = root.named("node", self.findings);
         if let Some(finding) = too_many(nodes.len(), nodes.last().map(|entry| entry.key.span)) {
@@ -334,7 +332,7 @@ impl NetworkReader<'_, '_> {
     fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&KeyedTree>) -> Option<PdoRequest> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
         let section = KeyedTable::new(&pdo.to_string(), tree.value, PDO, self.findings)?;
-        let transmission = self.transmission(&section);
+        let transmission = section.parsed("transmission", transmission_type, NO_TRANSMISSION, self.findings);
         let mapping = section.get("map").map(|_| self.mapping(&section));
         let findings = &mut *self.findings;
         let cob_id = match section.get("cob-id") {
@@ -354,19 +352,6 @@ impl NetworkReader<'_, '_> {
             mapping,
             ..PdoRequest::new(pdo, tree.at)
         })
-    }
-
-    fn transmission(&mut self, section: &KeyedTable<'_>) -> Option<Said<u8>> {
-        let text = section.text("transmission", self.findings)?;
-        let number = transmission_type(&text.value);
-        if number.is_none() {
-            self.ill_typed(
-                text.at,
-                &say!("`{}` is not a transmission type", text.value),
-                "write `sync/1` to `sync/240`, `event`, `event-vendor`, `rtr`, `rtr-sync` or a number up to 255",
-            );
-        }
-        number.map(|number| Said::new(number, text.at))
     }
 
     fn mapping(&mut self, section: &KeyedTable<'_>) -> Vec<Said<Address>> {
@@ -394,12 +379,10 @@ impl NetworkReader<'_, '_> {
         let section = KeyedTable::new("sdo", item, SDO, self.findings)?;
         section.required("sdo", "entry", self.findings)?;
         let value = section.required("sdo", "value", self.findings)?;
-        let entry = section.text("entry", self.findings)?;
-        let Ok(Address { index, sub }) = entry.value.parse() else {
-            let message = say!("`{}` is not the address of an entry", entry.value);
-            self.ill_typed(entry.at, &message, "write an index and a sub-index, as in `6040` or `1800:2`");
-            return None;
-        };
+        let expected =
+            ["the address of an entry", "write an index and a sub-index, as in `6040` or `1800:2`"];
+        let entry = section.parsed("entry", |text| text.parse::<Address>().ok(), expected, self.findings)?;
+        let Address { index, sub } = entry.value;
         let values = match &*value.kind {
             Kind::List(values) => values,
             _ => std::slice::from_ref(value),
@@ -431,7 +414,7 @@ impl NetworkReader<'_, '_> {
         let from = from.and_then(|from| self.link_end(&from.value, from.at));
         let to = section.texts("to", self.findings).into_iter();
         let to: Vec<LinkEnd> = to.filter_map(|to| self.link_end(to.value, to.at)).collect();
-        let transmission = self.transmission(&section);
+        let transmission = section.parsed("transmission", transmission_type, NO_TRANSMISSION, self.findings);
         let findings = &mut *self.findings;
         let parameters = LinkParameters {
             transmission: transmission.map(|said| said.value),

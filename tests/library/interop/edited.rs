@@ -19,25 +19,16 @@ use crate::network::path;
 use crate::support;
 
 /// Errors of readers that no schema can say: the rule, a part of the message, and the reason.
-const UNSAYABLE: [(&str, &str, &str); 29] = [
-    ("keys/wrong-type", "which is not a time", NOTATION),
-    ("keys/wrong-type", "transmission type", NOTATION),
-    ("keys/wrong-type", "which is not a factor", NOTATION),
-    ("keys/wrong-type", "neither a factor nor a time", NOTATION),
-    ("keys/wrong-type", "is not the address of", NOTATION),
-    ("keys/wrong-type", "is not the end of a link", NOTATION),
-    ("keys/wrong-type", "is not a data type", NOTATION),
-    ("keys/wrong-type", "is not an index", NOTATION),
-    ("keys/wrong-type", "is no bit", NOTATION),
-    ("keys/wrong-type", "where a COB-ID belongs", NOTATION),
-    ("keys/wrong-type", "and `enum` names values by number", NOTATION),
-    ("keys/wrong-type", "is not valid: ", NOTATION),
-    ("patch/invalid-change", "is not a SHA-256 hash", NOTATION),
-    ("patch/invalid-change", "is not an address", NOTATION),
-    ("patch/invalid-change", "is not an object, an entry", NOTATION),
-    ("patch/invalid-change", "is not JSON", NOTATION),
+const UNSAYABLE: [(&str, &str, &str); 17] = [
     ("patch/invalid-change", "there is no field", "the keys of CiA 306 may have any case"),
-    ("keys/missing-key", "has no key `file`", "the type of a node may have it"),
+    ("patch/invalid-change", "is not JSON", "a pattern has no nested brackets"),
+    (
+        "keys/out-of-range",
+        ", which is not ",
+        "a pattern does not compare numbers: the range or the unit of a time",
+    ),
+    ("keys/wrong-type", "`70000s`, neither a factor nor a time", "a pattern does not compare numbers"),
+    ("keys/missing-key", "has no key `file`", "the type that a node uses may have it"),
     ("keys/missing-key", "`sync` needs a manager", "the manager may be a node"),
     ("keys/wrong-type", "cannot be mapped", "the entries of the device decide"),
     ("keys/wrong-type", "cannot be removed", "the objects of the profile decide"),
@@ -48,11 +39,47 @@ const UNSAYABLE: [(&str, &str, &str); 29] = [
     ("keys/wrong-type", "must be a list of these", "the profile decides"),
     ("keys/wrong-type", "it is unknown where", "the folder of the file decides"),
     ("keys/wrong-type", "the JSON of a device has no such value", "the device decides"),
+    ("keys/wrong-type", "is not valid: ", "the number of days of a month"),
     ("keys/unknown-profile", "", "the profiles that objdict has decide, and their features"),
 ];
 
-/// A text that its reader parses: a pattern would be a second grammar of it.
-const NOTATION: &str = "a notation";
+/// Texts in the notations of keys, right and wrong.
+const NOTATIONS: [&str; 34] = [
+    "10ms",
+    "1.5 s",
+    "70000s",
+    "1.5x",
+    "0x",
+    " 2e1 x",
+    "sync/240",
+    "SYNC/241",
+    "Event",
+    "0x1F",
+    "256",
+    "6000:1-5",
+    "0x6041 sub 1",
+    "60410",
+    "servo.6041",
+    "servo.70000",
+    "servo.Statusword",
+    ".6041",
+    "u16",
+    "[u8; 2]",
+    "[u8; 255]",
+    "string(4)",
+    "0x0007",
+    "2000-2001 2000",
+    "only u8 !bool",
+    "$NODEID+0x180",
+    "0x180 + $nodeid",
+    "off",
+    "2026-05-30",
+    "2026-13-30",
+    "14:40",
+    "24:00",
+    "4-7",
+    "64",
+];
 
 /// What else a value may be.
 fn others() -> Vec<Value> {
@@ -92,7 +119,11 @@ struct Edited {
 
 /// Calls `keep` with each edit of a value and what it is called. Keys that are missing are added in so many tables below each other.
 fn edits(value: &Value, schema: &Value, depth: usize, keep: &mut dyn FnMut(Value, String)) {
-    for other in others().into_iter().filter(|other| other != value) {
+    let of_schema = schema.to_string();
+    let is_spelled = of_schema.contains("\"pattern\"") && !of_schema.contains("\"properties\"");
+    let notations = NOTATIONS.iter().filter(|_| is_spelled);
+    let notations = notations.flat_map(|text| [json!(text), json!({ *text: "xq" })]);
+    for other in others().into_iter().chain(notations).filter(|other| other != value) {
         let edit = format!(" = {other}");
         keep(other, edit);
     }

@@ -3,7 +3,11 @@
 use std::sync::LazyLock;
 
 use crate::scaffold::{FEATURES, FeatureKind};
-use objdict_keyed::schema::{DIALECT, object};
+use objdict_keyed::notation::{
+    BASE_TYPE, BITS, COB_ID, DATA_TYPE, DATE, DUMMIES, INDEXES, MAPPED, NUMBERS, TIME_OF_DAY,
+    TRANSMISSION_TYPE,
+};
+use objdict_keyed::schema::{DIALECT, object, one_or_list, text};
 use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types::{self, OBJECT_TYPES};
 use serde_json::{Value, json};
@@ -81,7 +85,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key("comments", Shape::Texts, "The lines of `Comments`: a text of several lines, or a list."),
         key(
             "dummies",
-            Shape::Text,
+            Shape::Spelled(DUMMIES),
             "The data types that fill gaps in RPDOs, of those that CiA 306-1 lists: `u8 u16 u32`. After `only` the list has no others: `only u8 !bool`.",
         ),
         key(
@@ -135,17 +139,17 @@ pub(super) fn features() -> &'static [Key] {
 pub(super) const PDO: &[Key] = &[
     key(
         "map",
-        Shape::Texts,
+        Shape::AllSpelled(MAPPED),
         "The mapped entries in the order of the frame: `6000:1`, `6041` for sub-index 0, `0005` for a dummy, `2000:1/8` with a number of bits.",
     ),
     key(
         "cob-id",
-        Shape::Value,
+        Shape::IntegerOrText(0, 0xFFFF_FFFF, COB_ID),
         "COB-ID: a number, `$NODEID+0x180`, or `off` for the usual one of a PDO that is not valid.",
     ),
     key(
         "transmission",
-        Shape::Text,
+        TRANSMISSION_TYPE,
         "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number.",
     ),
     key(
@@ -168,11 +172,11 @@ pub(super) const FILE: &[Key] = &[
     key("file-revision", bits(8), "`FileRevision`; 0 without this key."),
     key("eds-version", Shape::Text, "`EDSVersion`; 4.0 without this key."),
     key("description", Shape::Text, "`Description`."),
-    key("creation-time", Shape::Text, "`CreationTime`: `14:40`."),
-    key("creation-date", Shape::Text, "`CreationDate`: `2026-05-30`."),
+    key("creation-time", Shape::Spelled(TIME_OF_DAY), "`CreationTime`: `14:40`."),
+    key("creation-date", Shape::Spelled(DATE), "`CreationDate`: `2026-05-30`."),
     key("created-by", Shape::Text, "`CreatedBy`."),
-    key("modification-time", Shape::Text, "`ModificationTime`."),
-    key("modification-date", Shape::Text, "`ModificationDate`."),
+    key("modification-time", Shape::Spelled(TIME_OF_DAY), "`ModificationTime`."),
+    key("modification-date", Shape::Spelled(DATE), "`ModificationDate`."),
     key("modified-by", Shape::Text, "`ModifiedBy`."),
     key("last-eds", Shape::Text, "`LastEDS`."),
     key("languages", Shape::Texts, "The languages of the texts (CiA 311)."),
@@ -226,9 +230,9 @@ pub(super) const NODE: &[Key] = &[
 ];
 
 pub(super) const LISTS: &[Key] = &[
-    key("mandatory", Shape::Text, "The mandatory objects: `1000-1001 1018`."),
-    key("optional", Shape::Text, "The optional objects."),
-    key("manufacturer", Shape::Text, "The objects of the manufacturer."),
+    key("mandatory", Shape::Spelled(INDEXES), "The mandatory objects: `1000-1001 1018`."),
+    key("optional", Shape::Spelled(INDEXES), "The optional objects."),
+    key("manufacturer", Shape::Spelled(INDEXES), "The objects of the manufacturer."),
     key("unstated", Shape::Texts, UNSTATED),
 ];
 
@@ -247,7 +251,7 @@ macro_rules! entry_keys {
     ($($of_object:expr,)*) => {
         &[
             key("name", Shape::Text, "`ParameterName`."),
-            key("type", Shape::Text, "The data type: `bool`, `u8` to `u64`, `i8` to `i64`, `f32`, `f64`, `string`, `string(20)`, `unicode`, `bytes`, `time`, `time-difference`, `domain`, or the index of its definition (`0x0023`). Of an object also `record`, `array`, `[u16]` for an array of it, and `[u16; 8]` for one of 8 equal elements."),
+            key("type", Shape::Spelled(DATA_TYPE), "The data type: `bool`, `u8` to `u64`, `i8` to `i64`, `f32`, `f64`, `string`, `string(20)`, `unicode`, `bytes`, `time`, `time-difference`, `domain`, or the index of its definition (`0x0023`). Of an object also `record`, `array`, `[u16]` for an array of it, and `[u16; 8]` for one of 8 equal elements."),
             key("object-type", Shape::Word(OBJECT_TYPES), "The object type, where it does not follow from `type`."),
             key("access", ACCESS, "The access type."),
             key("map", MAP, "Whether PDOs carry the entry, and which."),
@@ -259,8 +263,8 @@ macro_rules! entry_keys {
             key("unit", Shape::Text, "The unit of the engineering value."),
             key("factor", Shape::Text, "By what the value is multiplied to get the engineering value."),
             key("offset", Shape::Text, "What is added to the value before that."),
-            key("enum", Shape::Values, "The names of values by number."),
-            key("bits", Shape::Values, "The names of bits, or of ranges of them (`4-7`)."),
+            key("enum", Shape::ValuesOf(NUMBERS), "The names of values by number."),
+            key("bits", Shape::ValuesOf(BITS), "The names of bits, or of ranges of them (`4-7`)."),
             key("description", Shape::Text, "What it is for, in English."),
             key("group", Shape::Text, "The storage group of CANopenNode."),
             key("disabled", Shape::Flag, "Whether the generators for CANopenNode pass over it."),
@@ -281,7 +285,11 @@ macro_rules! entry_keys {
 pub(super) const ENTRY: &[Key] = entry_keys!();
 
 pub(super) const OBJECT: &[Key] = entry_keys![
-    key("data-type", Shape::Text, "The data type of a record or array as a whole, as in `type`."),
+    key(
+        "data-type",
+        Shape::Spelled(BASE_TYPE),
+        "The data type of a record or array as a whole, as in `type`."
+    ),
     key(
         "sub",
         Shape::Named(ENTRY),
@@ -303,7 +311,7 @@ pub(super) const OBJECT: &[Key] = entry_keys![
         Shape::ValuesOrList,
         "The denotations of single elements by sub-index, or of all in a list."
     ),
-    key("links", Shape::Text, "`ObjectLinks`: indexes as in a list."),
+    key("links", Shape::Spelled(INDEXES), "`ObjectLinks`: indexes as in a list."),
 ];
 
 /// The JSON Schema of `device.toml`, by which editors complete and check it.
@@ -331,9 +339,12 @@ fn refine(properties: &mut Value) {
     with_meaning(&mut properties["object"], by_hex("^[0-9A-Fa-f]{4}$", of_object));
     with_meaning(&mut properties["raw"], by_hex("^/", json!({})));
     with_meaning(&mut properties["extra"], json!({ "type": ["object", "array"] }));
-    let addresses = json!({ "type": "array", "items": { "type": "string" } });
-    let reasons = json!({ "type": "object", "additionalProperties": { "type": "string" } });
-    with_meaning(&mut properties["remove"], json!({ "anyOf": [addresses, reasons] }));
+    let address = text(MAPPED);
+    let reasons = json!({ "type": "object", "propertyNames": address });
+    with_meaning(&mut properties["remove"], json!({ "anyOf": [one_or_list(&address), reasons] }));
+    let rates = text("^(auto|10|20|50|100|125|250|500|800|1000)$");
+    let rate = json!({ "anyOf": [rates, { "enum": [10, 20, 50, 100, 125, 250, 500, 800, 1000] }] });
+    with_meaning(&mut properties["device"]["properties"]["bit-rates"], one_or_list(&rate));
 }
 
 /// Replaces a schema, but for its description.

@@ -32,11 +32,10 @@ use self::reader::ObjectReader;
 pub use self::start::new_device_toml;
 use crate::compare::each_difference;
 use crate::scaffold;
-use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::section::{self, KeyedTable};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind};
-use objdict_model::diagnostic::{Diagnostic, Findings, say};
+use objdict_model::diagnostic::Findings;
 use objdict_model::model::{
     ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, Object, ObjectLists,
     PdoKind,
@@ -205,14 +204,9 @@ fn frame(root: &KeyedTable<'_>, device: &mut Device, base: Option<&DeviceInfo>, 
         device.kind = if kind.value == "node" { DeviceKind::Node } else { DeviceKind::Type };
     }
     device.dummy_usage = device.dummy_usage.take().filter(|_| is_stated("dummies"));
-    if let Some(dummies) = root.text("dummies", findings) {
-        match words::dummies(&dummies.value) {
-            Ok(types) => device.dummy_usage = Some(DummyUsage { types, ..DummyUsage::default() }),
-            Err(word) => {
-                let finding = Diagnostic::new(&WRONG_TYPE, dummies.at, say!("`{}` is not a data type", word));
-                findings.push(finding.help("write words of data types, as in `u8 u16 u32`"));
-            }
-        }
+    let expected = ["a list of data types", "write words of data types, as in `u8 u16 u32`"];
+    if let Some(dummies) = root.parsed("dummies", words::dummies, expected, findings) {
+        device.dummy_usage = Some(DummyUsage { types: dummies.value, ..DummyUsage::default() });
     }
     device.comments = match root.get("comments") {
         None => device.comments.take().filter(|_| is_stated("comments")),
@@ -251,13 +245,9 @@ fn read_lists(root: &KeyedTable<'_>, device: &Device, findings: &mut Findings) -
         if unstated.iter().any(|word| word == name) {
             *read.get_mut(list) = None;
         }
-        let Some(text) = section.text(name, findings) else { continue };
-        match words::indexes(&text.value) {
-            Ok(indexes) => *read.get_mut(list) = Some(indexes),
-            Err(word) => {
-                let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` is not an index", word));
-                findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
-            }
+        let listed = section.parsed(name, words::indexes, words::NO_INDEXES, findings);
+        if let Some(listed) = listed {
+            *read.get_mut(list) = Some(listed.value);
         }
     }
     read

@@ -3,9 +3,10 @@
 use super::keys::PDO;
 use super::words::{index, quoted, sub, value_of};
 use crate::scaffold::{self, Features};
+use objdict_keyed::notation::NO_TRANSMISSION;
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::section::{KeyedTable, wrong};
-use objdict_keyed::tree::KeyedTree;
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{
     CobId, DataType, Device, MappedObject, Object, Objects, PdoKind, Value, predefined,
@@ -55,7 +56,9 @@ pub(super) fn read(root: &KeyedTable<'_>, kind: PdoKind, device: &mut Device, fi
         let said = PdoSaid {
             map: section.get("map").map(|_| mapped(&section, device, findings)),
             cob_id: section.get("cob-id").and_then(|tree| cob_id(tree, kind, number, findings)),
-            transmission: transmission(&section, findings),
+            transmission: section
+                .parsed("transmission", transmission_type, NO_TRANSMISSION, findings)
+                .map(|said| said.value),
             inhibit: section.time("inhibit", findings).map(|time| time.value),
             event_timer: section.time("event-timer", findings).map(|time| time.value),
             sync_start: section.integer("sync-start", findings).map(|value| value.value),
@@ -64,21 +67,12 @@ pub(super) fn read(root: &KeyedTable<'_>, kind: PdoKind, device: &mut Device, fi
     }
 }
 
-fn transmission(section: &KeyedTable<'_>, findings: &mut Findings) -> Option<u8> {
-    let text = section.text("transmission", findings)?;
-    let number = transmission_type(&text.value);
-    if number.is_none() {
-        let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` is no transmission type", text.value));
-        findings.push(finding.help("write `event`, `sync/1` to `sync/240`, `rtr`, or a number"));
-    }
-    number
-}
-
 fn cob_id(tree: &KeyedTree, kind: PdoKind, number: i128, findings: &mut Findings) -> Option<Value> {
     if tree.text() == Some("off") {
         return Some(usual_cob_id(kind, u16::try_from(number).unwrap_or(1)).disabled().to_value());
     }
-    let value = value_of(tree, Some(DataType::UNSIGNED32));
+    let is_flag = matches!(&*tree.kind, Kind::Bool(_));
+    let value = value_of(tree, Some(DataType::UNSIGNED32)).filter(|_| !is_flag);
     if value.is_none() {
         findings.push(wrong("cob-id", tree, "a COB-ID").help("write a number, `$NODEID+0x180`, or `off`"));
     }

@@ -6,7 +6,7 @@ use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
 use super::facts::pairs;
 use super::keys::{DEFAULTS, ENTRY, OBJECT};
 use super::meaning;
-use super::words::{TypeSaid, data_type, index, indexes, mapping, subs, type_words, value_of};
+use super::words::{NO_INDEXES, TypeSaid, data_type, index, indexes, mapping, subs, type_words, value_of};
 use objdict_keyed::rules::{DUPLICATE_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use objdict_keyed::section::KeyedTable;
 use objdict_keyed::tree::{KeyedTree, Kind};
@@ -111,8 +111,8 @@ impl ObjectReader<'_> {
             self.elements(&section, count, &mut object);
         }
         self.subs(index, &section, &mut object, unstated);
-        if let Some(links) = section.text("links", self.findings) {
-            object.links = self.index_list(&links.value, links.at);
+        if let Some(links) = section.parsed("links", indexes, NO_INDEXES, self.findings) {
+            object.links = links.value;
         }
         Some(object)
     }
@@ -484,14 +484,6 @@ impl ObjectReader<'_> {
             self.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help(help));
         }
         value
-    }
-
-    pub(super) fn index_list(&mut self, text: &str, span: objdict_model::source::Span) -> Vec<u16> {
-        indexes(text).unwrap_or_else(|word| {
-            let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not an index", word));
-            self.findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
-            Vec::new()
-        })
     }
 }
 

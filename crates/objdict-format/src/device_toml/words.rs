@@ -168,17 +168,21 @@ pub(super) fn index_list(indexes: &[u16]) -> String {
     words.into_iter().map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// The indexes of such a text; the word that is none otherwise.
-pub(super) fn indexes(text: &str) -> Result<Vec<u16>, &str> {
+/// What other texts are not, and what to write.
+pub(super) const NO_INDEXES: [&str; 2] =
+    ["a list of indexes", "write indexes of four hex digits, as in `1000-1001 1018`"];
+
+/// The indexes of such a text.
+pub(super) fn indexes(text: &str) -> Option<Vec<u16>> {
     let mut indexes = Vec::new();
     for word in text.split_whitespace() {
         let (first, last) = word.split_once('-').unwrap_or((word, word));
         match (index(first), index(last)) {
             (Some(first), Some(last)) if first <= last => indexes.extend(first..=last),
-            _ => return Err(word),
+            _ => return None,
         }
     }
-    Ok(indexes)
+    Some(indexes)
 }
 
 /// An index in four hex digits.
@@ -258,17 +262,17 @@ pub(super) fn dummy_words(types: &BTreeMap<DataType, bool>) -> String {
     only.into_iter().chain(types.iter().filter_map(word)).collect::<Vec<_>>().join(" ")
 }
 
-/// The types of these words; the word that is none otherwise.
-pub(super) fn dummies(text: &str) -> Result<BTreeMap<DataType, bool>, &str> {
+/// The types of these words.
+pub(super) fn dummies(text: &str) -> Option<BTreeMap<DataType, bool>> {
     let listed = text.strip_prefix("only").filter(|rest| rest.is_empty() || rest.starts_with(' '));
     let usual = DUMMIES.map(|code| (DataType(code), false));
     let mut types: BTreeMap<DataType, bool> =
         if listed.is_none() { usual.collect() } else { BTreeMap::new() };
     for word in listed.unwrap_or(text).split_whitespace() {
         let name = word.strip_prefix('!').unwrap_or(word);
-        types.insert(data_type(name).ok_or(word)?, name == word);
+        types.insert(data_type(name)?, name == word);
     }
-    Ok(types)
+    Some(types)
 }
 
 /// Lines as a text between triple quotes.

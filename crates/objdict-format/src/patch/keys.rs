@@ -1,6 +1,7 @@
 //! The keys of a patch.
 
 use crate::patch::words::FIELDS;
+use objdict_keyed::notation::{ADDRESS, PART, SHA256};
 use objdict_keyed::section::{Key, Shape, bits, key};
 
 /// The word that makes a file a patch.
@@ -19,14 +20,18 @@ pub(super) const PATCH: &[Key] = &[
         Shape::IntegerOr(0, u32::MAX as i128, "any"),
         "Their revision number (1018h:03, else `RevisionNumber`), or `any` (default).",
     ),
-    key("sha256", Shape::Text, "The hash of the file that the patch was made for; another file is an error."),
+    key("sha256", Shape::Spelled(SHA256), "The hash of the file that it is for; another file is an error."),
     key("change", Shape::List(CHANGE), "The changes, made one after the other."),
     key("raw", Shape::List(RAW), "Changes for which there are no words, made after the others."),
 ];
 
 pub(super) const CHANGE: &[Key] = &[
-    key("at", Shape::Text, "An object (`2001`), an entry (`2001:3`), or `file`, `device`, `commissioning`.")
-        .required(),
+    key(
+        "at",
+        Shape::Spelled(PART),
+        "An object (`2001`), an entry (`2001:3`), `file`, `device` or `commissioning`.",
+    )
+    .required(),
     key(
         "expect",
         Shape::Map(FIELDS),
@@ -37,7 +42,7 @@ pub(super) const CHANGE: &[Key] = &[
     key("unset", Shape::Texts, "Fields that are removed."),
     key("add", Shape::Map(FIELDS), "An object or entry that is missing, with its fields."),
     key("remove", Shape::Flag, "`true` removes the object or entry."),
-    key("rename", Shape::Text, "The index, or index and sub-index, that the object or entry has in truth."),
+    key("rename", Shape::Spelled(ADDRESS), "The true index, or index and sub-index, of the object or entry."),
     key("reason", Shape::Text, REASON),
     key("source", Shape::Text, SOURCE),
 ];
