@@ -404,7 +404,7 @@ fn booted(bytes: &[u8]) {
 /// Every frame of a log has words, and its time is read again as it is shown.
 fn log(bytes: &[u8]) {
     let drive = original(Format::Eds);
-    let talker = Talker { name: "drive", node_id: 5, device: drive.device() };
+    let talker = Talker { name: "drive", node_id: 5, device: drive.device(), is_counterpart: false };
     let mut frames = FrameReader::of_bus(vec![talker]);
     for frame in LogReader::new(bytes, LogOptions::default()) {
         let frame = frame.expect("memory can be read");
