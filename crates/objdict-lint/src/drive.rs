@@ -95,8 +95,7 @@ impl<'a> Drive<'a> {
     pub(crate) fn is_received(self, index: u16, sub: u8) -> bool {
         let mut pdos = self.device.pdos().filter(|pdo| pdo.kind == PdoKind::Rpdo);
         pdos.any(|pdo| {
-            let is_mapped =
-                || pdo.mapped().any(|object| object.entry() == (self.index(index), sub));
+            let is_mapped = || pdo.mapped().any(|object| object.entry() == (self.index(index), sub));
             pdo.is_valid() != Some(false) && is_mapped()
         })
     }

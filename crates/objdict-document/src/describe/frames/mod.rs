@@ -113,7 +113,8 @@ impl<'a> FrameReader<'a> {
         let (stale, (index, _)) = (Stale::of(entry), entry);
         self.stale.extend(stale.map(|stale| (node_id, stale)));
         self.changes.cycles += u64::from(matches!(index, 0x1005 | 0x1006 | 0x1016 | 0x1017));
-        self.changes.pdos += u64::from(matches!(stale, Some(Stale::Pdo(..) | Stale::Content(..))) || index == 0x1007);
+        self.changes.pdos +=
+            u64::from(matches!(stale, Some(Stale::Pdo(..) | Stale::Content(..))) || index == 0x1007);
     }
 
     /// The words for a frame with a CAN-ID of 11 bits.

@@ -29,7 +29,9 @@ impl Stale {
     pub(super) fn has(self, service: Service) -> bool {
         match (self, service) {
             (Self::All, _) => true,
-            (Self::Pdo(kind, number) | Self::Content(kind, number), service) => service == Service::pdo(kind, number),
+            (Self::Pdo(kind, number) | Self::Content(kind, number), service) => {
+                service == Service::pdo(kind, number)
+            }
             (Self::Others, service) => !matches!(service, Service::Pdo(_)),
         }
     }

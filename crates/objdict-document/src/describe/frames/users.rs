@@ -71,7 +71,9 @@ impl Users {
             !users.is_empty()
         });
         match stale {
-            Stale::Pdo(kind, number) => self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number)),
+            Stale::Pdo(kind, number) => {
+                self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number))
+            }
             Stale::Others => self.add_services(node),
             Stale::All => {
                 self.add_services(node);
