@@ -15,6 +15,7 @@ use objdict_format::scaffold::{
     BaseError, FEATURES, Feature, Features, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold,
 };
 use objdict_format::{ReadError, WriteOptions, json, object_table};
+use objdict_model::diagnostic::plural;
 use objdict_model::model::{ClockTime, Date, Device, PdoKind};
 use objdict_model::source::{self, DEFAULT_MAX_SIZE};
 
@@ -88,9 +89,9 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         return Err(Failure::new(message).help("name another file, or replace it with `--overwrite`"));
     }
     save(&args.output, &bytes)?;
-    let (pdos, objects) = (device.pdos().count(), device.objects.len());
-    let file = name_of(&args.output);
-    out.summary(format_args!("{file} ({}), {objects} objects, {pdos} PDOs", kind.name()))?;
+    let objects = plural(device.objects.len(), "object");
+    let pdos = plural(device.pdos().count(), "PDO");
+    out.summary(format_args!("{} ({}), {objects}, {pdos}", name_of(&args.output), kind.name()))?;
     Ok(Outcome::Clean)
 }
 

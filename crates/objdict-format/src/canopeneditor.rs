@@ -33,7 +33,7 @@ messages! {
         device_info: DeviceForm,
         device_commissioning: NodeForm,
         #[serde(serialize_with = "map", deserialize_with = "unique_keys::pairs")]
-        objects: Vec<(Key<4>, ObjectForm)>,
+        objects: Vec<(FormKey<4>, ObjectForm)>,
     }
     FileForm {
         file_version: String, description: String, creation_time: String, created_by: String,
@@ -44,18 +44,18 @@ messages! {
         baud_rate250: bool, baud_rate500: bool, baud_rate800: bool, baud_rate1000: bool, baud_rate_auto: bool,
         lss_slave: bool, lss_master: bool,
     }
-    NodeForm { node_id: Number<NODE_ID>, node_name: String, baudrate: Number<BIT_RATE>, }
+    NodeForm { node_id: FormNumber<NODE_ID>, node_name: String, baudrate: FormNumber<BIT_RATE>, }
     ObjectForm {
-        disabled: bool, name: String, alias: String, description: String, object_type: Number<OBJECT_TYPE>,
+        disabled: bool, name: String, alias: String, description: String, object_type: FormNumber<OBJECT_TYPE>,
         count_label: String, storage_group: String,
         #[serde(rename = "flagsPDO")]
         flags_pdo: bool,
         #[serde(serialize_with = "map", deserialize_with = "unique_keys::pairs")]
-        sub_objects: Vec<(Key<2>, SubForm)>,
+        sub_objects: Vec<(FormKey<2>, SubForm)>,
     }
     SubForm {
-        name: String, alias: String, data_type: Number<DATA_TYPE>, sdo: Number<SDO>, pdo: Number<PDO>, srdo: Number<SRDO>,
-        default_value: String, actual_value: String, low_limit: String, high_limit: String, string_length_min: Number<LENGTH>,
+        name: String, alias: String, data_type: FormNumber<DATA_TYPE>, sdo: FormNumber<SDO>, pdo: FormNumber<PDO>, srdo: FormNumber<SRDO>,
+        default_value: String, actual_value: String, low_limit: String, high_limit: String, string_length_min: FormNumber<LENGTH>,
     }
 }
 
@@ -86,9 +86,9 @@ const SRDO: usize = 7;
 
 /// A number of one of these kinds, which is read by name or number, and written by its name if it has one.
 #[derive(Clone, Copy, Default)]
-struct Number<const KIND: usize>(u32);
+struct FormNumber<const KIND: usize>(u32);
 
-impl<const KIND: usize> Serialize for Number<KIND> {
+impl<const KIND: usize> Serialize for FormNumber<KIND> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match NUMBERS[KIND].1.split_whitespace().nth(self.0 as usize).filter(|name| *name != "-") {
             Some(name) => serializer.serialize_str(name),
@@ -97,7 +97,7 @@ impl<const KIND: usize> Serialize for Number<KIND> {
     }
 }
 
-impl<'de, const KIND: usize> Deserialize<'de> for Number<KIND> {
+impl<'de, const KIND: usize> Deserialize<'de> for FormNumber<KIND> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let value = serde_json::Value::deserialize(deserializer)?;
         let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
@@ -113,15 +113,15 @@ impl<'de, const KIND: usize> Deserialize<'de> for Number<KIND> {
 
 /// An index or sub-index with so many hexadecimal digits: `1018`, also `0x1018`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Key<const DIGITS: usize>(u16);
+struct FormKey<const DIGITS: usize>(u16);
 
-impl<const DIGITS: usize> fmt::Display for Key<DIGITS> {
+impl<const DIGITS: usize> fmt::Display for FormKey<DIGITS> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:0DIGITS$X}", self.0)
     }
 }
 
-impl<'de, const DIGITS: usize> Deserialize<'de> for Key<DIGITS> {
+impl<'de, const DIGITS: usize> Deserialize<'de> for FormKey<DIGITS> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(&text);
@@ -168,7 +168,7 @@ fn device(form: ProjectForm) -> Device {
         ..Commissioning::default()
     };
     device.commissioning = Some(node).filter(|node| *node != Commissioning::default());
-    for (Key(index), form) in objects {
+    for (FormKey(index), form) in objects {
         device.objects.insert(index, object(form));
     }
     device.lists = ObjectLists::naming(device.objects.keys().copied());
@@ -243,7 +243,7 @@ fn object(form: ObjectForm) -> Object {
     let mut object = Object::default();
     let is_single = object_type.is_none_or(|object_type| !object_type.has_subs());
     match form.sub_objects.as_slice() {
-        [(Key(0), sub)] if is_single => {
+        [(FormKey(0), sub)] if is_single => {
             object.main = entry(sub);
             let is_domain = object.main.data_type == Some(DataType::DOMAIN);
             object.main.object_type = if is_domain { Some(ObjectType::Domain) } else { object_type };
@@ -253,7 +253,7 @@ fn object(form: ObjectForm) -> Object {
             }
         }
         subs => {
-            let of_sub = |(Key(sub), form): &(Key<2>, SubForm)| {
+            let of_sub = |(FormKey(sub), form): &(FormKey<2>, SubForm)| {
                 let (name, object_type) = (form.name.as_str().into(), Some(ObjectType::Var));
                 Some((u8::try_from(*sub).ok()?, Entry { name, object_type, ..entry(form) }))
             };
@@ -365,7 +365,7 @@ fn project(device: &Device) -> ProjectForm {
     let info = device.device_info.clone().unwrap_or_default();
     let node = device.commissioning.clone().unwrap_or_default();
     let objects =
-        device.objects.iter().map(|(&index, object)| (Key(index), object_form(device, index, object)));
+        device.objects.iter().map(|(&index, object)| (FormKey(index), object_form(device, index, object)));
     ProjectForm {
         file_info: FileForm {
             file_version: text(&file.file_version.map(|version| version.to_string()).or(version)),
@@ -383,9 +383,9 @@ fn project(device: &Device) -> ProjectForm {
             ..bit_rates(&info.baud_rates)
         },
         device_commissioning: NodeForm {
-            node_id: Number(node.node_id.unwrap_or(0).into()),
+            node_id: FormNumber(node.node_id.unwrap_or(0).into()),
             node_name: text(&node.node_name),
-            baudrate: Number(node.baud_rate.unwrap_or(0).into()),
+            baudrate: FormNumber(node.baud_rate.unwrap_or(0).into()),
         },
         objects: objects.collect(),
     }
@@ -401,7 +401,7 @@ fn object_form(device: &Device, index: u16, object: &Object) -> ObjectForm {
         let of = completed.entry(sub);
         let form = sub_form(index, entry, of.as_deref().unwrap_or(entry));
         let name = if object.subs.is_empty() { String::new() } else { entry.name.to_string() };
-        (Key(sub.into()), SubForm { name, ..form })
+        (FormKey(sub.into()), SubForm { name, ..form })
     };
     // CANopenEditor drops the value of an object that is neither VAR, ARRAY nor RECORD
     let object_type = match object.object_type() {
@@ -413,7 +413,7 @@ fn object_form(device: &Device, index: u16, object: &Object) -> ObjectForm {
         name: main.name.to_string(),
         alias: alias(main),
         description: description.unwrap_or_default().to_owned(),
-        object_type: Number(object_type.code().into()),
+        object_type: FormNumber(object_type.code().into()),
         count_label: stack.count_label.unwrap_or_default().into(),
         storage_group: stack.storage_group.unwrap_or_default().into(),
         flags_pdo: stack.detects_change == Some(true),
@@ -440,24 +440,24 @@ fn sub_form(index: u16, entry: &Entry, completed: &Entry) -> SubForm {
     SubForm {
         name: String::new(),
         alias: alias(entry),
-        data_type: Number(completed.data_type.map_or(0, |data_type| data_type.0.into())),
-        sdo: Number(match access {
+        data_type: FormNumber(completed.data_type.map_or(0, |data_type| data_type.0.into())),
+        sdo: FormNumber(match access {
             None => 0,
             Some(Access::Ro | Access::Const) => 1,
             Some(Access::Wo) => 2,
             Some(Access::Rw | Access::Rwr | Access::Rww) => 3,
         }),
-        pdo: Number(match (entry.pdo_mapping, access) {
+        pdo: FormNumber(match (entry.pdo_mapping, access) {
             (None | Some(PdoMapping::No), _) => 0,
             (Some(PdoMapping::Tpdo), _) | (_, Some(Access::Rwr)) => 1,
             (Some(PdoMapping::Rpdo), _) | (_, Some(Access::Rww)) => 2,
             (Some(PdoMapping::Optional | PdoMapping::Default), _) => 3,
         }),
-        srdo: Number(stack.srdo_access.map_or(0, |access| access as u32)),
+        srdo: FormNumber(stack.srdo_access.map_or(0, |access| access as u32)),
         default_value: text(entry.default.as_ref(), default),
         actual_value: text(entry.configured_value(), actual),
         low_limit: text(entry.low_limit.as_ref(), low),
         high_limit: text(entry.high_limit.as_ref(), high),
-        string_length_min: Number(stack.min_string_length.unwrap_or(0)),
+        string_length_min: FormNumber(stack.min_string_length.unwrap_or(0)),
     }
 }

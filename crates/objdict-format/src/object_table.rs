@@ -26,7 +26,7 @@ const OF_OBJECT: &str =
 const COMPUTED: [&str; 5] = ["bits", "changed", "meaning", "mapped_in", "downloads"];
 
 /// A line with the cells of the columns that it has.
-struct Row {
+struct TableLine {
     line: usize,
     cells: BTreeMap<&'static str, String>,
 }
@@ -51,13 +51,13 @@ pub fn read(text: &str) -> Result<Device, String> {
     if let Some(missing) = needed.find(|column| !columns.contains(&Some(*column))) {
         return Err(fault(line, missing, "the column is missing"));
     }
-    let mut objects: BTreeMap<u16, Vec<(Option<u8>, Row)>> = BTreeMap::new();
+    let mut objects: BTreeMap<u16, Vec<(Option<u8>, TableLine)>> = BTreeMap::new();
     for (line, record) in records {
         if let Some(cell) = record.get(columns.len()) {
             return Err(fault(line, cell, "a cell without a heading"));
         }
         let cells = columns.iter().zip(&record).filter_map(|(column, cell)| Some(((*column)?, plain(cell))));
-        let row = Row { line, cells: cells.collect() };
+        let row = TableLine { line, cells: cells.collect() };
         let index = row.number("index", 4)?.ok_or_else(|| row.error("index", "the index is missing"))?;
         let sub = row.number("sub", 2)?.and_then(|sub| u8::try_from(sub).ok());
         let rows = objects.entry(index).or_default();
@@ -110,7 +110,7 @@ fn plain(cell: &str) -> String {
 
 fn object(
     index: u16,
-    rows: &[(Option<u8>, Row)],
+    rows: &[(Option<u8>, TableLine)],
     application: &mut ApplicationProcess,
 ) -> Result<Object, String> {
     let mut object = Object::default();
@@ -120,7 +120,7 @@ fn object(
     object.orphan = object_type.is_none();
     let has_subs = object_type.is_none_or(ObjectType::has_subs);
     let without_sub = rows.iter().filter(|(sub, _)| sub.is_none() && (has_subs || rows.len() > 1));
-    let missing = |row: &Row| {
+    let missing = |row: &TableLine| {
         let column = ["data_type", "access", "default", "value"]
             .into_iter()
             .find(|column| !row.get(column).is_empty())?;
@@ -151,7 +151,7 @@ fn object(
     Ok(object)
 }
 
-impl Row {
+impl TableLine {
     fn get(&self, column: &str) -> &str {
         self.cells.get(column).map_or("", String::as_str)
     }

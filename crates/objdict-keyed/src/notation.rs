@@ -1,10 +1,7 @@
 //! How texts in files are spelled, as patterns of ECMA-262 for their JSON Schemas. The readers parse the same texts; patterns do not
 //! compare numbers, so the order of two ends and the range of a time are left to the readers.
 
-use super::section::Shape;
-
-/// The pattern of a whole text, with [parts](PARTS).
-pub type Notation = &'static str;
+use super::section::{Notation, Shape};
 
 /// What parts of patterns stand for; a part may have those behind it. `{words}` are those of data types.
 pub const PARTS: [(&str, &str); 9] = [

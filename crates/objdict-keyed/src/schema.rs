@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::notation::{Notation, PARTS, TIME};
-use super::section::{Key, Shape};
+use super::notation::{PARTS, TIME};
+use super::section::{Key, Notation, Shape};
 use super::types::TYPES;
 
 /// The dialect of the schemas.

@@ -1,11 +1,13 @@
 //! Reading maps by a table of their keys, which also makes their JSON Schema.
 
-use super::notation::Notation;
 use super::rules::{FORMER_KEY, MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
 use objdict_model::literal::nanoseconds;
 use objdict_model::source::{Said, Span};
+
+/// The pattern of a whole text, with [parts](crate::notation::PARTS).
+pub type Notation = &'static str;
 
 /// A key that a map may have.
 #[derive(Clone, Copy, Debug)]

@@ -36,7 +36,7 @@ pub use self::stored::unreadable_configurations;
 pub use self::topology::location;
 use objdict_format as format;
 use objdict_format::identify::{ContentKind, identify_source};
-use objdict_format::input::{FileKind, Input, Judge, MAX_DEVICES, ReadError, Reading, of_text};
+use objdict_format::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading, SourceCheck, of_text};
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format};
 use objdict_keyed as keyed;
@@ -255,7 +255,7 @@ pub struct PathOptions {
     /// Patches of the descriptions.
     pub patches: Vec<Arc<Patch>>,
     /// Which findings refuse a `device.toml`, if they are errors; `None` for those of its text.
-    pub judge: Option<Judge>,
+    pub judge: Option<SourceCheck>,
     /// The PDOs of an earlier build, which keep their CAN-IDs and numbers.
     pub lock: NetworkLock,
 }
@@ -277,7 +277,7 @@ struct NodeDescriptions<'v> {
     /// The files with several devices, which nodes name by their numbers.
     several: BTreeMap<PathBuf, Rc<Description>>,
     patches: &'v [Arc<Patch>],
-    judge: Option<Judge>,
+    judge: Option<SourceCheck>,
     files: Vec<PathBuf>,
 }
 

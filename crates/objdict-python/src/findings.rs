@@ -7,7 +7,7 @@ use objdict::check_with;
 use objdict::diagnostic::{Findings, Severity};
 use objdict::lint;
 use objdict::report::{Concise, Json, Report, Subject, by_place};
-use objdict::workspace::{self, Overrides, Workspace};
+use objdict::workspace::{self, Workspace};
 use pyo3::prelude::*;
 
 use super::dictionary::{NativeDictionary, described, project_of, reading};
@@ -68,14 +68,14 @@ fn add(report: &mut impl Report, path: &Path, workspace: &mut Workspace) -> io::
         let (subject, findings) = findings_of(&first).map_err(io::Error::other)?;
         return report.file(subject, &findings);
     };
-    let all = workspace::findings(description, &options(&first));
+    let all = workspace::findings(description, &first.options());
     let mut all = all.into_iter().map(|findings| by_place(&**description, findings));
     all.try_for_each(|findings| report.file((&**description).into(), &findings))
 }
 
 /// The findings of a device with the nearest configuration, as `objdict check` reports them.
 pub(crate) fn findings_of(shared: &SharedDescription) -> PyResult<(Subject<'_>, Findings)> {
-    let options = options(shared);
+    let options = shared.options();
     Ok(match &shared.described {
         Described::Text(description) => {
             let subject = Subject::from(&**description);
@@ -85,16 +85,6 @@ pub(crate) fn findings_of(shared: &SharedDescription) -> PyResult<(Subject<'_>, 
             (Subject::Text(source), options.severities.apply(lint::check(device, &options)))
         }
     })
-}
-
-/// What the configuration says of a file; bytes have none.
-pub(crate) fn options(shared: &SharedDescription) -> lint::Options {
-    let node_id = shared.node_id.filter(|id| (1..=127).contains(id));
-    let overrides = Overrides { node_id, ..Overrides::default() };
-    match &shared.path {
-        Some(path) => overrides.options(path, shared.project.as_deref()),
-        None => overrides.options(Path::new(""), None),
-    }
 }
 
 /// A JSON document of findings.

@@ -1,19 +1,19 @@
 //! Descriptions that were read, as all objects of Python share them.
 
 use std::collections::HashMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 use objdict::config::Project;
 use objdict::format::Description;
 use objdict::format::input::{FileKind, refuse_errors};
+use objdict::lint;
 use objdict::model::Device;
 use objdict::source::SourceFile;
-use objdict::workspace;
+use objdict::workspace::{self, Overrides};
 
 use pyo3::PyResult;
 
-use super::findings::options;
 use super::meaning::{ValueMeaning, meanings};
 use super::raised;
 
@@ -51,11 +51,26 @@ impl SharedDescription {
         }
     }
 
+    /// What the configuration says of the file; bytes have none.
+    pub(crate) fn options(&self) -> lint::Options {
+        let node_id = self.node_id.filter(|id| (1..=127).contains(id));
+        let overrides = Overrides { node_id, ..Overrides::default() };
+        match &self.path {
+            Some(path) => overrides.options(path, self.project.as_deref()),
+            None => overrides.options(Path::new(""), None),
+        }
+    }
+
     /// Refuses a source with errors, of which nothing is made.
     pub(crate) fn refuse_errors(&self) -> PyResult<()> {
         match &self.described {
             Described::Text(description) => {
-                refuse_errors(description, workspace::findings(description, &options(self))).map_err(raised)
+                // what a program gives may be part of a device, as one that python-canopen has
+                let found = match &self.path {
+                    Some(_) => workspace::findings(description, &self.options()),
+                    None => description.map_devices(|device| device.findings().clone()),
+                };
+                refuse_errors(description, found).map_err(raised)
             }
             Described::Model(..) => Ok(()),
         }

@@ -25,21 +25,21 @@ const MAX_HISTORY: usize = 64 << 20;
 pub(crate) struct EditedDocument {
     content: DocumentContent,
     original: Vec<u8>,
-    before: Vec<Step>,
-    after: Vec<Step>,
+    before: Vec<UndoStep>,
+    after: Vec<UndoStep>,
     /// Counts the texts that it has had: an edit of the text is for one of them.
     revision: usize,
 }
 
 /// The one stretch of bytes in which two texts differ.
 #[derive(Debug)]
-struct Step {
+struct UndoStep {
     start: usize,
     old: Vec<u8>,
     new: Vec<u8>,
 }
 
-impl Step {
+impl UndoStep {
     fn between(old: &[u8], new: &[u8]) -> Self {
         let same = |(one, other): &(&u8, &u8)| one == other;
         let start = old.iter().zip(new).take_while(same).count();
@@ -343,11 +343,12 @@ impl EditedDocument {
         if bytes == now {
             return Ok(());
         }
-        let step = Step::between(&now, &bytes);
+        let step = UndoStep::between(&now, &bytes);
         self.take(bytes)?;
         self.after.clear();
         self.before.push(step);
-        let kept = |steps: &[Step]| steps.iter().map(|step| step.old.len() + step.new.len()).sum::<usize>();
+        let kept =
+            |steps: &[UndoStep]| steps.iter().map(|step| step.old.len() + step.new.len()).sum::<usize>();
         while self.before.len() > 1 && kept(&self.before) > MAX_HISTORY {
             self.before.remove(0);
         }

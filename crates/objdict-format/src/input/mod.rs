@@ -23,6 +23,7 @@ use objdict_model::model::Device;
 use objdict_model::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
 /// How the formats are written whose texts are edited.
+#[cfg(feature = "clap")]
 const EDITED: &str = "by edits of the text, or in the canonical style";
 
 /// Declares the kinds of files, each with its word on the command line, the endings of its files, what people call it, the
@@ -234,7 +235,7 @@ pub(crate) const VALUES_PER_ENTRY: usize = 10;
 pub const MAX_DEVICES: usize = 127;
 
 /// The findings of each device of a file.
-pub type Judge = fn(&Description) -> Vec<Findings>;
+pub type SourceCheck = fn(&Description) -> Vec<Findings>;
 
 /// Those of the text of each device, without those of rules.
 pub fn of_text(description: &Description) -> Vec<Findings> {
@@ -264,7 +265,7 @@ pub struct Reading {
     /// Which variant of a `device.toml`; `None` is the device without its variants.
     pub variant: Option<String>,
     /// Which findings refuse a `device.toml`, if they are errors; `None` reads it in spite of them, as where it is edited.
-    pub judge: Option<Judge>,
+    pub judge: Option<SourceCheck>,
     /// Patches, which are made in the descriptions that they are for.
     #[cfg(feature = "full")]
     pub patches: Vec<std::sync::Arc<Patch>>,

@@ -20,7 +20,7 @@ pub use self::audience::{Audience, ChangeVerdict};
 pub use self::release::{ReleaseFacts, release};
 pub use self::rules::{ChangeImpact, ChangeRule, rules};
 use crate::diagnostic::{Diagnostic, Severity, Text, say};
-use crate::model::{Device, Meanings, Pdo, Place};
+use crate::model::{Device, MappedObject, Meanings, Pdo, Place};
 
 /// The group of the rules about changes.
 pub const CHANGE: &str = "change";
@@ -142,7 +142,7 @@ struct Side<'a> {
 impl<'a> Side<'a> {
     fn new(device: &'a Device) -> Self {
         let pdos: Vec<_> = device.pdos().collect();
-        let mapped = pdos.iter().flat_map(Pdo::mapped).map(|object| object.entry());
+        let mapped = pdos.iter().flat_map(Pdo::mapped).map(MappedObject::entry);
         Self { device, meanings: device.meanings(), mapped: mapped.collect() }
     }
 }

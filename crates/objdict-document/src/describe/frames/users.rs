@@ -72,7 +72,7 @@ impl Users {
         });
         match stale {
             Stale::Pdo(kind, number) => {
-                self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number))
+                self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number));
             }
             Stale::Others => self.add_services(node),
             Stale::All => {
