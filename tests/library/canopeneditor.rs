@@ -111,13 +111,13 @@ fn faults_are_named_with_their_places() {
         (
             "\"UNSIGNED32\"",
             "\"UINT32\"",
-            "line 22, column 50: `UINT32` is no number up to 65535 and none of the names UNSPECIFIED BOOLEAN",
+            "line 22, column 50: `UINT32` is not a number up to 65535 or one of UNSPECIFIED BOOLEAN",
         ),
-        ("\"ACCESS_SDO_RO\"", "4", "`4` is no number up to 3 and none of the names ACCESS_SDO_NO"),
+        ("\"ACCESS_SDO_RO\"", "4", "`4` is not a number up to 3 or one of ACCESS_SDO_NO"),
         ("\"0x1800\"", "\"1000\"", "line 24, column 10: the key `1000` is defined twice"),
         ("\"0x1800\"", "\"18000\"", "line 24, column 11: `18000` is not 4 hexadecimal digits"),
         ("\"0x02\"", "\"2h\"", "line 32, column 12: `2h` is not 2 hexadecimal digits"),
-        ("\"5\"", "\"five\"", "`five` is no number up to 255"),
+        ("\"5\"", "\"five\"", "`five` is not a number up to 255"),
     ] {
         let text = project().replacen(from, to, 1);
         let error = Reading::default().read("valve.json", text.into_bytes()).unwrap_err().to_string();

@@ -18,15 +18,15 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** The fields of an element take nothing more until it is drawn anew. */
+/** Locks the fields of an element until it is redrawn. */
 export function disable(element: HTMLElement): void {
   for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
 }
 
-/** Chromium says of a field that is replaced that it was left. */
+/** Chromium sends `blur` to a field that is replaced. */
 let isRedrawing = false;
 
-/** Draws an element anew. The field that has the keyboard, known by its `data-key`, keeps it with what was typed there so far. */
+/** Redraws an element. The field with the keyboard focus, known by its `data-key`, keeps the focus and what was typed there so far. */
 export function redraw(view: HTMLElement, ...children: Node[]): void {
   const active = document.activeElement;
   const former = active instanceof HTMLElement && view.contains(active) ? active : undefined;
@@ -66,7 +66,7 @@ export function committing(text: string, commit: (value: string) => Promise<bool
 
 const arranged = new WeakMap<HTMLElement, Map<string, HTMLElement>>();
 
-/** Gives an element these children, and keeps those that it has with the same key: a click is lost when the element under it is
+/** Gives an element these children, and reuses present ones with the same key: a click is lost when the element under it is
  *  replaced between its two ends. */
 export function arrange(parent: HTMLElement, children: [key: string, make: () => HTMLElement][]): void {
   const former = arranged.get(parent);

@@ -243,7 +243,7 @@ function listen(): void {
     const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: save }[key];
     if (!action || (isTyping && (key === "z" || key === "y"))) return;
     event.preventDefault();
-    // a field says what it has when it is left
+    // a field commits its text when it loses the focus
     if (event.target instanceof HTMLInputElement) event.target.blur();
     action();
   });

@@ -89,7 +89,7 @@ export function saveDialog(store: Store): HTMLDialogElement {
       if (isOwn && !shown.home) shown.saved = content;
       say(store, notes.map((note) => `not in the file: ${note}`));
     });
-    // what was filled in stays beside the reason why it is refused
+    // the input stays, with the reason for the refusal below
     if (isSaved) dialog.close();
     else problem.textContent = [store.notice?.message, store.notice?.help].filter(Boolean).join("; ");
   };

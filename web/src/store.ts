@@ -83,7 +83,7 @@ export class Store {
     this.drawings.push(drawing);
   }
 
-  /** Is called at once when something else is to be shown: until it is drawn, the fields in sight are those of what was left. */
+  /** Called at once when something else is selected: until the next frame, the page still shows the former fields. */
   onLeave(leaving: Drawing): void {
     this.leavings.push(leaving);
   }
@@ -249,7 +249,7 @@ export class Store {
     return this.inTurn(() => make(request));
   }
 
-  /** Reads what is shown of a document beside its text. */
+  /** Reads the objects and findings of a document again. */
   async refresh(of: OpenDocument): Promise<void> {
     await Promise.all(this.read(of));
     this.changed();

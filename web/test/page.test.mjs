@@ -343,7 +343,7 @@ test("other tools are asked", { skip }, () =>
     assert.doesNotMatch(expanded.bytes.toString(), /CompactSubObj=[1-9]/);
   }));
 
-test("a PDO without a COB-ID is shown, and a log beside a file is not compared", { skip }, () =>
+test("a PDO without a COB-ID is shown, and a log is not offered for comparison", { skip }, () =>
   withPage(async (page) => {
     const drive = fixture(`eds/${DRIVE}`).toString("latin1");
     const without = drive.replace(/(\[1800sub1\][^[]*?)DefaultValue=[^\r\n]*\r?\n/i, "$1");

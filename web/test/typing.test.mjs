@@ -97,7 +97,7 @@ test("a character that the encoding lacks stays, and UTF-8 is offered", { skip }
     assert.ok(saved.includes("ParameterName=Ger\u{e4}t"));
   }));
 
-test("a form that is drawn anew leaves what is being typed", { skip }, () =>
+test("a redrawn form keeps what is being typed", { skip }, () =>
   withPage(async (page) => {
     await open(page, [DRIVE, original]);
     await page.getByLabel("Search objects", { exact: true }).fill("1017");

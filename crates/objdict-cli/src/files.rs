@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use ignore::WalkBuilder;
 
@@ -14,11 +14,11 @@ use objdict_model::source::{self, MAX_TOML_SIZE};
 use objdict_network_file::may_be_network;
 
 /// The endings of the descriptions that are looked for in folders.
-fn endings() -> Vec<&'static str> {
+static ENDINGS: LazyLock<Vec<&str>> = LazyLock::new(|| {
     let has_own = |kind: &FileKind| kind.format().is_some_and(|format| FileKind::from(format) == *kind);
     let kinds = FileKind::read().filter(|kind| has_own(kind) && *kind != FileKind::Toml);
     kinds.flat_map(|kind| kind.endings().iter().copied()).collect()
-}
+});
 
 /// Those of projects and of many other files.
 const SHARED_ENDINGS: [&str; 2] = ["xml", "od"];
@@ -166,7 +166,7 @@ impl Gathered<'_> {
     }
 
     fn nothing_in(&mut self, message: std::fmt::Arguments<'_>) {
-        let endings: Vec<String> = endings().iter().map(|ending| format!(".{ending}")).collect();
+        let endings: Vec<String> = ENDINGS.iter().map(|ending| format!(".{ending}")).collect();
         let help = format!("descriptions end in {}; a file that is named is always read", endings.join(", "));
         self.failures.push(Failure::new(message).help(help));
     }
@@ -203,7 +203,7 @@ pub(super) fn is_source(path: &Path) -> bool {
 }
 
 fn is_description(path: &Path) -> bool {
-    has_ending(path, &endings())
+    has_ending(path, &ENDINGS)
 }
 
 fn has_ending(path: &Path, endings: &[&str]) -> bool {

@@ -105,7 +105,9 @@ impl<'de, const KIND: usize> Deserialize<'de> for FormNumber<KIND> {
         let named = (0..).zip(names.split_whitespace()).find(|(_, name)| *name == text && text != "-");
         let number = named.map_or_else(|| text.parse().ok(), |(number, _)| Some(number));
         let wanted = || {
-            format!("`{text}` is no number up to {most} and none of the names {}", names.replace(" -", ""))
+            let names =
+                if names.is_empty() { "" } else { &format!(" or one of {}", names.replace(" -", "")) };
+            format!("`{text}` is not a number up to {most}{names}")
         };
         number.filter(|number| *number <= most).map(Self).ok_or_else(|| D::Error::custom(wanted()))
     }
@@ -247,7 +249,7 @@ fn object(form: ObjectForm) -> Object {
             object.main = entry(sub);
             let is_domain = object.main.data_type == Some(DataType::DOMAIN);
             object.main.object_type = if is_domain { Some(ObjectType::Domain) } else { object_type };
-            // CANopenEditor says that a variable has no further name
+            // to CANopenEditor, a variable has no further name
             if !sub.name.is_empty() && sub.name != form.name {
                 object.main.extra.push("SubName", &sub.name);
             }

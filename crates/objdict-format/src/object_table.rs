@@ -12,7 +12,7 @@ use objdict_model::model::{
     Unit, Value, ValueRange,
 };
 
-/// The columns that are read; those of an address, a type and an access must be there.
+/// The columns that are read. The first ones, with the address, the type and the access, must be there.
 const COLUMNS: &str = "index sub object_type data_type access object_name name pdo default value low_limit high_limit unit denotation \
     description object_description name_in_file object_name_in_file default_formula value_formula named_values bit_fields groups facts \
     keys object_facts object_keys links invalid_values";
@@ -34,7 +34,7 @@ struct TableLine {
 /// The objects of a table, with what their values mean.
 ///
 /// # Errors
-/// The first cell that is not what its column says, or a column that is not known.
+/// The first cell that does not fit its column, or an unknown column.
 pub fn read(text: &str) -> Result<Device, String> {
     let mut records = records(text.trim_start_matches('\u{FEFF}')).into_iter();
     let (line, headings) = records.next().unwrap_or((1, Vec::new()));

@@ -254,7 +254,7 @@ pub struct PathOptions {
     pub allowed: Vec<PathBuf>,
     /// Patches of the descriptions.
     pub patches: Vec<Arc<Patch>>,
-    /// Which findings refuse a `device.toml`, if they are errors; `None` for those of its text.
+    /// Which findings refuse a `device.toml`, if they are errors; `None` for the errors in its text.
     pub judge: Option<SourceCheck>,
     /// The PDOs of an earlier build, which keep their CAN-IDs and numbers.
     pub lock: NetworkLock,

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use objdict::config::Project;
 use objdict::format::Description;
-use objdict::format::input::{FileKind, refuse_errors};
+use objdict::format::input::{FileKind, of_text, refuse_errors};
 use objdict::lint;
 use objdict::model::Device;
 use objdict::source::SourceFile;
@@ -51,7 +51,7 @@ impl SharedDescription {
         }
     }
 
-    /// What the configuration says of the file; bytes have none.
+    /// The settings of the nearest configuration; bytes have none.
     pub(crate) fn options(&self) -> lint::Options {
         let node_id = self.node_id.filter(|id| (1..=127).contains(id));
         let overrides = Overrides { node_id, ..Overrides::default() };
@@ -68,7 +68,7 @@ impl SharedDescription {
                 // what a program gives may be part of a device, as one that python-canopen has
                 let found = match &self.path {
                     Some(_) => workspace::findings(description, &self.options()),
-                    None => description.map_devices(|device| device.findings().clone()),
+                    None => of_text(description),
                 };
                 refuse_errors(description, found).map_err(raised)
             }

@@ -2,7 +2,7 @@
 
 usage: canopeneditor.py FOLDER
 
-The description of the message is made here. FOLDER holds projects; beside each `a.json` comes `a.again.json`. Prints the number
+The description of the message is made here. FOLDER holds projects; `a.again.json` is written next to each `a.json`. Prints the number
 of objects and sub-objects of each; a file that protobuf refuses is an exception.
 """
 

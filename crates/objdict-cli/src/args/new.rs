@@ -15,7 +15,7 @@ pub(crate) struct NewArgs {
     /// The format to write [default: by the extension of the output, else eds]
     #[arg(long, value_parser = one_of(&KINDS), value_name = "FORMAT")]
     pub to: Option<FileKind>,
-    /// A table of the objects as CSV, with the columns that `docs --to csv` writes, instead of those of a profile
+    /// A table of the objects as CSV, with the columns that `docs --to csv` writes, instead of the objects of a profile
     #[arg(long, value_name = "FILE", conflicts_with = "profile")]
     pub from: Option<PathBuf>,
     /// The device profile: 301, 401, 402, 404 or 406 [default: that of the features]

@@ -88,7 +88,7 @@ impl<'a> FrameReader<'a> {
     /// Describes a node from now on.
     pub fn describe(&mut self, talker: Talker<'a>) {
         self.nodes.describe(talker);
-        self.note_other_values(talker.node_id);
+        self.note_other_values(talker.node_id, [Stale::All]);
     }
 
     /// How often the values of nodes have become others that change what frames mean.
@@ -101,9 +101,9 @@ impl<'a> FrameReader<'a> {
         self.nodes.iter().map(|node| node.node_id)
     }
 
-    /// All values of a node may be others.
-    fn note_other_values(&mut self, node_id: u8) {
-        self.stale.insert((node_id, Stale::All));
+    /// Several values of a node may be others, which decide these services.
+    fn note_other_values(&mut self, node_id: u8, stale: impl IntoIterator<Item = Stale>) {
+        self.stale.extend(stale.into_iter().map(|stale| (node_id, stale)));
         self.changes.cycles += 1;
         self.changes.pdos += 1;
     }
@@ -275,9 +275,7 @@ impl<'a> FrameReader<'a> {
 
     fn reset(&mut self, node_id: u8) {
         if let Some(stale) = self.nodes.get_mut(node_id).and_then(TalkingNode::reset) {
-            self.stale.extend(stale.into_iter().map(|stale| (node_id, stale)));
-            self.changes.cycles += 1;
-            self.changes.pdos += 1;
+            self.note_other_values(node_id, stale);
         }
     }
 

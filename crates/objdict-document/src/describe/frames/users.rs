@@ -59,15 +59,15 @@ impl Users {
 
     /// Takes services of a node as they are now.
     pub(super) fn update(&mut self, node: &TalkingNode<'_>, stale: Stale) {
-        if matches!(stale, Stale::Content(..)) {
-            let users = self.0.values_mut().flatten();
-            users
-                .filter(|user| user.node_id == node.node_id && stale.has(user.service))
-                .for_each(|user| user.content = OnceCell::new());
+        let is_stale = |user: &CanIdUser| user.node_id == node.node_id && stale.has(user.service);
+        if let Stale::Content(..) = stale {
+            for user in self.0.values_mut().flatten().filter(|user| is_stale(user)) {
+                user.content.take();
+            }
             return;
         }
         self.0.retain(|_, users| {
-            users.retain(|user| user.node_id != node.node_id || !stale.has(user.service));
+            users.retain(|user| !is_stale(user));
             !users.is_empty()
         });
         match stale {

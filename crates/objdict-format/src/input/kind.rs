@@ -1,0 +1,185 @@
+//! The kinds of files that commands and build scripts read or write.
+
+use std::path::Path;
+
+use crate::Format;
+use crate::identify::ContentKind;
+
+/// How the formats are written whose texts are edited.
+#[cfg(feature = "clap")]
+const EDITED: &str = "by edits of the text, or in the canonical style";
+
+/// Declares the kinds of files, each with its word on the command line, the endings of its files, what people call it, the
+/// feature of this crate with which it is read, its format where it is a description with its text, how it is written, and
+/// its row in docs/formats.md.
+macro_rules! file_kinds {
+    ($( $(#[$doc:meta])+ $kind:ident $word:literal $endings:expr, $name:literal $feature:expr, $format:expr, $written:expr, $about:literal; )+) => {
+        /// A kind of file that commands and build scripts read or write.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+        #[non_exhaustive]
+        pub enum FileKind {
+            $( $(#[$doc])+ #[cfg_attr(feature = "clap", value(name = $word))] $kind, )+
+        }
+
+        impl FileKind {
+            const ALL: &[Self] = &[$( Self::$kind ),+];
+
+            /// Its word on the command line.
+            #[cfg(feature = "clap")]
+            pub const fn word(self) -> &'static str {
+                match self { $( Self::$kind => $word ),+ }
+            }
+
+            /// The endings of its files, the usual one first.
+            pub const fn endings(self) -> &'static [&'static str] {
+                match self { $( Self::$kind => &$endings ),+ }
+            }
+
+            /// What people call it.
+            pub const fn name(self) -> &'static str {
+                match self { $( Self::$kind => $name ),+ }
+            }
+
+            /// The feature of this crate with which it is read; `None` if nothing reads it.
+            pub(super) const fn feature(self) -> Option<&'static str> {
+                match self { $( Self::$kind => $feature ),+ }
+            }
+
+            /// The format, where it is a description with its text.
+            pub const fn format(self) -> Option<Format> {
+                match self { $( Self::$kind => $format ),+ }
+            }
+
+            /// How it is written from a description; `None` if it is not.
+            #[cfg(feature = "clap")]
+            const fn writing(self) -> Option<&'static str> {
+                match self { $( Self::$kind => $written ),+ }
+            }
+
+            /// Its description in docs/formats.md.
+            #[cfg(feature = "clap")]
+            const fn about(self) -> &'static str {
+                match self { $( Self::$kind => $about ),+ }
+            }
+        }
+    };
+}
+
+file_kinds! {
+    /// Electronic data sheet (CiA 306-1)
+    Eds "eds" ["eds"], "EDS" Some("default"), Some(Format::Eds), Some(EDITED),
+        "electronic data sheet: a type of device (CiA 306-1)";
+    /// Device configuration file (CiA 306-1)
+    Dcf "dcf" ["dcf"], "DCF" Some("default"), Some(Format::Dcf), Some(EDITED),
+        "device configuration file: one node (CiA 306-1)";
+    /// XML device description (CiA 311)
+    Xdd "xdd" ["xdd", "nxdd", "xpd"], "XDD" Some("xdd"), Some(Format::Xdd), Some(EDITED),
+        "XML device description: a type of device (CiA 311, versions 1.0 and 1.1); networks (`.nxdd`) and profile databases (`.xpd`) of CANopenEditor are only read";
+    /// XML device configuration (CiA 311)
+    Xdc "xdc" ["xdc", "nxdc"], "XDC" Some("xdd"), Some(Format::Xdc), Some(EDITED),
+        "XML device configuration: one node (CiA 311); networks (`.nxdc`) of CANopenEditor are only read";
+    /// The short source of a device (docs/device.md)
+    Toml "toml" ["toml"], "device.toml" Some("toml"), Some(Format::Toml), Some(EDITED),
+        "short source of a device ([device.md](device.md))";
+    /// Project of the editors for CANopenNode from before XDD
+    // its objects are those of an XDD
+    CanopenNode "canopennode" ["xml"], "CANopenNode project" Some("xdd"), Some(Format::Xdd), None,
+        "project of the editors for CANopenNode from before XDD, root element `device` ([below](#projects-of-canopennode))";
+    /// Project of objdictgen, the generator of CanFestival, which is only read
+    Objdictgen "od" ["od"], "objdictgen project" Some("xdd"), Some(Format::Xdd), None,
+        "project of objdictgen, the generator of CanFestival ([below](#projects-of-objdictgen))";
+    /// The model of a device, or the downloads of a concise DCF, as JSON
+    Json "json" ["json"], "JSON" Some("toml"), None, Some("yes"),
+        "the whole model of a device, or the downloads of a concise DCF ([below](#json))";
+    /// Project of CANopenEditor as JSON, with the settings for CANopenNode
+    CanopenEditorJson "canopeneditor-json" ["json"], "CANopenEditor project" Some("toml"), None, Some("yes, with `--to canopeneditor-json`"),
+        "project of CANopenEditor, as its JSON (protobuf) ([below](#projects-of-canopeneditor))";
+    /// Concise DCF (CiA 302-3)
+    Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
+        "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
+    /// Concise DCF as a text of one download a line (docs/dcf.md)
+    CdcfText "cdcf.txt" ["cdcf.txt"], "concise DCF as text" Some("toml"), None, Some("yes"),
+        "concise DCF as a text with one download per line ([dcf.md](dcf.md))";
+    /// Node list (CiA 306-3)
+    Cpj "cpj" ["cpj"], "node list" Some("full"), None, None,
+        "node list of a network (CiA 306-3)";
+    /// The messages of nodes on the CAN bus, which is only written
+    #[cfg_attr(feature = "clap", value(skip))]
+    Dbc "dbc" ["dbc"], "DBC" None, None, Some("[yes](#dbc)"),
+        "database of the CAN bus: the messages and signals of nodes";
+}
+
+impl FileKind {
+    /// The kinds that a description is converted to.
+    #[cfg(feature = "clap")]
+    pub fn written() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|kind| kind.writing().is_some())
+    }
+
+    /// The kinds that are read.
+    #[cfg(feature = "clap")]
+    pub fn read() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|kind| kind.feature().is_some())
+    }
+
+    /// The table of formats in docs/formats.md.
+    #[cfg(feature = "clap")]
+    pub fn table() -> String {
+        let row = |kind: &Self| {
+            let endings: Vec<_> = kind.endings().iter().map(|ending| format!("`.{ending}`")).collect();
+            let read = if kind.feature().is_some() { "yes" } else { "no" };
+            let (endings, written) = (endings.join(", "), kind.writing().unwrap_or("no"));
+            format!("| {endings} | {} | {read} | {written} |\n", kind.about())
+        };
+        let rows: String = Self::ALL.iter().map(row).collect();
+        format!("| extension | format | read | written |\n|---|---|---|---|\n{rows}")
+    }
+
+    /// The usual ending of its files.
+    pub const fn ending(self) -> &'static str {
+        match self.endings() {
+            [usual, ..] => usual,
+            [] => "",
+        }
+    }
+
+    /// By the last known ending of a name, so `drive.eds.txt` is an EDS.
+    pub fn of(path: &Path) -> Option<Self> {
+        let name = path.file_name()?.to_string_lossy();
+        if name.to_ascii_lowercase().ends_with(".cdcf.txt") {
+            return Some(Self::CdcfText);
+        }
+        // an ending of several kinds means the first, and much else is XML
+        let kinds = Self::ALL.iter().copied().filter(|kind| *kind != Self::CanopenNode);
+        let is =
+            |kind: &Self, part: &str| kind.endings().iter().any(|known| known.eq_ignore_ascii_case(part));
+        name.rsplit('.').find_map(|part| kinds.clone().find(|kind| is(kind, part)))
+    }
+
+    /// The kind of a content that commands read.
+    pub fn of_content(kind: ContentKind) -> Option<Self> {
+        match kind {
+            ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
+            ContentKind::ObjdictgenProject => Some(Self::Objdictgen),
+            ContentKind::CanopenEditorJson => Some(Self::CanopenEditorJson),
+            ContentKind::NodeList => Some(Self::Cpj),
+            ContentKind::ConciseDcf => Some(Self::Cdcf),
+            ContentKind::ConciseText => Some(Self::CdcfText),
+            ContentKind::JsonDevice | ContentKind::JsonConciseDcf => Some(Self::Json),
+            kind => kind.format().map(Self::from),
+        }
+    }
+}
+
+impl From<Format> for FileKind {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Eds => Self::Eds,
+            Format::Dcf => Self::Dcf,
+            Format::Xdd => Self::Xdd,
+            Format::Xdc => Self::Xdc,
+            Format::Toml => Self::Toml,
+        }
+    }
+}
