@@ -1,12 +1,13 @@
 // A node of a description: its node-ID, bit rate, modules and values, as a DCF or XDC of its own.
 
 import { ask } from "./engine";
+import { Dialog } from "./dialog";
 import { h } from "./dom";
 import { BIT_RATES } from "./output";
 import type { Modules, Opened } from "./protocol";
-import type { Store } from "./store";
+import type { OpenDocument, Store } from "./store";
 
-export function configureDialog(store: Store): HTMLDialogElement {
+export function configureDialog(store: Store): Dialog<OpenDocument> {
   const name = h("input", { id: "configure-name", required: true, autocomplete: "off" });
   const nodeId = h("input", { id: "configure-node-id", type: "number", min: 1, max: 127, required: true });
   const bitRate = h("select", { id: "configure-bit-rate" }, ...BIT_RATES.map((rate) => h("option", { value: rate }, `${rate} kbit/s`)));
@@ -29,34 +30,12 @@ export function configureDialog(store: Store): HTMLDialogElement {
     plugged.push(number);
     show();
   };
-  const configure = async (event: Event) => {
-    event.preventDefault();
+  const make = async ({ id: document }: OpenDocument) => {
     const lines = settings.value.split("\n").map((line) => line.trim()).filter(Boolean);
     const node = { name: name.value, node_id: Number(nodeId.value), bit_rate: Number(bitRate.value), node_name: nodeName.value, modules: plugged, settings: lines };
-    const document = store.current!.id;
-    dialog.close();
-    await store.attempt(async () => store.take(await store.inTurn(() => ask<Opened>({ do: "configure", document, node }))));
+    await store.take(await store.inTurn(() => ask<Opened>({ do: "configure", document, node })));
   };
-  const dialog = h(
-    "dialog",
-    { "aria-labelledby": "configure-title" },
-    h(
-      "form",
-      { method: "dialog", onsubmit: configure },
-      h("h2", { id: "configure-title" }, "Configure a node"),
-      h("p", { class: "meaning" }, "The description stays as it is; the node is a DCF or XDC beside it."),
-      h("label", {}, "Node-ID ", nodeId),
-      h("label", {}, "Bit rate ", bitRate),
-      h("label", {}, "Name of the node ", nodeName),
-      modules,
-      h("label", { class: "above" }, "Values, one a line ", settings),
-      h("label", {}, "File name ", name),
-      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Configure")),
-    ),
-  );
-  dialog.addEventListener("toggle", async () => {
-    if (!dialog.open || !store.current) return;
-    const { id, state, outline } = store.current;
+  const prepare = async ({ id, state, outline }: OpenDocument) => {
     nodeId.value = String(outline.node_id ?? 1);
     bitRate.value = "250";
     const isXml = /^xd/i.test(state.format);
@@ -67,6 +46,15 @@ export function configureDialog(store: Store): HTMLDialogElement {
     modules.hidden = supported.length === 0;
     choice.replaceChildren(...supported.map((module) => h("option", { value: module.number }, [module.name ?? `module ${module.number}`, module.order_code].filter(Boolean).join(", "))));
     show();
-  });
-  return dialog;
+  };
+  const fields = [
+    h("p", { class: "meaning" }, "The description stays as it is; the node is a DCF or XDC beside it."),
+    h("label", {}, "Node-ID ", nodeId),
+    h("label", {}, "Bit rate ", bitRate),
+    h("label", {}, "Name of the node ", nodeName),
+    modules,
+    h("label", { class: "above" }, "Values, one a line ", settings),
+    h("label", {}, "File name ", name),
+  ];
+  return new Dialog(store, "configure", { title: "Configure a node", form: { fields, label: "Configure", make }, prepare });
 }

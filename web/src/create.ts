@@ -1,10 +1,11 @@
 // New devices, and objects that are added to an open one.
 
 import { ask } from "./engine";
+import { Dialog } from "./dialog";
 import { h, hex, numberIn } from "./dom";
 import { patchOf } from "./form";
 import type { Feature, NewDevice, Opened, ProfileObject, ProfileRow } from "./protocol";
-import type { Store } from "./store";
+import type { OpenDocument, Store } from "./store";
 
 /** A feature as a field; what is left empty is as the profile has it. */
 function featureField({ word, kind, names, range, meaning }: Feature): HTMLElement {
@@ -28,32 +29,25 @@ function featuresIn(parent: HTMLElement): NewDevice["features"] {
   return features;
 }
 
+const profileOption = ({ number, title }: ProfileRow): HTMLElement => h("option", { value: number }, `CiA ${number}: ${title}`);
+
 /** A text from the clipboard: a log, a description or a network. */
-export function pasteDialog(store: Store): HTMLDialogElement {
+export function pasteDialog(store: Store): Dialog {
   const text = h("textarea", { rows: 10, required: true, spellcheck: "false", id: "paste-text", placeholder: "(1436509052.249713) can0 185#3702" });
   const name = h("input", { value: "pasted.log", required: true, autocomplete: "off" });
-  const open = async (event: Event) => {
-    event.preventDefault();
-    dialog.close();
-    if (await store.open(name.value, new TextEncoder().encode(text.value))) text.value = "";
+  const make = async () => {
+    await store.load(name.value, new TextEncoder().encode(text.value));
+    text.value = "";
   };
-  const dialog = h(
-    "dialog",
-    { "aria-labelledby": "paste-title" },
-    h(
-      "form",
-      { method: "dialog", onsubmit: open },
-      h("h2", { id: "paste-title" }, "Paste a text"),
-      h("p", { class: "meaning" }, "Frames as candump or another tool of the bus prints them, or the text of a description or a network."),
-      h("label", { class: "above" }, "Text ", text),
-      h("label", {}, "Name ", name),
-      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Open")),
-    ),
-  );
-  return dialog;
+  const fields = [
+    h("p", { class: "meaning" }, "Frames as candump or another tool of the bus prints them, or the text of a description or a network."),
+    h("label", { class: "above" }, "Text ", text),
+    h("label", {}, "Name ", name),
+  ];
+  return new Dialog(store, "paste", { title: "Paste a text", form: { fields, label: "Open", make } });
 }
 
-export function newDialog(store: Store): HTMLDialogElement {
+export function newDialog(store: Store): Dialog {
   const profile = h("select", { id: "new-profile", onchange: () => offer() });
   const own = h("div", {});
   const general = h("details", {});
@@ -66,49 +60,38 @@ export function newDialog(store: Store): HTMLDialogElement {
   };
   const text = (value: string) => h("input", { value, required: true, autocomplete: "off" });
   const [name, vendor, vendorId, product, code] = [text("device.eds"), text(""), text("0x0"), text(""), text("0x0")];
-  const create = async (event: Event) => {
-    event.preventDefault();
+  const make = async () => {
     const today = new Date();
-    const done = await store.attempt(async () => {
-      const opened = await ask<Opened>({
-        do: "new",
-        name: name.value,
-        profile: Number(profile.value),
-        vendor: vendor.value,
-        vendor_id: numberIn(vendorId.value) || 0,
-        product: product.value,
-        product_code: numberIn(code.value) || 0,
-        date: [today.getFullYear(), today.getMonth() + 1, today.getDate()],
-        features: featuresIn(dialog),
-      });
-      await store.take(opened);
+    const opened = await ask<Opened>({
+      do: "new",
+      name: name.value,
+      profile: Number(profile.value),
+      vendor: vendor.value,
+      vendor_id: numberIn(vendorId.value) || 0,
+      product: product.value,
+      product_code: numberIn(code.value) || 0,
+      date: [today.getFullYear(), today.getMonth() + 1, today.getDate()],
+      features: featuresIn(features),
     });
-    if (done) dialog.close();
+    await store.take(opened);
   };
-  const dialog = h(
-    "dialog",
-    { "aria-labelledby": "new-title" },
-    h(
-      "form",
-      { method: "dialog", onsubmit: create },
-      h("h2", { id: "new-title" }, "New device"),
-      h("label", {}, "Device profile ", profile),
-      h("label", {}, "Vendor ", vendor),
-      h("label", {}, "Vendor-ID, as CiA assigned it ", vendorId),
-      h("label", {}, "Product ", product),
-      h("label", {}, "Product code ", code),
-      h("label", {}, "File name ", name),
-      h("fieldset", {}, h("legend", {}, "Features"), own, general),
-      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Create")),
-    ),
-  );
-  dialog.addEventListener("toggle", async () => {
-    if (!dialog.open || profiles.length > 0) return;
+  const prepare = () => (profiles.length > 0 ? undefined : load());
+  const load = async () => {
     profiles = await ask<ProfileRow[]>({ do: "profiles" });
-    profile.replaceChildren(...profiles.map((row) => h("option", { value: row.number }, `CiA ${row.number}: ${row.title}`)));
+    profile.replaceChildren(...profiles.map(profileOption));
     offer();
-  });
-  return dialog;
+  };
+  const features = h("fieldset", {}, h("legend", {}, "Features"), own, general);
+  const fields = [
+    h("label", {}, "Device profile ", profile),
+    h("label", {}, "Vendor ", vendor),
+    h("label", {}, "Vendor-ID, as CiA assigned it ", vendorId),
+    h("label", {}, "Product ", product),
+    h("label", {}, "Product code ", code),
+    h("label", {}, "File name ", name),
+    features,
+  ];
+  return new Dialog(store, "new", { title: "New device", form: { fields, label: "Create", make }, prepare });
 }
 
 const TYPES: [word: string, label: string][] = [
@@ -123,7 +106,7 @@ const TYPES: [word: string, label: string][] = [
   ["string", "VISIBLE_STRING"],
 ];
 
-export function addDialog(store: Store): HTMLDialogElement {
+export function addDialog(store: Store): Dialog<OpenDocument> {
   const profile = h("select", { "aria-label": "Document" });
   const filter = h("input", { type: "search", placeholder: "Index or name", "aria-label": "Search objects of the document" });
   const list = h("ul", { class: "candidates" });
@@ -137,55 +120,49 @@ export function addDialog(store: Store): HTMLDialogElement {
       ),
     );
   };
-  const load = async () => {
-    objects = await ask<ProfileObject[]>({ do: "profile-objects", document: store.current!.id, profile: Number(profile.value) });
+  const load = async ({ id }: OpenDocument) => {
+    objects = await ask<ProfileObject[]>({ do: "profile-objects", document: id, profile: Number(profile.value) });
     show();
   };
-  const add = async (index: number) => {
-    const done = await store.change({ do: "add-objects", document: store.current!.id, profile: Number(profile.value), indexes: [index] });
-    dialog.close();
-    if (done) store.select(index);
+  const select = (of: OpenDocument, index: number) => {
+    if (store.current === of) store.select(index);
   };
+  const add = (index: number) =>
+    dialog.run(async () => {
+      const of = dialog.subject;
+      await store.edit({ do: "add-objects", document: of.id, profile: Number(profile.value), indexes: [index] });
+      select(of, index);
+    });
   filter.addEventListener("input", show);
-  profile.addEventListener("change", () => void load());
+  profile.addEventListener("change", () => void load(dialog.subject));
 
   const index = h("input", { placeholder: "0x2000", required: true, pattern: "(0x)?[0-9A-Fa-f]{4}h?", autocomplete: "off" });
   const name = h("input", { required: true, autocomplete: "off" });
   const type = h("select", {}, ...TYPES.map(([word, label]) => h("option", { value: word }, label)));
   const access = h("select", {}, ...["rw", "ro", "wo", "const"].map((word) => h("option", {}, word)));
-  const own = async (event: Event) => {
-    event.preventDefault();
+  const make = async (of: OpenDocument) => {
     const digits = index.value.replace(/^0x|h$/gi, "").toUpperCase();
     const patch = patchOf({ at: digits, add: { name: name.value, "object-type": "var", type: type.value, access: access.value } });
-    const done = await store.change({ do: "patch", document: store.current!.id, patch });
-    dialog.close();
-    if (done) store.select(parseInt(digits, 16));
+    await store.edit({ do: "patch", document: of.id, patch });
+    select(of, parseInt(digits, 16));
   };
-  const dialog = h(
-    "dialog",
-    { "aria-labelledby": "add-title" },
-    h("h2", { id: "add-title" }, "Add an object"),
-    h("section", {}, h("h3", {}, "Of a document"), profile, filter, list),
-    h(
-      "form",
-      { method: "dialog", onsubmit: own },
-      h("h3", {}, "Of your own"),
-      h("label", {}, "Index ", index),
-      h("label", {}, "Name ", name),
-      h("label", {}, "Data type ", type),
-      h("label", {}, "Access ", access),
-      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Add")),
-    ),
-  );
-  dialog.addEventListener("toggle", async () => {
-    if (!dialog.open || !store.current) return;
+  const prepare = async (of: OpenDocument) => {
     if (profile.options.length === 0) {
       const profiles = await ask<ProfileRow[]>({ do: "profiles" });
-      profile.replaceChildren(...profiles.map((row) => h("option", { value: row.number }, `CiA ${row.number}: ${row.title}`)));
+      profile.replaceChildren(...profiles.map(profileOption));
     }
-    const own = String(store.current.outline.profile ?? 301);
+    const own = String(of.outline.profile ?? 301);
     if ([...profile.options].some((option) => option.value === own)) profile.value = own;
-    await load();
-  });
+    await load(of);
+  };
+  const fields = [
+    h("h3", {}, "Of your own"),
+    h("label", {}, "Index ", index),
+    h("label", {}, "Name ", name),
+    h("label", {}, "Data type ", type),
+    h("label", {}, "Access ", access),
+  ];
+  const choices = [h("section", {}, h("h3", {}, "Of a document"), profile, filter, list)];
+  const dialog = new Dialog<OpenDocument>(store, "add", { title: "Add an object", choices, form: { fields, label: "Add", make }, prepare });
   return dialog;
 }

@@ -1,6 +1,6 @@
 // Elements without a framework. Texts are always text: nothing of a file is read as HTML.
 
-type Child = Node | string | null | undefined | false;
+export type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | undefined | ((event: never) => void)>;
 
 export function h<K extends keyof HTMLElementTagNameMap>(

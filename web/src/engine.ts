@@ -12,6 +12,12 @@ export class Refused extends Error {
   }
 }
 
+/** What an error says, and what to do about it. */
+export function refusalOf(error: unknown): Refusal {
+  const message = error instanceof Error ? error.message : String(error);
+  return { message, help: error instanceof Refused ? error.help : undefined };
+}
+
 interface Waiting {
   resolve(answer: { ok: unknown; files: MadeFile[] }): void;
   reject(error: Refused): void;

@@ -1,6 +1,7 @@
 // The files that `objdict open` serves: open when the page is loaded, in a list, and saved in place. Elsewhere there are none.
 
 import { Refused } from "./engine";
+import { Dialog } from "./dialog";
 import { h } from "./dom";
 import type { Refusal } from "./protocol";
 import { contentOf, type OpenDocument, type Store } from "./store";
@@ -25,19 +26,27 @@ export interface Home {
 /** So many are drawn; the search has the others. */
 const MAX_SHOWN = 400;
 
+/** What is asked before something is lost. */
+interface Question {
+  title: string;
+  question: string;
+  answer: string;
+  make: () => Promise<void>;
+}
+
 export class Files {
-  readonly dialogs: HTMLDialogElement[];
   readonly buttons: HTMLElement[];
   private readonly place = document.querySelector<HTMLMetaElement>('meta[name="objdict-files"]')?.content;
   private list: Served[] = [];
-  private readonly asking = h("dialog", { "aria-labelledby": "ask-title" });
   private readonly entries = h("ul", { class: "candidates" });
   private readonly search = h("input", { type: "search", placeholder: "Name", "aria-label": "Search files", oninput: () => this.drawList() });
+  private readonly listed: Dialog;
+  private readonly asked: Dialog<Question>;
 
   constructor(private readonly store: Store) {
-    const list = this.listDialog();
-    this.dialogs = [list, this.asking];
-    const show = h("button", { onclick: () => list.showModal() }, "Files …");
+    this.listed = new Dialog(store, "files", { title: "Files", choices: [this.search, this.entries], prepare: () => this.drawList() });
+    this.asked = questionDialog(store);
+    const show = h("button", { onclick: () => this.listed.show() }, "Files …");
     const save = h("button", { title: "Ctrl+S", onclick: () => void this.save() }, "Save");
     this.buttons = this.place === undefined ? [] : [show, save];
     store.onDraw(() => (save.disabled = !this.canSave()));
@@ -58,7 +67,7 @@ export class Files {
     const { documents } = this.store;
     const named = documents.find(({ home }) => home && this.list[home.number]!.is_open) ?? documents[0];
     if (named) this.store.show(named);
-    else if (isListed) this.dialogs[0]!.showModal();
+    else if (isListed) this.listed.show();
   }
 
   /** Asks before the shown file is replaced; `false` if it cannot be saved in place. */
@@ -67,7 +76,7 @@ export class Files {
     if (!home || !shown) return false;
     const { name } = this.list[home.number]!;
     const isTaken = await this.store.attempt(() => this.store.settled());
-    if (isTaken && this.isChanged(shown)) this.ask("Save", `Replace ${name} on the disk?`, "Replace", () => this.write(shown));
+    if (isTaken && this.isChanged(shown)) this.asked.show({ title: "Save", question: `Replace ${name} on the disk?`, answer: "Replace", make: () => this.write(shown) });
     else if (isTaken) this.say(`${name} has no changes.`);
     return true;
   }
@@ -76,7 +85,7 @@ export class Files {
   async close(document: OpenDocument): Promise<void> {
     const isTaken = await this.store.attempt(() => this.store.settled());
     if (isTaken && !this.isChanged(document)) return this.store.close(document);
-    this.ask("Close", `${document.state.name} has changes that are not saved.`, "Close without saving", () => this.store.close(document));
+    this.asked.show({ title: "Close", question: `${document.state.name} has changes that are not saved.`, answer: "Close without saving", make: () => this.store.close(document) });
   }
 
   private canSave(): Home | undefined {
@@ -110,10 +119,7 @@ export class Files {
     if (known) return store.show(known);
     await store.attempt(async () => {
       const response = await this.fetch(`/${number}`);
-      const bytes = new Uint8Array(await response.arrayBuffer());
-      if (!(await store.open(name, bytes))) return;
-      const opened = store.documents.at(-1)!;
-      opened.home = { number, etag: response.headers.get("etag")! };
+      await store.load(name, new Uint8Array(await response.arrayBuffer()), { number, etag: response.headers.get("etag")! });
     });
   }
 
@@ -126,19 +132,12 @@ export class Files {
     throw new Refused(answer?.error ?? { message: `\`objdict open\` answered with ${response.status}` });
   }
 
-  private listDialog(): HTMLDialogElement {
-    const close = h("button", { type: "button", onclick: () => dialog.close() }, "Close");
-    const dialog = h("dialog", { "aria-labelledby": "files-title" }, h("h2", { id: "files-title" }, "Files"), this.search, this.entries, h("div", { class: "actions" }, close));
-    dialog.addEventListener("toggle", () => dialog.open && this.drawList());
-    return dialog;
-  }
-
   private drawList(): void {
     const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     const isWanted = ({ name }: Served) => words.every((word) => name.toLowerCase().includes(word));
     const row = (number: number, of = ""): HTMLElement => {
       const { name, kind, nodes } = this.list[number]!;
-      const open = () => void this.open(number).then(() => this.dialogs[0]!.close());
+      const open = () => void this.listed.run(() => this.open(number));
       const button = h("button", { type: "button", class: "mappable", onclick: open }, h("span", { class: "name" }, name), h("span", { class: "type" }, kind === "network" ? "network" : of));
       return h("li", {}, button, nodes.length > 0 && h("ul", {}, ...nodes.map((node) => row(node, "of the network"))));
     };
@@ -147,16 +146,14 @@ export class Files {
     if (wanted.length > MAX_SHOWN) rows.push(h("li", {}, `and ${wanted.length - MAX_SHOWN} more`));
     this.entries.replaceChildren(...rows);
   }
+}
 
-  private ask(title: string, question: string, answer: string, made: () => Promise<void>): void {
-    const make = (event: Event) => {
-      event.preventDefault();
-      this.asking.close();
-      void made();
-    };
-    const cancel = h("button", { type: "button", onclick: () => this.asking.close() }, "Cancel");
-    const actions = h("div", { class: "actions" }, cancel, h("button", { type: "submit", class: "main" }, answer));
-    this.asking.replaceChildren(h("form", { method: "dialog", onsubmit: make }, h("h2", { id: "ask-title" }, title), h("p", {}, question), actions));
-    this.asking.showModal();
-  }
+function questionDialog(store: Store): Dialog<Question> {
+  const [title, question, answer] = [h("span", {}), h("p", {}), h("span", {})];
+  const prepare = (asked: Question) => {
+    title.textContent = asked.title;
+    question.textContent = asked.question;
+    answer.textContent = asked.answer;
+  };
+  return new Dialog<Question>(store, "ask", { title, form: { fields: [question], label: answer, make: ({ make }) => make() }, prepare });
 }

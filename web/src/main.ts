@@ -22,9 +22,11 @@ const store = new Store();
 
 /** Opens files; networks and logs are shown before the descriptions that they are read with. */
 async function openFiles(files: Iterable<{ name: string; bytes: () => Promise<ArrayBuffer> }>): Promise<void> {
-  const before = store.documents.length;
-  for (const file of files) await store.open(file.name, new Uint8Array(await file.bytes()));
-  const opened = store.documents.slice(before);
+  const opened: OpenDocument[] = [];
+  for (const file of files) {
+    const document = await store.open(file.name, new Uint8Array(await file.bytes()));
+    if (document) opened.push(document);
+  }
   const shown = opened.find(({ state }) => state.kind === "log") ?? opened.find(({ state }) => state.kind === "network");
   if (shown) store.show(shown);
 }
@@ -101,10 +103,10 @@ function examplesMenu(): HTMLElement {
 
 function topBar(): HTMLElement {
   const [back, again] = [button("Undo", undo, { title: "Ctrl+Z" }), button("Redo", redo, { title: "Ctrl+Shift+Z" })];
-  const save = button("Save as …", () => dialogs.save.showModal(), { title: "Ctrl+S" });
-  const products = button("Download …", () => dialogs.products.showModal());
-  const add = button("Add object …", () => dialogs.add.showModal());
-  const configure = button("Configure …", () => dialogs.configure.showModal());
+  const save = button("Save as …", () => dialogs.save.show(store.current!), { title: "Ctrl+S" });
+  const products = button("Download …", () => dialogs.products.show(store.current!));
+  const add = button("Add object …", () => dialogs.add.show(store.current!));
+  const configure = button("Configure …", () => dialogs.configure.show(store.current!));
   const theme = button("Dark or light", switchTheme, { class: "quiet" });
   store.onDraw(() => {
     const state = store.current?.state;
@@ -120,9 +122,9 @@ function topBar(): HTMLElement {
     {},
     h("h1", {}, "objdict ", h("span", {}, "workbench")),
     button("Open …", () => chooser.click(), { title: "Ctrl+O" }),
-    button("Paste …", () => dialogs.paste.showModal()),
+    button("Paste …", () => dialogs.paste.show()),
     examplesMenu(),
-    button("New …", () => dialogs.create.showModal()),
+    button("New …", () => dialogs.create.show()),
     back,
     again,
     add,
@@ -239,7 +241,7 @@ function listen(): void {
     const key = event.key.toLowerCase();
     // in a field, the browser undoes what was typed there
     const isTyping = event.target instanceof HTMLInputElement && event.target.value !== event.target.defaultValue;
-    const save = () => void files.save().then((isSaved) => !isSaved && store.current && store.current.state.kind !== "log" && dialogs.save.showModal());
+    const save = () => void files.save().then((isSaved) => !isSaved && store.current && store.current.state.kind !== "log" && dialogs.save.show(store.current));
     const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: save }[key];
     if (!action || (isTyping && (key === "z" || key === "y"))) return;
     event.preventDefault();
@@ -265,7 +267,7 @@ async function start(): Promise<void> {
     panels.hidden = !store.current;
     panels.dataset.kind = store.current?.state.kind;
   });
-  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels, ...Object.values(dialogs), ...files.dialogs);
+  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels);
   listen();
   await startEngine(() => void store.reopen());
   keepForOffline();

@@ -1,8 +1,9 @@
 // What is written: the file as it is now or in another format, and what is generated of it.
 
+import { Dialog } from "./dialog";
 import { h, numberIn } from "./dom";
 import type { MadeFile, Request } from "./protocol";
-import { contentOf, type Store } from "./store";
+import { contentOf, type OpenDocument, type Store } from "./store";
 import { zip } from "./zip";
 
 export function download(name: string, content: Blob): void {
@@ -57,7 +58,7 @@ function say(store: Store, notes: string[]): void {
   store.draw();
 }
 
-export function saveDialog(store: Store): HTMLDialogElement {
+export function saveDialog(store: Store): Dialog<OpenDocument> {
   const name = h("input", { id: "save-name", required: true, autocomplete: "off" });
   const nodeId = h("input", { id: "save-node-id", type: "number", min: 1, max: 127 });
   const bitRate = h("input", { id: "save-bit-rate", list: "bit-rates", inputmode: "numeric" });
@@ -68,102 +69,59 @@ export function saveDialog(store: Store): HTMLDialogElement {
   const choice = h("label", {}, "Format ", format);
   const follow = () => {
     if (!choice.hidden && format.value !== OWN) name.value = `${stem(name.value)}.${format.value}`;
-    const isDevice = store.current?.state.kind === "device";
+    const isDevice = !choice.hidden;
     node.hidden = !isDevice || !FORMATS.find(([ending]) => ending === format.value)![2];
     compact.hidden = !isDevice || !["eds", "dcf"].includes(format.value);
   };
   format.addEventListener("change", follow);
-  const save = async (event: Event) => {
-    event.preventDefault();
-    const shown = store.current!;
-    const document = shown.id;
+  const make = async (of: OpenDocument) => {
+    const document = of.id;
     const number = (input: HTMLInputElement) => (input.value ? Number(input.value) : undefined);
     const request: Request = { do: "save", document, name: name.value, node_id: number(nodeId), bit_rate: number(bitRate), storage: compact.hidden ? undefined : (storage.value as "compact" | "expanded") || undefined };
     const isOwn = choice.hidden || format.value === OWN;
-    const isSaved = await store.attempt(async () => {
-      await store.settled();
-      const content = contentOf(shown);
-      const { files, notes } = await store.make(isOwn ? { do: "bytes", document } : request);
-      deliver(isOwn ? files.map((file) => ({ ...file, name: name.value })) : files, "");
-      // a file of `objdict open` is saved where it is
-      if (isOwn && !shown.home) shown.saved = content;
-      say(store, notes.map((note) => `not in the file: ${note}`));
-    });
-    // the input stays, with the reason for the refusal below
-    if (isSaved) dialog.close();
-    else problem.textContent = [store.notice?.message, store.notice?.help].filter(Boolean).join("; ");
+    await store.settled();
+    const content = contentOf(of);
+    const { files, notes } = await store.make(isOwn ? { do: "bytes", document } : request);
+    deliver(isOwn ? files.map((file) => ({ ...file, name: name.value })) : files, "");
+    // a file of `objdict open` is saved where it is
+    if (isOwn && !of.home) of.saved = content;
+    say(store, notes.map((note) => `not in the file: ${note}`));
   };
-  const problem = h("p", { class: "remark error", role: "alert" });
-  const dialog = h(
-    "dialog",
-    { "aria-labelledby": "save-title" },
-    h(
-      "form",
-      { method: "dialog", onsubmit: save },
-      h("h2", { id: "save-title" }, "Save as"),
-      choice,
-      h("label", {}, "Name ", name),
-      node,
-      compact,
-      problem,
-      h("datalist", { id: "bit-rates" }, ...BIT_RATES.map((rate) => h("option", { value: rate }))),
-      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Save")),
-    ),
-  );
-  dialog.addEventListener("toggle", () => {
-    if (!dialog.open || !store.current) return;
-    const { state, outline } = store.current;
+  const prepare = ({ state, outline }: OpenDocument) => {
     format.value = OWN;
-    problem.textContent = "";
     // of a network the text is saved
     choice.hidden = state.kind !== "device";
     storage.value = "";
     name.value = state.name.split("/").at(-1)!;
     nodeId.value = String(outline.node_id ?? "");
     follow();
-  });
-  return dialog;
+  };
+  const rates = h("datalist", { id: "bit-rates" }, ...BIT_RATES.map((rate) => h("option", { value: rate })));
+  const fields = [choice, h("label", {}, "Name ", name), node, compact, rates];
+  return new Dialog(store, "save", { title: "Save as", form: { fields, label: "Save", make }, prepare });
 }
 
-export function productsDialog(store: Store): HTMLDialogElement {
-  const boxes = PRODUCTS.map(([id, label]) => {
-    const box = h("input", { type: "checkbox", value: id });
-    return h("label", { class: "choice" }, box, ` ${label}`);
-  });
+export function productsDialog(store: Store): Dialog<OpenDocument> {
+  const boxes = PRODUCTS.map(([id]) => h("input", { type: "checkbox", value: id }));
   const nodeId = h("input", { type: "text", inputmode: "numeric", size: 4 });
-  const go = async (event: Event) => {
-    event.preventDefault();
-    const document = store.current!;
-    const chosen = PRODUCTS.filter(([id]) => dialog.querySelector<HTMLInputElement>(`input[value="${id}"]`)!.checked);
-    await store.attempt(async () => {
-      const [all, notes]: [MadeFile[], string[]] = [[], []];
-      const node = numberIn(nodeId.value);
-      for (const [id, , request] of chosen) {
-        const made = await store.make(request(document.id, Number.isNaN(node) ? undefined : node));
-        const folder = chosen.length > 1 && made.files.length > 1 ? `${id}/` : "";
-        all.push(...made.files.map((file) => ({ ...file, name: folder + file.name })));
-        notes.push(...made.notes.map((note) => `${id}: ${note}`));
-      }
-      deliver(all, `${stem(document.state.name)}.zip`);
-      say(store, notes);
-    });
-    dialog.close();
+  const make = async (document: OpenDocument) => {
+    const chosen = PRODUCTS.filter((_, at) => boxes[at]!.checked);
+    const [all, notes]: [MadeFile[], string[]] = [[], []];
+    const node = numberIn(nodeId.value);
+    for (const [id, , request] of chosen) {
+      const made = await store.make(request(document.id, Number.isNaN(node) ? undefined : node));
+      const folder = chosen.length > 1 && made.files.length > 1 ? `${id}/` : "";
+      all.push(...made.files.map((file) => ({ ...file, name: folder + file.name })));
+      notes.push(...made.notes.map((note) => `${id}: ${note}`));
+    }
+    deliver(all, `${stem(document.state.name)}.zip`);
+    say(store, notes);
   };
-  const dialog = h(
-    "dialog",
-    { "aria-labelledby": "products-title" },
-    h(
-      "form",
-      { method: "dialog", onsubmit: go },
-      h("h2", { id: "products-title" }, "Download what is made of the device"),
-      h("fieldset", {}, h("legend", {}, "Files"), ...boxes),
-      h("label", {}, "Node-ID for DBC and concise DCF ", nodeId),
-      h("p", { class: "meaning" }, "Several files come as a ZIP."),
-      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Download")),
-    ),
-  );
-  dialog.addEventListener("toggle", () => {
-    if (dialog.open) nodeId.value = String(store.current?.outline.node_id ?? "");
-  });
-  return dialog;
+  const prepare = ({ outline }: OpenDocument) => void (nodeId.value = String(outline.node_id ?? ""));
+  const fields = [
+    h("fieldset", {}, h("legend", {}, "Files"), ...PRODUCTS.map(([, label], at) => h("label", { class: "choice" }, boxes[at]!, ` ${label}`))),
+    h("label", {}, "Node-ID for DBC and concise DCF ", nodeId),
+    h("p", { class: "meaning" }, "Several files come as a ZIP."),
+  ];
+  return new Dialog(store, "products", { title: "Download what is made of the device", form: { fields, label: "Download", make }, prepare });
 }

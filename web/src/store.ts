@@ -1,6 +1,6 @@
 // What is open and what is shown, and how it changes: each change asks the engine and draws what came of it.
 
-import { Refused, ask, make } from "./engine";
+import { ask, make, refusalOf } from "./engine";
 import { hex } from "./dom";
 import type { Home } from "./files";
 import type { LogSummary, MadeFile, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
@@ -105,7 +105,7 @@ export class Store {
   }
 
   /** Does something that may be refused, and says so. */
-  async attempt(what: () => Promise<void>): Promise<boolean> {
+  async attempt(what: () => Promise<unknown>): Promise<boolean> {
     try {
       await what();
       return true;
@@ -115,22 +115,28 @@ export class Store {
     }
   }
 
-  private say(error: unknown): void {
-    const message = error instanceof Error ? error.message : String(error);
-    const help = error instanceof Refused ? error.help : undefined;
+  say(error: unknown): void {
+    const refusal = refusalOf(error);
     // a part that fails each time would be drawn for ever
-    if (this.notice?.message === message) return;
-    this.notice = { kind: "error", message, help };
+    if (this.notice?.message === refusal.message) return;
+    this.notice = { kind: "error", ...refusal };
     this.draw();
   }
 
-  async open(name: string, bytes: Uint8Array): Promise<boolean> {
-    return this.attempt(async () => this.take(await ask<Opened>({ do: "open", name }, bytes), bytes));
+  /** Opens a file; the document if it was not refused. */
+  async open(name: string, bytes: Uint8Array, home?: Home): Promise<OpenDocument | undefined> {
+    let opened: OpenDocument | undefined;
+    await this.attempt(async () => (opened = await this.load(name, bytes, home)));
+    return opened;
+  }
+
+  async load(name: string, bytes: Uint8Array, home?: Home): Promise<OpenDocument> {
+    return this.take(await ask<Opened>({ do: "open", name }, bytes), bytes, home);
   }
 
   /** Shows a document that the engine has opened. */
-  async take({ document: id, state, notes }: Opened, bytes?: Uint8Array): Promise<void> {
-    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, checked: state.revision, original: state.text };
+  async take({ document: id, state, notes }: Opened, bytes?: Uint8Array, home?: Home): Promise<OpenDocument> {
+    const opened: OpenDocument = { id, state, home, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, checked: state.revision, original: state.text };
     if (state.kind === "log") opened.bytes = bytes;
     const [outline, checked] = this.read(opened);
     await outline;
@@ -141,9 +147,12 @@ export class Store {
     if (this.view === "compare" || this.view === "diff") this.view = "form";
     this.show(opened);
     this.follow();
-    // the objects are drawn while the engine checks
-    await checked;
-    this.draw();
+    // the document can be used while the engine checks
+    void this.attempt(async () => {
+      await checked;
+      this.draw();
+    });
+    return opened;
   }
 
   /** Shows what the address of the page names: the object of `#6041`, the PDO of `#TPDO2`. */
@@ -233,15 +242,18 @@ export class Store {
 
   /** Changes a document, also one that is no longer shown. */
   async change(request: Request & { document: number }): Promise<boolean> {
+    return this.attempt(() => this.edit(request));
+  }
+
+  /** The same, for those who say themselves why it was refused. */
+  async edit(request: Request & { document: number }): Promise<void> {
     const of = this.documents.find(({ id }) => id === request.document);
-    return this.attempt(async () => {
-      await this.inTurn(async () => {
-        const state = await ask<State>(request);
-        if (of) of.state = state;
-      });
-      this.notice = undefined;
-      if (of) await this.refresh(of);
+    await this.inTurn(async () => {
+      const state = await ask<State>(request);
+      if (of) of.state = state;
     });
+    this.notice = undefined;
+    if (of) await this.refresh(of);
   }
 
   /** The files that a request makes of the documents as they are now. */
@@ -313,9 +325,9 @@ export class Store {
     this.documents = [];
     this.current = undefined;
     for (const { state, bytes, home, saved } of former) {
-      if (!(await this.open(state.name, bytes ?? new TextEncoder().encode(state.text)))) continue;
-      const opened = this.documents.at(-1)!;
-      Object.assign(opened, { home, saved });
+      const opened = await this.open(state.name, bytes ?? new TextEncoder().encode(state.text), home);
+      if (!opened) continue;
+      opened.saved = saved;
       // the page has the text, not the bytes
       const { encoding } = state;
       if (opened.state.encoding !== encoding) await this.change({ do: "encode", document: opened.id, encoding });

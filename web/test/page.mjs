@@ -21,10 +21,17 @@ after(async () => {
   server?.close();
 });
 
+/** A page of a computer that is so many times slower than this one. */
+export async function newPage(context, slowness = Number(process.env.OBJDICT_SLOWNESS ?? 1)) {
+  const page = await context.newPage();
+  if (slowness > 1) await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate: slowness });
+  return page;
+}
+
 /** Opens the page; afterwards nothing has been asked of another origin, and nothing has failed. */
 export async function withPage(use, { address = server.address, size = { width: 1280, height: 800 } } = {}) {
   const context = await browser.newContext({ viewport: size, acceptDownloads: true });
-  const page = await context.newPage();
+  const page = await newPage(context);
   const [requests, problems] = [[], []];
   page.on("request", (request) => requests.push(request.url()));
   page.on("pageerror", (error) => problems.push(String(error)));

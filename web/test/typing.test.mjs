@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { changedLines, open, saveAs, skip, withPage } from "./page.mjs";
+import { changedLines, download, open, saveAs, skip, withPage } from "./page.mjs";
 import { fixture } from "./support.mjs";
 
 const DRIVE = "drive-402.eds";
@@ -128,6 +128,41 @@ test("closing a file with changes asks", { skip }, () =>
     await close.click();
     await page.locator("dialog[open] button[type=submit]").click();
     await page.waitForFunction(() => document.querySelectorAll(".document").length === 0);
+  }));
+
+test("a dialog takes input when it is filled in, and keeps it when it is refused", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, ["coupler-modular.eds", fixture("eds/coupler-modular.eds")]);
+    const isLocked = await page.getByRole("button", { name: "Configure …" }).evaluate((button) => {
+      button.click();
+      return [...document.querySelectorAll("dialog[open] :is(input, select, textarea)")].every((field) => field.matches(":disabled"));
+    });
+    assert.ok(isLocked);
+    await page.fill("#configure-node-id", "10");
+    await page.fill("#configure-settings", "9999=1");
+    await page.getByRole("button", { name: "Plug in" }).click();
+    const submit = page.locator("dialog[open] button[type=submit]");
+    await submit.click();
+    await page.waitForSelector("dialog[open] [role=alert]:has-text('9999')");
+    assert.equal(await page.inputValue("#configure-node-id"), "10");
+    assert.equal(await page.locator(".rack li").count(), 1);
+    await page.fill("#configure-settings", "");
+    // twice in one moment is once
+    await submit.evaluate((button) => (button.click(), button.click()));
+    await page.waitForSelector(".document.current:has-text('coupler-modular-node.dcf')");
+    assert.equal(await page.locator("dialog[open]").count(), 0);
+    assert.equal(await page.locator(".document").count(), 2);
+  }));
+
+test("a dialog is about the file that it was opened for", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, original]);
+    await page.getByRole("button", { name: "Save as …" }).click();
+    await open(page, ["io-401.eds", fixture("eds/io-401.eds")]);
+    await page.waitForSelector(".document.current:has-text('io-401.eds')");
+    const saved = await download(page, () => page.locator("dialog[open] button[type=submit]").click());
+    assert.equal(saved.name, DRIVE);
+    assert.ok(saved.bytes.equals(original));
   }));
 
 test("a file is saved as it is, whatever its name", { skip }, async () => {
