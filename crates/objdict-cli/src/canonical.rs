@@ -9,7 +9,7 @@ use objdict_model::source::Encoding;
 // Who reads what is written.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct DialectArgs {
-    /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor or codesys (docs/formats.md)
+    /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor, codesys, or portable for all of them (docs/formats.md)
     #[arg(long, value_name = "DIALECT", value_parser = dialect)]
     pub dialect: Option<Dialect>,
 }
@@ -20,9 +20,9 @@ fn dialect(name: &str) -> Result<Dialect, String> {
 }
 
 impl DialectArgs {
-    /// The tool that reads what is written.
-    pub(super) fn tool(&self) -> Option<Tool> {
-        self.dialect.and_then(Dialect::tool)
+    /// The tools that read what is written.
+    pub(super) fn tools(&self) -> &'static [Tool] {
+        self.dialect.map_or(&[], Dialect::tools)
     }
 
     /// Whether it is written for another reader than any of CiA 306.

@@ -198,8 +198,9 @@ impl Worker<'_> {
     fn fix_devices(&self, file: &InputFile, description: Description, key: Option<String>) -> Checked {
         let project = file.project.as_deref();
         let mut options = self.settings.options(&file.path, project);
-        if let Some(tool) = self.args.fixing.dialect.tool().filter(|_| !self.args.settings.names_tools()) {
-            options.tools = vec![tool];
+        let readers = self.args.fixing.dialect.tools();
+        if !readers.is_empty() && !self.args.settings.names_tools() {
+            options.tools = readers.to_vec();
         }
         let check = |description: &Description| objdict_project::check_with(description, &options);
         let (description, amended, unwritten) = match self.args.fixing.safety().filter(|_| !file.is_outside) {

@@ -65,9 +65,9 @@ fn arrange(args: &FmtArgs, file: &InputFile) -> Result<Option<FormattedFile>, Fa
     };
     let source = description.source();
     let before = source.with_bytes(source.to_bytes()).map_err(Failure::new)?;
-    let description = match args.dialect.tool().filter(|_| description.document().is_some()) {
-        Some(tool) => compat::adapt(description, tool),
-        None => description,
+    let description = match args.dialect.tools() {
+        [_, ..] if description.document().is_some() => compat::adapt(description, args.dialect.tools()),
+        _ => description,
     };
     let bytes = description.arranged().map_err(Failure::new)?;
     let after = description.source().with_bytes(bytes.clone()).map_err(Failure::new)?;

@@ -8,7 +8,8 @@ use crate::Style;
 use objdict_model::diagnostic::Tool;
 use objdict_model::literal::RealSpelling;
 use objdict_model::model::{
-    DataType, Device, EMBEDDED_SECTION, Extra, ExtraSection, Field, InvalidValues, Object, ObjectType,
+    DataType, Device, EMBEDDED_SECTION, Entry, Extra, ExtraSection, Field, InvalidValues, Object, ObjectType,
+    TypeKind, Value,
 };
 
 /// The reader that an EDS or DCF is written for.
@@ -26,14 +27,16 @@ pub enum Dialect {
     CanOpenEditor,
     /// CODESYS.
     Codesys,
+    /// The tools of Lely core, canopen for Python and of npm, canopen-host and CANopenEditor, each of them.
+    Portable,
 }
 
 /// What a reader needs.
 struct ReaderRow {
     dialect: Dialect,
     name: &'static str,
-    /// Whose reactions to findings are known.
-    tool: Option<Tool>,
+    /// Those of them whose reactions to findings are known.
+    tools: &'static [Tool],
     real: RealSpelling,
     quote_strings: bool,
     /// `DataType` and `AccessType` at every entry, and an object above every entry.
@@ -46,12 +49,16 @@ struct ReaderRow {
     frame: bool,
     /// Keys for the unit, factor and description of an entry.
     meanings: bool,
+    /// Nothing that CANopenEditor skips, misreads or crashes at.
+    for_editor: bool,
+    /// Nothing that one of the readers refuses or takes for something else.
+    agreed: bool,
 }
 
 const ANY: ReaderRow = ReaderRow {
     dialect: Dialect::Cia306,
     name: "cia306",
-    tool: None,
+    tools: &[],
     real: RealSpelling::Decimal,
     quote_strings: false,
     complete: false,
@@ -59,15 +66,17 @@ const ANY: ReaderRow = ReaderRow {
     known_only: false,
     frame: false,
     meanings: false,
+    for_editor: false,
+    agreed: false,
 };
 
 /// All readers.
-const ROWS: [ReaderRow; 5] = [
+const ROWS: [ReaderRow; 6] = [
     ANY,
     ReaderRow {
         dialect: Dialect::Lely,
         name: "lely",
-        tool: Some(Tool::DcfTools),
+        tools: &[Tool::DcfTools],
         real: RealSpelling::Hex,
         quote_strings: true,
         complete: true,
@@ -78,7 +87,7 @@ const ROWS: [ReaderRow; 5] = [
     ReaderRow {
         dialect: Dialect::PythonCanopen,
         name: "python-canopen",
-        tool: Some(Tool::PythonCanopen),
+        tools: &[Tool::PythonCanopen],
         complete: true,
         frame: true,
         meanings: true,
@@ -87,19 +96,32 @@ const ROWS: [ReaderRow; 5] = [
     ReaderRow {
         dialect: Dialect::CanOpenEditor,
         name: "canopeneditor",
-        tool: Some(Tool::CanOpenEditor),
+        tools: &[Tool::CanOpenEditor],
         complete: true,
         lists: true,
         frame: true,
+        for_editor: true,
         ..ANY
     },
-    ReaderRow { dialect: Dialect::Codesys, name: "codesys", tool: Some(Tool::Codesys), ..ANY },
+    ReaderRow { dialect: Dialect::Codesys, name: "codesys", tools: &[Tool::Codesys], ..ANY },
+    ReaderRow {
+        dialect: Dialect::Portable,
+        name: "portable",
+        tools: &[Tool::DcfTools, Tool::PythonCanopen, Tool::NodeCanopen, Tool::CanOpenEditor],
+        complete: true,
+        lists: true,
+        known_only: true,
+        frame: true,
+        for_editor: true,
+        agreed: true,
+        ..ANY
+    },
 ];
 
 impl Dialect {
     /// All dialects.
-    pub const ALL: [Self; 5] =
-        [Self::Cia306, Self::Lely, Self::PythonCanopen, Self::CanOpenEditor, Self::Codesys];
+    pub const ALL: [Self; 6] =
+        [Self::Cia306, Self::Lely, Self::PythonCanopen, Self::CanOpenEditor, Self::Codesys, Self::Portable];
 
     fn row(self) -> &'static ReaderRow {
         ROWS.iter().find(|row| row.dialect == self).unwrap_or(&ROWS[0])
@@ -110,9 +132,9 @@ impl Dialect {
         self.row().name
     }
 
-    /// The tool whose findings are fixed; `None` for CiA 306 itself.
-    pub fn tool(self) -> Option<Tool> {
-        self.row().tool
+    /// The tools whose findings are fixed; none for CiA 306 itself.
+    pub fn tools(self) -> &'static [Tool] {
+        self.row().tools
     }
 
     /// How values are spelled.
@@ -160,8 +182,11 @@ impl Dialect {
         if row.lists {
             list_all(&mut device);
         }
-        if self == Self::CanOpenEditor {
+        if row.for_editor {
             adapt_to_editor(&mut device);
+        }
+        if row.agreed {
+            device.objects.values_mut().for_each(keep_agreed);
         }
         Cow::Owned(device)
     }
@@ -270,6 +295,51 @@ fn remove_unknown_of(object: &mut Object) {
         if !entry.data_type.is_some_and(DataType::is_numeric) {
             (entry.low_limit, entry.high_limit) = (None, None);
         }
+    }
+}
+
+/// Leaves out of an object what one of the readers refuses or takes for something else.
+fn keep_agreed(object: &mut Object) {
+    let has_subs = object.object_type().has_subs();
+    if let Some(count) = object.subs.get_mut(0).filter(|_| has_subs) {
+        count.data_type = Some(DataType::UNSIGNED8);
+    }
+    if has_subs && object.compact.is_none() {
+        let main = &mut object.main;
+        (main.data_type, main.pdo_mapping, main.default) = (None, None, None);
+    }
+    if object.object_type() == ObjectType::Domain {
+        object.main.pdo_mapping = None;
+    }
+    let entries = object.subs.iter_mut().map(|(_, entry)| entry);
+    entries.chain([&mut object.main]).for_each(keep_agreed_values);
+}
+
+/// dcf-tools reads a REAL as its bits and the others as a number, it refuses values outside of type and limits, and node-canopen
+/// refuses limits that are exchanged.
+fn keep_agreed_values(entry: &mut Entry) {
+    let Some(data_type) = entry.data_type else { return };
+    let is_real = matches!(data_type.kind(), TypeKind::Real32 | TypeKind::Real64);
+    let is_agreed = |value: &Value| match data_type.integer_range() {
+        Some((low, high)) => [1, 127]
+            .iter()
+            .all(|node_id| value.integer_for(*node_id).is_some_and(|number| (low..=high).contains(&number))),
+        None => !is_real,
+    };
+    let mut values = vec![&mut entry.default, &mut entry.low_limit, &mut entry.high_limit];
+    values.extend(entry.configured.as_mut().map(|configured| &mut configured.value));
+    for value in values {
+        *value = value.take().filter(is_agreed);
+    }
+    let at = |value: &Option<Value>, node_id| value.as_ref().and_then(|value| value.integer_for(node_id));
+    let is_beyond = |node_id: &u8| {
+        let low = at(&entry.low_limit, *node_id).unwrap_or(i128::MIN);
+        let high = at(&entry.high_limit, *node_id).unwrap_or(i128::MAX);
+        let values = [at(&entry.default, *node_id), at(&entry.value().cloned(), *node_id)];
+        low > high || values.into_iter().flatten().any(|number| !(low..=high).contains(&number))
+    };
+    if [1, 127].iter().any(is_beyond) {
+        (entry.low_limit, entry.high_limit) = (None, None);
     }
 }
 

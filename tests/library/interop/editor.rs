@@ -86,7 +86,9 @@ fn written() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-editor-files");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
-    let dialect = (WriteOptions::from(Dialect::CanOpenEditor), [Format::Eds, Format::Dcf], "");
+    let dialects = [Dialect::CanOpenEditor, Dialect::Portable];
+    let dialects =
+        dialects.map(|dialect| (WriteOptions::from(dialect), [Format::Eds, Format::Dcf], dialect.name()));
     let of_xdd = [XddVersion::V1_0, XddVersion::V1_1].map(|version| {
         let mut options = WriteOptions::default();
         options.xdd_version = version;
@@ -94,11 +96,11 @@ fn written() -> Vec<PathBuf> {
     });
     let mut paths = Vec::new();
     for (name, device) in all_devices() {
-        for (options, [of_type, of_node], version) in of_xdd.iter().chain([&dialect]) {
+        for (options, [of_type, of_node], version) in of_xdd.iter().chain(&dialects) {
             let mut options = options.clone();
             options.embed = true;
             let format = if device.kind == DeviceKind::Type { *of_type } else { *of_node };
-            let path = folder.join(format!("{name}{version}.{}", format.name().to_lowercase()));
+            let path = folder.join(format!("{name}-{version}.{}", format.name().to_lowercase()));
             fs::write(&path, format::write(&device, format, &options).unwrap().bytes).unwrap();
             paths.push(path);
         }
@@ -107,7 +109,7 @@ fn written() -> Vec<PathBuf> {
 }
 
 #[test]
-fn canopeneditor_opens_its_dialect_and_xdd() {
+fn canopeneditor_opens_its_dialects_and_xdd() {
     let Some(program) = editor() else { return };
     let paths = written();
     let mut mono = Command::new("mono");

@@ -167,7 +167,7 @@ text_rules! {
     example: "`DefaultValue=0x1234567890ABCDEFLL`",
     remedy: "Remove the suffix.",
 
-    "cia306/real-as-bits" = REAL_AS_BITS, Note, fix Mixed;
+    "cia306/real-as-bits" = REAL_AS_BITS, Note, fix Safe;
     summary: "a REAL is written as the hex digits of its bits",
     checks: "Whether a REAL32 or REAL64 is a hex number. The number is read as the bits of IEEE 754.",
     why: "The standard does not define the notation of a REAL. Lely reads bits, python-canopen and npm's canopen do not.",

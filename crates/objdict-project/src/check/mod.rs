@@ -48,6 +48,9 @@ pub fn check_unordered(description: &Description, options: &Options) -> Findings
         // the rules about other tools cover only the text formats of CiA 306
         let options = Options { tools: Vec::new(), ..options.clone() };
         findings.append(lint::check(description.described(), &options));
+        if !is_xml {
+            findings = compat::without_readers(findings, description);
+        }
     } else {
         let seen = description.seen_by_others();
         let device = seen.as_ref().unwrap_or_else(|| description.described());

@@ -6,9 +6,11 @@ use objdict_lint::Options;
 use objdict_model::diagnostic::{Applicability, Tool};
 
 /// A description with the safe fixes of what a tool refuses, misreads or drops.
-pub fn adapt(description: Description, tool: Tool) -> Description {
-    let options = Options { tools: vec![tool], ..Options::default() };
-    let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
+pub fn adapt(description: Description, tools: &[Tool]) -> Description {
+    let options = Options { tools: tools.to_vec(), ..Options::default() };
+    let concerns = |rule: &str| {
+        REACTIONS.iter().any(|row| row.rule == rule && row.tools.iter().any(|tool| tools.contains(tool)))
+    };
     let check = |description: &Description| {
         let findings = crate::check_with(description, &options);
         findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))

@@ -69,9 +69,12 @@ pub(super) fn choose(
     tools: &[Tool],
 ) -> Option<Diagnostic> {
     let has = |of: &[Tool]| of.iter().any(|tool| tools.contains(tool));
-    // the bits of a REAL are the only spelling that dcf-tools reads
-    if finding.rule.id == "cia306/real-as-bits" && has(&[DcfTools]) && !has(&[PythonCanopen, NodeCanopen]) {
-        return None;
+    // the bits of a REAL are the only spelling that dcf-tools reads: only who reads the number asks for it
+    if finding.rule.id == "cia306/real-as-bits" && !has(&[PythonCanopen, NodeCanopen]) {
+        if has(&[DcfTools]) {
+            return None;
+        }
+        finding.fix = None;
     }
     if let Some(choice) = CHOICES.iter().find(|choice| choice.rule == finding.rule.id) {
         let is_safe = has(choice.better) && (choice.when)(description, &finding);

@@ -74,6 +74,11 @@ impl Effect {
     }
 }
 
+/// The findings without the fixes that one reader needs and another refuses: nobody says who reads the file.
+pub fn without_readers(findings: Findings, description: &Description) -> Findings {
+    findings.filter_map(|finding| fixes::choose(finding, description, &[]))
+}
+
 /// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the
 /// group `portability` that affect none of them.
 pub fn react(findings: Findings, description: &Description, tools: &[Tool]) -> Findings {

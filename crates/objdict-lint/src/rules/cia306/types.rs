@@ -89,7 +89,13 @@ fn domain_mismatch(at: &EntryAt<'_>, findings: &mut Findings) {
         let finding = DOMAIN_MISMATCH
             .at(at.field(Field::ObjectType), message)
             .label(at.field(Field::DataType), "a DOMAIN");
-        let fix = Fix::risky(say!("write `{ObjectType=0x2}`")).set(at.field(Field::ObjectType), "0x2");
+        // node-canopen refuses a DOMAIN that states a mapping, even that it has none
+        let fix = match at.entry.pdo_mapping {
+            None => Fix::risky(say!("write `{ObjectType=0x2}`")),
+            Some(_) => Fix::risky(say!("write `{ObjectType=0x2}`, and remove `{PDOMapping}`"))
+                .remove(at.field(Field::PdoMapping)),
+        };
+        let fix = fix.set(at.field(Field::ObjectType), "0x2");
         findings.push(finding.help(say!("write `{ObjectType=0x2}`, or correct `{DataType}`")).fix(fix));
     }
 }
