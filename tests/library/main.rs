@@ -29,6 +29,8 @@ mod doors;
 mod download_plan;
 mod equal;
 mod errata;
+#[cfg(feature = "cli")]
+mod esi;
 mod fix;
 mod fmt;
 mod graph;

@@ -50,7 +50,7 @@ pub(crate) fn rule_folders() -> Vec<(String, PathBuf)> {
     folders.collect()
 }
 
-const ENDINGS: [&str; 8] = ["eds", "dcf", "xdd", "xdc", "od", "toml", "yml", "cpj"];
+const ENDINGS: [&str; 9] = ["eds", "dcf", "xdd", "xdc", "od", "xml", "toml", "yml", "cpj"];
 
 /// The devices and configurations of a folder whose name starts with `prefix`.
 pub(crate) fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {

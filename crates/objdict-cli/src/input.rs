@@ -40,7 +40,7 @@ pub(super) struct InputArgs {
     /// The format of the input, overriding detection
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
-    /// The device to read from a network file (.nxdd, .nxdc), counted from 1
+    /// The device to read from a network file (.nxdd, .nxdc) or ESI, counted from 1
     #[arg(long, value_name = "NUMBER")]
     pub device: Option<std::num::NonZeroUsize>,
     /// The variant of a `device.toml` to read [default: the device without its variants]

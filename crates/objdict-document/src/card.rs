@@ -195,6 +195,7 @@ fn file_facts(subject: &Subject<'_>, context: &Context<'_>) -> Vec<CardLine> {
     let modified = by_whom(info.modification_date, info.modification_time, info.modified_by.as_deref());
     facts.put(texts.modified, modified);
     facts.put_some(texts.made_from, info.last_eds.clone());
+    facts.put_some(texts.made_from, subject.device.is_ethercat().then_some("EtherCAT"));
     facts.0
 }
 

@@ -14,6 +14,9 @@ pub(crate) struct ServiceView {
 
 /// The services in the description. `name` supplies the names of entries.
 pub(crate) fn services(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Vec<ServiceView> {
+    if decoder.device.is_ethercat() {
+        return Vec::new();
+    }
     let facts = decoder.device.services();
     let speaker = Speaker { decoder, facts: &facts, entry_name: name };
     let mut all = vec![

@@ -19,6 +19,8 @@ pub mod device_toml;
 mod dialect;
 #[cfg(feature = "full")]
 pub mod embedded;
+#[cfg(feature = "esi")]
+mod esi;
 pub mod identify;
 pub mod input;
 #[cfg(feature = "full")]
@@ -99,5 +101,7 @@ pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let rules = rules.chain(objdict_xdd::xml::findings::rules()).chain(objdict_xdd::xdd::findings::rules());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(objdictgen::RULES.iter().copied());
+    #[cfg(feature = "esi")]
+    let rules = rules.chain(esi::RULES.iter().copied());
     rules
 }

@@ -22,7 +22,7 @@ impl Head {
     pub(crate) fn new(device: &Device, options: &Options, prefix: &str, stem: &str) -> Self {
         let info = device.device_info.as_ref();
         Self {
-            made_by: options.made_by(),
+            made_by: options.made_by() + if device.is_ethercat() { ", from EtherCAT" } else { "" },
             product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
             vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
             lower: prefix.to_owned(),

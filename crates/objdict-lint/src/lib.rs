@@ -51,6 +51,9 @@ pub(crate) use srdo::Srdo;
 /// The group of the rules about other tools.
 pub const PORTABILITY: &str = "portability";
 
+/// What does not apply to a device of EtherCAT: the communication of CANopen, and what an EDS says about CAN.
+const OF_CANOPEN: &str = " cia301 cia302 cia304 cia305 cia306/reserved-index cia306/no-baud-rate cia306/command-without-flag cia402/cyclic-mode-without-sync ";
+
 /// Applies all rules to one device. Objects that are disabled are no part of it.
 pub fn check(described: &Device, options: &Options) -> Findings {
     check_some(described, options, &|_| true)
@@ -58,6 +61,11 @@ pub fn check(described: &Device, options: &Options) -> Findings {
 
 /// As [`check`], with some of the rules.
 pub fn check_some(described: &Device, options: &Options, is_wanted: &dyn Fn(&RuleInfo) -> bool) -> Findings {
+    let is_wanted = &|rule: &RuleInfo| {
+        let is_of_canopen = |name: &str| OF_CANOPEN.contains(&format!(" {name} "));
+        is_wanted(rule)
+            && !(described.is_ethercat() && [rule.group(), rule.id].into_iter().any(is_of_canopen))
+    };
     let asked_for = || asked_for(options).filter(|rule| is_wanted(&rule.info));
     let mut findings = Findings::new();
     let enabled = described.without_disabled();

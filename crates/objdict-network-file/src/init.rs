@@ -58,7 +58,7 @@ struct NetworkStart {
 impl NetworkStart {
     fn add(&mut self, path: &Path, options: &PathOptions) -> Result<(), ReadError> {
         let shown = path.display().to_string();
-        let reading = Reading { patches: options.patches.clone(), ..Reading::default() };
+        let reading = Reading { patches: options.patches.clone(), is_node: true, ..Reading::default() };
         match reading.open(path)? {
             (_, Input::Device(device)) => self.node(shown, *device, None),
             (_, Input::Description(description)) => {

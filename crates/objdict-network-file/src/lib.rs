@@ -107,7 +107,7 @@ impl NetworkFile {
     /// When it cannot be opened.
     pub fn is_network(path: &Path) -> Result<bool, SourceError> {
         let source = SourceFile::open(path, &SourceOptions::default())?;
-        let kind = FileKind::of_content(identify_source(&source).kind);
+        let kind = identify_source(&source).kind.file();
         Ok(kind.is_none_or(|kind| kind == FileKind::Cpj))
     }
 
@@ -330,7 +330,7 @@ impl NodeDescriptions<'_> {
         })?;
         self.files.push(path.clone());
         let (patches, judge) = (self.patches.to_vec(), self.judge.or(Some(of_text)));
-        let reading = Reading { device, variant, patches, judge, ..Reading::default() };
+        let reading = Reading { device, variant, patches, judge, is_node: true, ..Reading::default() };
         let refused = |error: ReadError| match error {
             ReadError::SeveralDevices { .. } => {
                 (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)

@@ -111,7 +111,7 @@ pub(crate) struct ConfigureArgs {
     /// The format of the input, overriding detection: eds, dcf, xdd, xdc or json
     #[arg(long, value_name = "FORMAT", value_parser = from, help_heading = "Input")]
     from: Option<From>,
-    /// The device to read from a network file (.nxdd, .nxdc), counted from 1
+    /// The device to read from a network file (.nxdd, .nxdc) or ESI, counted from 1
     #[arg(long, value_name = "NUMBER", help_heading = "Input")]
     device: Option<NonZeroUsize>,
     /// The variant of a `device.toml` to read [default: the device without its variants]
@@ -165,7 +165,17 @@ impl ConfigureArgs {
         let (device, variant, encoding) = (self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading { from, device, variant, encoding, max_size, max_entries, patches, ..reading() }
+        Reading {
+            from,
+            device,
+            variant,
+            encoding,
+            max_size,
+            max_entries,
+            patches,
+            is_node: true,
+            ..reading()
+        }
     }
 }
 

@@ -105,7 +105,7 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(DbcNode, u8)>, Failure
             found.append(&mut nodes_of_network(args, job)?);
             continue;
         }
-        let reading = args.input.reading_with(&job.patches);
+        let reading = Reading { is_node: true, ..args.input.reading_with(&job.patches) };
         match reading.read(&name, bytes)? {
             (_, Input::NodeList(list)) => found.append(&mut nodes_of_list(args, job, &list)?),
             (from, input) => {
@@ -201,7 +201,8 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<D
         keep(&input);
         let bytes = args.input.size.read(&input)?;
         let own = Job { input, ..job.clone() };
-        let reading = Reading { from: None, device: None, ..args.input.reading_with(&job.patches) };
+        let reading =
+            Reading { from: None, device: None, is_node: true, ..args.input.reading_with(&job.patches) };
         let (from, input) = reading.read(&source_name(&own.input), bytes)?;
         for found in nodes_in(args, &own, from, devices_in(&reading, &own, input)?) {
             nodes.push(DbcNode { node_id: Some(node.id), name: node.name.clone(), ..found });

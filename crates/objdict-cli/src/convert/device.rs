@@ -168,7 +168,7 @@ pub(super) fn of_device(
             let text = concise::print(&configuration, |download| described.annotate(download));
             Ok(ConvertedFile { bytes: text.into_bytes(), losses })
         }
-        FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode | FileKind::Objdictgen => {
+        FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode | FileKind::Objdictgen | FileKind::Esi => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
         description => {

@@ -115,7 +115,8 @@ fn convert_one(
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let reading = Reading { keep_disabled: true, ..args.input.reading_with(&job.patches) };
+    let is_node = matches!(job.to, FileKind::Dcf | FileKind::Xdc | FileKind::Cdcf | FileKind::CdcfText);
+    let reading = Reading { keep_disabled: true, is_node, ..args.input.reading_with(&job.patches) };
     let (from, input) = reading.read(&source_name(&job.input), args.input.size.read(&job.input)?)?;
     match input {
         Input::Description(description) if description.device_count() == 0 => {

@@ -57,7 +57,7 @@ fn stream_of(
         return ConciseDcf::parse(&stream)
             .map_err(|error| Failure::new(format_args!("`{name}`, hex digits: {error}")));
     }
-    let reading = Reading { node_id, ..input.reading() };
+    let reading = Reading { node_id, is_node: true, ..input.reading() };
     let resembles = input.from.is_some() || resembles_stream(&bytes);
     let kind = match reading.recognised(name, bytes.clone()) {
         Ok((FileKind::Cdcf, _)) if !resembles => return Err(unknown(name, &identify(name, &bytes))),
@@ -103,7 +103,7 @@ fn resembles_stream(bytes: &[u8]) -> bool {
 fn device(path: &Path, input: &InputArgs, expand: &ExpandArgs) -> Result<Device, Failure> {
     // `--from` is about the stream
     let patches = ConfigFileArgs::default().patches_of(path)?;
-    let reading = Reading { from: None, ..input.reading_with(&patches) };
+    let reading = Reading { from: None, is_node: true, ..input.reading_with(&patches) };
     let name = source_name(path);
     let device = match reading.read_one(&name, input.size.read(path)?)? {
         (_, Input::Description(description)) => description.device().clone(),

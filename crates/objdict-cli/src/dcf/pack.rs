@@ -10,7 +10,7 @@ use super::super::input::{ExpandArgs, Input, InputArgs, source_name};
 use super::super::settings::ConfigFileArgs;
 use super::super::stdout::Output;
 use super::{count, deliver, device, hex_of, stream_of, verify};
-use objdict_format::input::FileKind;
+use objdict_format::input::{FileKind, Reading};
 use objdict_model::model::Device;
 use objdict_node::concise;
 use objdict_node::download::{ConciseDcf, PlanOptions, Scope};
@@ -67,7 +67,8 @@ pub(crate) fn content(
 ) -> Result<PackedContent, Failure> {
     let name = source_name(path);
     let bytes = input.size.read(path)?; // once: it may be the standard input
-    let reading = input.reading_with(&ConfigFileArgs::default().patches_of(path)?);
+    let reading =
+        Reading { is_node: true, ..input.reading_with(&ConfigFileArgs::default().patches_of(path)?) };
     let is_stream = hex_of(&bytes, input).is_some()
         || matches!(reading.recognised(&name, bytes.clone())?.0, FileKind::Cdcf | FileKind::CdcfText);
     if is_stream {

@@ -246,6 +246,7 @@ fn summary(view: &ShownDevice<'_>) -> String {
     let vendor = info.and_then(|info| info.vendor_name.as_deref()).filter(|name| !name.is_empty());
     let vendor = vendor.map(|vendor| format!(" ({vendor})")).unwrap_or_default();
     let mut facts = vec![view.format.to_owned()];
+    facts.extend(device.is_ethercat().then(|| "from EtherCAT".to_owned()));
     if device.kind == DeviceKind::Node {
         facts.push(node(device));
     } else if let Some(node_id) = view.node_id {

@@ -32,7 +32,14 @@ pub(super) fn read(source: SourceFile, kind: DeviceKind) -> ReadText {
         let (device, findings) = restored((device, damage));
         return (text, device, findings);
     }
-    let (text, device, findings) = XmlText::read(&Arc::new(tree), 0, kind);
+    let tree = Arc::new(tree);
+    #[cfg(feature = "esi")]
+    if tree.root().is_some_and(|root| root.name() == "EtherCATInfo") {
+        let (text, device, findings) = crate::esi::read(tree, 0, kind);
+        damage.append(findings);
+        return (text, device, damage);
+    }
+    let (text, device, findings) = XmlText::read(&tree, 0, kind);
     damage.append(findings);
     (text, device, damage)
 }

@@ -1,23 +1,25 @@
 //! The kinds of contents that can be distinguished.
 
 use crate::Format;
+use crate::input::FileKind;
 
 const ASK: &str = "ask the vendor for an EDS or XDD, if the device speaks CANopen too";
 
 /// What a kind of content is to this crate.
 enum KindRole {
-    /// The description of a device, which is read in this format.
-    Read(Format),
-    /// Another file of classic CANopen, readable or not.
+    /// What is read, as this kind of file.
+    Read(FileKind),
+    /// Another file of classic CANopen.
     Canopen,
     /// A file of another technology.
     Foreign,
 }
 
-/// Declares the kinds of contents, each with what it is called without the technology, its role, and what to do about a file
+/// Declares the kinds of contents, each with what it is called without the technology, its role, what a file of it
+/// is, and what to do about a file
 /// that no device can be read from.
 macro_rules! content_kinds {
-    ($( $(#[$doc:meta])+ $kind:ident $name:literal $role:expr, $advice:expr; )+) => {
+    ($( $(#[$doc:meta])+ $kind:ident $name:literal $role:expr, $verdict:literal, $advice:expr; )+) => {
         /// What a file holds.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[cfg_attr(feature = "full", derive(serde::Serialize))]
@@ -34,6 +36,11 @@ macro_rules! content_kinds {
                 match self { $( Self::$kind => $name ),+ }
             }
 
+            /// What a file of it is, with a verb in front; empty if that depends on the file.
+            pub(super) const fn verdict(self) -> &'static str {
+                match self { $( Self::$kind => $verdict ),+ }
+            }
+
             const fn role(self) -> KindRole {
                 match self { $( Self::$kind => $role ),+ }
             }
@@ -48,89 +55,91 @@ macro_rules! content_kinds {
 
 content_kinds! {
     /// Electronic data sheet (CiA 306-1).
-    Eds "EDS" KindRole::Read(Format::Eds), None;
+    Eds "EDS" KindRole::Read(FileKind::Eds), "is an EDS", None;
     /// Device configuration file (CiA 306-1).
-    Dcf "DCF" KindRole::Read(Format::Dcf), None;
+    Dcf "DCF" KindRole::Read(FileKind::Dcf), "is a DCF", None;
     /// XML device description (CiA 311).
-    Xdd "XDD" KindRole::Read(Format::Xdd), None;
+    Xdd "XDD" KindRole::Read(FileKind::Xdd), "is an XDD", None;
     /// XML device configuration (CiA 311).
-    Xdc "XDC" KindRole::Read(Format::Xdc), None;
+    Xdc "XDC" KindRole::Read(FileKind::Xdc), "is an XDC", None;
     /// Profile database: the XML of an XDD, with the objects of a profile instead of those of a device.
-    Xpd "XPD" KindRole::Read(Format::Xdd), None;
+    Xpd "XPD" KindRole::Read(FileKind::Xdd), "is a profile database (XPD)", None;
     /// Several XDD in one file, as CANopenEditor saves a network (`.nxdd`).
-    NetworkXdd "network of XDD" KindRole::Read(Format::Xdd), None;
+    NetworkXdd "network of XDD" KindRole::Read(FileKind::Xdd), "", None;
     /// Several XDC in one file, as CANopenEditor saves a network (`.nxdc`).
-    NetworkXdc "network of XDC" KindRole::Read(Format::Xdc), None;
+    NetworkXdc "network of XDC" KindRole::Read(FileKind::Xdc), "", None;
     /// Project of the object dictionary editors of CANopenNode before they used XDD.
-    CanopenNodeProject "CANopenNode project" KindRole::Read(Format::Xdd), None;
+    CanopenNodeProject "CANopenNode project" KindRole::Read(FileKind::CanopenNode), "is a project of an object dictionary editor for CANopenNode from before XDD", None;
     /// Project of objdictgen, the generator of CanFestival (`.od`).
-    ObjdictgenProject "objdictgen project" KindRole::Read(Format::Xdd), None;
+    ObjdictgenProject "objdictgen project" KindRole::Read(FileKind::Objdictgen), "is a project of objdictgen, the generator of CanFestival", None;
     /// Project of objdictgen in the JSON of its newer versions.
-    ObjdictgenJson "objdictgen project as JSON" KindRole::Canopen, Some("`odg convert device.json device.od` makes a project that is read");
+    ObjdictgenJson "objdictgen project as JSON" KindRole::Canopen, "is a project of objdictgen as JSON, which is not read", Some("`odg convert device.json device.od` makes a project that is read");
     /// Project of CANopenEditor in the JSON of protobuf.
-    CanopenEditorJson "CANopenEditor project as JSON" KindRole::Canopen, Some("convert it to an XDD");
+    CanopenEditorJson "CANopenEditor project as JSON" KindRole::Read(FileKind::CanopenEditorJson), "is a project of CANopenEditor as JSON", Some("convert it to an XDD");
     /// The short source of a device (docs/device.md).
-    DeviceToml "device.toml" KindRole::Read(Format::Toml), None;
+    DeviceToml "device.toml" KindRole::Read(FileKind::Toml), "is the short source of a device (device.toml)", None;
     /// Node list (CiA 306-3).
-    NodeList "node list" KindRole::Canopen, Some("`objdict network check` checks it; its keys `Node…DCFName` name the descriptions");
+    NodeList "node list" KindRole::Read(FileKind::Cpj), "is a node list (CiA 306-3) and describes no device", Some("`objdict network check` checks it; its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).
-    ConciseDcf "concise DCF" KindRole::Canopen, Some("name the DCF that it was made of");
+    ConciseDcf "concise DCF" KindRole::Read(FileKind::Cdcf), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
     /// Concise DCF as a text of one download a line (docs/dcf.md).
-    ConciseText "concise DCF as text" KindRole::Canopen, Some("name the DCF that it was made of");
+    ConciseText "concise DCF as text" KindRole::Read(FileKind::CdcfText), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
     /// A device in the JSON of this crate.
-    JsonDevice "device as JSON" KindRole::Canopen, Some("convert it to an EDS or DCF");
+    JsonDevice "device as JSON" KindRole::Read(FileKind::Json), "is a device as JSON", Some("convert it to an EDS or DCF");
     /// A concise DCF in the JSON of this crate.
-    JsonConciseDcf "concise DCF as JSON" KindRole::Canopen, Some("name the DCF that it was made of");
+    JsonConciseDcf "concise DCF as JSON" KindRole::Read(FileKind::Json), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
     /// Bus configuration in YAML, from which Lely's dcfgen and `ros2_canopen` make DCF and concise DCF.
-    BusConfiguration "bus configuration" KindRole::Canopen, Some("`objdict network check` checks it; its keys `dcf` name the descriptions");
+    BusConfiguration "bus configuration" KindRole::Canopen, "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device", Some("`objdict network check` checks it; its keys `dcf` name the descriptions");
     /// Network of this crate: its nodes and links in TOML (docs/network.md).
-    Network "network" KindRole::Canopen, Some("`objdict network check` checks it; its keys `file` name the descriptions");
+    Network "network" KindRole::Canopen, "is a network of objdict and describes no device", Some("`objdict network check` checks it; its keys `file` name the descriptions");
     /// Patch of descriptions (docs/patches.md).
-    Patch "patch" KindRole::Canopen, Some("`objdict patch check` compares it with descriptions, and `--patch` applies it to them");
+    Patch "patch" KindRole::Canopen, "is a patch, which corrects descriptions and describes no device", Some("`objdict patch check` compares it with descriptions, and `--patch` applies it to them");
     /// EDS of Ethernet POWERLINK, which has the layout of that of CANopen.
-    PowerlinkEds "EDS" KindRole::Foreign, Some("ask the vendor for the CANopen EDS or XDD");
+    PowerlinkEds "EDS" KindRole::Foreign, "describes an Ethernet POWERLINK device, not a CANopen one", Some("ask the vendor for the CANopen EDS or XDD");
     /// XML device description of Ethernet POWERLINK (EPSG 311).
-    PowerlinkXdd "XDD" KindRole::Foreign, Some("ask the vendor for the CANopen EDS or XDD");
+    PowerlinkXdd "XDD" KindRole::Foreign, "describes an Ethernet POWERLINK device (EPSG 311), not a CANopen one", Some("ask the vendor for the CANopen EDS or XDD");
     /// XML device configuration of Ethernet POWERLINK (EPSG 311).
-    PowerlinkXdc "XDC" KindRole::Foreign, Some("ask the vendor for the CANopen EDS or XDD");
+    PowerlinkXdc "XDC" KindRole::Foreign, "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one", Some("ask the vendor for the CANopen EDS or XDD");
     /// What the managing node of an Ethernet POWERLINK network is configured with, in the layout of a concise DCF.
-    PowerlinkConcise "CDC" KindRole::Foreign, Some("its layout is that of a concise DCF, so `--from cdcf` shows what is in it");
+    PowerlinkConcise "CDC" KindRole::Foreign, "configures an Ethernet POWERLINK network, not a CANopen one", Some("its layout is that of a concise DCF, so `--from cdcf` shows what is in it");
     /// XML device description of CANopen FD (CiA 1311).
-    CanopenFdXdd "XDD" KindRole::Foreign, Some("ask the vendor for the EDS or XDD of classic CANopen, if the device speaks it too");
+    CanopenFdXdd "XDD" KindRole::Foreign, "describes a CANopen FD device (CiA 1311), and only those of classic CANopen are read (CiA 311)", Some("ask the vendor for the EDS or XDD of classic CANopen, if the device speaks it too");
     /// EtherCAT slave information.
-    EthercatEsi "ESI" KindRole::Foreign, Some(ASK);
+    EthercatEsi "ESI" KindRole::Read(FileKind::Esi), "describes EtherCAT devices (ESI)", None;
     /// EDS of DeviceNet, EtherNet/IP, ControlNet or CompoNet (CIP).
-    CipEds "EDS" KindRole::Foreign, Some("CANopen and CIP both call their files EDS; ask the vendor for the one of CANopen (CiA 306)");
+    CipEds "EDS" KindRole::Foreign, "", Some("CANopen and CIP both call their files EDS; ask the vendor for the one of CANopen (CiA 306)");
     /// Constraints of an FPGA design in Tcl, which Vivado keeps in files called `.xdc`.
-    FpgaConstraints "FPGA constraints" KindRole::Foreign, Some("an XDC of CANopen is XML; this one belongs to an FPGA design");
+    FpgaConstraints "FPGA constraints" KindRole::Foreign, "holds constraints of an FPGA design (Tcl), no CANopen device", Some("an XDC of CANopen is XML; this one belongs to an FPGA design");
     /// IO-Link device description.
-    Iodd "IODD" KindRole::Foreign, Some(ASK);
+    Iodd "IODD" KindRole::Foreign, "describes an IO-Link device (IODD), not a CANopen one", Some(ASK);
     /// PROFINET device description.
-    Gsdml "GSDML" KindRole::Foreign, Some(ASK);
+    Gsdml "GSDML" KindRole::Foreign, "describes a PROFINET device (GSDML), not a CANopen one", Some(ASK);
     /// PROFIBUS device description.
-    Gsd "GSD" KindRole::Foreign, Some(ASK);
+    Gsd "GSD" KindRole::Foreign, "describes a PROFIBUS device (GSD), not a CANopen one", Some(ASK);
     /// CAN database: messages and signals, as of J1939.
-    Dbc "CAN database" KindRole::Foreign, Some("an EDS or DCF has the objects behind the messages; ask the vendor for it");
+    Dbc "CAN database" KindRole::Foreign, "is a CAN database (DBC), which has messages and signals but no object dictionary", Some("an EDS or DCF has the objects behind the messages; ask the vendor for it");
     /// A device profile by ISO 15745 for a technology that has no kind of its own here.
-    OtherProfile "device profile" KindRole::Foreign, Some(ASK);
+    OtherProfile "device profile" KindRole::Foreign, "", Some(ASK);
     /// Other XML.
-    OtherXml "XML" KindRole::Foreign, Some("XDD and XDC have the root element `ISO15745ProfileContainer`; EDS and DCF are INI files");
+    OtherXml "XML" KindRole::Foreign, "", Some("XDD and XDC have the root element `ISO15745ProfileContainer`; EDS and DCF are INI files");
     /// Nothing that is known.
-    Unknown "unknown" KindRole::Foreign, None;
+    Unknown "unknown" KindRole::Foreign, "", None;
 }
 
 impl ContentKind {
+    /// The kind of file that it is read as.
+    pub const fn file(self) -> Option<FileKind> {
+        if let KindRole::Read(kind) = self.role() { Some(kind) } else { None }
+    }
+
     /// The format to read it in, where it is a description of a device that this crate reads.
     pub const fn format(self) -> Option<Format> {
-        match self.role() {
-            KindRole::Read(format) => Some(format),
-            _ => None,
-        }
+        if let Some(kind) = self.file() { kind.format() } else { None }
     }
 
     /// Whether it belongs to classic CANopen, readable or not.
     pub const fn is_canopen(self) -> bool {
-        !matches!(self.role(), KindRole::Foreign)
+        !matches!((self, self.role()), (Self::EthercatEsi, _) | (_, KindRole::Foreign))
     }
 
     /// Whether it names the descriptions of several nodes, in place of describing a device.

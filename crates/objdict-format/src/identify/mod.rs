@@ -106,66 +106,27 @@ impl Identification {
         }
     }
 
-    /// What a file is that no description can be read from, with a verb in front: "describes an EtherCAT device (ESI), not
+    /// What a file is that no description can be read from, with a verb in front: "describes an IO-Link device (IODD), not
     /// a CANopen one".
     pub fn verdict(&self) -> Cow<'static, str> {
-        use ContentKind as Kind;
-        Cow::Borrowed(match self.kind {
-            Kind::Eds => "is an EDS",
-            Kind::Dcf => "is a DCF",
-            Kind::Xdd => "is an XDD",
-            Kind::Xdc => "is an XDC",
-            Kind::Xpd => "is a profile database (XPD)",
-            Kind::NetworkXdd | Kind::NetworkXdc => {
+        Cow::Owned(match self.kind {
+            ContentKind::NetworkXdd | ContentKind::NetworkXdc => {
                 let several = self.devices.filter(|&count| count != 1);
                 let count =
                     several.map_or("one XDD or XDC".to_owned(), |count| format!("{count} XDD or XDC"));
-                return Cow::Owned(format!("is a network of CANopenEditor with {count} in it"));
+                format!("is a network of CANopenEditor with {count} in it")
             }
-            Kind::CanopenNodeProject => {
-                "is a project of an object dictionary editor for CANopenNode from before XDD"
-            }
-            Kind::ObjdictgenJson => "is a project of objdictgen as JSON, which is not read",
-            Kind::ObjdictgenProject => "is a project of objdictgen, the generator of CanFestival",
-            Kind::NodeList => "is a node list (CiA 306-3) and describes no device",
-            Kind::ConciseDcf | Kind::ConciseText | Kind::JsonConciseDcf => {
-                "is a concise DCF, which holds values and describes no device"
-            }
-            Kind::CanopenEditorJson => "is a project of CANopenEditor as JSON",
-            Kind::JsonDevice => "is a device as JSON",
-            Kind::DeviceToml => "is the short source of a device (device.toml)",
-            Kind::BusConfiguration => {
-                "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device"
-            }
-            Kind::Network => "is a network of objdict and describes no device",
-            Kind::Patch => "is a patch, which corrects descriptions and describes no device",
-            Kind::PowerlinkEds => "describes an Ethernet POWERLINK device, not a CANopen one",
-            Kind::PowerlinkXdd => "describes an Ethernet POWERLINK device (EPSG 311), not a CANopen one",
-            Kind::PowerlinkXdc => {
-                "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one"
-            }
-            Kind::PowerlinkConcise => "configures an Ethernet POWERLINK network, not a CANopen one",
-            Kind::CanopenFdXdd => {
-                "describes a CANopen FD device (CiA 1311), and only those of classic CANopen are read (CiA 311)"
-            }
-            Kind::EthercatEsi => "describes an EtherCAT device (ESI), not a CANopen one",
-            Kind::CipEds => {
+            ContentKind::CipEds => {
                 let technology = self.technology.as_deref().unwrap_or("CIP");
-                return Cow::Owned(format!("is the EDS of a device for {technology}, not for CANopen"));
+                format!("is the EDS of a device for {technology}, not for CANopen")
             }
-            Kind::FpgaConstraints => "holds constraints of an FPGA design (Tcl), no CANopen device",
-            Kind::Iodd => "describes an IO-Link device (IODD), not a CANopen one",
-            Kind::Gsdml => "describes a PROFINET device (GSDML), not a CANopen one",
-            Kind::Gsd => "describes a PROFIBUS device (GSD), not a CANopen one",
-            Kind::Dbc => "is a CAN database (DBC), which has messages and signals but no object dictionary",
-            Kind::OtherProfile => {
+            ContentKind::OtherProfile => {
                 let technology = self.technology.as_deref().unwrap_or("an unnamed technology");
-                return Cow::Owned(format!(
-                    "is a device profile (ISO 15745) for {technology}, not for CANopen"
-                ));
+                format!("is a device profile (ISO 15745) for {technology}, not for CANopen")
             }
-            Kind::OtherXml => return Cow::Owned(format!("is XML, but no description: {}", self.reason)),
-            Kind::Unknown => return Cow::Owned(format!("is not a file that objdict knows: {}", self.reason)),
+            ContentKind::OtherXml => format!("is XML, but no description: {}", self.reason),
+            ContentKind::Unknown => format!("is not a file that objdict knows: {}", self.reason),
+            kind => return Cow::Borrowed(kind.verdict()),
         })
     }
 

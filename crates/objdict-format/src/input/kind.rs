@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use crate::Format;
-use crate::identify::ContentKind;
 
 /// How the formats are written whose texts are edited.
 #[cfg(feature = "clap")]
@@ -89,6 +88,9 @@ file_kinds! {
     /// Project of objdictgen, the generator of CanFestival, which is only read
     Objdictgen "od" ["od"], "objdictgen project" Some("xdd"), Some(Format::Xdd), None,
         "project of objdictgen, the generator of CanFestival ([below](#projects-of-objdictgen))";
+    /// EtherCAT slave information (ESI), which is only read
+    Esi "esi" ["xml"], "ESI" Some("esi"), Some(Format::Xdd), None,
+        "EtherCAT slave information, root element `EtherCATInfo` ([below](#ethercat-esi))";
     /// The model of a device, or the downloads of a concise DCF, as JSON
     Json "json" ["json"], "JSON" Some("toml"), None, Some("yes"),
         "the whole model of a device, or the downloads of a concise DCF ([below](#json))";
@@ -151,24 +153,10 @@ impl FileKind {
             return Some(Self::CdcfText);
         }
         // an ending of several kinds means the first, and much else is XML
-        let kinds = Self::ALL.iter().copied().filter(|kind| *kind != Self::CanopenNode);
+        let kinds = Self::ALL.iter().copied().filter(|kind| !matches!(kind, Self::CanopenNode | Self::Esi));
         let is =
             |kind: &Self, part: &str| kind.endings().iter().any(|known| known.eq_ignore_ascii_case(part));
         name.rsplit('.').find_map(|part| kinds.clone().find(|kind| is(kind, part)))
-    }
-
-    /// The kind of a content that commands read.
-    pub fn of_content(kind: ContentKind) -> Option<Self> {
-        match kind {
-            ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
-            ContentKind::ObjdictgenProject => Some(Self::Objdictgen),
-            ContentKind::CanopenEditorJson => Some(Self::CanopenEditorJson),
-            ContentKind::NodeList => Some(Self::Cpj),
-            ContentKind::ConciseDcf => Some(Self::Cdcf),
-            ContentKind::ConciseText => Some(Self::CdcfText),
-            ContentKind::JsonDevice | ContentKind::JsonConciseDcf => Some(Self::Json),
-            kind => kind.format().map(Self::from),
-        }
     }
 }
 

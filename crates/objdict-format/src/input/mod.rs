@@ -54,6 +54,8 @@ const ENTRIES_PER_OBJECT: usize = 4;
 /// How many values go with an entry that is allowed, for the limits of what takes less memory.
 pub(crate) const VALUES_PER_ENTRY: usize = 10;
 
+const NOT_A_NODE: &str = "it describes a device of EtherCAT, which is no CANopen node; ask the vendor for an EDS or XDD, if it speaks CANopen too";
+
 /// A file with several devices is a network, and a node-ID is one of 127.
 pub const MAX_DEVICES: usize = 127;
 
@@ -81,6 +83,8 @@ pub struct Reading {
     /// that as sections or elements, and one more for each 64 bytes. A device may have a quarter of it as objects, and one more for
     /// each 256 bytes.
     pub max_entries: usize,
+    /// Whether it has to be a node of CANopen, which a device of EtherCAT is not.
+    pub is_node: bool,
     /// Whether a device as JSON keeps the objects that are disabled, for what writes it again.
     pub keep_disabled: bool,
     /// The node that formulas in the text of a concise DCF are evaluated for.
@@ -105,6 +109,7 @@ impl Default for Reading {
             max_entries,
             node_id: None,
             variant: None,
+            is_node: false,
             keep_disabled: false,
             judge: Some(of_text),
             #[cfg(feature = "full")]
@@ -201,6 +206,9 @@ impl Reading {
             _ => return Ok(()),
         };
         let (name, count) = (name.to_owned(), device.compact_entries());
+        if self.is_node && device.is_ethercat() {
+            return Err(ReadError::Content { name, error: NOT_A_NODE.into() });
+        }
         let limit = self.max_entries.saturating_add(bytes / BYTES_PER_PART);
         if count > limit {
             return Err(ReadError::TooManyEntries { name, count, limit });
@@ -272,7 +280,7 @@ impl Reading {
             None => self::kind(&source)?,
         };
         let is_xml = kind.format().is_some_and(|format| format.syntax() == Syntax::Xml);
-        if is_xml && !cfg!(feature = "xdd") {
+        if is_xml && !cfg!(feature = "xdd") || kind == FileKind::Esi && !cfg!(feature = "esi") {
             return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
         }
         if kind == FileKind::Toml {
@@ -343,7 +351,7 @@ pub fn refuse_errors(description: &Description, findings: Vec<Findings>) -> Resu
 /// What kind of file a source is.
 fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
     let found = identify_source(source);
-    match FileKind::of_content(found.kind) {
+    match found.kind.file() {
         Some(kind) => Ok(kind),
         None => {
             let named = FileKind::of(Path::new(source.name())).filter(|_| found.kind == ContentKind::Unknown);

@@ -6,6 +6,11 @@ use crate::model::{Device, Place};
 use objdict_node::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+    if device.is_ethercat() {
+        let note =
+            Note::new(Place::device(), "a device of EtherCAT has no concise DCF: it is no CANopen node");
+        return Err(GenerateError::Inexpressible(vec![note]));
+    }
     let node_id = options.node_id_of(device)?;
     let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
         .map_err(inexpressible)?;

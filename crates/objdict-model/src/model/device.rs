@@ -70,6 +70,11 @@ pub enum DeviceKind {
 }
 
 impl Device {
+    /// Whether it is read from an EtherCAT slave information (ESI), itself or through other formats: it is no CANopen node then.
+    pub fn is_ethercat(&self) -> bool {
+        self.extra.iter().any(|section| section.name() == super::ETHERCAT_SECTION)
+    }
+
     /// The device without the objects that are [disabled](super::Object::is_disabled), as everything but the writer of a description
     /// sees it.
     pub fn without_disabled(&self) -> Cow<'_, Self> {

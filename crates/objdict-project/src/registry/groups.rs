@@ -30,6 +30,7 @@ macro_rules! with_rule_groups {
             cia406: "encoders (CiA 406)", None;
             configuration: "configured nodes beside their EDS", Some("the EDS of a DCF");
             custom: "custom profiles", Some("a custom profile");
+            esi: "EtherCAT slave information (ESI)", Some("an ESI");
             keys: "TOML and YAML files", Some("a TOML or YAML file");
             naming: "names", None;
             network: "networks and their files", Some("a network file");

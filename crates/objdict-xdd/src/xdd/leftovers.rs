@@ -13,13 +13,13 @@ const TEXT: &str = n::text.text();
 ///
 /// Memory use is proportional to the text: a path that would be longer than the file allows is shortened.
 #[derive(Debug, Default)]
-pub(crate) struct Leftovers<'a> {
+pub struct Leftovers<'a> {
     found: Vec<(Element<'a>, Extra)>,
 }
 
 impl<'a> Leftovers<'a> {
     /// Keeps an attribute.
-    pub(crate) fn attribute(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
+    pub fn attribute(&mut self, element: Element<'a>, attribute: Attribute<'a>) {
         push_lines(self.extra(element), &full_name(attribute), &attribute.value());
     }
 
@@ -36,7 +36,7 @@ impl<'a> Leftovers<'a> {
     }
 
     /// Keeps an element with its content.
-    pub(crate) fn element(&mut self, element: Element<'a>) {
+    pub fn element(&mut self, element: Element<'a>) {
         for part in std::iter::once(element).chain(element.descendants()) {
             self.found.push((part, Extra::default()));
             for attribute in part.attributes() {
@@ -48,10 +48,10 @@ impl<'a> Leftovers<'a> {
 
     /// One section for each element with leftovers, in the order of the file.
     ///
-    /// The name is `xml:` and the path of the element below its `ProfileBody` (else below the root), such as
+    /// The name is `xml:` and the path of the element below its `ProfileBody` or EtherCAT `Device` (else below the root), such as
     /// `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several lines
     /// becomes several entries with one key.
-    pub(crate) fn into_sections(mut self) -> Vec<ExtraSection> {
+    pub fn into_sections(mut self) -> Vec<ExtraSection> {
         self.found.sort_by_key(|(element, _)| element.id());
         let length = self.found.first().map_or(0, |(element, _)| element.tree().text().len());
         let room = length.saturating_mul(2).saturating_add(4096);
@@ -103,8 +103,9 @@ impl Paths {
     /// The name of an element's section.
     fn name(&mut self, element: Element<'_>) -> String {
         let mut steps: Vec<_> = std::iter::successors(Some(element), |element| element.parent()).collect();
-        // below the `ProfileBody`, else below the root
-        let body = steps.iter().rposition(|step| step.tag() == n::ProfileBody).filter(|&above| above > 0);
+        // below the `ProfileBody` or `Device`, else below the root
+        let is_body = |step: &Element<'_>| step.tag() == n::ProfileBody || step.name() == "Device";
+        let body = steps.iter().rposition(is_body).filter(|&above| above > 0);
         steps.truncate(body.unwrap_or((steps.len() - 1).max(1)));
         let least: usize = steps.iter().map(|step| step.name().len()).sum();
         let path = if least > self.room { None } else { Some(self.path(&steps)) };

@@ -25,6 +25,8 @@ pub use self::fact::{read_value, stated_text};
 pub use self::fix::edits;
 pub use self::fmt::arrange;
 pub use self::layout::{containers, is_network, is_project};
+#[doc(hidden)] // for readers of other XML
+pub use self::leftovers::Leftovers;
 pub use self::locate::ElementLocator;
 pub use self::read::{read, read_literally};
 pub use self::schema::{words_of, xsd};
