@@ -314,15 +314,19 @@ pub(super) fn configured(manager: DescribedFile, files: &[BuiltFile]) -> Result<
     if let Some(own) = own {
         let downloads = ConciseDcf::parse(&own.bytes)
             .map_err(|error| InstallError::Downloads(own.name.clone(), error))?;
-        let values = downloads.0.iter().filter_map(|download| {
-            let (index, sub) = (download.index, download.sub);
-            Some(Assignment { index, sub, value: download.value(&device)? })
-        });
-        let values: Vec<Assignment> = values.collect();
-        device.assign(&values);
+        take(&mut device, &downloads);
     }
     let name = if name.is_empty() { "manager".to_owned() } else { name };
     Ok(PlantNode { name, node_id, device, power_on: PowerOn::Configured, must_boot: None })
+}
+
+/// Gives a device the values of its downloads.
+pub(super) fn take(device: &mut Device, downloads: &ConciseDcf) {
+    for download in &downloads.0 {
+        if let Some(value) = download.value(device) {
+            device.assign(&[Assignment { index: download.index, sub: download.sub, value }]);
+        }
+    }
 }
 
 /// The concise DCFs of the nodes: in the manager, or in files that it names.

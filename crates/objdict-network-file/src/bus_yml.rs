@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
-use super::requested_value;
 use super::rules::OVERRIDDEN_KEY;
 use super::{NodeDescriptions, too_many};
+use super::{boot_of, cob_id, requested_value, startup};
 use objdict_keyed::rules::{MISSING_KEY, UNKNOWN_KEY, WRONG_TYPE};
 use objdict_keyed::section::{KeyedTable, or_foreign, wrong};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
@@ -13,10 +13,7 @@ use objdict_keyed::yaml;
 use objdict_model::diagnostic::{Diagnostic, Findings, misspelled, say};
 use objdict_model::model::{Address, PdoKind};
 use objdict_model::source::Span;
-use objdict_network::{
-    DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
-    Startup,
-};
+use objdict_network::{DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, RequestedValue, Said};
 use objdict_node::configure::PdoName;
 use objdict_node::download::Order;
 
@@ -123,14 +120,6 @@ impl BusReader<'_, '_> {
         let findings = &mut *self.findings;
         *bit_rate = section.integer("baudrate", findings);
         section.required("master", "node_id", findings);
-        let mut flag = |name, default| section.flag(name, findings).map_or(default, |flag| flag.value);
-        let startup = Startup {
-            start: flag("start", true),
-            start_nodes: flag("start_nodes", true),
-            start_all_nodes: flag("start_all_nodes", false),
-            reset_all_nodes: flag("reset_all_nodes", false),
-            stop_all_nodes: flag("stop_all_nodes", false),
-        };
         let number = |name: &str, findings: &mut Findings| {
             section.integer(name, findings).map_or(0, |number| number.value)
         };
@@ -149,7 +138,7 @@ impl BusReader<'_, '_> {
             nmt_inhibit_time: section.integer("nmt_inhibit_time", findings).map_or(0, |time| time.value),
             heartbeat,
             error_behavior,
-            startup,
+            startup: startup(&section, "_", findings),
             boot_time: section.integer("boot_time", findings).unwrap_or_default(),
         })
     }
@@ -253,6 +242,7 @@ impl BusReader<'_, '_> {
             downloads,
             revision_number: section.integer("revision_number", findings),
             serial_number: section.integer("serial_number", findings),
+            boot: boot_of(&section, "_", "restore_configuration", findings),
             run_time_folder: section
                 .text("dcf_path", findings)
                 .map(|folder| self.descriptions.expanded(&folder.value)),
@@ -260,21 +250,10 @@ impl BusReader<'_, '_> {
             device,
             ..Node::default()
         };
-        let boot = &mut node.boot;
-        let mut flag = |name, target: &mut bool| {
-            if let Some(flag) = section.flag(name, findings) {
-                *target = flag.value;
-            }
-        };
-        flag("boot", &mut boot.boot);
-        flag("mandatory", &mut boot.mandatory);
-        flag("reset_communication", &mut boot.reset_communication);
-        let retry_factor = section.integer("retry_factor", findings).or(self.options.retry_factor);
-        boot.retry_factor = retry_factor.unwrap_or(boot.retry_factor);
-        boot.software_file =
-            section.text("software_file", findings).map(|file| file.value).filter(|file| !file.is_empty());
-        boot.software_version = section.integer("software_version", findings).unwrap_or_default();
-        boot.restore_configuration = section.integer("restore_configuration", findings).unwrap_or_default();
+        if let (None, Some(retry_factor)) = (section.get("retry_factor"), self.options.retry_factor) {
+            node.boot.retry_factor = retry_factor;
+        }
+        node.boot.software_file.take_if(|file| file.is_empty());
         Some(node)
     }
 
@@ -288,12 +267,6 @@ impl BusReader<'_, '_> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
         let findings = &mut *self.findings;
         let section = KeyedTable::shared(&pdo.to_string(), tree.value, PDO, findings)?;
-        let cob_id = match section.get("cob_id") {
-            Some(tree) if tree.text() == Some("auto") => Some(Said::new(RequestedCobId::Auto, tree.span)),
-            _ => section
-                .integer("cob_id", findings)
-                .map(|id| Said::new(RequestedCobId::Number(id.value), id.at)),
-        };
         let mapping = section.list("mapping", findings).map(|items| {
             items
                 .iter()
@@ -302,7 +275,7 @@ impl BusReader<'_, '_> {
         });
         Some(PdoRequest {
             enabled: section.flag("enabled", findings).is_none_or(|enabled| enabled.value),
-            cob_id,
+            cob_id: cob_id(&section, "cob_id", findings),
             transmission: section.integer("transmission", findings),
             inhibit_time: section.integer("inhibit_time", findings),
             event_timer: section.integer("event_timer", findings),
@@ -321,10 +294,9 @@ impl BusReader<'_, '_> {
     fn download(&mut self, item: &KeyedTree) -> Option<Said<DownloadRequest>> {
         let (Said { value: Address { index, sub }, .. }, section) = address("sdo", item, SDO, self.findings)?;
         let tree = section.get("value");
-        let Some(value) = tree.map_or(Some(RequestedValue::Integer(0)), requested_value) else {
-            let finding = wrong("value", tree?, "a number");
-            self.findings.push(finding.help("write a number, or a text in quotes"));
-            return None;
+        let value = match tree {
+            Some(tree) => requested_value(tree, self.findings)?,
+            None => RequestedValue::Integer(0),
         };
         let at = tree.map_or(item.span, |tree| tree.span);
         Some(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, at))

@@ -6,7 +6,7 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use super::PathOptions;
-use super::topology::location;
+use super::topology::{is_manager, location};
 use objdict_format::input::{Input, MAX_DEVICES, ReadError, Reading};
 use objdict_model::json::quoted;
 use objdict_model::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
@@ -132,12 +132,6 @@ impl NetworkStart {
             let _ = writeln!(text, "name = {}", quoted(name));
         }
         self.bit_rate(&mut text);
-        let is_manager = |node: &Node| {
-            node.device
-                .commissioning
-                .as_ref()
-                .is_some_and(|commissioning| commissioning.manager == Some(true))
-        };
         match self.nodes.iter().find(|node| is_manager(node)) {
             // it monitors what its configuration says
             Some(node) => {

@@ -41,7 +41,7 @@ use objdict_format::patch::Patch;
 use objdict_format::{Description, Format};
 use objdict_keyed as keyed;
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::with_cuts;
+use objdict_keyed::section::{KeyedTable, with_cuts, wrong};
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity, say};
 use objdict_model::model::Device;
@@ -49,7 +49,9 @@ use objdict_model::source::{
     Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute, shown,
 };
 use objdict_network as network;
-use objdict_network::{Compiled, Network, NetworkLock, RequestedValue, Resolved, Said, resolve};
+use objdict_network::{
+    Boot, Compiled, Network, NetworkLock, RequestedCobId, RequestedValue, Resolved, Said, Startup, resolve,
+};
 
 /// What rules report of nodes whose counterpart is missing.
 const FOLLOWING: [&str; 6] = [
@@ -425,13 +427,55 @@ fn variable(text: &str) -> (&str, usize) {
     }
 }
 
+/// The COB-ID of a PDO.
+fn cob_id(section: &KeyedTable<'_>, key: &str, findings: &mut Findings) -> Option<Said<RequestedCobId>> {
+    if let Some(tree) = section.get(key).filter(|tree| tree.text() == Some("auto")) {
+        return Some(Said::new(RequestedCobId::Auto, tree.span));
+    }
+    section.integer(key, findings).map(|id| Said::new(RequestedCobId::Number(id.value), id.at))
+}
+
+/// How the manager boots a node. `between` stands between the words of a key; `restore` is the key for 1F8Ah.
+fn boot_of(section: &KeyedTable<'_>, between: &str, restore: &str, findings: &mut Findings) -> Boot {
+    let default = Boot::default();
+    let key = |words: &str| words.replace(' ', between);
+    let mut flag = |words, default| section.flag(&key(words), findings).map_or(default, |flag| flag.value);
+    Boot {
+        boot: flag("boot", default.boot),
+        mandatory: flag("mandatory", default.mandatory),
+        reset_communication: flag("reset communication", default.reset_communication),
+        retry_factor: section.integer(&key("retry factor"), findings).unwrap_or(default.retry_factor),
+        software_file: section.text(&key("software file"), findings).map(|file| file.value),
+        software_version: section.integer(&key("software version"), findings).unwrap_or_default(),
+        restore_configuration: section.integer(restore, findings).unwrap_or_default(),
+    }
+}
+
+/// How the manager starts. `between` stands between the words of a key.
+fn startup(section: &KeyedTable<'_>, between: &str, findings: &mut Findings) -> Startup {
+    let mut flag = |key: &str, default| {
+        section.flag(&key.replace(' ', between), findings).map_or(default, |flag| flag.value)
+    };
+    Startup {
+        start: flag("start", true),
+        start_nodes: flag("start nodes", true),
+        start_all_nodes: flag("start all nodes", false),
+        reset_all_nodes: flag("reset all nodes", false),
+        stop_all_nodes: flag("stop all nodes", false),
+    }
+}
+
 /// The value of an entry; `None` for a list, a map or nothing.
-fn requested_value(tree: &KeyedTree) -> Option<RequestedValue> {
+fn requested_value(tree: &KeyedTree, findings: &mut Findings) -> Option<RequestedValue> {
     Some(match &*tree.kind {
         Kind::Integer(number) => RequestedValue::Integer(*number),
         Kind::Bool(flag) => RequestedValue::Integer((*flag).into()),
         Kind::Float(number) => RequestedValue::Real(*number),
         Kind::Text(text) => RequestedValue::Text(text.clone()),
-        Kind::Null | Kind::List(_) | Kind::Map(_) => return None,
+        Kind::Null | Kind::List(_) | Kind::Map(_) => {
+            let finding = wrong("value", tree, "a number");
+            findings.push(finding.help("write a number, or a text in quotes"));
+            return None;
+        }
     })
 }

@@ -1,10 +1,10 @@
 //! `network.toml`: networks in the format of objdict.
 
 use super::network_keys::{BUS, LINK, MANAGER, NETWORK, NODE, PDO, SDO};
-use super::requested_value;
 use super::rules::UNREADABLE_NODE;
 use super::types::with_type;
 use super::{NodeDescriptions, too_many};
+use super::{boot_of, cob_id, requested_value, startup};
 use objdict_keyed::notation::NO_TRANSMISSION;
 use objdict_keyed::rules::{MISSING_KEY, WRONG_TYPE};
 use objdict_keyed::section::{self, KeyedTable, integer, wrong};
@@ -14,8 +14,8 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
 use objdict_model::model::{Address, Device, PdoKind};
 use objdict_model::source::Span;
 use objdict_network::{
-    Boot, DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries, Manager,
-    Network, Node, PdoRequest, RequestedCobId, Said, Startup, UnusedPdos, Watch, WatchTime, named_manager,
+    DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries, Manager,
+    Network, Node, PdoRequest, Said, UnusedPdos, Watch, WatchTime, named_manager,
 };
 use objdict_node::configure::{PdoName, Setting, nanoseconds, transmission_type};
 use objdict_node::coupler::flatten;
@@ -122,14 +122,6 @@ impl NetworkReader<'_, '_> {
         let error_behavior = section.numbers("error-behavior", self.findings);
         let error_behavior = error_behavior.into_iter().map(|(sub, value)| (sub, value.value)).collect();
         let findings = &mut *self.findings;
-        let mut flag = |name, default| section.flag(name, findings).map_or(default, |flag| flag.value);
-        let startup = Startup {
-            start: flag("start", true),
-            start_nodes: flag("start-nodes", true),
-            start_all_nodes: flag("start-all-nodes", false),
-            reset_all_nodes: flag("reset-all-nodes", false),
-            stop_all_nodes: flag("stop-all-nodes", false),
-        };
         let identity = node.map(|node| node.device.identity()).unwrap_or_default();
         let number = |name: &str, described: Option<u32>, findings: &mut Findings| {
             section.integer(name, findings).map(|number| number.value).or(described).unwrap_or(0)
@@ -149,7 +141,7 @@ impl NetworkReader<'_, '_> {
             nmt_inhibit_time: section.time("nmt-inhibit", findings).map_or(0, |time| time.value),
             heartbeat,
             error_behavior,
-            startup,
+            startup: startup(&section, "-", findings),
             boot_time: section.time("boot-time", findings).unwrap_or_default(),
             ..Manager::default()
         })
@@ -236,7 +228,7 @@ impl NetworkReader<'_, '_> {
         let pdos = PdoKind::ALL.into_iter().flat_map(|kind| self.pdos(&section, kind)).collect();
         let settings = self.settings(&section);
         let downloads = self.downloads(&section);
-        let boot = self.boot(&section);
+        let boot = boot_of(&section, "-", "restore", self.findings);
         let run_time_folder = self.folder(&section);
         section.required(&name, "file", self.findings)?;
         let file = section.text("file", self.findings)?;
@@ -253,8 +245,6 @@ impl NetworkReader<'_, '_> {
             error_behavior,
             pdos,
             unused_pdos: unused_pdos(&section, findings),
-            implied: Vec::new(),
-            stored: Vec::new(),
             settings,
             downloads,
             boot,
@@ -264,6 +254,7 @@ impl NetworkReader<'_, '_> {
             run_time_folder,
             file,
             device,
+            ..Node::default()
         })
     }
 
@@ -281,23 +272,6 @@ impl NetworkReader<'_, '_> {
                 }
                 None
             }
-        }
-    }
-
-    fn boot(&mut self, section: &KeyedTable<'_>) -> Boot {
-        let findings = &mut *self.findings;
-        let default = Boot::default();
-        let mut flag = |name, default| section.flag(name, findings).map_or(default, |flag| flag.value);
-        let (boot, mandatory) = (flag("boot", default.boot), flag("mandatory", default.mandatory));
-        let reset_communication = flag("reset-communication", default.reset_communication);
-        Boot {
-            boot,
-            mandatory,
-            reset_communication,
-            retry_factor: section.integer("retry-factor", findings).unwrap_or(default.retry_factor),
-            software_file: section.text("software-file", findings).map(|file| file.value),
-            software_version: section.integer("software-version", findings).unwrap_or_default(),
-            restore_configuration: section.integer("restore", findings).unwrap_or_default(),
         }
     }
 
@@ -335,15 +309,9 @@ impl NetworkReader<'_, '_> {
         let transmission = section.parsed("transmission", transmission_type, NO_TRANSMISSION, self.findings);
         let mapping = section.get("map").map(|_| self.mapping(&section));
         let findings = &mut *self.findings;
-        let cob_id = match section.get("cob-id") {
-            Some(tree) if tree.text() == Some("auto") => Some(Said::new(RequestedCobId::Auto, tree.span)),
-            _ => section
-                .integer("cob-id", findings)
-                .map(|id| Said::new(RequestedCobId::Number(id.value), id.at)),
-        };
         Some(PdoRequest {
             enabled: section.flag("enabled", findings).is_none_or(|enabled| enabled.value),
-            cob_id,
+            cob_id: cob_id(&section, "cob-id", findings),
             transmission,
             inhibit_time: section.time("inhibit", findings),
             event_timer: section.time("event-timer", findings),
@@ -387,20 +355,11 @@ impl NetworkReader<'_, '_> {
             Kind::List(values) => values,
             _ => std::slice::from_ref(value),
         };
-        let mut downloads = Vec::with_capacity(values.len());
-        for tree in values {
-            match requested_value(tree) {
-                Some(value) => {
-                    downloads
-                        .push(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, tree.span));
-                }
-                None => {
-                    let finding = wrong("value", tree, "a number");
-                    self.findings.push(finding.help("write a number, or a text in quotes"));
-                }
-            }
-        }
-        Some(downloads)
+        let downloads = values.iter().filter_map(|tree| {
+            let value = requested_value(tree, self.findings)?;
+            Some(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, tree.span))
+        });
+        Some(downloads.collect())
     }
 
     fn links(&mut self, root: &KeyedTable<'_>) -> Vec<Link> {

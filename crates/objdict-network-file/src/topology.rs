@@ -47,12 +47,13 @@ pub(super) fn read(
     Some(network.as_described())
 }
 
-fn is_manager(node: &Node) -> bool {
+/// Whether the description of a node says that it is the manager.
+pub(super) fn is_manager(node: &Node) -> bool {
     node.device.commissioning.as_ref().is_some_and(|node| node.manager == Some(true))
 }
 
-/// The manager is as its DCF describes it.
-fn manager(position: usize, node: &Node) -> Manager {
+/// The manager is as its DCF describes it: it monitors what its configuration says.
+pub(super) fn manager(position: usize, node: &Node) -> Manager {
     let heartbeat = Heartbeat { consumer: Some(Said::new(false, node.file.at)), ..Heartbeat::default() };
     Manager {
         name: node.name.clone(),

@@ -83,6 +83,11 @@ impl Compiled {
     pub fn nodes(&self) -> impl Iterator<Item = &Slave> {
         self.slaves.iter().chain(&self.manager)
     }
+
+    /// The node at a position of [`Network::nodes`](crate::Network::nodes), if it has a node-ID.
+    pub(crate) fn node(&self, position: usize) -> Option<&Slave> {
+        self.nodes().find(|slave| slave.node == position)
+    }
 }
 
 /// A PDO after the configuration.

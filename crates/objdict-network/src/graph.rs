@@ -171,7 +171,7 @@ fn quoted(text: &str) -> String {
 }
 
 /// A text of at most so many characters.
-fn cut(text: &str, limit: usize) -> String {
+pub(crate) fn cut(text: &str, limit: usize) -> String {
     match text.chars().nth(limit) {
         None => one_line(text),
         Some(_) => one_line(&text.chars().take(limit.saturating_sub(1)).collect::<String>()) + "…",

@@ -12,6 +12,8 @@ use crate::model::{CobId, Object, PdoKind, SdoChannel, predefined};
 use crate::network::{Manager, Network};
 use crate::source::Span;
 
+const NMT: MessageId = MessageId::base(predefined::NMT as u32);
+
 /// A CAN-ID; base frames before extended ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MessageId {
@@ -134,6 +136,7 @@ impl Messages {
     /// What goes over the bus after the configuration.
     pub fn new(network: &Network, compiled: &Compiled) -> Self {
         let mut messages = Self::default();
+        messages.nmt(network);
         for slave in compiled.nodes() {
             messages.node(network, slave);
         }
@@ -233,6 +236,15 @@ impl Messages {
         }
     }
 
+    /// NMT commands of the manager, which is the only one that may send them.
+    fn nmt(&mut self, network: &Network) {
+        let Some(manager) = &network.manager else { return };
+        let Some(own) = manager.node else { return };
+        let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
+        self.send(NMT, party(own));
+        network.slaves().for_each(|(position, _)| self.receive(NMT, party(position)));
+    }
+
     /// The manager configures the nodes, with the default SDO of each.
     fn manager(&mut self, manager: &Manager, compiled: &Compiled) {
         let Some(node) = manager.node else { return };
@@ -314,7 +326,6 @@ impl Compiled {
     /// The PDO that a party sends or receives.
     pub(crate) fn pdo(&self, party: &Party) -> Option<&PdoState> {
         let Service::Pdo(pdo) = party.service else { return None };
-        let slave = self.nodes().find(|slave| slave.node == party.node)?;
-        slave.pdos.iter().find(|state| state.pdo == pdo)
+        self.node(party.node)?.pdos.iter().find(|state| state.pdo == pdo)
     }
 }

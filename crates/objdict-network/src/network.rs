@@ -397,14 +397,18 @@ impl Network {
         said.filter(|said| said.value == UnusedPdos::Off).map(|said| said.at)
     }
 
+    /// Whether a node is the manager.
+    pub(crate) fn is_manager(&self, node: usize) -> bool {
+        self.manager.as_ref().is_some_and(|manager| manager.node == Some(node))
+    }
+
     /// Whether a node is the manager with a [made](Manager::is_made) description.
     pub fn is_made(&self, node: usize) -> bool {
-        self.manager.as_ref().is_some_and(|manager| manager.is_made && manager.node == Some(node))
+        self.is_manager(node) && self.manager.as_ref().is_some_and(|manager| manager.is_made)
     }
 
     /// The nodes that the manager boots: all but itself.
     pub fn slaves(&self) -> impl Iterator<Item = (usize, &Node)> {
-        let manager = self.manager.as_ref().and_then(|manager| manager.node);
-        self.nodes.iter().enumerate().filter(move |(position, _)| Some(*position) != manager)
+        self.nodes.iter().enumerate().filter(|(position, _)| !self.is_manager(*position))
     }
 }

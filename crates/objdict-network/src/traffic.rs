@@ -71,7 +71,7 @@ impl<'n> Traffic<'n> {
             let party = message.senders.iter().find(|party| party.service == Service::Sync)?;
             Some((*can_id, party))
         })?;
-        let slave = self.compiled.nodes().find(|slave| slave.node == party.node)?;
+        let slave = self.compiled.node(party.node)?;
         let services = slave.services();
         let overflow = services.sync_counter_overflow.unwrap_or(0);
         let at = slave.said(0x1007, 0).unwrap_or(party.at);

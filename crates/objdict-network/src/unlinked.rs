@@ -37,7 +37,7 @@ impl UnlinkedPdos {
             for party in parties {
                 let Service::Pdo(pdo) = party.service else { continue };
                 let found = UnlinkedPdo { can_id: *can_id, pdo, party: *party };
-                let slave = compiled.nodes().find(|slave| slave.node == party.node);
+                let slave = compiled.node(party.node);
                 match slave.is_some_and(|slave| slave.configures(network, pdo)) {
                     true => unlinked.configured.push(found),
                     false => unlinked.default.entry((party.node, pdo.kind)).or_default().push(found),

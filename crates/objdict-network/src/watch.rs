@@ -20,7 +20,7 @@ pub(crate) fn watch(network: &mut Network, findings: &mut Findings) {
     let manager = network.manager.as_ref();
     let mut settings = Vec::new();
     for (position, node) in network.nodes.iter().enumerate() {
-        let slave = compiled.nodes().find(|slave| slave.node == position);
+        let slave = compiled.node(position);
         let device = slave.map_or(&node.device, |slave| &slave.device);
         let mut free = free(device);
         for said in &node.heartbeat.watched {
@@ -84,7 +84,7 @@ fn consumer(network: &Network, compiled: &Compiled, watch: &Watch) -> Result<u32
     let manager = network.manager.as_ref().filter(|manager| manager.name.value == watch.node);
     let (node_id, producer) = match (position, manager) {
         (Some(position), _) => {
-            let slave = compiled.nodes().find(|slave| slave.node == position);
+            let slave = compiled.node(position);
             (slave.map(|slave| slave.node_id), slave.map(|slave| slave.heartbeat))
         }
         (None, Some(manager)) => {

@@ -12,7 +12,7 @@ use super::super::changes::address;
 use super::super::dcf::differences;
 use super::super::ending::{Failure, Outcome};
 use super::super::stdout::Output;
-use super::{open_to_use, show, timing};
+use super::{open_to_use, timing};
 use objdict_lint::changes::{DeviceChange, compare};
 use objdict_model::diagnostic::{one_line, plural};
 use objdict_model::model::{Device, DeviceKind, PdoKind};
@@ -134,7 +134,9 @@ impl<'f> ComparedNetwork<'f> {
             // the period of a PDO follows from its trigger
             let is_cyclic = |end: &End| !matches!(end.service, Service::Pdo(_));
             let period = message.period.filter(|_| message.senders.iter().all(is_cyclic));
-            let period = period.map(|period| format!(", every {}", show::period(period))).unwrap_or_default();
+            let period = period
+                .map(|period| format!(", every {}", timing::milliseconds(period * 1000)))
+                .unwrap_or_default();
             let line = move |verb: &str, end: &End| {
                 format!("{} {verb} {end}: {}{period}{length}", message.can_id, message.trigger)
             };

@@ -8,7 +8,7 @@ use super::super::args::{NetworkShowArgs, ShowFormat};
 use super::super::ending::{Failure, Outcome};
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
-use super::{overview, source_names_of};
+use super::{overview, source_names_of, timing};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_model::model::PdoKind;
@@ -165,18 +165,10 @@ fn can_ids(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
             receivers,
             message.length(),
             message.trigger.clone(),
-            message.period.map(period).unwrap_or_default(),
+            message.period.map(|period| timing::milliseconds(period * 1000)).unwrap_or_default(),
         ]);
     }
     table.write(out)
-}
-
-/// Microseconds as milliseconds.
-pub(super) fn period(time: u64) -> String {
-    match time % 1000 {
-        0 => format!("{} ms", time / 1000),
-        rest => format!("{}.{} ms", time / 1000, format!("{rest:03}").trim_end_matches('0')),
-    }
 }
 
 /// What configures a node, in order.

@@ -4,14 +4,16 @@ use std::fmt;
 
 use objdict_bus::{Configurations, PlantNode};
 
-use super::super::boot::{DescribedFile, configurations, configured, described, manager_among, switched_on};
-use super::super::{InstallError, stored};
+use super::super::boot::{
+    DescribedFile, configurations, configured, described, manager_among, switched_on, take,
+};
+use super::super::{InstallError, stored, topology};
 use super::{Build, BuiltFile};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
-use objdict_model::model::{Assignment, Device, DeviceKind};
+use objdict_model::model::{Device, DeviceKind};
 use objdict_model::source::Span;
 use objdict_network as network;
-use objdict_network::{DcfgenMode, Heartbeat, Manager, Network, Node, Said, Slave};
+use objdict_network::{DcfgenMode, Network, Node, Said, Slave};
 use objdict_node::download::{ConciseDcf, Download};
 
 /// The rule about what nodes refuse of the manager's configurations.
@@ -136,12 +138,10 @@ impl Build<'_> {
         let found = built.map(|built| (built.device, built.node_id)).or_else(own);
         let manager = manager.zip(found).map(|(manager, (device, node_id))| {
             let node_id = Some(Said::new(node_id, Span::empty(0)));
-            nodes.push(Node { name: manager.name.clone(), device, node_id, ..Node::default() });
-            // it monitors what its configuration says
-            let consumer = Some(Said::new(false, Span::empty(0)));
-            let heartbeat = Heartbeat { consumer, ..Heartbeat::default() };
-            let node = Some(nodes.len() - 1);
-            Manager { name: manager.name.clone(), node_id, node, heartbeat, ..Manager::default() }
+            let node = Node { name: manager.name.clone(), device, node_id, ..Node::default() };
+            let manager = topology::manager(nodes.len(), &node);
+            nodes.push(node);
+            manager
         });
         let (name, bit_rate) = (self.network.name.clone(), self.network.bit_rate);
         Network { name, bit_rate, manager, nodes, ..Network::default() }
@@ -150,11 +150,7 @@ impl Build<'_> {
 
 /// A node after its downloads.
 fn after(mut device: Device, stream: &ConciseDcf) -> Device {
-    for download in &stream.0 {
-        if let Some(value) = download.value(&device) {
-            device.assign(&[Assignment { index: download.index, sub: download.sub, value }]);
-        }
-    }
+    take(&mut device, stream);
     device.kind = DeviceKind::Node;
     device
 }

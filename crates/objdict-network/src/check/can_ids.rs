@@ -14,7 +14,7 @@ use crate::rules::{
     UNSUPPORTED_BIT_RATE,
 };
 
-impl<'n> NetworkCheck<'n, '_> {
+impl NetworkCheck<'_, '_> {
     pub(super) fn nodes(&mut self) {
         self.node_ids();
         self.bit_rates();
@@ -114,7 +114,6 @@ impl<'n> NetworkCheck<'n, '_> {
     /// One sender a CAN-ID. Nodes with one node-ID share all of them, which is said once.
     fn senders(&mut self, can_id: MessageId, message: &Message) {
         let Some((first, others)) = message.senders.split_first() else { return };
-        let mut findings = Vec::new();
         for other in others {
             let is_general = |service| matches!(service, Service::Sync | Service::Time);
             let is_same_service = other.service == first.service && is_general(first.service);
@@ -127,8 +126,7 @@ impl<'n> NetworkCheck<'n, '_> {
             }
             let are_clients = (first.service, other.service) == (Service::SdoRequest, Service::SdoRequest);
             // the manager is the client by rule
-            let is_manager =
-                self.network.manager.as_ref().is_some_and(|manager| manager.node == Some(other.node));
+            let is_manager = self.network.is_manager(other.node);
             // the user knows the PDO of the node, not its counterpart in the manager
             let is_pdo = |party: &Party| matches!(party.service, Service::Pdo(_));
             let is_mirrored = self.network.is_made(first.node) && is_pdo(first) && !is_pdo(other);
@@ -154,9 +152,8 @@ impl<'n> NetworkCheck<'n, '_> {
             } else {
                 "give one of them another CAN-ID, or switch it off"
             };
-            findings.push(finding.help(help).understood());
+            self.findings.push(finding.help(help).understood());
         }
-        findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 
     /// Whether several nodes among these have the same node-ID.
@@ -169,20 +166,15 @@ impl<'n> NetworkCheck<'n, '_> {
         self.network.nodes[party.node].node_id.map(|node_id| node_id.value)
     }
 
-    /// The PDO of a party.
-    pub(super) fn state(&self, party: &Party) -> Option<&'n PdoState> {
-        self.compiled.pdo(party)
-    }
-
     /// Where a description has the mapping of the PDO of a party.
     fn mapping_origin(&self, party: &Party) -> Option<At> {
         let Service::Pdo(pdo) = party.service else { return None };
-        self.slave(party.node)?.origin(self.network, indexes(pdo).1, 0)
+        self.compiled.node(party.node)?.origin(self.network, indexes(pdo).1, 0)
     }
 
     /// What can be done for a receiver that takes only the first bytes.
     fn remedy(&self, receiver: &Party, received: &PdoState, sent: &PdoState) -> &'static str {
-        let node = NodePdos::of(&self.network.nodes[receiver.node], self.slave(receiver.node));
+        let node = NodePdos::of(&self.network.nodes[receiver.node], self.compiled.node(receiver.node));
         match node.has_room(received.pdo, sent.bits() - received.bits()) {
             true => "fill the rest with dummies",
             false => "send fewer entries: the RPDO has no room for dummies",
@@ -191,13 +183,13 @@ impl<'n> NetworkCheck<'n, '_> {
 
     /// Whether receivers of a PDO get all bytes that they map. One that maps fewer takes the first ones.
     pub(super) fn pdo_lengths(&mut self) {
-        let mut findings = Vec::new();
         for message in self.messages.0.values() {
             // several senders are an error
             let [sender] = message.senders.as_slice() else { continue };
-            let Some(sent) = self.state(sender) else { continue };
+            let Some(sent) = self.compiled.pdo(sender) else { continue };
             for receiver in &message.receivers {
-                let Some(received) = self.state(receiver).filter(|state| state.bytes() != sent.bytes())
+                let Some(received) =
+                    self.compiled.pdo(receiver).filter(|state| state.bytes() != sent.bytes())
                 else {
                     continue;
                 };
@@ -213,7 +205,7 @@ impl<'n> NetworkCheck<'n, '_> {
                     .label_each(self.mapping_origin(receiver), say!("{} bits are mapped", received.bits()))
                     .label_each(self.mapping_origin(sender), say!("{} bits are mapped", sent.bits()))
                     .understood();
-                findings.push(match received.bytes() > sent.bytes() {
+                self.findings.push(match received.bytes() > sent.bytes() {
                     true => {
                         finding.help("map fewer entries: the node does not process a PDO that is too short")
                     }
@@ -221,6 +213,5 @@ impl<'n> NetworkCheck<'n, '_> {
                 });
             }
         }
-        findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 }

@@ -132,8 +132,7 @@ impl<'n> NetworkCheck<'n, '_> {
     /// Whether a node is the manager and boots another one.
     fn is_booted_by(&self, node: usize, node_id: u8) -> bool {
         let other = self.compiled.slaves.iter().find(|slave| slave.node_id == node_id);
-        let is_manager = self.network.manager.as_ref().is_some_and(|manager| manager.node == Some(node));
-        is_manager && other.is_some_and(|other| self.network.nodes[other.node].boot.boot)
+        self.network.is_manager(node) && other.is_some_and(|other| self.network.nodes[other.node].boot.boot)
     }
 
     fn consumers(&self) -> Vec<Consumer<'n>> {

@@ -12,7 +12,7 @@ mod stored;
 mod sync;
 mod timing;
 
-use crate::compiled::{Compiled, Slave};
+use crate::compiled::Compiled;
 use crate::diagnostic::{At, Findings};
 use crate::messages::{MessageId, Messages, Party};
 use crate::network::Network;
@@ -78,14 +78,9 @@ impl<'n> NetworkCheck<'n, '_> {
         self.network.bit_rate.map_or(1000, |rate| rate.value.max(1))
     }
 
-    /// The node of a position.
-    fn slave(&self, node: usize) -> Option<&'n Slave> {
-        self.compiled.nodes().find(|slave| slave.node == node)
-    }
-
     /// Where a description has the CAN-ID of a party.
     fn can_id_origin(&self, can_id: MessageId, party: &Party) -> Option<At> {
-        self.slave(party.node)?.can_id_origin(self.network, can_id, party.service)
+        self.compiled.node(party.node)?.can_id_origin(self.network, can_id, party.service)
     }
 
     /// Who a node-ID belongs to: its name, its producer heartbeat time, and where its description has that.

@@ -30,7 +30,7 @@ impl NetworkCheck<'_, '_> {
         let described = self.described(party);
         // without a COB-ID the network file may state other parameters
         let name = self.network.nodes[party.node].name.at;
-        let stated = || self.slave(party.node)?.stated(self.network, *pdo);
+        let stated = || self.compiled.node(party.node)?.stated(self.network, *pdo);
         let at = if name == party.at { stated().unwrap_or(party.at) } else { party.at };
         let finding = match pdo.kind {
             PdoKind::Rpdo => {

@@ -126,7 +126,7 @@ impl<'n> NetworkCheck<'n, '_> {
     /// 1019h of the nodes that hear SYNC: one of another length is an EMCY also where no PDO waits for it.
     fn counters(&mut self, sync: &Sync) {
         let compiled = self.compiled;
-        let sender = self.slave(sync.node);
+        let sender = self.compiled.node(sync.node);
         let is_hearing = |slave: &&Slave| slave.node != sync.node && slave.sync_can_id() == Some(sync.can_id);
         for slave in compiled.nodes().filter(is_hearing) {
             // a node without 1019h expects no counter
@@ -173,7 +173,7 @@ impl<'n> NetworkCheck<'n, '_> {
         if is_too_long {
             let finding =
                 Diagnostic::new(&SYNC_WINDOW, sync.window.at, message(sync.window.value, self.name(&sender)));
-            let origins = self.slave(sync.node).map(|sender| {
+            let origins = self.compiled.node(sync.node).map(|sender| {
                 [0x1007, 0x1006].map(|index| sender.origin(self.network, index, 0)).into_iter().flatten()
             });
             findings.push(
@@ -217,7 +217,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 what,
                 limit
             );
-            let sender = self.slave(sync.node);
+            let sender = self.compiled.node(sync.node);
             let origin = sender.and_then(|sender| sender.origin(self.network, index, 0));
             let finding = Diagnostic::new(&SYNC_WINDOW, at, message).label_each(origin, say!("the {}", what));
             self.findings.push(finding.help("lengthen it, or send PDOs less often"));

@@ -15,7 +15,6 @@ const FASTEST: u16 = 1000;
 impl<'n> NetworkCheck<'n, '_> {
     /// Inhibit time, event timer and deadline.
     pub(super) fn times(&mut self) {
-        let mut findings = Vec::new();
         for (slave, state) in self.traffic.sent() {
             let node = &self.network.nodes[slave.node];
             let at = slave.stated(self.network, state.pdo).unwrap_or(node.name.at);
@@ -33,7 +32,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 let finding = Diagnostic::new(&PDO_TIMES, at, message)
                     .label_each(slave.origin(self.network, communication, 5), "the event timer")
                     .label_each(slave.origin(self.network, communication, 3), "the inhibit time");
-                findings.push(finding.help("lengthen the event timer"));
+                self.findings.push(finding.help("lengthen the event timer"));
             }
             let message = self.messages.0.get(&state.can_id());
             let sender = message.and_then(|message| self.sender_of(message));
@@ -56,14 +55,16 @@ impl<'n> NetworkCheck<'n, '_> {
                     .label_each(slave.origin(self.network, communication, 5), "the deadline")
                     .label_each(timer, "the event timer of the sender");
                 let finding = finding.help("lengthen the deadline of the receiver");
-                findings.push(finding.severity(Severity::Error).understood());
+                self.findings.push(finding.severity(Severity::Error).understood());
             }
         }
-        findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 
     fn sender_of(&self, message: &Message) -> Option<(&'n Slave, &'n PdoState)> {
-        message.senders.iter().find_map(|party| Some((self.slave(party.node)?, self.state(party)?)))
+        message
+            .senders
+            .iter()
+            .find_map(|party| Some((self.compiled.node(party.node)?, self.compiled.pdo(party)?)))
     }
 
     /// The share of the bit rate that is used all the time.

@@ -24,8 +24,8 @@ pub(super) fn pack(
     groups: Vec<LinkGroup>,
     findings: &mut Findings,
 ) -> Vec<(usize, PdoRequest)> {
-    let slave = |position| compiled.nodes().find(|slave| slave.node == position);
-    let pdos = network.nodes.iter().enumerate().map(|(position, node)| NodePdos::of(node, slave(position)));
+    let pdos =
+        network.nodes.iter().enumerate().map(|(position, node)| NodePdos::of(node, compiled.node(position)));
     let mut packer = FramePacker {
         nodes: &network.nodes,
         pdos: pdos.collect(),
@@ -351,7 +351,7 @@ impl FramePacker<'_> {
         let (who, at, is_set) = match user {
             Some(User::Pdo(node, pdo)) => {
                 let of_link = self.requests.iter().find(|(at, request)| (*at, request.pdo) == (node, pdo));
-                let slave = self.compiled.nodes().find(|slave| slave.node == node);
+                let slave = self.compiled.node(node);
                 let entry = (indexes(pdo).0, 1);
                 let said = of_link.map(|(_, request)| request.at);
                 let said = said.or_else(|| slave?.said(entry.0, entry.1));

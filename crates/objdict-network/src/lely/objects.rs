@@ -155,21 +155,13 @@ impl<'a> LelyWriter<'a> {
 
     /// 1F22h to 1F8Ah.
     pub(super) fn boot(&mut self) {
-        const OF_NODES: usize = NODES;
         let uploads: Vec<(u8, String)> =
             self.slaves.iter().filter_map(|slave| Some((slave.node_id, self.upload(slave)?))).collect();
         self.files("1F22", "Concise DCF", "Node-ID", &uploads);
         // CiA 302-3: 666E6F63h ("conf"), for one node or by sub-index 80h for all; dcfgen has a byte and no such sub-index
         let (request, all) = if self.is_strict() { (Type::U8, 0) } else { (Type::U32, 1) };
-        self.out.compact("1F25", "Configuration request", (ARRAY, request), "wo", None, OF_NODES + all);
-        self.out.compact(
-            "1F55",
-            "Expected software identification",
-            (ARRAY, Type::U32),
-            "rw",
-            None,
-            OF_NODES,
-        );
+        self.out.compact("1F25", "Configuration request", (ARRAY, request), "wo", None, NODES + all);
+        self.of_nodes("1F55", "Expected software identification", Type::U32);
         let programs: Vec<(u8, String)> = self
             .slaves
             .iter()
@@ -177,22 +169,25 @@ impl<'a> LelyWriter<'a> {
             .collect();
         self.files("1F58", "Program data", "Program data of node-ID", &programs);
         self.out.value("1F80", "NMT startup", Type::U32, "rw", hex(self.manager.startup.to_number()));
-        self.out.compact("1F81", "NMT slave assignment", (ARRAY, Type::U32), "rw", None, OF_NODES);
-        let assignments = self.knowledge().assignments().into_iter();
-        let assignments: Vec<_> = assignments.map(|(node_id, number)| (node_id, hex(number))).collect();
-        self.out.values("1F81", assignments);
-        self.out.compact("1F82", "Request NMT", (ARRAY, Type::U8), "rw", None, OF_NODES + all);
+        self.of_nodes("1F81", "NMT slave assignment", Type::U32);
+        self.out.numbers("1F81", self.knowledge().assignments());
+        self.out.compact("1F82", "Request NMT", (ARRAY, Type::U8), "rw", None, NODES + all);
         let identity = ["Device type identification", "Vendor identification", "Product code"];
         for ((position, index), name) in (0..).zip(0x1F84_u16..).zip(identity) {
             self.identity(position, &format!("{index:04X}"), name);
         }
-        self.out.compact("1F87", "Revision_number", (ARRAY, Type::U32), "rw", None, OF_NODES);
-        self.out.compact("1F88", "Serial number", (ARRAY, Type::U32), "rw", None, OF_NODES);
+        self.of_nodes("1F87", "Revision_number", Type::U32);
+        self.of_nodes("1F88", "Serial number", Type::U32);
         self.out.value("1F89", "Boot time", Type::U32, "rw", self.manager.boot_time.value);
-        self.out.compact("1F8A", "Restore configuration", (ARRAY, Type::U8), "rw", None, OF_NODES);
+        self.of_nodes("1F8A", "Restore configuration", Type::U8);
         let restored = self.knowledge().restored().into_iter();
         let restored: Vec<_> = restored.map(|(node_id, sub)| (node_id, format!("0x{sub:02X}"))).collect();
         self.out.values("1F8A", restored);
+    }
+
+    /// An array with a number for each node.
+    fn of_nodes(&mut self, section: &str, name: &str, data_type: Type) {
+        self.out.compact(section, name, (ARRAY, data_type), "rw", None, NODES);
     }
 
     /// An array of files by node-ID; nothing without a file.
@@ -213,7 +208,7 @@ impl<'a> LelyWriter<'a> {
 
     /// 1F84h to 1F86h.
     fn identity(&mut self, position: usize, section: &str, name: &str) {
-        self.out.compact(section, name, (ARRAY, Type::U32), "rw", None, NODES);
+        self.of_nodes(section, name, Type::U32);
         let stated = self.knowledge().identities(position);
         let count = stated.len();
         let has_it = |node_id: u8| {

@@ -47,7 +47,7 @@ impl BootPlan {
         let step = |row: &NodeRow| {
             let position = row.position;
             let node = &view.network.nodes[position];
-            Some(words.step(&objects, node, view.slave(position)?, row.downloads))
+            Some(words.step(&objects, node, view.compiled.node(position)?, row.downloads))
         };
         let nodes = booted.filter_map(step).collect();
         let general = words.general(Startup::from_number(startup), objects.number(0x1F89, 0));

@@ -89,7 +89,7 @@ impl ConfiguredNetwork<'_> {
 
     fn linked(self, sender: Option<Party>, receiver: Option<Party>) -> Vec<CarriedEntry> {
         let parts = |party: Option<Party>| -> Vec<CarriedBits> {
-            let state = party.and_then(|party| Some((self.state(&party)?, party.node)));
+            let state = party.and_then(|party| Some((self.compiled.pdo(&party)?, party.node)));
             state.map_or_else(Vec::new, |(state, node)| self.parts(state, node))
         };
         let (sent, received) = (parts(sender), parts(receiver));

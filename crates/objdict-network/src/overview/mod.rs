@@ -10,7 +10,7 @@ pub use self::entries::{CarriedEntry, LinkRow, MappedEntry};
 use crate::Language;
 use crate::compiled::{Compiled, PdoState, Slave};
 use crate::messages::{Message, MessageId, Messages, Party, Service};
-use crate::model::{Device, predefined};
+use crate::model::Device;
 use crate::network::Network;
 use crate::traffic::{Sync, Traffic, Uncounted};
 use crate::unlinked::UnlinkedPdos;
@@ -176,7 +176,7 @@ impl Overview {
             nodes,
             links: messages.0.iter().flat_map(|(can_id, message)| view.links(*can_id, message)).collect(),
             unlinked: view.unlinked(&messages),
-            messages: view.nmt().into_iter().chain(messages.0.iter().map(row)).collect(),
+            messages: messages.0.iter().map(row).collect(),
         }
     }
 }
@@ -202,16 +202,15 @@ struct ConfiguredNetwork<'n> {
 
 impl<'n> ConfiguredNetwork<'n> {
     fn nodes(self) -> Vec<NodeRow> {
-        let manager = self.network.manager.as_ref();
         let rows = self.network.nodes.iter().enumerate().map(|(position, node)| {
-            let slave = self.slave(position);
+            let slave = self.compiled.node(position);
             let configured = slave.filter(|_| !self.network.is_made(position));
             let sent = configured.map(Slave::arranged_or_stated).filter(|sent| !sent.0.is_empty());
             NodeRow {
                 node_id: node.node_id.map(|node_id| node_id.value),
                 name: node.name.value.clone(),
                 description: product_name(&node.device).unwrap_or(&node.file.value).to_owned(),
-                is_manager: manager.is_some_and(|manager| manager.node == Some(position)),
+                is_manager: self.network.is_manager(position),
                 heartbeat: slave.map_or(0, |slave| slave.heartbeat),
                 guard_time: slave.map_or(0, |slave| slave.guard_time),
                 downloads: sent.map_or(0, |sent| sent.0.len()),
@@ -242,15 +241,6 @@ impl<'n> ConfiguredNetwork<'n> {
         rows
     }
 
-    fn slave(self, position: usize) -> Option<&'n Slave> {
-        self.compiled.nodes().find(|slave| slave.node == position)
-    }
-
-    /// The configured PDO of a party.
-    fn state(self, party: &Party) -> Option<&'n PdoState> {
-        self.compiled.pdo(party)
-    }
-
     fn end(self, party: &Party) -> End {
         End::new(self.network, party)
     }
@@ -258,13 +248,13 @@ impl<'n> ConfiguredNetwork<'n> {
     fn message(self, can_id: MessageId, message: &Message, sync: Option<&Sync>) -> MessageRow {
         let ends = |parties: &[Party]| parties.iter().map(|party| self.end(party)).collect();
         let mut parties = message.senders.iter().chain(&message.receivers);
-        let pdo = parties.clone().find_map(|party| self.state(party));
+        let pdo = parties.clone().find_map(|party| self.compiled.pdo(party));
         let (bytes, trigger, period) = match (pdo, parties.next()) {
             (Some(pdo), _) => (u8::try_from(pdo.bytes()).ok(), self.triggered(pdo), pdo.period(sync)),
             (None, Some(party)) => self.service(message, party, sync),
             (None, None) => (None, String::new(), None),
         };
-        let length = |party| u8::try_from(self.state(party)?.bytes()).ok();
+        let length = |party| u8::try_from(self.compiled.pdo(party)?.bytes()).ok();
         let mut lengths: Vec<u8> = message.senders.iter().filter_map(length).collect();
         if lengths.iter().all(|length| *length == lengths[0]) {
             lengths.clear();
@@ -278,15 +268,6 @@ impl<'n> ConfiguredNetwork<'n> {
             trigger,
             period,
         }
-    }
-
-    /// NMT commands of the manager, which is the only one that may send them.
-    fn nmt(self) -> Option<MessageRow> {
-        let manager = self.network.manager.as_ref()?;
-        let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
-        let receivers = self.network.slaves().map(|(position, _)| party(position)).collect();
-        let message = Message { senders: vec![party(manager.node?)], receivers };
-        Some(self.message(MessageId::base(predefined::NMT.into()), &message, None))
     }
 
     /// Bytes, trigger and period of a message that is no PDO.
@@ -314,7 +295,7 @@ impl<'n> ConfiguredNetwork<'n> {
     }
 
     fn error_control(self, message: &Message) -> (Option<u8>, String, Option<u64>) {
-        let slave = message.senders.first().and_then(|party| self.slave(party.node));
+        let slave = message.senders.first().and_then(|party| self.compiled.node(party.node));
         let times = slave.map(|slave| (slave.heartbeat, slave.guard_time));
         let (trigger, time) = match times.unwrap_or_default() {
             (0, 0) => return (Some(1), self.language.pick("boot-up", "Boot-up").to_owned(), None),

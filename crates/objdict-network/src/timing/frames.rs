@@ -1,6 +1,6 @@
 //! Every frame that a network sends, with its length and its rhythm.
 
-use crate::compiled::{PdoState, Slave};
+use crate::compiled::PdoState;
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{PdoKind, predefined};
 use crate::traffic::{Sync, Traffic, frame_bits};
@@ -135,11 +135,11 @@ impl TimedFrame {
     }
 }
 
-impl<'n> Traffic<'n> {
+impl Traffic<'_> {
     /// All messages that a node sends, by priority.
     pub(crate) fn frames(self) -> Vec<TimedFrame> {
         let sync = self.sync();
-        let mut frames: Vec<TimedFrame> = self.nmt().into_iter().collect();
+        let mut frames = Vec::new();
         for (id, message) in &self.messages.0 {
             // of several senders, which are an error, the first
             let Some(sender) = message.senders.first() else { continue };
@@ -150,15 +150,6 @@ impl<'n> Traffic<'n> {
         }
         frames.sort_by_key(TimedFrame::priority);
         frames
-    }
-
-    fn nmt(self) -> Option<TimedFrame> {
-        let manager = self.network.manager.as_ref()?;
-        let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
-        let id = MessageId::base(predefined::NMT.into());
-        let frame = TimedFrame::new(id, TrafficKind::Nmt, 2, Rhythm::Rare, party(manager.node?));
-        let receivers = self.network.slaves().map(|(position, _)| party(position));
-        Some(TimedFrame { receivers: receivers.collect(), ..frame })
     }
 
     fn sent_as(
@@ -194,17 +185,13 @@ impl<'n> Traffic<'n> {
     }
 
     fn emcy_inhibit_time(self, sender: Party) -> u64 {
-        let tenths = self.slave(sender).and_then(|slave| slave.services().emcy_inhibit_time);
+        let tenths = self.compiled.node(sender.node).and_then(|slave| slave.services().emcy_inhibit_time);
         u64::from(tenths.unwrap_or(0)) * 100 * MICROSECOND
-    }
-
-    pub(crate) fn slave(self, party: Party) -> Option<&'n Slave> {
-        self.compiled.nodes().find(|slave| slave.node == party.node)
     }
 
     /// Heartbeat, or guarding, or boot-up alone.
     fn error_control(self, id: MessageId, sender: Party) -> Vec<TimedFrame> {
-        let times = self.slave(sender).map(|slave| (slave.heartbeat, slave.guard_time));
+        let times = self.compiled.node(sender.node).map(|slave| (slave.heartbeat, slave.guard_time));
         let every = |time: u16| Rhythm::Cyclic(u64::from(time) * MILLISECOND);
         let frame = |kind, bytes, rhythm| TimedFrame::new(id, kind, bytes, rhythm, sender);
         match times.unwrap_or_default() {

@@ -1,12 +1,11 @@
 //! Pictures of a network in time: what each node sends when all messages come at once, and its share of the bus.
 
-use std::fmt::Write;
-
 use askama::Template;
 
 use super::simulation::{Queued, send};
 use super::{TimedMessage, Timing, TrafficKind};
 use crate::diagnostic::one_line;
+use crate::graph::cut;
 use crate::messages::MessageId;
 
 /// The longest time that is drawn.
@@ -21,6 +20,8 @@ const LENGTH: u64 = 1000;
 const TOP: usize = 30;
 const LANE: usize = 26;
 const BAR: usize = 16;
+/// As many characters of a name as have a place.
+const NAME: usize = 18;
 
 #[derive(Template)]
 #[template(path = "timeline.svg")]
@@ -69,7 +70,7 @@ pub fn svg(timing: &Timing, spelled: impl Fn(MessageId) -> String) -> String {
         .map(|(number, share)| {
             let own = sent.iter().filter(|sent| sent.message.sender.position == share.of.position);
             let bars = own.map(|sent| Bar::new(sent, span, lane(number), &spelled)).collect();
-            Lane { y: lane(number), name: cut(&share.of.node), bars }
+            Lane { y: lane(number), name: cut(&share.of.node, NAME), bars }
         })
         .collect();
     let end = lane(lanes.len());
@@ -78,7 +79,7 @@ pub fn svg(timing: &Timing, spelled: impl Fn(MessageId) -> String) -> String {
             [share.load.average_percent(timing.bit_rate), share.load.worst_percent(timing.bit_rate)];
         LoadBar {
             y: end + 50 + LANE * number,
-            name: cut(&share.of.node),
+            name: cut(&share.of.node, NAME),
             average: pixels(percent[0].min(100_000), 100_000),
             worst: pixels(percent[1].min(100_000), 100_000),
             words: percent.map(of_percent).join(" – "),
@@ -180,10 +181,7 @@ fn of_time(time: u64) -> String {
 
 /// Thousandths of a percent as percent.
 fn of_percent(percent: u64) -> String {
-    let mut text = String::new();
-    // writing to a text cannot fail
-    let _ = write!(text, "{}.{} %", percent / 1000, percent % 1000 / 100);
-    text
+    format!("{}.{} %", percent / 1000, percent % 1000 / 100)
 }
 
 /// Places of times that are easy to read, with their words.
@@ -194,13 +192,4 @@ fn ticks(span: u64) -> Vec<(u64, String)> {
     times
         .map(|time| (LEFT as u64 + time * LENGTH / span.max(1), format!("{} ms", time / 1_000_000)))
         .collect()
-}
-
-/// A name of at most as many characters as have a place.
-fn cut(name: &str) -> String {
-    const LIMIT: usize = 18;
-    match name.chars().nth(LIMIT) {
-        None => one_line(name),
-        Some(_) => one_line(&name.chars().take(LIMIT - 1).collect::<String>()) + "…",
-    }
 }

@@ -238,7 +238,7 @@ impl TimingReport<'_> {
 }
 
 /// Nanoseconds as milliseconds, without zeros at the end.
-fn milliseconds(time: u64) -> String {
+pub(super) fn milliseconds(time: u64) -> String {
     let (whole, rest) = (time / 1_000_000, time % 1_000_000);
     match rest {
         0 => format!("{whole} ms"),
