@@ -289,6 +289,22 @@ fn a_compact_object_is_its_entries() {
     }
 }
 
+/// Two devices that imply the same PDO: one lists its objects, as its DCF does.
+#[test]
+fn the_lists_of_implied_pdos_count() {
+    let lines = "[DeviceInfo]\nNrOfRXPDO=1\nCompactPDO=3\n[OptionalObjects]\n";
+    let device = |members: &str| read("implied.eds", &format!("{lines}{members}\n")).device().clone();
+    let [unlisted, listed] = ["SupportedObjects=0", "SupportedObjects=2\n1=0x1400\n2=0x1600"].map(device);
+    assert_eq!(compare(&unlisted, &unlisted).len(), 0);
+    assert!(!compare(&unlisted, &listed).is_empty());
+    // described PDOs are another form of implied ones
+    let described = unlisted.with_implicit_pdos().into_owned();
+    for implied in [&unlisted, &listed] {
+        let changes = [compare(implied, &described), compare(&described, implied)].concat();
+        assert!(changes.is_empty(), "{}", shown(&changes));
+    }
+}
+
 #[test]
 fn verdicts_are_ordered() {
     assert!(

@@ -13,6 +13,7 @@ mod rules;
 mod values;
 mod versions;
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::audience::Affected;
@@ -20,7 +21,7 @@ pub use self::audience::{Audience, ChangeVerdict};
 pub use self::release::{ReleaseFacts, release};
 pub use self::rules::{ChangeImpact, ChangeRule, rules};
 use crate::diagnostic::{Diagnostic, Severity, Text, say};
-use crate::model::{Device, MappedObject, Meanings, Pdo, Place};
+use crate::model::{Device, MappedObject, Meanings, ObjectList, Pdo, Place};
 
 /// The group of the rules about changes.
 pub const CHANGE: &str = "change";
@@ -86,7 +87,7 @@ fn as_help(remedy: &str) -> String {
 
 /// The changes from one device to another, in the order of the dictionary; those of the device as a whole come last.
 pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
-    let (old, new) = (old.with_implicit_pdos(), new.with_implicit_pdos());
+    let (old, new) = (implied(old, new), implied(new, old));
     let (old, new) = (Side::new(&old), Side::new(&new));
     let mut comparison = DeviceComparison { old, new, moved: BTreeMap::new(), changes: Vec::new() };
     comparison.objects();
@@ -95,6 +96,21 @@ pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     comparison.rest();
     comparison.versions();
     comparison.changes
+}
+
+/// A device with the PDOs that it implies. Whether the lists name an object that both imply is a datum of the description; where the
+/// other one describes the object, it is a form of it.
+fn implied<'a>(device: &'a Device, other: &Device) -> Cow<'a, Device> {
+    let mut implied = device.with_implicit_pdos();
+    if let Cow::Owned(implied) = &mut implied {
+        for list in ObjectList::ALL {
+            let stated = device.lists.get(list);
+            if let Some(members) = implied.lists.get_mut(list) {
+                members.retain(|index| stated.contains(index) || other.objects.contains_key(index));
+            }
+        }
+    }
+    implied
 }
 
 /// The change of an identifier in generated code while the name of the entry stays. Which identifiers code has is known to the
