@@ -435,7 +435,7 @@ fn cob_id(section: &KeyedTable<'_>, key: &str, findings: &mut Findings) -> Optio
     section.integer(key, findings).map(|id| Said::new(RequestedCobId::Number(id.value), id.at))
 }
 
-/// How the manager boots a node. `between` stands between the words of a key; `restore` is the key for 1F8Ah.
+/// How the manager boots a node. `between` separates the words of a key; `restore` is the key for 1F8Ah.
 fn boot_of(section: &KeyedTable<'_>, between: &str, restore: &str, findings: &mut Findings) -> Boot {
     let default = Boot::default();
     let key = |words: &str| words.replace(' ', between);
@@ -451,7 +451,7 @@ fn boot_of(section: &KeyedTable<'_>, between: &str, restore: &str, findings: &mu
     }
 }
 
-/// How the manager starts. `between` stands between the words of a key.
+/// How the manager starts. `between` separates the words of a key.
 fn startup(section: &KeyedTable<'_>, between: &str, findings: &mut Findings) -> Startup {
     let mut flag = |key: &str, default| {
         section.flag(&key.replace(' ', between), findings).map_or(default, |flag| flag.value)
