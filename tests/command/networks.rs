@@ -5,17 +5,15 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
-use std::io::{Write as _, stderr};
 use std::path::Path;
 use std::process::Command;
-use std::thread;
 
 use objdict::format::network::{BuiltFile, NetworkFile, PathOptions, schema};
 use objdict::generate::{Options, Target, generate};
 use objdict::network::{DcfgenMode, LelyOptions, Overview, Timing, TimingOptions};
 use serde_json::{Value, json};
 
-use crate::support::skips::{sample, samples_all};
+use crate::support::skips::{sample, samples_all, say};
 
 /// A network with every key, without a description of its manager.
 fn undescribed() -> Value {
@@ -342,8 +340,6 @@ fn compare_edits(name: &str, base: &Value, all: &[NetworkEdit]) {
     let before: Vec<Outputs> = MAKERS.iter().map(|make| make(&file).unwrap()).collect();
     let other = format!("other-{name}");
     let (mut accepted, mut wrong, mut compared) = (BTreeSet::new(), 0, 0);
-    // cargo does not hide what is written to the stream itself, so each failure is seen when it is found
-    let say = |text: String| writeln!(stderr(), "{}: {text}", thread::current().name().unwrap()).unwrap();
     for (number, edit) in sample(sample(all)).into_iter().enumerate() {
         if number > 0 && number % 100 == 0 {
             say(format!("{number} edits of {}", all.len()));

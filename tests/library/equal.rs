@@ -4,9 +4,7 @@
 
 use std::collections::BTreeMap;
 use std::env;
-use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
-use std::thread;
 
 use objdict::format::{self, Format, WriteOptions, json};
 use objdict::generate::{self, Options, Target};
@@ -16,7 +14,7 @@ use objdict::source::SourceOptions;
 use serde_json::Value;
 
 use crate::support;
-use crate::support::skips::{sample, samples_all, skip};
+use crate::support::skips::{sample, samples_all, say, skip};
 
 /// An edit of a JSON document: its path, and what is there then; `None` for nothing.
 type Edit = (String, Option<Value>);
@@ -186,8 +184,6 @@ fn plain(device: &Device) -> String {
 
 /// Tries edits of devices. Each failure is said when it is found.
 fn try_edits(files: Vec<PathBuf>) {
-    // cargo does not hide what is written to the stream itself
-    let say = |text: String| writeln!(stderr(), "{}: {text}", thread::current().name().unwrap()).unwrap();
     let (mut tried, mut wrong) = (0, 0);
     for (number, path) in sample(files).into_iter().enumerate() {
         let Ok(description) = format::open(&path, &SourceOptions::default()) else { continue };

@@ -6,7 +6,7 @@ use std::process::Command;
 use objdict::diagnostic::{Findings, Severity};
 use objdict::format::input::{FileKind, Input, Reading};
 use objdict::format::{Description, Format, WriteOptions, json};
-use objdict::model::{Access, DataType, Device, ObjectType, PdoMapping, Value};
+use objdict::model::{Access, DataType, Device, ExtraSection, ObjectType, PdoMapping, Value};
 use proptest::prelude::*;
 
 use crate::support::{fixtures, skips};
@@ -89,7 +89,7 @@ fn a_file_is_read() {
     );
     assert_eq!([mapped(0x1A00, 0), mapped(0x1A00, 2)], [Some(2), Some(0x2000_0110)]);
     // what the model has no place for is kept
-    let kept: Vec<&str> = device.extra.iter().map(|section| section.name()).collect();
+    let kept: Vec<&str> = device.extra.iter().map(ExtraSection::name).collect();
     for name in ["xml:Mailbox/CoE", "xml:Sm", "xml:Profile/Dictionary/Objects/Object[7]/Comment", "xml:RxPdo"]
     {
         assert!(kept.contains(&name), "{name}: {kept:#?}");

@@ -20,6 +20,12 @@ const STEP: usize = 4;
 /// The tests by verdict and reason.
 static RECORDS: Mutex<BTreeMap<String, BTreeSet<String>>> = Mutex::new(BTreeMap::new());
 
+/// Says something of a long test at once: what is written to the stream itself is not kept until its end.
+pub(crate) fn say(text: impl Display) {
+    let name = thread::current().name().unwrap_or_default().to_owned();
+    stderr().write_all(format!("{name}: {text}\n").as_bytes()).unwrap();
+}
+
 /// Skips the current test, or a part of it, for lack of something that no registry offers, such as a checkout that a
 /// variable names. The caller returns.
 #[track_caller]
