@@ -15,9 +15,8 @@ enum KindRole {
     Foreign,
 }
 
-/// Declares the kinds of contents, each with what it is called without the technology, its role, what a file of it
-/// is, and what to do about a file
-/// that no device can be read from.
+/// Declares the kinds of contents, each with what it is called without the technology, its role, what a file of it is, and what
+/// to do about a file that no device can be read from.
 macro_rules! content_kinds {
     ($( $(#[$doc:meta])+ $kind:ident $name:literal $role:expr, $verdict:literal, $advice:expr; )+) => {
         /// What a file holds.
