@@ -74,7 +74,7 @@ impl Effect {
     }
 }
 
-/// The findings without the fixes that one reader needs and another refuses: nobody says who reads the file.
+/// The findings without the fixes that one reader needs and another refuses, while no reader is chosen.
 pub fn without_readers(findings: Findings, description: &Description) -> Findings {
     findings.filter_map(|finding| fixes::choose(finding, description, &[]))
 }
