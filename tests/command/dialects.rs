@@ -47,6 +47,23 @@ fn a_dcf_without_node_id_is_written() {
     assert_eq!(objdict(folder, "convert b.eds -o e.dcf").status.code(), Some(2), "an EDS has no node");
 }
 
+/// Commands about a node on a bus of CANopen refuse a device that has none.
+#[test]
+fn a_device_of_ethercat_is_no_node() {
+    let temporary = tempfile::tempdir().unwrap();
+    let esi = fixture("esi/press.xml");
+    for rest in
+        ["configure ESI --node-id 3 -o a.dcf", "conformance ESI", "convert ESI -o a.dcf", "probe ESI -o p.py"]
+    {
+        let line = format!("{} --device 1", rest.replace("ESI", &esi.display().to_string()));
+        let refused = objdict(temporary.path(), &line);
+        let said = String::from_utf8_lossy(&refused.stderr);
+        assert!(said.contains("of EtherCAT, which is no CANopen node"), "{rest}: {said}");
+        assert_eq!(refused.status.code(), Some(2), "{rest}");
+    }
+    assert_eq!(fs::read_dir(temporary.path()).unwrap().count(), 0);
+}
+
 #[test]
 fn dialects_are_judged_like_other_files() {
     let temporary = tempfile::tempdir().unwrap();

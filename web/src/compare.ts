@@ -7,27 +7,26 @@ import type { Store } from "./store";
 
 export function compareView(store: Store): HTMLElement {
   const view = h("div", { class: "compare scroll" });
-  let old: number | undefined;
   let asked = 0;
   store.onDraw(async () => {
     view.hidden = store.view !== "compare";
     const { current } = store;
     if (view.hidden || !current) return;
     const others = store.documents.filter((other) => other !== current && other.state.kind === "device");
-    if (!others.some((other) => other.id === old)) old = others[0]?.id;
-    if (old === undefined) {
+    if (!others.some((other) => other.id === store.compared)) store.compared = others[0]?.id;
+    if (store.compared === undefined) {
       view.replaceChildren(h("p", { class: "nothing" }, "Open a second file to compare it with this one."));
       return;
     }
     const number = ++asked;
-    const from = old;
-    const changes = await store.inTurn(() => ask<Change[]>({ do: "compare", old: from, new: current.id }));
+    const old = store.compared;
+    const changes = await store.inTurn(() => ask<Change[]>({ do: "compare", old, new: current.id }));
     if (number !== asked) return;
     const choice = h(
       "select",
       {
         onchange: () => {
-          old = Number(choice.value);
+          store.compared = Number(choice.value);
           store.draw();
         },
       },

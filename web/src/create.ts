@@ -5,7 +5,7 @@ import { Dialog } from "./dialog";
 import { h, hex, numberIn } from "./dom";
 import { patchOf } from "./form";
 import type { Feature, NewDevice, Opened, ProfileObject, ProfileRow } from "./protocol";
-import type { OpenDocument, Store } from "./store";
+import { textBytes, type OpenDocument, type Store } from "./store";
 
 /** A feature as a field; what is left empty is as the profile has it. */
 function featureField({ word, kind, names, range, meaning }: Feature): HTMLElement {
@@ -36,7 +36,7 @@ export function pasteDialog(store: Store): Dialog {
   const text = h("textarea", { rows: 10, required: true, spellcheck: "false", id: "paste-text", placeholder: "(1436509052.249713) can0 185#3702" });
   const name = h("input", { value: "pasted.log", required: true, autocomplete: "off" });
   const make = async () => {
-    await store.load(name.value, new TextEncoder().encode(text.value));
+    await store.load(name.value, textBytes(text.value));
     text.value = "";
   };
   const fields = [

@@ -49,6 +49,8 @@ export class Dialog<Subject = void> {
 
   /** Does something and closes the dialog; what was entered stays if it is refused. */
   async run(what: () => Promise<unknown>): Promise<void> {
+    // a click on what is in a locked button reaches its listener
+    if (this.reason) return;
     if (await this.whileLocked(what)) this.element.close();
   }
 

@@ -19,9 +19,14 @@ interface Served {
 /** Where a document is from. */
 export interface Home {
   number: number;
-  /** The version on the disk. */
+  /** The version on the disk that it is made of. */
   etag: string;
+  /** Another version there, which was told. */
+  seen?: string;
 }
+
+/** How often it is asked whether another program has changed a file, in ms. */
+const PERIOD = 2000;
 
 /** So many are drawn; the search has the others. */
 const MAX_SHOWN = 400;
@@ -31,7 +36,7 @@ interface Question {
   title: string;
   question: string;
   answer: string;
-  make: () => Promise<void>;
+  make: () => Promise<unknown>;
 }
 
 export class Files {
@@ -42,6 +47,8 @@ export class Files {
   private readonly search = h("input", { type: "search", placeholder: "Name", "aria-label": "Search files", oninput: () => this.drawList() });
   private readonly listed: Dialog;
   private readonly asked: Dialog<Question>;
+  /** What is saved is not compared with the disk meanwhile. */
+  private turn: Promise<unknown> = Promise.resolve();
 
   constructor(private readonly store: Store) {
     this.listed = new Dialog(store, "files", { title: "Files", choices: [this.search, this.entries], prepare: () => this.drawList() });
@@ -68,6 +75,67 @@ export class Files {
     const named = documents.find(({ home }) => home && this.list[home.number]!.is_open) ?? documents[0];
     if (named) this.store.show(named);
     else if (isListed) this.listed.show();
+    setInterval(() => void this.inTurn(() => this.look()), PERIOD);
+  }
+
+  private inTurn(what: () => Promise<unknown>): Promise<unknown> {
+    return (this.turn = this.turn.then(what).catch(() => {}));
+  }
+
+  /** Looks for files that other programs have changed. */
+  private async look(): Promise<void> {
+    if (document.hidden) return;
+    for (const shown of this.store.documents.filter(({ home }) => home)) {
+      const home = shown.home!;
+      const found = await fetch(`${this.place}/${home.number}`, { method: "HEAD" }).catch(() => undefined);
+      const etag = found?.ok ? found.headers.get("etag")! : home.etag;
+      if (etag === home.etag) home.seen = undefined;
+      else if (etag !== home.seen) await this.follow(shown, (home.seen = etag));
+    }
+  }
+
+  /** Takes over a file that another program has changed, or asks if it has changes here too. */
+  private async follow(shown: OpenDocument, etag: string): Promise<void> {
+    const { name } = this.list[shown.home!.number]!;
+    await this.store.settled();
+    if (!this.isChanged(shown)) {
+      await this.reload(shown);
+      return this.say(`${name} was changed by another program, and is shown as it is now.`);
+    }
+    const message = `\`${name}\` was changed by another program, and has changes here that are not saved`;
+    const actions = [
+      { label: "Load it from the disk", make: () => void this.reload(shown) },
+      { label: "Compare", make: () => void this.store.attempt(() => this.compare(shown, name)) },
+      { label: "Replace it on the disk …", make: () => ((shown.home!.etag = etag), this.store.show(shown), void this.save()) },
+    ];
+    this.store.notice = { kind: "error", message, actions };
+    this.store.draw();
+  }
+
+  private async reload(shown: OpenDocument): Promise<void> {
+    const { store } = this;
+    const { current, index, view } = store;
+    await store.attempt(async () => {
+      const now = await this.load(shown.home!.number, true);
+      await store.close(shown);
+      if (current !== shown) return current && store.show(current);
+      if (now.outline.objects.some((object) => object.index === index)) store.index = index;
+      store.view = view;
+    });
+  }
+
+  /** Compares with what is on the disk, which has no place of its own there. */
+  private async compare(shown: OpenDocument, name: string): Promise<void> {
+    const { store } = this;
+    store.compared = (await this.load(shown.home!.number, false, `disk/${name}`)).id;
+    store.show(shown);
+    store.view = "compare";
+  }
+
+  private async load(number: number, isHome: boolean, name = this.list[number]!.name): Promise<OpenDocument> {
+    const response = await this.fetch(`/${number}`);
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    return this.store.load(name, bytes, isHome ? { number, etag: response.headers.get("etag")! } : undefined);
   }
 
   /** Asks before the shown file is replaced; `false` if it cannot be saved in place. */
@@ -76,7 +144,7 @@ export class Files {
     if (!home || !shown) return false;
     const { name } = this.list[home.number]!;
     const isTaken = await this.store.attempt(() => this.store.settled());
-    if (isTaken && this.isChanged(shown)) this.asked.show({ title: "Save", question: `Replace ${name} on the disk?`, answer: "Replace", make: () => this.write(shown) });
+    if (isTaken && this.isChanged(shown)) this.asked.show({ title: "Save", question: `Replace ${name} on the disk?`, answer: "Replace", make: () => this.inTurn(() => this.write(shown)) });
     else if (isTaken) this.say(`${name} has no changes.`);
     return true;
   }
@@ -113,14 +181,11 @@ export class Files {
   /** Opens a file, of a network the descriptions of its nodes first. */
   private async open(number: number): Promise<void> {
     const { store } = this;
-    const { name, nodes } = this.list[number]!;
+    const { nodes } = this.list[number]!;
     for (const node of nodes) await this.open(node);
     const known = store.documents.find((document) => document.home?.number === number);
     if (known) return store.show(known);
-    await store.attempt(async () => {
-      const response = await this.fetch(`/${number}`);
-      await store.load(name, new Uint8Array(await response.arrayBuffer()), { number, etag: response.headers.get("etag")! });
-    });
+    await store.attempt(() => this.load(number, true));
   }
 
   private async fetch(below: string, options: RequestInit = {}): Promise<Response> {

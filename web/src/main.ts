@@ -3,6 +3,7 @@
 import { compareView } from "./compare";
 import { configureDialog } from "./configure";
 import { addDialog, newDialog, pasteDialog } from "./create";
+import { Drafts } from "./drafts";
 import { ask, startEngine } from "./engine";
 import { arrange, h } from "./dom";
 import { EXAMPLES } from "./examples";
@@ -15,7 +16,7 @@ import { objectsPanel } from "./objects";
 import { productsDialog, saveDialog } from "./output";
 import { pdoView } from "./pdo";
 import type { Opened } from "./protocol";
-import { Store, VIEWS, type OpenDocument, type View } from "./store";
+import { Store, VIEWS, textBytes, type OpenDocument, type View } from "./store";
 import { diffView, textView } from "./text";
 
 const store = new Store();
@@ -94,7 +95,7 @@ function examplesMenu(): HTMLElement {
   const list = EXAMPLES.map(([label, name, text]) =>
     button(label, () => {
       menu.open = false;
-      void store.open(name, new TextEncoder().encode(text));
+      void store.open(name, textBytes(text));
     }),
   );
   const menu = h("details", { class: "menu" }, h("summary", {}, "Examples"), h("div", { class: "items" }, ...list));
@@ -211,9 +212,9 @@ function notice(): HTMLElement {
       store.notice = undefined;
       store.draw();
     };
-    const { kind, message, help, action } = store.notice;
+    const { kind, message, help, actions = [] } = store.notice;
     element.className = `notice ${kind}`;
-    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", action ? button(action.label, action.make) : "", button("Close", close, { class: "quiet" }));
+    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", ...actions.map(({ label, make }) => button(label, make)), button("Close", close, { class: "quiet" }));
   });
   return element;
 }
@@ -224,7 +225,7 @@ function welcome(): HTMLElement {
     { class: "welcome" },
     h("h2", {}, "Drop device descriptions, a network or a log here"),
     h("p", {}, "EDS, DCF, XDD, XDC, device.toml; network.toml, bus.yml or a node list with its descriptions; candump, ASC, TRC, CSV or pcap. The files stay in this browser: nothing is uploaded."),
-    h("div", { class: "actions" }, button("Choose files …", () => chooser.click(), { class: "main" }), ...EXAMPLES.map(([label, name, text]) => button(label, () => void store.open(name, new TextEncoder().encode(text))))),
+    h("div", { class: "actions" }, button("Choose files …", () => chooser.click(), { class: "main" }), ...EXAMPLES.map(([label, name, text]) => button(label, () => void store.open(name, textBytes(text))))),
   );
   store.onDraw(() => (element.hidden = store.current !== undefined));
   return element;
@@ -273,6 +274,7 @@ async function start(): Promise<void> {
   keepForOffline();
   store.draw();
   await files.start();
+  await new Drafts(store, files).start();
 }
 
 void start();

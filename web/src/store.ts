@@ -35,7 +35,7 @@ export interface OpenDocument {
   saved?: string;
   network?: NetworkView;
   log?: LogSummary;
-  /** The bytes of a log, whose text the page does not have. */
+  /** What was opened; nothing if it was made here. */
   bytes?: Uint8Array;
   /** The documents that a log is read with; those that suit if nothing was chosen. */
   with?: number[];
@@ -43,12 +43,24 @@ export interface OpenDocument {
   seen?: number;
 }
 
+/** A document that is opened again with its changes. */
+export interface Draft {
+  name: string;
+  bytes: Uint8Array;
+  text: string;
+  encoding: string;
+  saved?: string;
+  home?: Home;
+}
+
+export const textBytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+
 export interface Notice {
   kind: "error" | "note";
   message: string;
   help?: string;
-  /** What can be done about it, on a button. */
-  action?: { label: string; make: () => void };
+  /** What can be done about it, on buttons. */
+  actions?: { label: string; make: () => void }[];
 }
 
 /** What a document has, to be compared with what was saved. */
@@ -66,6 +78,8 @@ export class Store {
   /** The position of the shown PDO. */
   pdo = 0;
   search = "";
+  /** The document that the shown one is compared with. */
+  compared: number | undefined;
   /** The tools whose reactions are shown. */
   tools: string[] = [];
   notice: Notice | undefined;
@@ -136,8 +150,7 @@ export class Store {
 
   /** Shows a document that the engine has opened. */
   async take({ document: id, state, notes }: Opened, bytes?: Uint8Array, home?: Home): Promise<OpenDocument> {
-    const opened: OpenDocument = { id, state, home, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, checked: state.revision, original: state.text };
-    if (state.kind === "log") opened.bytes = bytes;
+    const opened: OpenDocument = { id, state, home, bytes, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, checked: state.revision, original: state.text };
     const [outline, checked] = this.read(opened);
     await outline;
     this.documents.push(opened);
@@ -318,19 +331,29 @@ export class Store {
     this.draw();
   }
 
+  /** Opens a file as it was and changes it to what became of it; a file of the disk that is open already is changed. */
+  async restore({ name, bytes, text, encoding, saved, home }: Draft): Promise<void> {
+    const known = home && this.documents.find((document) => document.home?.number === home.number);
+    const of = known ?? (await this.open(name, bytes, home));
+    if (!of) return;
+    Object.assign(of, { saved, home });
+    const document = of.id;
+    if (of.state.encoding !== encoding) await this.change({ do: "encode", document, encoding });
+    if (of.state.kind === "log" || of.state.text === text) return;
+    const lines = of.state.text.split(/\r\n|\r|\n/);
+    const edits = [{ line: 1, column: 1, end_line: lines.length, end_column: [...lines.at(-1)!].length + 1, text }];
+    await this.change({ do: "edit", document, revision: of.state.revision, edits });
+  }
+
   /** After the engine failed: what is open is opened again, as it was. */
   async reopen(): Promise<void> {
     const former = this.documents;
-    const message = "The engine failed, which is an error of objdict, and was started again. The files are open as they were; undo begins here.";
+    const message = "The engine failed, which is an error of objdict, and was started again. The files are open as they were; undo takes all changes of a file back at once.";
     this.documents = [];
     this.current = undefined;
-    for (const { state, bytes, home, saved } of former) {
-      const opened = await this.open(state.name, bytes ?? new TextEncoder().encode(state.text), home);
-      if (!opened) continue;
-      opened.saved = saved;
-      // the page has the text, not the bytes
-      const { encoding } = state;
-      if (opened.state.encoding !== encoding) await this.change({ do: "encode", document: opened.id, encoding });
+    for (const { state, bytes, original, home, saved } of former) {
+      const { name, text, encoding } = state;
+      await this.restore({ name, bytes: bytes ?? textBytes(original), text, encoding, home, saved });
     }
     this.notice = { kind: "error", message };
     this.draw();

@@ -134,7 +134,7 @@ class EditedText {
     if (await store.attempt(() => this.send())) return;
     // the text has a character that the encoding lacks; it stays as it was typed
     if (document.state.encoding === "UTF-8" || !store.notice) return;
-    store.notice.action = { label: "Write the file in UTF-8", make: () => void this.encode().then(() => this.sendAndSay()) };
+    store.notice.actions = [{ label: "Write the file in UTF-8", make: () => void this.encode().then(() => this.sendAndSay()) }];
   }
 
   /** Before what was typed, which the encoding lacks. */

@@ -97,7 +97,7 @@ test("what another program wrote stays", { skip }, async () => {
     const other = Buffer.concat([dcf, Buffer.from("; by hand\r\n")]);
     writeFileSync(join(folder, "node8.dcf"), other);
     await save(page);
-    await page.waitForSelector(".notice.error:has-text('`node8.dcf` was changed by another program')");
+    await page.waitForSelector(".notice.error:has-text('so it was not saved')");
     assert.ok(readFileSync(join(folder, "node8.dcf")).equals(other));
     await isShown(page, "•");
     writeFileSync(join(folder, "node8.dcf"), dcf);
@@ -108,6 +108,67 @@ test("what another program wrote stays", { skip }, async () => {
     await setDefault(page, "1017", "1235");
     await save(page);
     await page.waitForSelector(".notice.error:has-text('`objdict open` does not answer')");
+  });
+});
+
+test("a file that another program changes is shown anew, or asked about", { skip }, async () => {
+  const drive = fixture("eds/drive-402.eds");
+  await serving({ "drive.eds": drive }, ["drive.eds"], async ({ page, folder }) => {
+    const text = drive.toString("latin1");
+    const write = (comment) => writeFileSync(join(folder, "drive.eds"), `; ${comment}\r\n${text}`, "latin1");
+    const field = page.getByLabel("Default value").first();
+    await isShown(page, "drive.eds");
+    await setDefault(page, "1017", "1234");
+    await save(page);
+    await page.waitForSelector(".notice.note:has-text('drive.eds is saved')");
+    // what was saved here is no change of another program
+    await page.waitForTimeout(2500);
+    await page.waitForSelector(".notice.note:has-text('drive.eds is saved')");
+    write("first");
+    await page.waitForSelector(".notice.note:has-text('drive.eds was changed by another program')");
+    assert.equal(await page.locator(".document").count(), 1);
+    assert.notEqual(await field.inputValue(), "1234");
+    await page.waitForSelector(".form h2:has-text('1017h')");
+    await setDefault(page, "1017", "1235");
+    write("second");
+    const asked = page.locator(".notice.error", { hasText: "has changes here that are not saved" });
+    await asked.getByRole("button", { name: "Compare" }).click();
+    await page.waitForSelector(".compare td:has-text('1235')");
+    await page.getByRole("button", { name: "Close disk/drive.eds" }).click();
+    await isShown(page, "drive.eds");
+    write("third");
+    await asked.getByRole("button", { name: "Replace it on the disk" }).click();
+    await page.locator("dialog[open] button[type=submit]").click();
+    await page.waitForSelector(".notice.note:has-text('drive.eds is saved')");
+    const saved = readFileSync(join(folder, "drive.eds"), "latin1");
+    assert.ok(saved.startsWith("; first\r\n") && saved.includes("DefaultValue=1235"));
+    await setDefault(page, "1017", "1236");
+    write("fourth");
+    await asked.getByRole("button", { name: "Load it from the disk" }).click();
+    await page.waitForFunction(() => !document.querySelector(".document.current").textContent.includes("•"));
+    assert.notEqual(await field.inputValue(), "1236");
+  });
+});
+
+test("changes survive a reload beside what another program did", { skip }, async () => {
+  const drive = fixture("eds/drive-402.eds");
+  await serving({ "drive.eds": drive }, ["drive.eds"], async ({ page, folder }) => {
+    await isShown(page, "drive.eds");
+    await setDefault(page, "1017", "1234");
+    await page.waitForTimeout(600);
+    const other = Buffer.concat([drive, Buffer.from("; by hand\r\n")]);
+    page.on("dialog", (dialog) => dialog.accept());
+    await page.reload();
+    await page.waitForSelector(".notice.note:has-text('Opened again with changes that were not saved: drive.eds')");
+    assert.equal(await page.locator(".document").count(), 1);
+    writeFileSync(join(folder, "drive.eds"), other);
+    await save(page);
+    await page.waitForSelector(".notice.error:has-text('by another program')");
+    assert.ok(readFileSync(join(folder, "drive.eds")).equals(other));
+    writeFileSync(join(folder, "drive.eds"), drive);
+    await save(page);
+    await page.waitForSelector(".notice.note:has-text('drive.eds is saved')");
+    assert.equal(changedLines(drive, readFileSync(join(folder, "drive.eds"))).length, 1);
   });
 });
 

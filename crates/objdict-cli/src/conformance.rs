@@ -21,7 +21,7 @@ const CELL: usize = 80;
 const NODE_ID: u8 = 1;
 
 pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (_, input) = args.input.read_one(&args.file, &ConfigFileArgs::default())?;
+    let (_, input) = args.input.read_node(&args.file, &ConfigFileArgs::default())?;
     let device: &Device = match &input {
         Input::Description(description) => description.device(),
         Input::Device(device) => device,

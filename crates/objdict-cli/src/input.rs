@@ -112,8 +112,27 @@ impl InputArgs {
         path: &Path,
         config: &ConfigFileArgs,
     ) -> Result<(FileKind, Input), Failure> {
+        self.read_as(path, config, false)
+    }
+
+    /// As [`read_one`](Self::read_one), of a node of CANopen.
+    pub(super) fn read_node(
+        &self,
+        path: &Path,
+        config: &ConfigFileArgs,
+    ) -> Result<(FileKind, Input), Failure> {
+        self.read_as(path, config, true)
+    }
+
+    fn read_as(
+        &self,
+        path: &Path,
+        config: &ConfigFileArgs,
+        is_node: bool,
+    ) -> Result<(FileKind, Input), Failure> {
         let bytes = self.size.read(path)?;
-        Ok(self.reading_with(&config.patches_of(path)?).read_one(&source_name(path), bytes)?)
+        let reading = Reading { is_node, ..self.reading_with(&config.patches_of(path)?) };
+        Ok(reading.read_one(&source_name(path), bytes)?)
     }
 
     /// The device of a file that was asked for: the only one, or the one of a number.

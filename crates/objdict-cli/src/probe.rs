@@ -41,7 +41,7 @@ pub(super) fn run(args: &ProbeArgs, out: &mut Output) -> Result<Outcome, Failure
 }
 
 fn description(args: &ProbeArgs, path: &Path) -> Result<Description, Failure> {
-    match args.input.read_one(path, args.settings.config_file())? {
+    match args.input.read_node(path, args.settings.config_file())? {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
             let message = format!(

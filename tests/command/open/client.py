@@ -25,6 +25,9 @@ assert names == ["drive.eds"], names
 
 file, old = ask("GET", address.path + "files/0")
 assert len(old) == int(file.headers["Content-Length"])
+head, nothing = ask("HEAD", address.path + "files/0")
+same = ["Content-Length", "ETag", "Content-Type", "Cache-Control"]
+assert head.status == 200 and nothing == b"" and all(head.headers[name] == file.headers[name] for name in same), head.headers
 new = old.replace(b"DefaultValue", b"defaultvalue", 1)
 origin = f"http://{address.netloc}"
 headers = {"Origin": origin, "If-Match": file.headers["ETag"]}

@@ -151,8 +151,8 @@ impl From<HttpRefusal> for HttpResponse<'_> {
 }
 
 impl HttpResponse<'_> {
-    /// Sends it and ends the connection. No other page may frame, read or keep what it has.
-    pub(super) fn send(&self, mut stream: &TcpStream) -> io::Result<()> {
+    /// Sends it, or its head alone, and ends the connection. No other page may frame, read or keep what it has.
+    pub(super) fn send(&self, mut stream: &TcpStream, is_head: bool) -> io::Result<()> {
         let etag = self.etag.as_ref().map(|etag| format!("ETag: {etag}\r\n")).unwrap_or_default();
         let head = format!(
             "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n{etag}Connection: close\r\n\
@@ -165,7 +165,8 @@ impl HttpResponse<'_> {
         );
         stream.set_write_timeout(Some(BODY_TIME))?;
         stream.write_all(head.as_bytes())?;
-        stream.write_all(&self.body)?;
+        let body: &[u8] = if is_head { &[] } else { &self.body };
+        stream.write_all(body)?;
         stream.shutdown(Shutdown::Write)?;
         // closing what has unread bytes would reset the connection before the answer is read
         let rest = Timed { stream: stream.try_clone()?, until: Instant::now() + DRAIN_TIME };

@@ -171,6 +171,7 @@ impl PageServer {
     fn converse(&self, number: u64, stream: TcpStream) {
         let Ok(answers) = stream.try_clone() else { return };
         let Some(request) = HttpRequest::read(stream) else { return };
+        let is_head = request.as_ref().is_ok_and(|request| request.method == "HEAD");
         let mut has_token = false;
         let response = request.and_then(|mut request| {
             let path = self.admit(&request)?;
@@ -182,7 +183,7 @@ impl PageServer {
             self.answer(&mut request, &path)
         });
         // a page that was closed meanwhile needs no answer
-        let _ = response.unwrap_or_else(HttpResponse::from).send(&answers);
+        let _ = response.unwrap_or_else(HttpResponse::from).send(&answers, is_head);
         if has_token {
             self.requests.fetch_sub(1, Ordering::SeqCst);
         }
@@ -191,15 +192,15 @@ impl PageServer {
     fn answer(&self, request: &mut HttpRequest, path: &str) -> Result<HttpResponse<'_>, HttpRefusal> {
         let ok = |kind, etag, body| HttpResponse { status: 200, kind, etag, body };
         match (&*request.method, path) {
-            ("GET", "") => {
+            ("GET" | "HEAD", "") => {
                 self.is_open.store(true, Ordering::SeqCst);
                 Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into()))
             }
-            ("GET", "files") => {
+            ("GET" | "HEAD", "files") => {
                 let list = self.files.list().map_err(|failure| HttpRefusal(500, failure))?;
                 Ok(ok("application/json", None, list.into()))
             }
-            ("GET", path) => {
+            ("GET" | "HEAD", path) => {
                 let (bytes, etag) = self.files.read(number(path)?)?;
                 Ok(ok("application/octet-stream", Some(etag), bytes.into()))
             }
@@ -213,7 +214,7 @@ impl PageServer {
                 let etag = self.files.write(number, &expected, &body)?;
                 Ok(ok("text/plain", Some(etag), [].as_slice().into()))
             }
-            _ => Err(HttpRefusal::new(405, "only `GET` and `PUT` are answered")),
+            _ => Err(HttpRefusal::new(405, "only `GET`, `HEAD` and `PUT` are answered")),
         }
     }
 
@@ -226,7 +227,8 @@ impl PageServer {
             return Err(HttpRefusal::new(403, "the request is for another host"));
         }
         let origin = request.header("origin")?;
-        let is_own = origin.map_or(request.method == "GET", |origin| origin == format!("http://{host}"));
+        let is_own = origin
+            .map_or(matches!(&*request.method, "GET" | "HEAD"), |origin| origin == format!("http://{host}"));
         if !is_own {
             return Err(HttpRefusal::new(403, "the request is from the page of another site"));
         }
