@@ -1,11 +1,17 @@
 // Changes that are in no file survive a reload, a crash and a closed window: the browser keeps them until they are saved or given up.
 
-import { del, entries, set } from "idb-keyval";
+import { del, get, keys, set } from "idb-keyval";
 import type { Files } from "./files";
 import { textBytes, type Draft, type OpenDocument, type Store } from "./store";
 
 /** So long the page is left alone before what has changed is kept, in ms. */
 const PAUSE = 300;
+
+/** So long the former page of the tab may hold its lock while it is reloaded, in ms. */
+const PATIENCE = 5000;
+
+/** Where the tab has the name of its page. */
+const KEY = "objdict-page";
 
 const draftOf = ({ state, bytes, original, saved, home }: OpenDocument): Draft => ({ name: state.name, bytes: bytes ?? textBytes(original), text: state.text, encoding: state.encoding, saved, home });
 
@@ -25,19 +31,26 @@ export class Drafts {
     // a browser that keeps nothing does without
     if (!navigator.locks || !window.indexedDB) return;
     await new Promise<void>((resolve) => void navigator.locks.request(this.page, () => (resolve(), new Promise(() => {}))));
-    const left = await entries<string, Draft[]>().catch(() => []);
-    for (const [page, drafts] of left) await navigator.locks.request(page, { ifAvailable: true }, (lock) => lock && this.take(page, drafts));
     this.store.onDraw(() => {
       clearTimeout(this.timer);
       this.timer = window.setTimeout(() => void this.store.attempt(() => this.keep()), PAUSE);
     });
     addEventListener("pagehide", () => void this.keep());
+    const former = sessionStorage.getItem(KEY);
+    sessionStorage.setItem(KEY, this.page);
+    for (const page of (await keys<string>().catch(() => [])).filter((page) => page !== this.page)) {
+      // a page of another tab that is open keeps its own
+      const options = page === former ? { signal: AbortSignal.timeout(PATIENCE) } : { ifAvailable: true };
+      await navigator.locks.request(page, options, (lock) => lock && this.take(page)).catch(() => {});
+    }
   }
 
-  private async take(page: string, drafts: Draft[]): Promise<void> {
+  private async take(page: string): Promise<void> {
+    const drafts = (await get<Draft[]>(page)) ?? [];
     for (const draft of drafts) await this.store.restore(draft);
     await this.keep();
     await del(page);
+    if (drafts.length === 0) return;
     const names = drafts.map(({ name }) => name).join(", ");
     this.store.notice = { kind: "note", message: `Opened again with changes that were not saved: ${names}` };
     this.store.draw();

@@ -214,7 +214,7 @@ function notice(): HTMLElement {
     };
     const { kind, message, help, actions = [] } = store.notice;
     element.className = `notice ${kind}`;
-    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", ...actions.map(({ label, make }) => button(label, make)), button("Close", close, { class: "quiet" }));
+    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", ...actions.map(({ label, make }) => button(label, () => (close(), make()))), button("Close", close, { class: "quiet" }));
   });
   return element;
 }

@@ -57,6 +57,26 @@ export async function open(page, ...files) {
 
 export const checked = (page) => page.waitForSelector('.findings ul[aria-busy="false"]');
 
+/** Of how many pages the browser keeps changes. */
+const countKept = (page) =>
+  page.evaluate(async () => {
+    // opening it would make it
+    if (!(await indexedDB.databases()).some(({ name }) => name === "keyval-store")) return 0;
+    const result = (request) => new Promise((resolve, reject) => Object.assign(request, { onsuccess: () => resolve(request.result), onerror: reject }));
+    const database = await result(indexedDB.open("keyval-store"));
+    const found = await result(database.transaction("keyval").objectStore("keyval").count());
+    database.close();
+    return found;
+  });
+
+/** Waits until there are so many. */
+export async function kept(page, count) {
+  for (let turn = 0; (await countKept(page)) !== count; turn++) {
+    assert.ok(turn < 300, "changes are not kept");
+    await page.waitForTimeout(100);
+  }
+}
+
 /** The bytes of a file that the page saves. */
 export async function download(page, what) {
   const [file] = await Promise.all([page.waitForEvent("download"), what()]);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { browser, changedLines, download, open, saveAs, server, skip, withPage } from "./page.mjs";
+import { browser, changedLines, download, kept, newPage, open, saveAs, server, skip, withPage } from "./page.mjs";
 import { fixture } from "./support.mjs";
 
 const DRIVE = "drive-402.eds";
@@ -156,17 +156,16 @@ test("a dialog takes input when it is filled in, and keeps it when it is refused
 
 test("changes survive a reload, as long as they are in no file", { skip }, async () => {
   const context = await browser.newContext({ acceptDownloads: true });
-  const page = await context.newPage();
+  const page = await newPage(context);
   page.on("dialog", (dialog) => dialog.accept());
   await page.goto(server.address);
   const latin1 = Buffer.from(original.toString("latin1").replace("ParameterName=Device type", "ParameterName=Ger\xe4t"), "latin1");
   await open(page, [DRIVE, latin1], ["io-401.eds", fixture("eds/io-401.eds")]);
   await page.locator(".document button", { hasText: DRIVE }).click();
   await typeAt(page, 0, "; by hand ");
-  await page.waitForSelector(".document.current:has-text('•')");
-  await page.waitForTimeout(600);
+  await kept(page, 1);
   // another page that is open keeps its own
-  const second = await context.newPage();
+  const second = await newPage(context);
   await second.goto(server.address);
   await open(second, ["io-401.eds", fixture("eds/io-401.eds")]);
   assert.equal(await second.locator(".document").count(), 1);
@@ -175,7 +174,7 @@ test("changes survive a reload, as long as they are in no file", { skip }, async
   assert.equal(await page.locator(".document").count(), 1);
   await page.waitForSelector(".document.current:has-text('•')");
   assert.equal((await saveAs(page)).bytes.toString("latin1"), `; by hand ${latin1.toString("latin1")}`);
-  await page.waitForTimeout(600);
+  await kept(page, 0);
   await page.reload();
   await page.waitForSelector(".welcome:not([hidden])");
   await context.close();

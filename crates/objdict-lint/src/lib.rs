@@ -51,8 +51,8 @@ pub(crate) use srdo::Srdo;
 /// The group of the rules about other tools.
 pub const PORTABILITY: &str = "portability";
 
-/// What does not apply to a device of EtherCAT: the communication of CANopen, and what an EDS says about CAN.
-const OF_CANOPEN: &str = " cia301 cia302 cia304 cia305 cia306/reserved-index cia306/no-baud-rate cia306/command-without-flag cia402/cyclic-mode-without-sync ";
+/// What does not apply to a device of EtherCAT: the communication of CANopen, what an EDS says about CAN, and the sections that it must have.
+const OF_CANOPEN: &str = " cia301 cia302 cia304 cia305 cia306/reserved-index cia306/no-baud-rate cia306/command-without-flag cia306/missing-section cia402/cyclic-mode-without-sync ";
 
 /// Applies all rules to one device. Objects that are disabled are no part of it.
 pub fn check(described: &Device, options: &Options) -> Findings {
