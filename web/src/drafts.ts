@@ -47,11 +47,13 @@ export class Drafts {
 
   private async take(page: string): Promise<void> {
     const drafts = (await get<Draft[]>(page)) ?? [];
-    for (const draft of drafts) await this.store.restore(draft);
+    const [restored, refused]: Draft[][] = [[], []];
+    for (const draft of drafts) ((await this.store.restore(draft)) ? restored : refused)!.push(draft);
     await this.keep();
-    await del(page);
-    if (drafts.length === 0) return;
-    const names = drafts.map(({ name }) => name).join(", ");
+    // what was refused is tried again the next time
+    await (refused!.length > 0 ? set(page, refused) : del(page));
+    if (restored!.length === 0) return;
+    const names = restored!.map(({ name }) => name).join(", ");
     this.store.notice = { kind: "note", message: `Opened again with changes that were not saved: ${names}` };
     this.store.draw();
   }

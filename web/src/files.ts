@@ -1,9 +1,9 @@
 // The files that `objdict open` serves: open when the page is loaded, in a list, and saved in place. Elsewhere there are none.
 
-import { Refused } from "./engine";
+import { Refused, ask } from "./engine";
 import { Dialog } from "./dialog";
 import { h } from "./dom";
-import type { Refusal } from "./protocol";
+import type { Opened, Refusal } from "./protocol";
 import { contentOf, type OpenDocument, type Store } from "./store";
 
 /** A file as the command lists it (crates/objdict-cli/src/open/files.rs). */
@@ -85,7 +85,7 @@ export class Files {
   /** Looks for files that other programs have changed. */
   private async look(): Promise<void> {
     if (document.hidden) return;
-    for (const shown of this.store.documents.filter(({ home }) => home)) {
+    for (const shown of this.store.documents.filter(({ home, state }) => home && state.kind !== "log")) {
       const home = shown.home!;
       const found = await fetch(`${this.place}/${home.number}`, { method: "HEAD" }).catch(() => undefined);
       const etag = found?.ok ? found.headers.get("etag")! : home.etag;
@@ -99,43 +99,47 @@ export class Files {
     const { name } = this.list[shown.home!.number]!;
     await this.store.settled();
     if (!this.isChanged(shown)) {
-      await this.reload(shown);
-      return this.say(`${name} was changed by another program, and is shown as it is now.`);
+      if (await this.reload(shown)) this.say(`${name} was changed by another program, and is shown as it is now.`);
+      // what was typed meanwhile is asked about the next time
+      else shown.home!.seen = undefined;
+      return;
     }
     const message = `\`${name}\` was changed by another program, and has changes here that are not saved`;
     const actions = [
       { label: "Load it from the disk", make: () => void this.reload(shown) },
-      { label: "Compare", make: () => void this.store.attempt(() => this.compare(shown, name)) },
+      { label: "Compare", make: () => void this.store.attempt(() => this.compare(shown)) },
       { label: "Replace it on the disk …", make: () => ((shown.home!.etag = etag), this.store.show(shown), void this.save()) },
     ];
     this.store.notice = { kind: "error", message, actions };
     this.store.draw();
   }
 
-  private async reload(shown: OpenDocument): Promise<void> {
-    const { store } = this;
-    const { current, index, view } = store;
-    await store.attempt(async () => {
-      const now = await this.load(shown.home!.number, true);
-      await store.close(shown);
-      if (current !== shown) return current && store.show(current);
-      if (now.outline.objects.some((object) => object.index === index)) store.index = index;
-      store.view = view;
-    });
+  /** Changes a document to what is on the disk, so that undo takes it back, and what is typed meanwhile is not lost. */
+  private reload(shown: OpenDocument): Promise<boolean> {
+    let isDone = false;
+    const reload = async () => {
+      const { name, bytes, home } = await this.read(shown.home!.number);
+      const { document, state } = await ask<Opened>({ do: "open", name }, bytes);
+      await ask({ do: "close", document });
+      isDone = await this.store.restore({ name, bytes, text: state.text, encoding: state.encoding, saved: contentOf({ state }), home });
+    };
+    return this.store.attempt(reload).then(() => isDone);
   }
 
   /** Compares with what is on the disk, which has no place of its own there. */
-  private async compare(shown: OpenDocument, name: string): Promise<void> {
+  private async compare(shown: OpenDocument): Promise<void> {
     const { store } = this;
-    store.compared = (await this.load(shown.home!.number, false, `disk/${name}`)).id;
+    const { name, bytes } = await this.read(shown.home!.number);
+    store.compared = (await store.load(`disk/${name}`, bytes)).id;
     store.show(shown);
     store.view = "compare";
   }
 
-  private async load(number: number, isHome: boolean, name = this.list[number]!.name): Promise<OpenDocument> {
+  /** What is on the disk now. */
+  private async read(number: number): Promise<{ name: string; bytes: Uint8Array; home: Home }> {
     const response = await this.fetch(`/${number}`);
-    const bytes = new Uint8Array(await response.arrayBuffer());
-    return this.store.load(name, bytes, isHome ? { number, etag: response.headers.get("etag")! } : undefined);
+    const home = { number, etag: response.headers.get("etag")! };
+    return { name: this.list[number]!.name, bytes: new Uint8Array(await response.arrayBuffer()), home };
   }
 
   /** Asks before the shown file is replaced; `false` if it cannot be saved in place. */
@@ -185,7 +189,10 @@ export class Files {
     for (const node of nodes) await this.open(node);
     const known = store.documents.find((document) => document.home?.number === number);
     if (known) return store.show(known);
-    await store.attempt(() => this.load(number, true));
+    await store.attempt(async () => {
+      const { name, bytes, home } = await this.read(number);
+      await store.load(name, bytes, home);
+    });
   }
 
   private async fetch(below: string, options: RequestInit = {}): Promise<Response> {

@@ -64,7 +64,7 @@ export interface Notice {
 }
 
 /** What a document has, to be compared with what was saved. */
-export const contentOf = ({ state }: OpenDocument): string => `${state.encoding}\n${state.text}`;
+export const contentOf = ({ state }: Pick<OpenDocument, "state">): string => `${state.encoding}\n${state.text}`;
 
 /** The parts of a page that are drawn anew. */
 export type Drawing = (store: Store) => unknown;
@@ -331,18 +331,22 @@ export class Store {
     this.draw();
   }
 
-  /** Opens a file as it was and changes it to what became of it; a file of the disk that is open already is changed. */
-  async restore({ name, bytes, text, encoding, saved, home }: Draft): Promise<void> {
+  /** Opens a file as it was and changes it to what became of it; a file of the disk that is open already is changed. `false` if that was refused. */
+  async restore({ name, bytes, text, encoding, saved, home }: Draft): Promise<boolean> {
     const known = home && this.documents.find((document) => document.home?.number === home.number);
     const of = known ?? (await this.open(name, bytes, home));
-    if (!of) return;
-    Object.assign(of, { saved, home });
+    if (!of) return false;
     const document = of.id;
-    if (of.state.encoding !== encoding) await this.change({ do: "encode", document, encoding });
-    if (of.state.kind === "log" || of.state.text === text) return;
-    const lines = of.state.text.split(/\r\n|\r|\n/);
-    const edits = [{ line: 1, column: 1, end_line: lines.length, end_column: [...lines.at(-1)!].length + 1, text }];
-    await this.change({ do: "edit", document, revision: of.state.revision, edits });
+    const isEncoded = of.state.encoding === encoding || (await this.change({ do: "encode", document, encoding }));
+    if (!isEncoded) return false;
+    if (of.state.kind !== "log" && of.state.text !== text) {
+      const lines = of.state.text.split(/\r\n|\r|\n/);
+      const edits = [{ line: 1, column: 1, end_line: lines.length, end_column: [...lines.at(-1)!].length + 1, text }];
+      if (!(await this.change({ do: "edit", document, revision: of.state.revision, edits }))) return false;
+    }
+    Object.assign(of, { saved, home });
+    this.draw();
+    return true;
   }
 
   /** After the engine failed: what is open is opened again, as it was. */

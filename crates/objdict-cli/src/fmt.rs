@@ -65,10 +65,9 @@ fn arrange(args: &FmtArgs, file: &InputFile) -> Result<Option<FormattedFile>, Fa
     };
     let source = description.source();
     let before = source.with_bytes(source.to_bytes()).map_err(Failure::new)?;
-    let description = match args.dialect.tools() {
-        [_, ..] if description.document().is_some() => compat::adapt(description, args.dialect.tools()),
-        _ => description,
-    };
+    let readers = args.dialect.tools();
+    let is_adapted = !readers.is_empty() && description.document().is_some();
+    let description = if is_adapted { compat::adapt(description, readers) } else { description };
     let bytes = description.arranged().map_err(Failure::new)?;
     let after = description.source().with_bytes(bytes.clone()).map_err(Failure::new)?;
     Ok(Some(FormattedFile { file: file.path.clone(), before, after, bytes }))

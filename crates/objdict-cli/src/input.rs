@@ -115,7 +115,7 @@ impl InputArgs {
         self.read_as(path, config, false)
     }
 
-    /// As [`read_one`](Self::read_one), of a node of CANopen.
+    /// As [`read_one`](Self::read_one); a device that is no CANopen node is refused.
     pub(super) fn read_node(
         &self,
         path: &Path,

@@ -35,7 +35,7 @@ pub enum Dialect {
 struct ReaderRow {
     dialect: Dialect,
     name: &'static str,
-    /// Those of them whose reactions to findings are known.
+    /// The readers whose reactions to findings are known.
     tools: &'static [Tool],
     real: RealSpelling,
     quote_strings: bool,
@@ -315,8 +315,8 @@ fn keep_agreed(object: &mut Object) {
     entries.chain([&mut object.main]).for_each(keep_agreed_values);
 }
 
-/// dcf-tools reads a REAL as its bits and the others as a number, it refuses values outside of type and limits, and node-canopen
-/// refuses limits that are exchanged.
+/// dcf-tools reads a REAL as bits where other tools read a number, and refuses values outside their type or limits; node-canopen
+/// refuses exchanged limits.
 fn keep_agreed_values(entry: &mut Entry) {
     let Some(data_type) = entry.data_type else { return };
     let is_real = matches!(data_type.kind(), TypeKind::Real32 | TypeKind::Real64);
@@ -331,11 +331,11 @@ fn keep_agreed_values(entry: &mut Entry) {
     for value in values {
         *value = value.take().filter(is_agreed);
     }
-    let at = |value: &Option<Value>, node_id| value.as_ref().and_then(|value| value.integer_for(node_id));
     let is_beyond = |node_id: &u8| {
-        let low = at(&entry.low_limit, *node_id).unwrap_or(i128::MIN);
-        let high = at(&entry.high_limit, *node_id).unwrap_or(i128::MAX);
-        let values = [at(&entry.default, *node_id), at(&entry.value().cloned(), *node_id)];
+        let number = |value: Option<&Value>| value?.integer_for(*node_id);
+        let low = number(entry.low_limit.as_ref()).unwrap_or(i128::MIN);
+        let high = number(entry.high_limit.as_ref()).unwrap_or(i128::MAX);
+        let values = [number(entry.default.as_ref()), number(entry.value())];
         low > high || values.into_iter().flatten().any(|number| !(low..=high).contains(&number))
     };
     if [1, 127].iter().any(is_beyond) {

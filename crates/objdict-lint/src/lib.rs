@@ -61,10 +61,10 @@ pub fn check(described: &Device, options: &Options) -> Findings {
 
 /// As [`check`], with some of the rules.
 pub fn check_some(described: &Device, options: &Options, is_wanted: &dyn Fn(&RuleInfo) -> bool) -> Findings {
+    let is_ethercat = described.is_ethercat();
     let is_wanted = &|rule: &RuleInfo| {
         let is_of_canopen = |name: &str| OF_CANOPEN.contains(&format!(" {name} "));
-        is_wanted(rule)
-            && !(described.is_ethercat() && [rule.group(), rule.id].into_iter().any(is_of_canopen))
+        is_wanted(rule) && !(is_ethercat && [rule.group(), rule.id].into_iter().any(is_of_canopen))
     };
     let asked_for = || asked_for(options).filter(|rule| is_wanted(&rule.info));
     let mut findings = Findings::new();

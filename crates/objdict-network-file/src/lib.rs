@@ -465,7 +465,7 @@ fn startup(section: &KeyedTable<'_>, between: &str, findings: &mut Findings) -> 
     }
 }
 
-/// The value of an entry; `None` for a list, a map or nothing.
+/// The value of an entry; a list, a map or nothing is a finding.
 fn requested_value(tree: &KeyedTree, findings: &mut Findings) -> Option<RequestedValue> {
     Some(match &*tree.kind {
         Kind::Integer(number) => RequestedValue::Integer(*number),

@@ -99,7 +99,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
     fn object(&mut self, element: Element<'a>) -> Option<()> {
         let index: Option<u16> = number(&text(element, "Index")).filter(|index| *index > 0);
         let Some(index) = index.filter(|index| !self.read.device.objects.contains_key(index)) else {
-            self.not_read(element, say!("an object has no index, or that of another one"));
+            self.not_read(element, say!("an object has no index, or the index of another object"));
             return Some(());
         };
         let (name, type_name) = (text(element, "Name"), text(element, "Type"));

@@ -122,7 +122,7 @@ impl EsiDevice {
                         say!("the objects of the device are in `{}`, which cannot be read", line(named));
                     let finding =
                         Diagnostic::new(&NOT_READ, named.tag_span(), message).severity(Severity::Error);
-                    self.findings.push(finding.help("put that file of the vendor beside this one"));
+                    self.findings.push(finding.help("copy the vendor's file into the folder of this one"));
                 }
             }
         }
@@ -136,7 +136,7 @@ impl EsiDevice {
     /// Reads the dictionary in another file; `None` if it cannot be read.
     fn follow(&mut self, tree: &Tree, named: Element<'_>) -> Option<()> {
         let path = Folder::of(Path::new(tree.source().name())).resolve(&line(named)).ok()?;
-        // those of vendors have some hundred kilobytes
+        // the dictionaries of vendors have some hundred kilobytes
         let source = SourceFile::open(&path, &SourceOptions { encoding: None, max_size: 8 << 20 }).ok()?;
         let other = Tree::new(source, &mut Findings::new());
         let mut elements = other.root().into_iter().flat_map(Element::descendants).chain(other.root());

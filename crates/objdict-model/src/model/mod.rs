@@ -65,9 +65,9 @@ pub const EMBEDDED_SECTION: &str = "ObjdictCarried";
 /// that has it keeps the names that objdictgen gives.
 pub const OBJDICTGEN_SECTION: &str = "objdictgen";
 
-/// The section with what an EtherCAT slave information (ESI) says of its device beside objects. A device that has it is read from
-/// one, and is no CANopen node.
-pub const ETHERCAT_SECTION: &str = "EtherCAT";
+/// The section with the facts of an EtherCAT slave information (ESI) about its device, apart from the objects. A device that has it
+/// comes from an ESI, and is no CANopen node. Vendors may have a section `EtherCAT` in the EDS of a CANopen device.
+pub const ETHERCAT_SECTION: &str = "EtherCATInfo";
 
 /// The start of a comment line of an EDS or DCF in which objdict stores what the format does not support, after the semicolon.
 pub const EMBEDDED_COMMENT: &str = " objdict-embed: ";

@@ -1,11 +1,11 @@
-//! Descriptions as a tool reads them.
+//! Descriptions as tools read them.
 
 use super::REACTIONS;
 use objdict_format::Description;
 use objdict_lint::Options;
 use objdict_model::diagnostic::{Applicability, Tool};
 
-/// A description with the safe fixes of what a tool refuses, misreads or drops.
+/// A description with the safe fixes of what these tools refuse, misread or drop.
 pub fn adapt(description: Description, tools: &[Tool]) -> Description {
     let options = Options { tools: tools.to_vec(), ..Options::default() };
     let concerns = |rule: &str| {
