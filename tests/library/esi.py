@@ -79,7 +79,17 @@ def entry(types, obj, item, type_name, name, info):
     access = flag(item, obj, "Access", "ro")
     access = {("rw", "rpdo"): "rww", ("rw", "tpdo"): "rwr"}.get((access, mapping), access)
     values = [value([info, item], stem, of) for stem in ("Default", "Min", "Max")]
-    return [name, of, access, mapping, *values]
+    flags = [flag(item, obj, "Category", "o"), flag(item, obj, "Backup", "0") == "1"]
+    return [name, of, access, mapping, *values, enumeration(types, type_name), *flags]
+
+
+def enumeration(types, name):
+    """The names of values of the nearest type that has some."""
+    while name in types:
+        if types[name].find("EnumInfo") is not None:
+            return [(text(one, "Enum"), text(one, "Text")) for one in types[name].findall("EnumInfo")]
+        name = text(types[name], "BaseType")
+    return []
 
 
 def dictionary(of):
@@ -122,7 +132,7 @@ def pdos(device, entries):
         is_new = not any(at == index for at, _ in entries)
         for sub, (stated, name) in values.items():
             if is_new:
-                entries[index, sub] = [name, "UNSIGNED32" if sub else "UNSIGNED8", "ro", "no", stated, None, None]
+                entries[index, sub] = [name, "UNSIGNED32" if sub else "UNSIGNED8", "ro", "no", stated, None, None, [], "o", False]
             elif (index, sub) in entries and entries[index, sub][4] is None:
                 entries[index, sub][4] = stated
 
@@ -154,7 +164,10 @@ def main(esi, written, number_of_device=1):
         for sub, of in subs.items() if subs else [(None, obj)]:
             at = int(index, 16), None if sub is None else int(sub, 16)
             keys = ("name", "data_type", "access", "pdo_mapping", "default", "low_limit", "high_limit")
-            found[at] = [plain(of.get(key)) for key in keys]
+            parameter = of.get("parameter", {})
+            named = [(one["value"], one["labels"][0]["name"]["text"]) for one in parameter.get("allowed_values", {}).get("values", [])]
+            flags = [parameter.get("support", "o")[0], parameter.get("persistent", False)]
+            found[at] = [*(plain(of.get(key)) for key in keys), named, *flags]
     differences = [(at, expected.get(at), found.get(at)) for at in sorted(expected.keys() | found.keys(), key=str) if expected.get(at) != found.get(at)]
     for at, one, other in differences[:20]:
         print(at, "ESI:", one, "objdict:", other)

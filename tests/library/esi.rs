@@ -6,7 +6,9 @@ use std::process::Command;
 use objdict::diagnostic::{Findings, Severity};
 use objdict::format::input::{FileKind, Input, Reading};
 use objdict::format::{Description, Format, WriteOptions, json};
-use objdict::model::{Access, DataType, Device, ExtraSection, ObjectType, PdoMapping, Value};
+use objdict::model::{
+    Access, AllowedValues, DataType, Device, ExtraSection, ObjectType, PdoMapping, Support, Value,
+};
 use proptest::prelude::*;
 
 use crate::support::{fixtures, skips};
@@ -74,6 +76,14 @@ fn a_file_is_read() {
     let types = [(0x2000, 3), (0x2000, 4), (0x6060, 0), (0x1C12, 1)];
     let types = types.map(|(index, sub)| device.entry(index, sub).unwrap().data_type.unwrap());
     assert_eq!(types, [DataType::REAL32, DataType::UNSIGNED8, DataType::INTEGER8, DataType::UNSIGNED16]);
+    let parameter = |index, sub| device.entry(index, sub).unwrap().parameter.clone().unwrap_or_default();
+    let modes = [("0", "none"), ("1", "profile position")];
+    assert_eq!(parameter(0x6060, 0).allowed_values, Some(AllowedValues::named(modes)));
+    assert_eq!(
+        [parameter(0x2000, 1), parameter(0x2000, 3)]
+            .map(|parameter| (parameter.support, parameter.persistent)),
+        [(Some(Support::Mandatory), Some(true)), (None, None)]
+    );
     assert_eq!(device.entry(0x2000, 4).unwrap().extra.get("EtherCATType"), Some("BIT3"));
     let object = |index: u16| (device.objects[&index].name(), device.objects[&index].object_type());
     assert_eq!(
@@ -203,6 +213,14 @@ fn hostile_files_take_little() {
     let found = lines(description.findings());
     assert!(found.iter().any(|line| line.contains("too many entries")), "{found:?}");
     assert!(found.iter().any(|line| line.contains("no data type `B`")), "{found:?}");
+    // few types whose values have many names
+    let names = "<EnumInfo><Text>on</Text><Enum>1</Enum></EnumInfo>".repeat(3000);
+    let text = format!(
+        "<EtherCATInfo><Descriptions><Devices><Device><Profile><Dictionary><DataTypes><DataType><Name>A</Name><BaseType>BYTE</BaseType>\
+         {names}</DataType></DataTypes><Objects>{objects}</Objects></Dictionary></Profile></Device></Devices></Descriptions></EtherCATInfo>"
+    );
+    let found = lines(read("x.xml", text.into_bytes()).findings());
+    assert!(found.iter().any(|line| line.contains("too many entries")), "{found:?}");
 }
 
 proptest! {

@@ -4,8 +4,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use objdict::format::input::{Input, Reading};
 use objdict::format::{self, Description, Format};
-use objdict::source::{SourceFile, SourceOptions};
+use objdict::source::{EditError, SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -149,4 +150,16 @@ fn xml_gets_the_order_of_the_standard() {
         arrange(&mixed.replace(r#" dataType="0007" accessType="ro""#, " accessType='ro' dataType='0007'")),
         expected
     );
+}
+
+/// What is read and never written says so.
+#[test]
+fn projects_of_other_programs_are_not_formatted() {
+    for name in ["esi/press.xml", "objdictgen/pump.od"] {
+        let path = support::fixtures().join(name);
+        let (_, input) = Reading::default().open(&path).unwrap();
+        let Input::Description(description) = input else { panic!("{name}") };
+        let error = description.arranged().unwrap_err();
+        assert_eq!(error, EditError::NotWritten(path.to_str().unwrap().to_owned()));
+    }
 }

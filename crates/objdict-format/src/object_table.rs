@@ -247,7 +247,7 @@ impl TableLine {
         let named = self.pairs("named_values", self.get("named_values"), "; ", " = ")?;
         if !named.is_empty() {
             let allowed = entry.parameter_mut().allowed_values.get_or_insert_default();
-            allowed.values = named.iter().map(|(number, name)| meaning::named_value(number, name)).collect();
+            allowed.values = AllowedValues::named(named).values;
         }
         self.bit_fields(address, &mut entry, application)?;
         if !self.get("groups").is_empty() {

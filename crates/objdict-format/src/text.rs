@@ -124,8 +124,8 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
 
     /// It in canonical order and spelling, the most thorough first; what is read of it may differ.
     #[cfg(feature = "full")]
-    fn arranged<'a>(&'a self, _device: &'a Device) -> Box<dyn Iterator<Item = String> + 'a> {
-        Box::new(std::iter::empty())
+    fn arranged<'a>(&'a self, _device: &'a Device) -> Option<Box<dyn Iterator<Item = String> + 'a>> {
+        None
     }
 }
 

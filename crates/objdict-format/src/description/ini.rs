@@ -68,8 +68,8 @@ impl DescriptionText for IniText {
     }
 
     #[cfg(feature = "full")]
-    fn arranged<'a>(&'a self, device: &'a Device) -> Box<dyn Iterator<Item = String> + 'a> {
+    fn arranged<'a>(&'a self, device: &'a Device) -> Option<Box<dyn Iterator<Item = String> + 'a>> {
         let extents = eds::fmt::Extent::ALL.into_iter();
-        Box::new(extents.map(|extent| eds::fmt::arrange(&self.document, device, extent)))
+        Some(Box::new(extents.map(|extent| eds::fmt::arrange(&self.document, device, extent))))
     }
 }

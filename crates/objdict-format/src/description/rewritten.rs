@@ -106,8 +106,9 @@ impl Description {
             (0..self.device_count())
                 .all(|number| are_equal(&self.device_at(number), &again.device_at(number)))
         };
-        let found = self.text.arranged(&self.device).find(is_same);
-        let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
+        let name = || source.name().to_owned();
+        let mut arranged = self.text.arranged(&self.device).ok_or_else(|| EditError::NotWritten(name()))?;
+        let text = arranged.find(is_same).ok_or_else(|| EditError::OtherMeaning(name()))?;
         source.encode(&text).map_err(EditError::from)
     }
 }

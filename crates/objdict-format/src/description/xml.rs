@@ -131,7 +131,7 @@ impl DescriptionText for XmlText {
     }
 
     #[cfg(feature = "full")]
-    fn arranged<'a>(&'a self, _: &'a Device) -> Box<dyn Iterator<Item = String> + 'a> {
-        Box::new([true, false].into_iter().filter_map(|sorted| xdd::arrange(&self.tree, sorted)))
+    fn arranged<'a>(&'a self, _: &'a Device) -> Option<Box<dyn Iterator<Item = String> + 'a>> {
+        Some(Box::new([true, false].into_iter().filter_map(|sorted| xdd::arrange(&self.tree, sorted))))
     }
 }

@@ -109,7 +109,7 @@ impl DescriptionText for TomlText {
         self.edited(edits?)
     }
 
-    fn arranged<'a>(&'a self, _: &'a Device) -> Box<dyn Iterator<Item = String> + 'a> {
-        Box::new(std::iter::once_with(|| self.editor().arranged()))
+    fn arranged<'a>(&'a self, _: &'a Device) -> Option<Box<dyn Iterator<Item = String> + 'a>> {
+        Some(Box::new(std::iter::once_with(|| self.editor().arranged())))
     }
 }

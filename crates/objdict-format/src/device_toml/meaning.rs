@@ -7,7 +7,7 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Severity, say};
 use objdict_model::literal::written_number;
 use objdict_model::model::{
     AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, LANGUAGE, Label, Labels, Parameter,
-    ScaledValue, SimpleType, TypeDefinition, TypeShape, Unit, Value, VarDeclaration,
+    SimpleType, TypeDefinition, TypeShape, Unit, Value, VarDeclaration,
 };
 
 /// Reads the meaning of an entry into its parameter.
@@ -59,9 +59,8 @@ pub(super) fn read(
                 findings.push(finding.help("correct the number, or `type`"));
             }
         }
-        let values = values.map(|value| named_value(&value.key.spelled(), &value.value.spelled()));
-        entry.parameter_mut().allowed_values =
-            Some(AllowedValues { values: values.collect(), ..AllowedValues::default() });
+        let values = values.map(|value| (value.key.spelled(), value.value.spelled()));
+        entry.parameter_mut().allowed_values = Some(AllowedValues::named(values));
     }
     if section.get("bits").is_some() {
         let members: Vec<VarDeclaration> = members(section, address, findings);
@@ -101,10 +100,6 @@ fn range(text: &str) -> Option<(u8, u8)> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
     let (first, last) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
     (first <= last && last < 64).then_some((first, last))
-}
-
-pub(crate) fn named_value(number: &str, name: &str) -> ScaledValue {
-    ScaledValue { value: number.into(), labels: Labels::name(LANGUAGE, name), ..ScaledValue::default() }
 }
 
 fn bits_id(address: &str) -> String {
@@ -159,11 +154,11 @@ fn number(text: &str) -> String {
 
 fn names_of_values(parameter: &Parameter) -> Option<String> {
     let allowed = parameter.allowed_values.as_ref()?;
-    let is_plain = |value: &ScaledValue| {
-        let name = value.labels.name_in(LANGUAGE).unwrap_or_default();
-        named_value(&value.value, name) == *value
-    };
-    if allowed.values.is_empty() || !allowed.values.iter().all(is_plain) {
+    let named = allowed
+        .values
+        .iter()
+        .map(|value| (&*value.value, value.labels.name_in(LANGUAGE).unwrap_or_default()));
+    if allowed.values.is_empty() || AllowedValues::named(named).values != allowed.values {
         return None;
     }
     table(

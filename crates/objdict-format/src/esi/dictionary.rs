@@ -1,13 +1,14 @@
 //! `Dictionary`: units, data types, and the objects that refer to them.
 
 use std::collections::HashMap;
+use std::iter;
 
 use super::{EsiDevice, line, number, text};
 use objdict_model::diagnostic::{Text, say};
 use objdict_model::literal::{self, Quirks};
 use objdict_model::model::{
-    Access, DataType, Entry, Field, LANGUAGE, Object, ObjectType, Part, PdoMapping, Reason, TypeKind, Unit,
-    Value,
+    Access, AllowedValues, DataType, Entry, Field, LANGUAGE, Object, ObjectType, Part, PdoMapping, Reason,
+    Support, TypeKind, Unit, Value,
 };
 use objdict_xdd::xml::Element;
 
@@ -76,23 +77,30 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         if type_of(name).is_none() { self.types.get(name).copied() } else { None }
     }
 
+    /// The types from a name of the file to the one of ETG.2000.
+    fn bases(&self, name: &str) -> impl Iterator<Item = Element<'a>> {
+        let next = |of: &Element<'a>| self.defined(&text(*of, "BaseType"));
+        // so many types may follow from each other
+        iter::successors(self.defined(name), next).take(16)
+    }
+
     /// A type without sub-indexes.
     fn single(&self, name: &str) -> Option<DataType> {
-        let mut name = name.to_owned();
-        // so many types may follow from each other
-        for _ in 0..16 {
-            if let Some(data_type) = type_of(&name) {
-                return Some(data_type);
-            }
-            let of = self.defined(&name)?;
-            name = text(of, "BaseType");
-            if name.is_empty() {
-                let bits: usize = number(&text(of, "BitSize"))?;
-                let unsigned = DataType::unsigned(bits.div_ceil(8)).unwrap_or(DataType::OCTET_STRING);
-                return Some(if bits == 1 { DataType::BOOLEAN } else { unsigned });
-            }
+        let Some(last) = self.bases(name).last() else { return type_of(name) };
+        let base = text(last, "BaseType");
+        if !base.is_empty() {
+            return type_of(&base);
         }
-        None
+        let bits: usize = number(&text(last, "BitSize"))?;
+        let unsigned = DataType::unsigned(bits.div_ceil(8)).unwrap_or(DataType::OCTET_STRING);
+        Some(if bits == 1 { DataType::BOOLEAN } else { unsigned })
+    }
+
+    /// The names of values that the types define, the nearest one first.
+    fn named_values(&self, type_name: &str) -> Option<AllowedValues> {
+        let of = self.bases(type_name).find(|of| of.child("EnumInfo").is_some())?;
+        let number = |of| text(of, "Enum").replacen("#x", "0x", 1);
+        Some(AllowedValues::named(of.children_named("EnumInfo").map(|of| (number(of), text(of, "Text")))))
     }
 
     /// Reads an object; `None` if there is no room for its entries.
@@ -178,8 +186,11 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         let TypedItem { sub, item, type_name, name } = of;
         let data_type = self.single(type_name);
         let size = if item.id() == object.id() { 0 } else { item.span().len() };
-        // what an entry takes beside its texts
-        self.room = self.room.checked_sub(size.saturating_add(256))?;
+        let named = self.named_values(type_name);
+        let names = named.as_ref().map_or(0, |named| named.values.len() as u32);
+        // what an entry takes beside its texts, and the name of a value
+        self.room =
+            self.room.checked_sub(size.saturating_add(256).saturating_add(names.saturating_mul(128)))?;
         let name = name.clone().unwrap_or_else(|| format!("SubIndex {sub:03}")).into();
         let mut entry = Entry { name, object_type: Some(ObjectType::Var), data_type, ..Entry::default() };
         if data_type.is_none() {
@@ -189,6 +200,9 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
             entry.extra.push("EtherCATType", type_name);
         }
         flags(&mut entry, [item.child("Flags"), object.child("Flags")]);
+        if named.is_some() {
+            entry.parameter_mut().allowed_values = named;
+        }
         let parts = || [info, Some(*item)].into_iter().flatten();
         for unit in parts().filter_map(|of| of.child("Unit")).map(line) {
             entry.parameter_mut().unit = Some(Unit::named(LANGUAGE, self.units.get(&unit).unwrap_or(&unit)));
@@ -207,7 +221,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
     }
 }
 
-/// Access and mapping by the flags of the item, else by those of the object.
+/// Access, mapping, necessity and storage by the flags of the item, else by those of the object.
 fn flags(entry: &mut Entry, flags: [Option<Element<'_>>; 2]) {
     let stated = |name: &str| {
         let of = flags.into_iter().flatten().find_map(|flags| flags.child(name));
@@ -228,6 +242,15 @@ fn flags(entry: &mut Entry, flags: [Option<Element<'_>>; 2]) {
         ("rw", Some(PdoMapping::Rpdo)) => Some(Access::Rww),
         (word, _) => Access::from_name(word),
     };
+    // most are optional and not stored, as without a word
+    match &*stated("Category") {
+        "m" => entry.parameter_mut().support = Some(Support::Mandatory),
+        "c" => entry.parameter_mut().support = Some(Support::Conditional),
+        _ => {}
+    }
+    if matches!(&*stated("Backup"), "1" | "true") {
+        entry.parameter_mut().persistent = Some(true);
+    }
     if entry.access.is_none() {
         entry.invalid_values.push(Field::AccessType, &access, Reason::UnknownWord);
     }

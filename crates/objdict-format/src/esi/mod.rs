@@ -19,9 +19,9 @@ use objdict_xdd::xdd::Leftovers;
 use objdict_xdd::xml::{Element, ElementId, Tree};
 
 /// The elements and attributes that are read; the rest is kept.
-const KNOWN: &str = " Access AddInfo ArrayInfo BaseType BitLen BitOffs BitSize DataType DataTypes DefaultData DefaultString DefaultValue \
-    Dictionary DictionaryFile Elements Entry Flags Index Info LBound LcId MaxData MaxValue MinData MinValue Name Object Objects PdoMapping \
-    ProductCode Profile ProfileNo RevisionNo RxPdo SubIdx SubIndex SubItem Symbol TxPdo Type Unit UnitType UnitTypes ";
+const KNOWN: &str = " Access AddInfo ArrayInfo Backup BaseType BitLen BitOffs BitSize Category DataType DataTypes DefaultData DefaultString DefaultValue \
+    Dictionary DictionaryFile Elements Entry Enum EnumInfo Flags Index Info LBound LcId MaxData MaxValue MinData MinValue Name Object Objects PdoMapping \
+    ProductCode Profile ProfileNo RevisionNo RxPdo SubIdx SubIndex SubItem Symbol Text TxPdo Type Unit UnitType UnitTypes ";
 
 /// A file as one of its devices.
 #[derive(Debug)]
@@ -83,9 +83,8 @@ fn number<T: TryFrom<u64>>(text: &str) -> Option<T> {
 fn leftovers(of: Element<'_>) -> Vec<ExtraSection> {
     let (mut leftovers, mut end) = (Leftovers::default(), 0);
     let is_known = |name: &str| KNOWN.contains(&format!(" {name} "));
-    // what most flags are
-    let usual = [("Backup", "0"), ("Setting", "0"), ("Category", "o")];
-    let is_usual = |of: Element<'_>| usual.iter().any(|(name, text)| of.name() == *name && line(of) == *text);
+    // what most are
+    let is_usual = |of: Element<'_>| of.name() == "Setting" && line(of) == "0";
     for part in of.descendants().filter(|part| !is_usual(*part)) {
         if part.span().start >= end && (!is_known(part.name()) || is_foreign(part)) {
             end = part.span().end;

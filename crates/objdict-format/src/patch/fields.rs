@@ -4,7 +4,6 @@ use serde_json::Value as Json;
 
 use super::words::{FACTS, data_type, data_type_word, object_type};
 use crate::compare::{Datum, DatumChange, apply};
-use crate::device_toml::meaning::named_value;
 use crate::device_toml::words::{map_word, mapping};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Text, say};
@@ -193,8 +192,8 @@ fn set_parameter(
         }
         "enum" => {
             let values = value.map_or(Ok(Vec::new()), |value| pairs(word, value))?;
-            let values = values.iter().map(|(name, number)| named_value(number, name));
-            parameter.allowed_values.get_or_insert_default().values = values.collect();
+            let values = values.iter().map(|(name, number)| (number.as_str(), name));
+            parameter.allowed_values.get_or_insert_default().values = AllowedValues::named(values).values;
             parameter.allowed_values.take_if(|allowed| *allowed == AllowedValues::default());
         }
         word => return Err(say!("there is no field `{}`", word)),

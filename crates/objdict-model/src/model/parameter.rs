@@ -5,7 +5,7 @@
 //! dictionary for all formats.
 
 use super::part::{part, words};
-use super::{DataTypeRef, Labels};
+use super::{DataTypeRef, LANGUAGE, Labels};
 
 part! {
     /// A parameter. Most parameters describe one entry of the dictionary and belong to that
@@ -156,6 +156,18 @@ words! {
         Optional = "optional",
         /// If the parameters of `conditionalSupport` are supported.
         Conditional = "conditional",
+    }
+}
+
+impl AllowedValues {
+    /// Single values, each with its name in the language of objdict's own texts.
+    pub fn named(values: impl IntoIterator<Item = (impl Into<Box<str>>, impl AsRef<str>)>) -> Self {
+        let values = values.into_iter().map(|(value, name)| ScaledValue {
+            value: value.into(),
+            labels: Labels::name(LANGUAGE, name.as_ref()),
+            ..ScaledValue::default()
+        });
+        Self { values: values.collect(), ..Self::default() }
     }
 }
 

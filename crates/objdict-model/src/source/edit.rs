@@ -31,6 +31,8 @@ pub enum EditError {
     LineEnd(String),
     /// A new name, value or text contains a character that is not allowed in XML.
     NotXml(String),
+    /// The file is in a format that is read and not written.
+    NotWritten(String),
     /// The new text would be read differently.
     OtherMeaning(String),
     /// A new text violates the standard: an error of objdict.
@@ -52,6 +54,8 @@ crate::error_messages! { EditError: from Unencodable as Unencodable {
         "`{name}` is not valid in its encoding and cannot be edited; save the file as UTF-8 first";
     Self::LineEnd(text) => "`{}` contains a line end", text.escape_debug();
     Self::NotXml(text) => "`{}` cannot be written in XML", text.escape_debug();
+    Self::NotWritten(name) =>
+        "`{name}` is in a format that objdict reads and does not write; convert it, for example to XDD";
     Self::OtherMeaning(text) => "`{text}` cannot be formatted without changing its meaning";
     Self::NotValid(problem) => "objdict would write a text that is not valid: {problem}";
     Self::TooMuchLost { count, limit } =>
