@@ -7,6 +7,7 @@ use super::sentence::{self, ChangedCobId, Clause};
 use crate::Language;
 use crate::describe::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
+use objdict_model::diagnostic::plural;
 
 /// View of a PDO.
 pub(crate) struct PdoView {
@@ -188,10 +189,9 @@ impl PdoSentence<'_> {
 /// `8 bytes`, `12 bits in 2 bytes`.
 fn carries(bits: u32, language: Language) -> String {
     let bytes = bits.div_ceil(8);
-    let bytes_text = match (bytes, language) {
-        (1, Language::English) => "1 byte".to_owned(),
-        (_, Language::English) => format!("{bytes} bytes"),
-        (_, Language::German) => format!("{bytes} Byte"),
+    let bytes_text = match language {
+        Language::English => plural(bytes as usize, "byte"),
+        Language::German => format!("{bytes} Byte"),
     };
     let bit = if bits == 1 { language.pick("bit", "Bit") } else { language.pick("bits", "Bit") };
     match bits {

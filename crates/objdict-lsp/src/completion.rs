@@ -8,6 +8,7 @@ use super::{keyed, values, words};
 use objdict_eds::eds::is_key_of;
 use objdict_eds::ini::{Document, LineKind};
 use objdict_format::Description;
+use objdict_model::diagnostic::plural;
 use objdict_model::model::{
     Access, DataType, Device, DeviceKind, Field, MappedObject, ObjectList, ObjectType, Part, PdoKind, Value,
 };
@@ -219,7 +220,7 @@ impl Completer<'_> {
             let name = words::name(self.device(), mapped.index, Some(mapped.sub)).unwrap_or_default();
             let label = format!("{number} {name}");
             let item = item(self.file, span, &label, number, CompletionItemKind::REFERENCE);
-            CompletionItem { detail: Some(format!("{} bits", mapped.bits)), ..item }
+            CompletionItem { detail: Some(plural(mapped.bits.into(), "bit")), ..item }
         };
         mappable(self.device(), kind).map(item).collect()
     }

@@ -9,6 +9,7 @@ use objdict_document::describe::Decoder;
 use objdict_eds::ini::LineKind;
 use objdict_format::Description;
 use objdict_format::mention::MentionKind;
+use objdict_model::diagnostic::plural;
 use objdict_model::model::{Device, Pdo, Place, Value};
 use objdict_model::source::Span;
 
@@ -55,7 +56,7 @@ fn free_bits(description: &Description, pdo: &Pdo<'_>) -> Option<(Span, String)>
     pdo.mapped_count.filter(|count| *count <= 64)?;
     let span = description.locate(&device.value_place(index, 0))?;
     let free = FRAME.checked_sub(pdo.bit_length())?;
-    Some((span, format!("{free} bits free")))
+    Some((span, format!("{} free", plural(free as usize, "bit"))))
 }
 
 /// What each PDO carries, above its mapping parameter.

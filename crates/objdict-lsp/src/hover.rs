@@ -7,6 +7,7 @@ use super::protocol::{Hover, Markdown};
 use super::words;
 use objdict_format::Description;
 use objdict_format::mention::{Mention, MentionKind};
+use objdict_model::diagnostic::plural;
 use objdict_model::model::{DataType, Field, ObjectType, Part, Place};
 use objdict_model::source::Span;
 use objdict_project::registry;
@@ -86,7 +87,8 @@ fn of_type(description: &Description, place: &Place) -> Option<String> {
     let (index, sub) = (place.part.object()?, sub_of(&place.part).unwrap_or(0));
     let data_type: DataType = description.device().object(index)?.entry(sub)?.data_type?;
     let name = data_type.name()?;
-    let bits = data_type.bit_length().map(|bits| format!(", {bits} bits")).unwrap_or_default();
+    let bits =
+        data_type.bit_length().map(|bits| format!(", {}", plural(bits as usize, "bit"))).unwrap_or_default();
     let range = data_type.integer_range().map(|(low, high)| format!(", {low} to {high}")).unwrap_or_default();
     Some(format!("data type {name} (0x{:04X}){bits}{range}", data_type.0))
 }

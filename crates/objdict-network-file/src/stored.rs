@@ -9,7 +9,7 @@ use objdict_model::diagnostic::{At, Diagnostic, Findings, say};
 use objdict_model::model::{Device, Entry, Value};
 use objdict_model::source::{SourceFile, SourceOptions};
 use objdict_network::{Network, Node, Stored};
-use objdict_node::download::{ConciseDcf, PlanOptions, Step};
+use objdict_node::download::{ConciseDcf, Plan, PlanOptions};
 
 const REMEDY: &str = "write the manager's DCF anew: `objdict network build --target manager`";
 
@@ -99,10 +99,5 @@ fn of_dcf(bytes: &[u8], node_id: u8) -> Result<ConciseDcf, String> {
         return Err(format!("it is the DCF of node {other}"));
     }
     let options = PlanOptions { node_id: Some(node_id), ..PlanOptions::default() };
-    let plan = ConciseDcf::plan(device, &options).map_err(|error| error.to_string())?;
-    let downloads = plan.steps.into_iter().filter_map(|step| match step {
-        Step::Write(download) => Some(download),
-        Step::File(_) => None,
-    });
-    Ok(ConciseDcf(downloads.collect()))
+    ConciseDcf::plan(device, &options).map(Plan::without_files).map_err(|error| error.to_string())
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::compiled::Slave;
 use crate::diagnostic::At;
-use crate::download::{ConciseDcf, Download, Order, PlanError, PlanOptions, Step, effective};
+use crate::download::{ConciseDcf, Download, Order, PlanError, PlanOptions, effective};
 use crate::model::{Device, DeviceKind, ExplicitDownload, Moment, Object};
 use crate::network::{Network, Node};
 use crate::source::Span;
@@ -106,11 +106,6 @@ impl Slave {
     /// When the description of the node has configured values that cannot be sent.
     pub fn arrange(&self, device: &Device) -> Result<ConciseDcf, PlanError> {
         let options = PlanOptions { node_id: Some(self.node_id), ..PlanOptions::default() };
-        let plan = ConciseDcf::plan(device, &options)?;
-        let steps = plan.steps.into_iter().filter_map(|step| match step {
-            Step::Write(download) => Some(download),
-            Step::File(_) => None,
-        });
-        Ok(ConciseDcf(steps.collect()))
+        Ok(ConciseDcf::plan(device, &options)?.without_files())
     }
 }

@@ -52,7 +52,7 @@ fn expect_value(value: &Result<Vec<u8>, Abort>, expected: &[u8], index: u16, sub
 
 /// A value to write, with so many bytes, and its entry.
 fn written(bench: &Bench<'_>, lengths: std::ops::RangeInclusive<usize>) -> CheckStep<(u16, u8, Vec<u8>)> {
-    let what = format!("a writable value of {} bytes", lengths.start());
+    let what = format!("a writable value of {} to {} bytes", lengths.start(), lengths.end());
     let value = |entry: &DescribedEntry| {
         entry.other_than(&entry.default).filter(|value| lengths.contains(&value.len()))
     };

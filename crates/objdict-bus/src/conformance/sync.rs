@@ -57,7 +57,9 @@ fn lengths(bench: &mut Bench<'_>, length: usize) -> CheckStep<Vec<Vec<u8>>> {
         format!("{} SYNCs within six periods", syncs.len())
     })?;
     let data: Vec<Vec<u8>> = syncs.iter().map(|(_, frame)| frame.data().to_vec()).collect();
-    ensure(data.iter().all(|data| data.len() == length), || format!("a SYNC does not have {length} bytes"))?;
+    ensure(data.iter().all(|data| data.len() == length), || {
+        format!("a SYNC has another length than {length}")
+    })?;
     Ok(data)
 }
 

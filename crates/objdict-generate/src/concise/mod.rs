@@ -3,7 +3,7 @@
 
 use super::{GenerateError, Generated, Note, Options, OutputFile};
 use crate::model::{Device, Place};
-use objdict_node::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
+use objdict_node::download::{ConciseDcf, Plan, PlanError, PlanOptions};
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     if device.is_ethercat() {
@@ -15,20 +15,12 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
         .map_err(inexpressible)?;
     let notes = notes(&plan);
-    let configuration = ConciseDcf(plan.steps.into_iter().filter_map(known).collect());
-    let contents = configuration
+    let contents = plan
+        .without_files()
         .write()
         .map_err(|error| GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())]))?;
     let path = format!("{}.cdcf", options.file_stem);
     Ok(Generated { files: vec![OutputFile { path, contents }], notes })
-}
-
-/// A download whose bytes are known without reading a file.
-fn known(step: Step) -> Option<Download> {
-    match step {
-        Step::Write(download) => Some(download),
-        Step::File(_) => None,
-    }
 }
 
 fn notes(plan: &Plan) -> Vec<Note> {

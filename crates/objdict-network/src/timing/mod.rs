@@ -183,6 +183,11 @@ impl SyncTime {
     pub fn limit(&self) -> u64 {
         if self.window == 0 { self.period } else { self.window }
     }
+
+    /// Whether the PDOs need no more; `None` without a bound.
+    pub fn fits(&self) -> Option<bool> {
+        Some(self.needed? <= self.limit())
+    }
 }
 
 impl Timing {
@@ -237,7 +242,7 @@ impl Timing {
     /// Whether all messages are sure to meet their deadlines, and the synchronous PDOs their window. Without a bound nothing is sure, unless
     /// the options allow it.
     pub fn is_met(&self, options: &TimingOptions) -> bool {
-        let is_late = self.sync.is_some_and(|sync| sync.needed.is_some_and(|needed| needed > sync.limit()));
+        let is_late = self.sync.is_some_and(|sync| sync.fits() == Some(false));
         let is_open = |message: &TimedMessage| {
             message.is_unbounded || message.deadline.is_some() && message.response.is_none()
         };
@@ -413,8 +418,7 @@ impl Schedule {
 
     /// Whether SYNC and what it triggers may take longer than they have.
     fn is_over_window(&self, streams: &Streams, responses: &[ResponseTime]) -> bool {
-        let sync = self.sync_time(streams, responses);
-        sync.is_some_and(|sync| sync.needed.is_none_or(|needed| needed > sync.limit()))
+        self.sync_time(streams, responses).is_some_and(|sync| sync.fits() != Some(true))
     }
 
     fn at_rate(&self, bit_rate: u16) -> RateRow {

@@ -83,6 +83,15 @@ impl Plan {
         })
     }
 
+    /// The concise DCF without the downloads whose data is in files.
+    pub fn without_files(self) -> ConciseDcf {
+        let downloads = self.steps.into_iter().filter_map(|step| match step {
+            Step::Write(download) => Some(download),
+            Step::File(_) => None,
+        });
+        ConciseDcf(downloads.collect())
+    }
+
     /// Creates the concise DCF; `read` supplies the data of each file.
     ///
     /// # Errors

@@ -282,7 +282,7 @@ impl SyncRow {
             period_us: up(sync.period),
             window_us: up(sync.window),
             needed_us: sync.needed.map(up),
-            fits: sync.needed.is_some_and(|needed| needed <= sync.limit()),
+            fits: sync.fits() == Some(true),
         }
     }
 }

@@ -138,7 +138,7 @@ impl TimingReport<'_> {
                 writeln!(out, "SYNC: its PDOs may take longer than the {what} of {limit}, without a bound")
             }
             Some(needed) => {
-                let fits = if needed > sync.limit() { "more than" } else { "within" };
+                let fits = if sync.fits() == Some(true) { "within" } else { "more than" };
                 let needed = milliseconds(needed);
                 writeln!(
                     out,

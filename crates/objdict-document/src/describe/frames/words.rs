@@ -7,6 +7,7 @@ use super::{FrameReader, nmt_state};
 use crate::describe::{Decoder, time};
 use crate::model::PdoKind;
 use objdict_device::Abort;
+use objdict_model::diagnostic::plural;
 use objdict_network::Service;
 
 impl FrameReader<'_> {
@@ -106,7 +107,9 @@ impl FrameReader<'_> {
             };
             sdo.entry.map_or_else(String::new, in_words)
         };
-        let size = |size: Option<u32>| size.map_or_else(String::new, |size| format!(", {size} bytes"));
+        let size = |size: Option<u32>| {
+            size.map_or_else(String::new, |size| format!(", {}", plural(size as usize, "byte")))
+        };
         let said = match sdo.step {
             TransferStep::Read | TransferStep::BlockRead => format!("read {}", entry()),
             TransferStep::Write => format!("write {}", value()),
@@ -116,7 +119,7 @@ impl FrameReader<'_> {
             TransferStep::Value => value(),
             TransferStep::ValueStart(stated) => format!("{}{}", entry(), size(stated)),
             TransferStep::NextSegment => "next segment".to_owned(),
-            TransferStep::Segment(used) => format!("segment of {used} bytes"),
+            TransferStep::Segment(used) => format!("segment of {}", plural(used.into(), "byte")),
             TransferStep::LastSegment => format!("last segment, {}", value()),
             TransferStep::Accepted => "segment is accepted".to_owned(),
             TransferStep::Stray => "segment without a transfer".to_owned(),
@@ -128,12 +131,12 @@ impl FrameReader<'_> {
             TransferStep::BlockEnd => format!("end of the blocks, {}", value()),
             TransferStep::BlockDone => "end of the blocks is confirmed".to_owned(),
             TransferStep::Malformed if sdo.is_request => {
-                return format!("SDO of {} bytes to {name}", data.len());
+                return format!("SDO of {} to {name}", bytes_of(data));
             }
-            TransferStep::Malformed => return format!("SDO of {} bytes from {name}", data.len()),
+            TransferStep::Malformed => return format!("SDO of {} from {name}", bytes_of(data)),
             TransferStep::Unknown(command) => format!("unknown SDO command {command:02X}h"),
         };
-        let short = if data.len() < 8 { format!(" (in {} bytes)", data.len()) } else { String::new() };
+        let short = if data.len() < 8 { format!(" (in {})", bytes_of(data)) } else { String::new() };
         match sdo.channel {
             1 => format!("{name}: {said}{short}"),
             channel => format!("{name}, SDO channel {channel}: {said}{short}"),
@@ -166,10 +169,15 @@ fn error_control(name: &str, data: &[u8]) -> String {
     }
 }
 
+/// `5 bytes`: the length of a frame that is too short.
+fn bytes_of(data: &[u8]) -> String {
+    plural(data.len(), "byte")
+}
+
 /// TIME: milliseconds since midnight in 28 bits, days since 1984-01-01.
 fn time_stamp(data: &[u8]) -> String {
     let Ok([a, b, c, d, low, high]) = <[u8; 6]>::try_from(data) else {
-        return format!("TIME of {} bytes", data.len());
+        return format!("TIME of {}", bytes_of(data));
     };
     let day = time::date(u16::from_le_bytes([low, high]).into());
     let clock = time::of_day(u32::from_le_bytes([a, b, c, d]) & 0x0FFF_FFFF);
@@ -182,7 +190,7 @@ fn time_stamp(data: &[u8]) -> String {
 /// An emergency message: `EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)`.
 fn emergency(node: &TalkingNode<'_>, data: &[u8], mark: &str) -> String {
     let &[low, high, register, ref vendor @ ..] = data else {
-        return format!("{} EMCY{mark} with {} bytes", node.name, data.len());
+        return format!("{} EMCY{mark} with {}", node.name, bytes_of(data));
     };
     let decoder = Decoder::english(&node.device, Some(node.node_id));
     let code = u16::from_le_bytes([low, high]);
@@ -212,7 +220,7 @@ const BIT_RATES: [&str; 10] = ["1000", "800", "500", "250", "125", "100", "50", 
 /// What a frame says.
 pub(super) fn words(data: &[u8], is_request: bool) -> String {
     let Ok([command, first, second, third, fourth, bit, part, next]) = <[u8; 8]>::try_from(data) else {
-        return format!("LSS of {} bytes", data.len());
+        return format!("LSS of {}", bytes_of(data));
     };
     let number = u32::from_le_bytes([first, second, third, fourth]);
     let said = match (command, is_request) {
