@@ -432,6 +432,26 @@ fn of_servo(folder: &str, (old, new): (&str, &str)) -> NetworkFile {
     read(text, &folder.join("network.toml"))
 }
 
+/// What a DCF of an XDD states itself is not there a second time, as the vendor wrote it.
+#[test]
+fn a_version_that_is_no_number_is_not_in_the_dcf() {
+    let folder = new_folder("version");
+    let device = fs::read_to_string(fixtures().join("bases/device.xdd")).unwrap();
+    assert!(device.contains("fileVersion=\"1\""));
+    fs::write(folder.join("a.xdd"), device.replace("fileVersion=\"1\"", "fileVersion=\"-\"")).unwrap();
+    let text = "[bus]\n[manager]\nid = 1\n[node.a]\nfile = \"a.xdd\"\nid = 5\n";
+    let file = read(text, &folder.join("network.toml"));
+    let build = file.build(DcfgenMode::Corrected).unwrap();
+    assert_eq!(errors_of_dcfs(&file, &build), None);
+    let dcf =
+        build.each_dcf().find_map(|(_, built)| built.ok().filter(|built| built.name == "a.dcf")).unwrap();
+    let dcf = String::from_utf8(dcf.bytes).unwrap();
+    assert_eq!(
+        dcf.lines().filter(|line| line.starts_with("FileVersion")).collect::<Vec<_>>(),
+        ["FileVersion=1"]
+    );
+}
+
 /// What a description gives a service is checked like what the network gives it.
 #[test]
 fn a_description_has_no_restricted_can_id() {

@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use objdict::format::{self, Format, WriteOptions, json};
 use objdict::generate::{self, Options, Target};
 use objdict::lint::changes::compare;
-use objdict::model::{Device, FileInfo};
-use objdict::source::SourceOptions;
+use objdict::model::{Device, Entry, FileInfo, Object};
+use objdict::source::{SourceFile, SourceOptions};
 use serde_json::Value;
 
 use crate::support;
@@ -103,6 +103,7 @@ fn nameless(device: &Device) -> Device {
     [&mut headers.device, &mut headers.network].into_iter().flatten().for_each(|header| header.date = None);
     let modules = device.modules.iter_mut().flat_map(|modules| modules.supported.values_mut());
     modules.for_each(|module| module.comments.clear());
+    device.objects.iter_mut().for_each(|(_, object)| drop_implied(object));
     device
 }
 
@@ -125,6 +126,22 @@ fn spelled(device: &Device) -> Device {
         object.sub_number.take_if(|number| usize::from(*number) == described || *number == 0 && is_compact);
     }
     device
+}
+
+/// Removes the sub-indexes that a compact object states as they follow from it; the name of sub-index 0 does not count.
+fn drop_implied(object: &mut Object) {
+    let stated: Vec<u8> =
+        object.subs.iter().map(|(sub, _)| sub).filter(|_| object.compact.is_some()).collect();
+    for sub in stated {
+        let mut without = object.clone();
+        let entry = without.subs.remove(sub);
+        let implied = without.expanded().subs.get(sub).cloned();
+        let named =
+            |entry: Entry| Entry { name: if sub == 0 { "".into() } else { entry.name.clone() }, ..entry };
+        if entry.map(named) == implied.map(named) {
+            *object = without;
+        }
+    }
 }
 
 /// So many edits of a device are tried, and with all samples every edit of its parts.
@@ -244,5 +261,32 @@ fn devices_of_the_corpus_without_a_change_are_built_equal() {
     match env::var_os("OBJDICT_CORPUS_DIR") {
         Some(corpus) => try_edits(support::files_below(Path::new(&corpus), &["eds", "dcf", "xdd", "xdc"])),
         None => skip("`OBJDICT_CORPUS_DIR` names no folder"),
+    }
+}
+
+/// What follows from `CompactSubObj` is the same device, stated or not.
+#[test]
+fn an_implied_sub_index_may_be_stated() {
+    let compact = "[ManufacturerObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nParameterName=Inputs\nObjectType=8\nDataType=5\n\
+        AccessType=ro\nDefaultValue=3\nPDOMapping=1\nCompactSubObj=2\n";
+    let read = |text: &str| format::read(SourceFile::from_text("a.eds", text), Format::Eds).into_device();
+    let implied = read(compact);
+    for (stated, is_same) in [
+        (
+            "[2000sub0]\nParameterName=Count\nObjectType=7\nDataType=5\nAccessType=ro\nDefaultValue=2\nPDOMapping=0\n",
+            true,
+        ),
+        (
+            "[2000sub1]\nParameterName=Inputs1\nObjectType=7\nDataType=5\nAccessType=ro\nDefaultValue=3\nPDOMapping=1\n",
+            true,
+        ),
+        (
+            "[2000sub1]\nParameterName=Inputs1\nObjectType=7\nDataType=5\nAccessType=ro\nDefaultValue=4\nPDOMapping=1\n",
+            false,
+        ),
+    ] {
+        let stated = read(&format!("{compact}{stated}"));
+        assert_eq!(compare(&implied, &stated).is_empty(), is_same);
+        assert_eq!(outputs(&implied) == outputs(&stated), is_same);
     }
 }

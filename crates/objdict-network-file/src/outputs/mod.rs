@@ -12,7 +12,7 @@ use super::lock::locked;
 use objdict_format as format;
 use objdict_format::{Description, EditError, Format, NodeSettings, WriteOptions};
 use objdict_model::Language;
-use objdict_model::model::{Assignment, Commissioning, Device, DeviceKind, Value};
+use objdict_model::model::{Assignment, Commissioning, Device, DeviceKind, Field, Value};
 use objdict_network::{
     Compiled, DcfgenMode, LelyOptions, Network, NetworkLock, Overview, Slave, Timing, TimingOptions, compile,
     configuration_file, lely_master,
@@ -306,6 +306,8 @@ fn written(
     (device.kind, device.commissioning) = (DeviceKind::Node, Some(commissioning));
     let info = device.file_info.get_or_insert_default();
     info.file_name = Some(file_name.clone());
+    // versions of the vendor's file that are no numbers
+    info.invalid_values.retain(|of| !matches!(of.field, Field::FileVersion | Field::FileRevision));
     info.file_version.get_or_insert(1);
     info.file_revision.get_or_insert(0);
     info.description.get_or_insert_with(|| format!("{title} `{name}`"));
