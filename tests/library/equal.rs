@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use objdict::format::{self, Format, WriteOptions, json};
 use objdict::generate::{self, Options, Target};
 use objdict::lint::changes::compare;
-use objdict::model::{Device, Entry, FileInfo, Object};
+use objdict::model::{Device, FileInfo, Object};
 use objdict::source::{SourceFile, SourceOptions};
 use serde_json::Value;
 
@@ -103,7 +103,6 @@ fn nameless(device: &Device) -> Device {
     [&mut headers.device, &mut headers.network].into_iter().flatten().for_each(|header| header.date = None);
     let modules = device.modules.iter_mut().flat_map(|modules| modules.supported.values_mut());
     modules.for_each(|module| module.comments.clear());
-    device.objects.iter_mut().for_each(|(_, object)| drop_implied(object));
     device
 }
 
@@ -120,6 +119,7 @@ fn spelled(device: &Device) -> Device {
         modules.declared = None;
     }
     for (_, object) in device.objects.iter_mut() {
+        drop_implied(object);
         // one that follows from the sub-indexes
         let described = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
         let is_compact = object.compact.is_some();
@@ -128,17 +128,14 @@ fn spelled(device: &Device) -> Device {
     device
 }
 
-/// Removes the sub-indexes that a compact object states as they follow from it; the name of sub-index 0 does not count.
+/// Removes the sub-indexes that a compact object states as they follow from it.
 fn drop_implied(object: &mut Object) {
     let stated: Vec<u8> =
         object.subs.iter().map(|(sub, _)| sub).filter(|_| object.compact.is_some()).collect();
     for sub in stated {
         let mut without = object.clone();
         let entry = without.subs.remove(sub);
-        let implied = without.expanded().subs.get(sub).cloned();
-        let named =
-            |entry: Entry| Entry { name: if sub == 0 { "".into() } else { entry.name.clone() }, ..entry };
-        if entry.map(named) == implied.map(named) {
+        if entry.as_ref() == without.expanded().subs.get(sub) {
             *object = without;
         }
     }
@@ -273,7 +270,7 @@ fn an_implied_sub_index_may_be_stated() {
     let implied = read(compact);
     for (stated, is_same) in [
         (
-            "[2000sub0]\nParameterName=Count\nObjectType=7\nDataType=5\nAccessType=ro\nDefaultValue=2\nPDOMapping=0\n",
+            "[2000sub0]\nParameterName=NrOfObjects\nObjectType=7\nDataType=5\nAccessType=ro\nDefaultValue=2\nPDOMapping=0\n",
             true,
         ),
         (

@@ -27,12 +27,10 @@ impl<'a> DeviceComparison<'a> {
             let message = say!("`{}` moves from sub-index {} to {}", &old.name, old_sub, new_sub);
             self.report(&rules::ENTRY_MOVED, &spot, values, message);
         }
-        // the name of sub-index 0 of a compact object is made up, and that of a variable is the name of the object
-        let is_compact = |object: &Object| object.compact.is_some() && object.subs.get(old_sub).is_none();
-        let is_made_up = (is_compact(old_object) || is_compact(new_object)) && old_sub == 0;
+        // the name of a variable is the name of the object
         let is_variable = |object: &Object| !object.object_type().has_subs() && object.subs.is_empty();
         let are_variables = is_variable(old_object) && is_variable(new_object);
-        if !is_made_up && !are_variables {
+        if !are_variables {
             self.name(&spot, [&old.name, &new.name], &rules::ENTRY_RENAMED);
         }
         if old != new {
