@@ -56,22 +56,27 @@ const OF_CANOPEN: &str = " cia301 cia302 cia304 cia305 cia306/reserved-index cia
 
 /// Applies all rules to one device. Objects that are disabled are no part of it.
 pub fn check(described: &Device, options: &Options) -> Findings {
-    check_some(described, options, &|_| true)
+    check_some(described, options, &|_| true, &|_| true)
 }
 
-/// As [`check`], with some of the rules.
-pub fn check_some(described: &Device, options: &Options, is_wanted: &dyn Fn(&RuleInfo) -> bool) -> Findings {
+/// As [`check`], with some of the rules; those about single objects and entries look at some of the objects.
+pub fn check_some(
+    described: &Device,
+    options: &Options,
+    is_wanted: &dyn Fn(&RuleInfo) -> bool,
+    is_asked: &dyn Fn(u16) -> bool,
+) -> Findings {
     let is_ethercat = described.is_ethercat();
     let is_wanted = &|rule: &RuleInfo| {
         let is_of_canopen = |name: &str| OF_CANOPEN.contains(&format!(" {name} "));
         is_wanted(rule) && !(is_ethercat && [rule.group(), rule.id].into_iter().any(is_of_canopen))
     };
-    let asked_for = || asked_for(options).filter(|rule| is_wanted(&rule.info));
+    let rules: Vec<&Rule> = asked_for(options).filter(|rule| is_wanted(&rule.info)).collect();
     let mut findings = Findings::new();
     let enabled = described.without_disabled();
     let device = &*enabled;
     let facts = Facts::new(device, options);
-    for rule in asked_for() {
+    for rule in &rules {
         match rule.check {
             Check::Device(check) => check(device, &mut findings),
             Check::Described(check) => check(described, &mut findings),
@@ -80,8 +85,8 @@ pub fn check_some(described: &Device, options: &Options, is_wanted: &dyn Fn(&Rul
             _ => {}
         }
     }
-    check_demands(&facts, is_wanted, &mut findings);
-    check_objects(device, asked_for(), &mut findings);
+    check_demands(&facts, is_wanted, is_asked, &mut findings);
+    check_objects(device, &rules, is_asked, &mut findings);
     match enabled {
         Cow::Owned(_) => rules::renumbered(described, findings),
         Cow::Borrowed(_) => findings,
@@ -111,7 +116,12 @@ fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> + use<> {
 }
 
 /// One walk over the documents that apply, for all rules of their groups.
-fn check_demands(facts: &Facts<'_>, is_wanted: &dyn Fn(&RuleInfo) -> bool, findings: &mut Findings) {
+fn check_demands(
+    facts: &Facts<'_>,
+    is_wanted: &dyn Fn(&RuleInfo) -> bool,
+    is_asked: &dyn Fn(u16) -> bool,
+    findings: &mut Findings,
+) {
     let applied = demands::applied(facts.device, facts.options);
     for one in &applied {
         let rules = rules_of(|group| group == one.profile.group).filter(|rule| is_wanted(&rule.info));
@@ -131,7 +141,7 @@ fn check_demands(facts: &Facts<'_>, is_wanted: &dyn Fn(&RuleInfo) -> bool, findi
         if rules.is_empty() {
             continue;
         }
-        for against in demands::against(facts.device, one) {
+        for against in demands::against(facts.device, one).filter(|against| is_asked(against.index)) {
             let first = findings.len();
             let entries = LazyCell::new(|| against.entries().collect::<Vec<_>>());
             for rule in &rules {
@@ -149,7 +159,7 @@ fn check_demands(facts: &Facts<'_>, is_wanted: &dyn Fn(&RuleInfo) -> bool, findi
 }
 
 /// One walk over the objects for all rules that check one object or one entry at a time.
-fn check_objects(device: &Device, rules: impl Iterator<Item = &'static Rule>, findings: &mut Findings) {
+fn check_objects(device: &Device, rules: &[&Rule], is_asked: &dyn Fn(u16) -> bool, findings: &mut Findings) {
     let mut object_checks = Vec::new();
     let mut entry_checks = Vec::new();
     for rule in rules {
@@ -159,7 +169,7 @@ fn check_objects(device: &Device, rules: impl Iterator<Item = &'static Rule>, fi
             _ => {}
         }
     }
-    for (&index, object) in &device.objects {
+    for (&index, object) in device.objects.iter().filter(|(index, _)| is_asked(**index)) {
         for check in &object_checks {
             check(device, index, object, findings);
         }

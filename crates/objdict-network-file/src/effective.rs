@@ -24,15 +24,19 @@ pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findi
     let options = lint::Options::default();
     // a rule of a lower severity has errors only about lists and `CompactSubObj`, which do not depend on the network
     let is_wanted = |rule: &RuleInfo| rule.severity == Severity::Error || IDLE.contains(&rule.id);
-    let check = |device: &Device| lint::check_some(device, &options, &is_wanted);
+    let check = |device: &Device, is_asked: &dyn Fn(u16) -> bool| {
+        lint::check_some(device, &options, &is_wanted, is_asked)
+    };
     let is_reported =
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
     for slave in compiled.nodes() {
-        let found = lint::without_disabled(&slave.device, check(&slave.device));
         let node = &network.nodes[slave.node];
         // of a DCF for another node, what fits that node only
         let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
-        let own = is_of_other.then(|| check(&node.device));
+        let own = is_of_other.then(|| check(&node.device, &|_| true));
+        // what the network file does not write is as in the description, which has findings of its own
+        let is_asked = |index| is_of_other || slave.said_of(index).next().is_some();
+        let found = lint::without_disabled(&slave.device, check(&slave.device, &is_asked));
         // the PDOs of a made description are counterparts of PDOs of the nodes, where faults are reported
         let is_made = network.is_made(slave.node);
         let is_own = |finding: &&Diagnostic| !is_made || !finding.labels.iter().any(is_of_pdo);

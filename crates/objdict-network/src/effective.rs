@@ -46,7 +46,7 @@ impl Slave {
     }
 
     /// Where the network file has the values of an object, including replaced ones; for a PDO, the values of both objects.
-    pub(crate) fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
+    pub fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
         let other = (0x1400..0x1C00).contains(&index).then_some(index ^ 0x0200);
         let objects = [index].into_iter().chain(other);
         objects.flat_map(|index| {

@@ -71,6 +71,10 @@ impl<'d> Bus<'d> {
     /// Describes the nodes that descriptions without a node-ID are for; with `is_all` nothing more is to come.
     pub fn assign(&mut self, is_all: bool) -> Vec<String> {
         let mut notes = Vec::new();
+        // each frame asks
+        if !self.candidates.is_open() {
+            return notes;
+        }
         for (node_id, description, note) in self.candidates.found(is_all, &self.reader) {
             if let Some(node) = description {
                 self.describe(node_id, node);

@@ -2,8 +2,8 @@
 
 use super::order::{arrange, dcfgen};
 use super::settings::WritableEntries;
-use super::{ConciseDcf, Order, Plan, PlanError, PlanOptions};
-use crate::model::{Device, Moment};
+use super::{ConciseDcf, Order, Plan, PlanError, PlanOptions, Scope};
+use crate::model::{Device, Moment, Object};
 
 impl ConciseDcf {
     /// Plans the downloads that configure a node as `device` describes.
@@ -20,7 +20,14 @@ impl ConciseDcf {
         if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
             return Err(PlanError::NodeId(node_id));
         }
-        let compact = device.objects.iter().filter(|(_, object)| object.compact.is_some());
+        // of application objects nothing is written but what has a value of its own
+        let is_needed = |(index, object): &(&u16, &Object)| {
+            object.compact.as_ref().is_some_and(|compact| {
+                let has_values = !compact.values.is_empty() || !compact.invalid_values.is_empty();
+                **index < 0x2000 || options.scope == Scope::All || has_values
+            })
+        };
+        let compact = device.objects.iter().filter(is_needed);
         let expanded = compact.map(|(&index, object)| (index, object.expanded().into_owned())).collect();
         let mut settings = WritableEntries::collect(device, &expanded, options);
         let mut steps = settings.explicit(Moment::Before);

@@ -183,7 +183,9 @@ impl<'a> FrameReader<'a> {
 
     /// The number of bytes of a PDO by its mapping, if that is known.
     pub fn mapped_bytes(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<usize> {
-        self.content(decoded, frame)?.1.bytes()
+        let (node, user) = self.user(decoded, frame)?;
+        let Service::Pdo(pdo) = user.service else { return None };
+        signals::mapped_bytes(&node.device.pdo(pdo.kind, pdo.number)?)
     }
 
     /// The SDO transfer of a frame, after it.
@@ -252,6 +254,12 @@ impl<'a> FrameReader<'a> {
         decoded: &DecodedFrame,
         frame: &RawFrame<'_>,
     ) -> Option<(&TalkingNode<'a>, &PdoContent)> {
+        let (node, user) = self.user(decoded, frame)?;
+        Some((node, user.content(node)))
+    }
+
+    /// The node that describes the PDO of a frame, and which of its PDOs that is.
+    fn user(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<(&TalkingNode<'a>, &CanIdUser)> {
         let key = users::key(frame.can_id, frame.is_extended);
         let is_pdo = matches!(decoded.service, Some(Service::Pdo(_)));
         let user = self.users.all(key).nth(decoded.user);
@@ -259,8 +267,7 @@ impl<'a> FrameReader<'a> {
         let node_of = |user: &CanIdUser| self.nodes.get(user.node_id);
         let is_describing = |user: &&CanIdUser| node_of(user).is_some_and(|node| !node.is_counterpart);
         let user = [user].into_iter().chain(self.users.all(key)).find(is_describing).unwrap_or(user);
-        let node = node_of(user)?;
-        Some((node, user.content(node)))
+        Some((node_of(user)?, user))
     }
 
     /// An NMT command: a reset gives nodes back the values that they have then.

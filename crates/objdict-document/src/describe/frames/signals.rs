@@ -59,8 +59,6 @@ pub(super) struct SignalPlace {
 #[derive(Debug, Default)]
 pub(super) struct PdoContent {
     pub(super) places: Vec<SignalPlace>,
-    /// The mapped bits; `None` if the description does not say.
-    pub(super) bits: Option<u32>,
     /// Whether its frames name the object that they carry.
     pub(super) is_multiplexed: bool,
 }
@@ -89,6 +87,16 @@ pub(super) fn multiplexed(data: &[u8]) -> Option<(Multiplexer, (u16, u8), [u8; 4
     Some((node, (u16::from_le_bytes([low, high]), sub), [a, b, c, d]))
 }
 
+/// The bytes of the frames of a PDO; `None` if the description does not say.
+pub(super) fn mapped_bytes(pdo: &Pdo<'_>) -> Option<usize> {
+    if pdo.is_multiplexed() {
+        return Some(8);
+    }
+    let bits = pdo.used_slots().map(|slot| Some(u32::from(slot.object?.bits))).sum::<Option<u32>>()?;
+    let is_whole = pdo.mapped_count.map(usize::from) == Some(pdo.used_slots().count());
+    (is_whole && (1..=64).contains(&bits)).then(|| bits.div_ceil(8) as usize)
+}
+
 impl PdoContent {
     pub(super) fn new(node: &TalkingNode<'_>, pdo: &Pdo<'_>) -> Self {
         let layout = FrameLayout::new(&node.device, pdo, &|entry| entry.name.to_string());
@@ -106,14 +114,7 @@ impl PdoContent {
                 scaled: node.scaling(&meanings, (index, sub)),
             }
         });
-        let bits = layout.bits().filter(|_| pdo.mapped_count.is_some_and(|count| count <= 64));
-        let is_multiplexed = pdo.is_multiplexed();
-        Self { places: places.collect(), bits: if is_multiplexed { Some(64) } else { bits }, is_multiplexed }
-    }
-
-    /// The bytes of its frames; `None` if the description does not say.
-    pub(super) fn bytes(&self) -> Option<usize> {
-        self.bits.filter(|bits| (1..=64).contains(bits)).map(|bits| bits.div_ceil(8) as usize)
+        Self { places: places.collect(), is_multiplexed: pdo.is_multiplexed() }
     }
 
     /// The values in a frame.
