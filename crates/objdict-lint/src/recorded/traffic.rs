@@ -1,133 +1,327 @@
-//! The rules about the traffic of a bus.
+//! The kinds of incidents on a bus: each is a rule with its likely causes, what to check, and what it causes itself.
 
-use objdict_model::diagnostic::text_rules;
+use objdict_model::diagnostic::{RuleInfo, text_rules};
 
-text_rules! {
-    "traffic/pdo-length" = PDO_LENGTH, Error;
-    summary: "a PDO has another length than mapped",
-    checks: "Whether each PDO of a node has as many bytes as its mapping: that of the description, or the one that was written in the log.",
-    why: "Receivers discard a PDO that is too short and send EMCY 8210h, or they read other values than are meant.",
-    example: "6 bytes of a TPDO that maps 7",
-    remedy: "Correct the mapping in the description, or in the node.",
-    source: "CiA 301 §7.2.2.4",
+/// What a kind of incident adds to its rule.
+#[derive(Debug)]
+pub struct IncidentKind {
+    /// The rule: its severity says whether an incident is a problem or a warning.
+    pub rule: &'static RuleInfo,
+    /// The likely causes, the likeliest first.
+    pub causes: &'static [&'static str],
+    /// What to check, in this order.
+    pub look: &'static [&'static str],
+    /// The rules whose incidents are its consequences, if they begin with it.
+    pub leads_to: &'static [&'static RuleInfo],
+}
 
-    "traffic/inhibit-time" = INHIBIT_TIME, Warning;
-    summary: "a PDO comes earlier than its inhibit time allows",
-    checks: "Whether event-driven PDOs are at least their inhibit time apart. 5 % less are allowed for clocks and the bus.",
-    why: "The inhibit time limits the load of the bus; without it messages of lower priority may be late.",
-    example: "a TPDO after 5 ms, with an inhibit time of 10 ms",
-    remedy: "Write the inhibit time to the node (1800h, sub-index 3), or correct the description.",
-    source: "CiA 301 §7.5.2.36",
+macro_rules! incident_kinds {
+    ($(
+        $id:literal = $NAME:ident, $severity:ident $(, leads to [$($effect:ident),+])?;
+        causes: [$($cause:literal),+],
+        look: [$($look:literal),+],
+        $($part:ident: $text:literal,)+
+    )+) => {
+        text_rules! { $($id = $NAME, $severity; $($part: $text,)+)+ }
 
-    "traffic/sync-window" = SYNC_WINDOW, Warning;
-    summary: "a synchronous PDO is outside of the window",
-    checks: "Whether synchronous PDOs come within the synchronous window length (1007h) after SYNC.",
-    why: "Consumers take the value for one of the next cycle, and nodes discard PDOs outside of the window.",
-    example: "a PDO 3 ms after SYNC, with a window of 2 ms",
-    remedy: "Make the window longer, or let fewer messages go before the PDO.",
-    source: "CiA 301 §7.5.2.8",
+        /// Every kind of incident; one that is earlier is the cause of one that is later.
+        pub static KINDS: &[IncidentKind] = &[$(IncidentKind {
+            rule: &$NAME,
+            causes: &[$($cause),+],
+            look: &[$($look),+],
+            leads_to: &[$($(&$effect),+)?],
+        }),+];
+    };
+}
 
-    "traffic/late-heartbeat" = LATE_HEARTBEAT, Error;
-    summary: "a heartbeat is late",
-    checks: "Whether heartbeats come in 1.5 times the time of their producer (1017h), or in less if a consumer allows less (1016h). Without 1017h, a consumer alone decides.",
-    why: "Consumers take the node for lost: they send EMCY 8130h and may stop.",
-    example: "no heartbeat for 900 ms of a node with a producer time of 500 ms",
-    remedy: "Find out why the node was silent, or allow more time in 1017h, and in 1016h of a consumer that waits less.",
-    source: "CiA 301 §7.2.8.3.2.2",
+incident_kinds! {
+    "traffic/bus-off" = BUS_OFF, Error, leads to [ERROR_FRAMES, LATE_HEARTBEAT, UNANSWERED_REQUEST, EVENT_TIMER, SYNC_CYCLE, SILENT_NODE, EMERGENCY, REPEATED_PDO];
+        causes: ["a short circuit or an open line", "a wrong bit rate", "missing termination"],
+        look: ["measure 60 Ω between CAN_H and CAN_L with the supply off", "check that all nodes have one bit rate", "disconnect nodes one by one"],
+        summary: "the logger is bus-off",
+        checks: "Whether an error frame reports bus-off. Needs error frames in the log (`candump -e`).",
+        why: "The controller has left the bus: frames are missing in the log, and perhaps on the bus.",
+        example: "an error frame with the class bus-off",
+        remedy: "Repair the wiring, and restart the controller of the logger.",
+        source: "ISO 11898-1 §12.1.4",
 
-    "traffic/event-timer" = EVENT_TIMER, Warning;
-    summary: "a PDO exceeds its event timer",
-    checks: "Whether event-driven PDOs come within 1.5 times their event timer after the one before. A node that was started, stopped or reset in between is not judged.",
-    why: "Receivers that monitor the PDO take it for lost.",
-    example: "a TPDO after 490 ms, with an event timer of 100 ms",
-    remedy: "Find out what held the node up, or write the event timer to the node (1800h, sub-index 5).",
-    source: "CiA 301 §7.5.2.37",
+    "traffic/interrupted-bus" = INTERRUPTED_BUS, Error, leads to [LATE_HEARTBEAT, UNANSWERED_REQUEST, EVENT_TIMER, SYNC_CYCLE, SILENT_NODE, EMERGENCY, REPEATED_PDO];
+        causes: ["the common supply or the trunk line", "the logger lost frames or was paused", "the manager stopped the bus"],
+        look: ["check the supply and the trunk cable", "compare with a second logger"],
+        summary: "several nodes are silent at the same time",
+        checks: "Whether at least two nodes fall silent, or are late, at the same time. Needs nodes with heartbeats or cyclic messages.",
+        why: "One cause is behind it: the bus, the supply, or the log.",
+        example: "no heartbeat of nodes 3, 4 and 5 after the same moment",
+        remedy: "Look for what the nodes have in common.",
+        source: "CiA 301 §7.2.8.3.2.2",
 
-    "traffic/repeated-pdo" = REPEATED_PDO, Warning;
-    summary: "a synchronous PDO comes twice after one SYNC",
-    checks: "Whether PDOs with a transmission type from 1 to 240 come once after a SYNC at most.",
-    why: "Two nodes may send the same CAN-ID, or a SYNC was not received.",
-    example: "two frames of a TPDO 1 ms apart, with a SYNC every 20 ms",
-    remedy: "Look for a second sender of the CAN-ID, and for a node that is late by a whole cycle.",
-    source: "CiA 301 §7.2.2.2",
+    "traffic/missing-node" = MISSING_NODE, Error, leads to [EMERGENCY];
+        causes: ["the node is off or not connected", "the node has another node-ID", "the node has another bit rate"],
+        look: ["check the node-ID of the device (switches, LSS)", "check supply, connector and bit rate of the node", "look for frames with an unexpected CAN-ID"],
+        summary: "a node never answers",
+        checks: "Whether a node that is addressed by SDO sends any frame. Needs answers of other nodes; a scan, which addresses more than three nodes that are not there, is not judged.",
+        why: "The node is not on the bus, so nothing that the manager wants of it happens.",
+        example: "a read of 1000h of node 4, which sends no frame",
+        remedy: "Connect the node, or remove it from the configuration of the manager.",
+        source: "CiA 301 §7.2.4",
 
-    "traffic/sync-cycle" = SYNC_CYCLE, Warning;
-    summary: "the cycle of SYNC is irregular",
-    checks: "Whether SYNC comes half to 1.5 times the communication cycle period (1006h) after the one before.",
-    why: "Synchronous PDOs come with it: drives interpolate with a wrong time, and outputs are late.",
-    example: "62 ms between two SYNC, with a period of 20 ms",
-    remedy: "Look for a second producer of SYNC, for load of higher priority, and for a manager that is held up.",
-    source: "CiA 301 §7.2.5",
+    "traffic/unexpected-boot-up" = UNEXPECTED_BOOT_UP, Error, leads to [NOT_OPERATIONAL, LATE_HEARTBEAT, EVENT_TIMER, EMERGENCY, UNANSWERED_REQUEST, SILENT_NODE, NOT_STARTED, DRIVE_FAULT];
+        causes: ["a dip of the supply", "the watchdog of the node", "a fault in its firmware"],
+        look: ["measure the supply of the node when loads switch", "read 1003h and the reset cause of the node", "let the manager configure the node again"],
+        summary: "a node boots up in operation",
+        checks: "Whether a node that is operational sends a boot-up message only after an NMT command that resets it. Logs without NMT commands are not judged.",
+        why: "The node was reset by a watchdog or its supply, and has lost its configuration.",
+        example: "a boot-up message between two PDOs of a node",
+        remedy: "Look at the supply and the watchdog of the node, and let the manager configure it again.",
+        source: "CiA 301 §7.3.2.1",
 
-    "traffic/not-operational" = NOT_OPERATIONAL, Error;
-    summary: "a node that is not operational sends PDOs",
-    checks: "Whether nodes send PDOs in the state operational only. The state is known by boot-up messages, heartbeats and NMT commands. Logs without NMT commands are not judged, nor nodes that start by themselves (1F80h, bit 2).",
-    why: "In any other state a node has no PDOs: the manager does not expect them, and values may not be valid yet.",
-    example: "a TPDO directly after the boot-up message",
-    remedy: "Start the node by an NMT command first, or correct its firmware.",
-    source: "CiA 301 §7.3.2.2.5",
+    "traffic/repeated-boot" = REPEATED_BOOT, Error, leads to [UNEXPECTED_BOOT_UP, NOT_OPERATIONAL, LATE_HEARTBEAT, EMERGENCY, UNANSWERED_REQUEST, NOT_STARTED, REFUSED_WRITE];
+        causes: ["the manager does not accept the node and resets it again", "the supply of the node breaks down", "the watchdog of the node"],
+        look: ["look at the last frames before each boot-up: a refused write, or a wrong identity", "measure the supply of the node"],
+        summary: "a node boots again and again",
+        checks: "Whether a node sends three boot-up messages or more with at most ten seconds between them.",
+        why: "The node never gets to work.",
+        example: "three boot-up messages of node 5 in four seconds",
+        remedy: "Remove what stops the boot: the last frames before each boot-up show it.",
+        source: "CiA 302-2 §5",
 
-    "traffic/unexpected-boot-up" = UNEXPECTED_BOOT_UP, Error;
-    summary: "a node boots up in operation",
-    checks: "Whether a node that is operational sends a boot-up message only after an NMT command that resets it. Logs without NMT commands are not judged.",
-    why: "The node was reset by a watchdog or its supply, and has lost its configuration.",
-    example: "a boot-up message between two PDOs of a node",
-    remedy: "Look at the supply and the watchdog of the node, and let the manager configure it again.",
-    source: "CiA 301 §7.3.2.1",
+    "traffic/late-heartbeat" = LATE_HEARTBEAT, Error, leads to [EVENT_TIMER, UNANSWERED_REQUEST, EMERGENCY, SILENT_NODE, SYNC_CYCLE, NOT_STARTED];
+        causes: ["supply or connector of the node", "the node hangs, or its watchdog resets it", "bit errors: wiring, termination, bit rate", "the node is busy, for example storing parameters"],
+        look: ["check supply and status LEDs of the node", "check connector and cable at the time of the incident", "look for error frames and a boot-up message after it"],
+        summary: "a heartbeat is late",
+        checks: "Whether heartbeats come in 1.5 times the time of their producer (1017h), or in less if a consumer allows less (1016h). Without 1017h, a consumer alone decides.",
+        why: "Consumers take the node for lost: they send EMCY 8130h and may stop.",
+        example: "no heartbeat for 900 ms of a node with a producer time of 500 ms",
+        remedy: "Find out why the node was silent, or allow more time in 1017h, and in 1016h of a consumer that waits less.",
+        source: "CiA 301 §7.2.8.3.2.2",
 
-    "traffic/unknown-node" = UNKNOWN_NODE, Warning;
-    summary: "a node that the network does not have sends frames",
-    checks: "Whether the network describes each node that sends frames. Descriptions of single nodes are not judged.",
-    why: "A node has a wrong node-ID or a wrong COB-ID, or is not in the project: its CAN-IDs may collide with those of another node.",
-    example: "frames with the CAN-ID 1A3h in a network without node 35",
-    remedy: "Add the node to the network, or correct its node-ID.",
-    source: "CiA 301 §7.3.5",
+    "traffic/silent-node" = SILENT_NODE, Error, leads to [EVENT_TIMER, UNANSWERED_REQUEST, EMERGENCY];
+        causes: ["supply or connector of the node", "the node hangs"],
+        look: ["check supply and status LEDs of the node", "check connector and cable"],
+        summary: "a node without heartbeat falls silent",
+        checks: "Whether a node without a heartbeat goes on to answer guarding, and to send the PDOs that it sent at regular times. Needs 20 regular PDOs or one answer; a node that was stopped or reset is not judged.",
+        why: "Nothing monitors such a node: the manager works with old values.",
+        example: "no TPDO 1 for three seconds, after 300 frames 10 ms apart",
+        remedy: "Find out why the node was silent, and switch its heartbeat on (1017h).",
+        source: "CiA 301 §7.2.8",
+
+    "traffic/drive-fault" = DRIVE_FAULT, Error, leads to [EMERGENCY, EVENT_TIMER, REFUSED_TRANSITION, QUICK_STOP, SILENT_NODE];
+        causes: ["the cause that EMCY and 603Fh report", "a safety input, STO or the supply of the motor, if the drive reports none"],
+        look: ["look up the error code in the manual of the drive", "read 603Fh, or 683Fh of the second axis", "remove the cause, then reset the fault: controlword 80h, 06h, 07h, 0Fh"],
+        summary: "a drive is in a fault",
+        checks: "Whether the statusword (6041h, and + 800h for each further axis) shows a fault. Needs a PDO or SDO with it: its mapping in the description or in the log, or the mapping of CiA 402 for PDO 1.",
+        why: "A drive in a fault has no torque and ignores commands until the fault is reset.",
+        example: "a statusword of 0218h",
+        remedy: "Remove the cause and reset the fault.",
+        source: "CiA 402-2 §8.4",
+
+    "traffic/emergency" = EMERGENCY, Error;
+        causes: ["the cause that the error code names"],
+        look: ["look up the error code in the manual of the device", "read 1001h and 1003h of the node"],
+        summary: "a node reports an error",
+        checks: "Whether a node sends EMCY with an error code. EMCY 0000h or a boot-up message ends it.",
+        why: "The device is not well, and may have stopped.",
+        example: "EMCY 3210h of node 5",
+        remedy: "Remove the cause that the manual gives for the code.",
+        source: "CiA 301 §7.2.7",
+
+    "traffic/refused-write" = REFUSED_WRITE, Error;
+        causes: ["the configuration is for another device or firmware", "the entry may not be written in the present state", "the value is out of range"],
+        look: ["compare the entry with the description and the manual of this revision", "correct the configuration of the manager"],
+        summary: "a node refuses a setting",
+        checks: "Whether a node aborts a write. A later write of the entry that it accepts ends it.",
+        why: "The device runs with another value than the configuration says.",
+        example: "a write of 2001h that is aborted with 0602 0000h",
+        remedy: "Correct the configuration, or the description that it is made from.",
+        source: "CiA 301 §7.2.4.3.17",
 
     "traffic/unanswered-request" = UNANSWERED_REQUEST, Error;
-    summary: "an SDO request has no answer",
-    checks: "Whether each transfer that a client begins gets an answer before the next one begins or, at the end of the log, within a second. Logs without any answer are not judged, nor nodes that are neither described nor seen.",
-    why: "The node is off, in the state stopped, or has another node-ID; a manager that waits does not boot it.",
-    example: "a read of 1018h of a node that is silent",
-    remedy: "Look at the node and its state, and at the termination of the bus.",
-    source: "CiA 301 §7.2.4",
+        causes: ["the node is stopped or busy", "the node has no SDO server for this request", "the answer has another COB-ID"],
+        look: ["look at the NMT state of the node", "send the request again, with the node alone on the bus"],
+        summary: "an SDO request has no answer",
+        checks: "Whether each transfer that a client begins gets an answer before the next one begins or, at the end of the log, within a second. Logs without any answer are not judged, nor nodes that are neither described nor seen.",
+        why: "The node is off, in the state stopped, or has another node-ID; a manager that waits does not boot it.",
+        example: "a read of 1018h of a node that is silent",
+        remedy: "Look at the node and its state, and at the termination of the bus.",
+        source: "CiA 301 §7.2.4",
 
     "traffic/broken-transfer" = BROKEN_TRANSFER, Error;
-    summary: "an SDO transfer is not sound",
-    checks: "Whether the toggle bits of segments alternate, as many bytes are sent as were announced, and the checksum of blocks is right.",
-    why: "The other side aborts the transfer, or takes a wrong value.",
-    example: "a block transfer with the checksum DEADh",
-    remedy: "Correct the client or the server that sends it.",
-    source: "CiA 301 §7.2.4.3",
+        causes: ["a fault in the SDO client or server", "a lost frame"],
+        look: ["compare the segments before it with CiA 301", "look for error frames at this time"],
+        summary: "an SDO transfer is not sound",
+        checks: "Whether the toggle bits of segments alternate, as many bytes are sent as were announced, and the checksum of blocks is right.",
+        why: "The other side aborts the transfer, or takes a wrong value.",
+        example: "a block transfer with the checksum DEADh",
+        remedy: "Correct the client or the server that sends it.",
+        source: "CiA 301 §7.2.4.3",
+
+    "traffic/not-operational" = NOT_OPERATIONAL, Error, leads to [NOT_STARTED];
+        causes: ["the firmware sends PDOs in any state", "the log lacks the command that started the node"],
+        look: ["look for the NMT command before the PDO"],
+        summary: "a node that is not operational sends PDOs",
+        checks: "Whether nodes send PDOs in the state operational only. The state is known by boot-up messages, heartbeats and NMT commands. Logs without NMT commands are not judged, nor nodes that start by themselves (1F80h, bit 2).",
+        why: "In any other state a node has no PDOs: the manager does not expect them, and values may not be valid yet.",
+        example: "a TPDO directly after the boot-up message",
+        remedy: "Start the node by an NMT command first, or correct its firmware.",
+        source: "CiA 301 §7.3.2.2.5",
+
+    "traffic/not-started" = NOT_STARTED, Warning;
+        causes: ["the manager waits for a node or an answer", "the node is not in the list of the manager (1F81h)"],
+        look: ["look for the last SDO of the manager to this node"],
+        summary: "a node is never started",
+        checks: "Whether a node that boots becomes operational. Needs an NMT command that starts another node, and two seconds after the boot-up message.",
+        why: "Without it the node sends and takes no PDOs.",
+        example: "node 13 boots, is configured, and stays pre-operational",
+        remedy: "Start the node, or write 1F80h so that it starts by itself.",
+        source: "CiA 302-2 §5",
+
+    "traffic/quick-stop" = QUICK_STOP, Warning;
+        causes: ["a limit switch or a stop input", "the quick stop of the other axis"],
+        look: ["look at the digital inputs (60FDh) and the manual for what triggers the quick stop"],
+        summary: "a drive stops by itself",
+        checks: "Whether the statusword shows an active quick stop that no controlword asked for. Needs both words in the log.",
+        why: "The drive has left its motion.",
+        example: "a statusword of 0207h after the controlword 0Fh",
+        remedy: "Remove the cause, then enable operation again.",
+        source: "CiA 402-2 §8.4",
+
+    "traffic/refused-transition" = REFUSED_TRANSITION, Warning;
+        causes: ["the supply of the motor or STO is missing", "a step of the sequence 06h, 07h, 0Fh is missing"],
+        look: ["check the supply of the motor, STO and the brake", "compare the controlwords before with the state machine"],
+        summary: "a drive does not enable operation",
+        checks: "Whether a drive is in the state operation enabled two seconds after the controlword asks for it. Needs both words in the log.",
+        why: "The drive does not move.",
+        example: "a controlword of 0Fh with a statusword of 0231h",
+        remedy: "Follow the state machine: 06h, 07h, 0Fh.",
+        source: "CiA 402-2 §8.4",
+
+    "traffic/error-frames" = ERROR_FRAMES, Warning;
+        causes: ["missing or additional termination", "wiring, shield or ground", "two bit rates on the bus"],
+        look: ["measure 60 Ω between CAN_H and CAN_L with the supply off", "look which frames come before them"],
+        summary: "the bus has error frames",
+        checks: "Whether the log has error frames. Needs a logger that records them (`candump -e`).",
+        why: "Frames are repeated or lost; heartbeats and SDOs fail sporadically.",
+        example: "two error frames in six seconds",
+        remedy: "Repair wiring and termination.",
+        source: "ISO 11898-1 §10.4",
+
+    "traffic/pdo-length" = PDO_LENGTH, Error;
+        causes: ["the mapping of the sender is not the mapping of the description", "two nodes send this CAN-ID"],
+        look: ["compare 1A00h and 1600h of sender and receiver with the description", "look for a second sender of the CAN-ID"],
+        summary: "a PDO has another length than mapped",
+        checks: "Whether each PDO of a node has as many bytes as its mapping: that of the description, or the one that was written in the log.",
+        why: "Receivers discard a PDO that is too short and send EMCY 8210h, or they read other values than are meant.",
+        example: "6 bytes of a TPDO that maps 7",
+        remedy: "Correct the mapping in the description, or in the node.",
+        source: "CiA 301 §7.2.2.4",
+
+    "traffic/event-timer" = EVENT_TIMER, Warning;
+        causes: ["the node is held up", "the event timer was not written to the node"],
+        look: ["read 1800h sub-index 5 of the node", "look for load of higher priority"],
+        summary: "a PDO exceeds its event timer",
+        checks: "Whether event-driven PDOs come within 1.5 times their event timer after the one before. A node that was started, stopped or reset in between is not judged.",
+        why: "Receivers that monitor the PDO take it for lost.",
+        example: "a TPDO after 490 ms, with an event timer of 100 ms",
+        remedy: "Find out what held the node up, or write the event timer to the node (1800h, sub-index 5).",
+        source: "CiA 301 §7.5.2.37",
+
+    "traffic/inhibit-time" = INHIBIT_TIME, Warning;
+        causes: ["the inhibit time was not written to the node", "two nodes send this CAN-ID"],
+        look: ["read 1800h sub-index 3 of the node"],
+        summary: "a PDO comes earlier than its inhibit time allows",
+        checks: "Whether event-driven PDOs are at least their inhibit time apart. 5 % less are allowed for clocks and the bus.",
+        why: "The inhibit time limits the load of the bus; without it messages of lower priority may be late.",
+        example: "a TPDO after 5 ms, with an inhibit time of 10 ms",
+        remedy: "Write the inhibit time to the node (1800h, sub-index 3), or correct the description.",
+        source: "CiA 301 §7.5.2.36",
+
+    "traffic/sync-cycle" = SYNC_CYCLE, Warning;
+        causes: ["a second node produces SYNC", "the manager is held up", "load of higher priority"],
+        look: ["read 1005h bit 30 of each node: one may produce SYNC", "look at the load at this time"],
+        summary: "the cycle of SYNC is irregular",
+        checks: "Whether SYNC comes half to 1.5 times the communication cycle period (1006h) after the one before.",
+        why: "Synchronous PDOs come with it: drives interpolate with a wrong time, and outputs are late.",
+        example: "62 ms between two SYNC, with a period of 20 ms",
+        remedy: "Look for a second producer of SYNC, for load of higher priority, and for a manager that is held up.",
+        source: "CiA 301 §7.2.5",
+
+    "traffic/sync-window" = SYNC_WINDOW, Warning;
+        causes: ["the window is too short for the load after SYNC", "the node is late"],
+        look: ["compare 1007h with the time of the last synchronous PDO"],
+        summary: "a synchronous PDO is outside of the window",
+        checks: "Whether synchronous PDOs come within the synchronous window length (1007h) after SYNC.",
+        why: "Consumers take the value for one of the next cycle, and nodes discard PDOs outside of the window.",
+        example: "a PDO 3 ms after SYNC, with a window of 2 ms",
+        remedy: "Make the window longer, or let fewer messages go before the PDO.",
+        source: "CiA 301 §7.5.2.8",
+
+    "traffic/repeated-pdo" = REPEATED_PDO, Warning;
+        causes: ["two nodes send this CAN-ID", "a SYNC is missing in the log"],
+        look: ["switch the node off and look whether the CAN-ID is still sent"],
+        summary: "a synchronous PDO comes twice after one SYNC",
+        checks: "Whether PDOs with a transmission type from 1 to 240 come once after a SYNC at most.",
+        why: "Two nodes may send the same CAN-ID, or a SYNC was not received.",
+        example: "two frames of a TPDO 1 ms apart, with a SYNC every 20 ms",
+        remedy: "Look for a second sender of the CAN-ID, and for a node that is late by a whole cycle.",
+        source: "CiA 301 §7.2.2.2",
+
+    "traffic/unknown-node" = UNKNOWN_NODE, Warning;
+        causes: ["a wrong node-ID or COB-ID", "a node that is not in the project"],
+        look: ["switch nodes off one by one until the CAN-ID disappears"],
+        summary: "a node that the network does not have sends frames",
+        checks: "Whether the network describes each node that sends frames. Descriptions of single nodes are not judged.",
+        why: "A node has a wrong node-ID or a wrong COB-ID, or is not in the project: its CAN-IDs may collide with those of another node.",
+        example: "frames with the CAN-ID 1A3h in a network without node 35",
+        remedy: "Add the node to the network, or correct its node-ID.",
+        source: "CiA 301 §7.3.5",
 
     "traffic/sdo-length" = SDO_LENGTH, Warning;
-    summary: "an SDO frame does not have 8 bytes",
-    checks: "Whether each frame of an SDO transfer has 8 bytes.",
-    why: "Many nodes discard a frame that is shorter.",
-    example: "a request of 6 bytes",
-    remedy: "Fill the frame with zeros.",
-    source: "CiA 301 §7.2.4.3",
+        causes: ["a client or a node that cuts SDO frames"],
+        look: ["look which side sends the frame"],
+        summary: "an SDO frame does not have 8 bytes",
+        checks: "Whether each frame of an SDO transfer has 8 bytes.",
+        why: "Many nodes discard a frame that is shorter.",
+        example: "a request of 6 bytes",
+        remedy: "Fill the frame with zeros.",
+        source: "CiA 301 §7.2.4.3",
+
+    "traffic/malformed-frame" = MALFORMED_FRAME, Warning;
+        causes: ["another protocol on the bus", "a fault in the firmware of the sender"],
+        look: ["look which node sends the CAN-ID"],
+        summary: "a service frame has a wrong length",
+        checks: "Whether SYNC has at most one byte, NMT commands have two, heartbeats one, EMCY eight and TIME six.",
+        why: "Nodes discard it, or report EMCY 8240h.",
+        example: "a SYNC of two bytes",
+        remedy: "Correct the sender.",
+        source: "CiA 301 §7.2",
 
     "traffic/sdo-size" = SDO_SIZE, Error;
-    summary: "a value in an SDO transfer has another size than its data type",
-    checks: "Whether each value that nodes answer or accept has as many bytes as the `DataType` of its entry. Transfers that do not say how many of their four bytes count are not judged.",
-    why: "A client that uses the entry by its description takes or sends a wrong number, or is refused.",
-    example: "two bytes of an entry that is described as UNSIGNED32",
-    remedy: "Correct `DataType`, or the device: it aborts a write of another size with 0607 0010h.",
-    source: "CiA 301 §7.2.4.3",
+        causes: ["the description belongs to another firmware"],
+        look: ["compare the revision (1018h sub-index 3) with the description"],
+        summary: "a value in an SDO transfer has another size than its data type",
+        checks: "Whether each value that nodes answer or accept has as many bytes as the `DataType` of its entry. Transfers that do not say how many of their four bytes count are not judged.",
+        why: "A client that uses the entry by its description takes or sends a wrong number, or is refused.",
+        example: "two bytes of an entry that is described as UNSIGNED32",
+        remedy: "Correct `DataType`, or the device: it aborts a write of another size with 0607 0010h.",
+        source: "CiA 301 §7.2.4.3",
 
     "traffic/sdo-access" = SDO_ACCESS, Warning;
-    summary: "an SDO transfer succeeds against the access of an entry",
-    checks: "Whether nodes refuse to write entries that are ro or const, and to read those that are wo.",
-    why: "The description belongs to another version of the device, or the device does not protect the entry.",
-    example: "a node accepts a value for an entry with `AccessType=ro`",
-    remedy: "Correct `AccessType`, or abort with 0601 0001h or 0601 0002h.",
-    source: "CiA 301 §7.2.4.3.17",
+        causes: ["the description belongs to another firmware"],
+        look: ["compare the revision (1018h sub-index 3) with the description"],
+        summary: "an SDO transfer succeeds against the access of an entry",
+        checks: "Whether nodes refuse to write entries that are ro or const, and to read those that are wo.",
+        why: "The description belongs to another version of the device, or the device does not protect the entry.",
+        example: "a node accepts a value for an entry with `AccessType=ro`",
+        remedy: "Correct `AccessType`, or abort with 0601 0001h or 0601 0002h.",
+        source: "CiA 301 §7.2.4.3.17",
 
     "traffic/sdo-limits" = SDO_LIMITS, Error;
-    summary: "a value in an SDO transfer is outside its limits",
-    checks: "Whether values that nodes answer or accept are within `LowLimit` and `HighLimit`.",
-    why: "The limits in the description are not those of the device, or the device does not check them.",
-    example: "120 for an entry with `HighLimit=100`",
-    remedy: "Correct the limits, or the device.",
-    source: "CiA 306-1 §4.6.3.2",
+        causes: ["the description belongs to another firmware"],
+        look: ["compare the limits with the manual"],
+        summary: "a value in an SDO transfer is outside its limits",
+        checks: "Whether values that nodes answer or accept are within `LowLimit` and `HighLimit`.",
+        why: "The limits in the description are not those of the device, or the device does not check them.",
+        example: "120 for an entry with `HighLimit=100`",
+        remedy: "Correct the limits, or the device.",
+        source: "CiA 306-1 §4.6.3.2",
 }
