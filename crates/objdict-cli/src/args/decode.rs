@@ -38,13 +38,16 @@ pub(crate) struct DecodeArgs {
     /// The maximum number of rows of --wide
     #[arg(long, value_name = "NUMBER", default_value_t = 1_000_000)]
     pub max_rows: usize,
-    /// Show sums instead of frames: load, cycles beside the described ones, lost heartbeats, aborted transfers, emergencies, and what was
-    /// configured
-    #[arg(long)]
+    /// Show what went wrong instead of frames: a verdict and a list of incidents, unresolved ones first. Statistics follow: load, measured and
+    /// expected cycle times, aborted transfers, emergencies, and the configuration. With --check, exits with 1 if an incident is unresolved
+    #[arg(long, conflicts_with = "wide")]
     pub summary: bool,
-    /// Report what is not as the descriptions say instead of frames (rules `traffic/…`), in the formats text, concise, json, sarif, github, gitlab
-    /// and junit. Exits with 1 if there are errors
-    #[arg(long, conflicts_with_all = ["summary", "wide"])]
+    /// Show one incident of this list: its frames, likely causes, and what to check
+    #[arg(short = 'd', long, value_name = "N", conflicts_with_all = ["summary", "wide"])]
+    pub incident: Option<usize>,
+    /// Report deviations from the descriptions and faults instead of frames (rules `traffic/…`), in the formats text, concise, json, sarif, github,
+    /// gitlab and junit. Exits with 1 if there are errors
+    #[arg(long, conflicts_with = "wide")]
     pub check: bool,
     /// Write a page with a time line, plots of signals and these sums to this HTML file instead of frames
     #[arg(long, value_name = "FILE", conflicts_with = "wide")]
@@ -78,6 +81,11 @@ impl DecodeArgs {
     /// How descriptions and networks are read.
     pub(crate) fn input(&self) -> NetworkInputArgs {
         self.paths.with(&self.patch, self.settings.config_file())
+    }
+
+    /// Whether incidents are shown.
+    pub(crate) const fn is_summary(&self) -> bool {
+        self.summary || self.incident.is_some()
     }
 
     /// How findings are reported; `None` for a format of frames.

@@ -24,13 +24,13 @@ pub(super) fn write(
     let frames = plural(usize::try_from(frames).unwrap_or(usize::MAX), "frame");
     let texts = PageTexts {
         title: document.logs().join(", "),
-        summary: format!("{frames} on {}", of_buses(reports.len())),
+        summary: format!("{frames} on {}. {}", of_buses(reports.len()), document.verdict()),
         buses: reports
             .iter()
             .map(|report| (summary::title(report), tables(report), remarks(report)))
             .collect(),
     };
-    save(path, recording.html(texts, reports, buses).as_bytes())?;
+    save(path, recording.html(texts, reports, document.incidents(), buses).as_bytes())?;
     Ok(())
 }
 

@@ -3,6 +3,7 @@
 mod check;
 mod csv;
 mod html;
+mod incidents;
 mod summary;
 mod text;
 
@@ -25,7 +26,9 @@ use objdict_document::describe::frames::{DecodedFrame, FrameKind};
 use objdict_format::input::Reading;
 use objdict_network_file::NetworkFile;
 use objdict_traffic::log::{LogOptions, LoggedFrame};
-use objdict_traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, Recording, digits, raw};
+use objdict_traffic::{
+    Bus, Buses, Descriptions, IncidentState, MergedLogs, NamedLog, Origin, Recording, digits, raw,
+};
 
 /// How much of a log is read at once.
 const BUFFER: usize = 1 << 16;
@@ -50,7 +53,7 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         notes.iter().for_each(|text| note(&format!("note: {text}\n")));
     }
     let mut logs = open(args)?;
-    if args.check || args.summary || args.html.is_some() {
+    if args.check || args.is_summary() || args.html.is_some() {
         let outcome = sums(args, &mut buses, &mut logs, out)?;
         return Ok(outcome.max(report_bad_lines(&logs)?));
     }
@@ -79,17 +82,20 @@ fn sums(
     // what cannot be written should not be read for
     args.html.as_deref().map_or(Ok(()), require_other)?;
     let mut recording = args.html.as_ref().map(|_| Recording::new(&args.plot, args.points));
-    let document = summary::gather(args, buses, logs, recording.as_mut())?;
+    let mut document = summary::gather(args, buses, logs, recording.as_mut())?;
     if let Some((path, recording)) = args.html.as_deref().zip(recording) {
         html::write(path, &recording, &document, buses)?;
     }
-    if args.check {
-        return check::run(args, document.buses(), out);
+    let is_unresolved =
+        document.incidents().iter().any(|incident| incident.state == IncidentState::Unresolved);
+    match args.incident {
+        Some(number) if args.format == DecodeFormat::Json => document.only(number)?.write(args.format, out)?,
+        Some(number) => incidents::write_one(number, document.incidents(), out)?,
+        None if args.summary => document.write(args.format, out)?,
+        None if args.check => return check::run(args, document.buses(), out),
+        None => {}
     }
-    if args.summary {
-        document.write(args.format, out)?;
-    }
-    Ok(Outcome::Clean)
+    Ok(if args.check && is_unresolved { Outcome::Findings } else { Outcome::Clean })
 }
 
 /// A frame that is shown.
@@ -105,9 +111,12 @@ struct ShownFrame<'s, 'd> {
 /// Fails for a format that has no place for what is shown.
 fn require_format(args: &DecodeArgs) -> Result<(), Failure> {
     let (problem, help) = match args.format {
+        format if format.is_of_findings() && args.is_summary() => {
+            ("this is a format of findings", "leave out `--summary` and `--incident`")
+        }
         DecodeFormat::Csv if args.check => ("findings have no CSV", "use `--format text` or `--format json`"),
         DecodeFormat::Csv if args.html.is_some() => ("a page has no CSV", "leave out `--format csv`"),
-        DecodeFormat::Csv if args.summary => {
+        DecodeFormat::Csv if args.is_summary() => {
             ("`--summary` has no CSV", "use `--format text` or `--format json`")
         }
         format if format.is_of_findings() && !args.check => ("this is a format of findings", "add `--check`"),

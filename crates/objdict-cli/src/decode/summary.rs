@@ -9,16 +9,17 @@ use super::super::ending::Failure;
 use super::super::input::source_name;
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
-use super::{Logs, each_frame};
+use super::{Logs, each_frame, incidents};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
-use objdict_traffic::{BusReport, BusSums, Buses, NodeEvent, Recording};
+use objdict_traffic as traffic;
+use objdict_traffic::{BusReport, BusSums, Buses, Incident, NodeEvent, Recording};
 
 /// The most characters of a cell.
 const CELL: usize = 60;
 
 /// The most characters of a line.
-const LINE: usize = 200;
+pub(super) const LINE: usize = 200;
 
 /// The most events of a kind that the text shows.
 const EVENTS: usize = 20;
@@ -33,6 +34,10 @@ pub(crate) struct TrafficSummaryJson {
     logs: Vec<String>,
     /// The number of lines that are not understood.
     bad_lines: u64,
+    /// What went wrong in one line.
+    verdict: String,
+    /// What went wrong: first what is unresolved, then what is over, then warnings.
+    incidents: Vec<Incident>,
     /// The buses, by the channels of the logs.
     buses: Vec<BusReport>,
 }
@@ -55,11 +60,16 @@ pub(super) fn gather(
         }
         Ok(())
     })?;
+    let mut reports: Vec<BusReport> =
+        sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
+    let incidents = traffic::incidents(&mut reports);
     Ok(TrafficSummaryJson {
         version: Version,
         logs: args.logs.iter().map(|path| source_name(path)).collect(),
         bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
-        buses: sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect(),
+        verdict: traffic::verdict(&incidents),
+        incidents,
+        buses: reports,
     })
 }
 
@@ -74,15 +84,31 @@ impl TrafficSummaryJson {
         &self.buses
     }
 
+    /// What went wrong.
+    pub(super) fn incidents(&self) -> &[Incident] {
+        &self.incidents
+    }
+
+    /// The same with one incident.
+    pub(super) fn only(&mut self, number: usize) -> Result<&Self, Failure> {
+        incidents::one(number, &self.incidents)?;
+        self.incidents.retain(|incident| incident.number == number);
+        Ok(self)
+    }
+
+    /// What went wrong in one line.
+    pub(super) fn verdict(&self) -> &str {
+        &self.verdict
+    }
+
     pub(super) fn write(&self, format: DecodeFormat, out: &mut Output) -> Result<(), Failure> {
         if format == DecodeFormat::Json {
             out.pretty_json(self)?;
             return Ok(());
         }
-        for (at, bus) in self.buses.iter().enumerate() {
-            if at > 0 {
-                writeln!(out)?;
-            }
+        incidents::write(&self.verdict, &self.incidents, out)?;
+        for bus in &self.buses {
+            writeln!(out)?;
             write_bus(bus, out)?;
         }
         Ok(())
@@ -106,10 +132,8 @@ fn write_bus(bus: &BusReport, out: &mut Output) -> io::Result<()> {
     let mut messages = TextTable::new(MESSAGES, CELL);
     message_rows(bus).for_each(|row| messages.row(row));
     messages.write(out)?;
-    events("Lost heartbeats", &bus.lost_heartbeats, out)?;
     events("Aborted transfers", &bus.aborted_transfers, out)?;
     events("Emergencies", &bus.emergencies, out)?;
-    events("Not as described", &bus.deviations, out)?;
     if bus.further_events > 0 {
         writeln!(out, "\nand {}", plural(count(bus.further_events), "further event"))?;
     }
@@ -201,9 +225,8 @@ fn events(title: &str, events: &[NodeEvent], out: &mut Output) -> io::Result<()>
         return Ok(());
     }
     writeln!(out, "\n{title}:")?;
-    for NodeEvent { moment, text, rule, .. } in events.iter().take(EVENTS) {
-        let rule = rule.map_or_else(String::new, |rule| format!(" [{}]", rule.id));
-        writeln!(out, "  {}  {}{rule}", moment.time, fit(text, LINE))?;
+    for NodeEvent { moment, text, .. } in events.iter().take(EVENTS) {
+        writeln!(out, "  {}  {}", moment.time, fit(text, LINE))?;
     }
     if events.len() > EVENTS {
         writeln!(out, "  and {} more", events.len() - EVENTS)?;

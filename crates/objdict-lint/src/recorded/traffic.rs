@@ -55,7 +55,7 @@ incident_kinds! {
         remedy: "Look for what the nodes have in common.",
         source: "CiA 301 §7.2.8.3.2.2",
 
-    "traffic/missing-node" = MISSING_NODE, Error, leads to [EMERGENCY];
+    "traffic/missing-node" = MISSING_NODE, Error, leads to [UNANSWERED_REQUEST, EMERGENCY];
         causes: ["the node is off or not connected", "the node has another node-ID", "the node has another bit rate"],
         look: ["check the node-ID of the device (switches, LSS)", "check supply, connector and bit rate of the node", "look for frames with an unexpected CAN-ID"],
         summary: "a node never answers",

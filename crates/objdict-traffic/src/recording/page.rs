@@ -1,7 +1,7 @@
 //! The page of a recording and of the sums that go with it.
 
 use super::{Course, Plot, Recording};
-use crate::{BusReport, Buses, NodeEvent};
+use crate::{BusReport, Buses, Incident, NodeEvent};
 use objdict_document::{
     TrafficBus, TrafficCourse, TrafficEvent, TrafficEvents, TrafficLane, TrafficPage, TrafficPlot,
     TrafficTable,
@@ -23,11 +23,19 @@ pub struct PageTexts {
 
 impl Recording {
     /// The page of what was recorded.
-    pub fn html(&self, texts: PageTexts, reports: &[BusReport], buses: &Buses<'_>) -> String {
+    pub fn html(
+        &self,
+        texts: PageTexts,
+        reports: &[BusReport],
+        incidents: &[Incident],
+        buses: &Buses<'_>,
+    ) -> String {
         let drawn = texts.buses.into_iter().zip(reports).enumerate().map(
             |(at, ((title, tables, remarks), report))| {
                 let (node_ids, lanes) = self.lanes_of(at, buses);
-                TrafficBus { title, lanes, events: events(report, &node_ids), tables, remarks }
+                let mut events = events(report, &node_ids);
+                events.insert(0, listed(incidents, &report.channel, &node_ids));
+                TrafficBus { title, lanes, events, tables, remarks }
             },
         );
         TrafficPage {
@@ -108,10 +116,8 @@ impl Plot {
 /// The events of a report with their marks.
 fn events(report: &BusReport, node_ids: &[u8]) -> Vec<TrafficEvents> {
     let lists = [
-        ("Lost heartbeats", "lost", &report.lost_heartbeats),
         ("Aborted transfers", "abort", &report.aborted_transfers),
         ("Emergencies", "emcy", &report.emergencies),
-        ("Not as described", "deviation", &report.deviations),
         ("Boot-ups", "boot-up", &report.starts),
         ("Error frames", "error", &report.bus_errors),
     ];
@@ -122,6 +128,20 @@ fn events(report: &BusReport, node_ids: &[u8]) -> Vec<TrafficEvents> {
         further: events.len().saturating_sub(MAX_EVENTS) as u64,
     };
     lists.map(list).into()
+}
+
+/// The incidents of a bus with their numbers.
+fn listed(incidents: &[Incident], channel: &str, node_ids: &[u8]) -> TrafficEvents {
+    let own = incidents.iter().filter(|incident| incident.channel == channel);
+    let shown = own.map(|incident| TrafficEvent {
+        time: incident.start.nanoseconds(),
+        shown_time: incident.start.to_string(),
+        lane: node_ids.iter().position(|node_id| Some(node_id) == incident.nodes.first()),
+        text: format!("{} {}: {}", incident.number, incident.state.name(), incident.text),
+        rule: incident.kind.rule.id,
+    });
+    let events: Vec<TrafficEvent> = shown.take(MAX_EVENTS).collect();
+    TrafficEvents { title: "Incidents", class: "deviation", events, further: 0 }
 }
 
 fn shown(event: &NodeEvent, node_ids: &[u8]) -> TrafficEvent {

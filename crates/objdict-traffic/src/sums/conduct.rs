@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::History;
 use super::deviations::{Deviation, name};
-use super::history::{NodeEvent, Seen};
+use super::is_rpdo;
+use super::history::Seen;
+use crate::incident::{IncidentBook, Subject};
 use crate::log::{LogTime, LoggedFrame};
 use crate::{Bus, Origin, PRE_OPERATIONAL};
 use objdict_bus::crc;
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoFrame, TransferStep, nmt_state};
 use objdict_lint::recorded::traffic as rules;
+use objdict_model::diagnostic::RuleInfo;
 use objdict_model::model::PdoKind;
 use objdict_network::Service;
 
@@ -17,6 +19,18 @@ const OPERATIONAL: u8 = 5;
 
 /// A client waits so many nanoseconds for an answer: the usual timeout of a second.
 const PATIENCE: i64 = 1_000_000_000;
+
+/// A node is started so many nanoseconds after its boot-up message.
+const START_TIME: i64 = 2_000_000_000;
+
+/// So many nanoseconds are between the boot-up messages of a node that boots again and again.
+const BOOT_TIME: i64 = 10_000_000_000;
+
+/// So many boot-up messages are too many.
+const BOOT_UPS: usize = 3;
+
+/// The most nodes that are addressed and missing: a scan addresses more.
+const MAX_MISSING: usize = 3;
 
 /// What a node did last.
 #[derive(Clone, Debug, Default)]
@@ -29,7 +43,24 @@ struct NodeConduct {
     is_unknown: bool,
     /// When its state changed, in nanoseconds.
     changed: Option<i64>,
+    /// Whether it sent a frame.
+    is_seen: bool,
+    /// The first SDO request or NMT command to it alone, before it sent a frame.
+    addressed: Option<Seen>,
+    /// The boot-up message after which it was not started.
+    boot_up: Option<Seen>,
+    /// When it sent the last boot-up message, in nanoseconds.
+    boot_up_time: Option<i64>,
+    /// The boot-up messages, at most ten seconds apart, that are not reported: how many there are with those that are.
+    boot_ups: (Vec<Seen>, usize),
+    /// Whether all nodes were reset, so that one boot-up message more is right.
+    is_reset: bool,
+    /// Whether an incident is over when it is operational.
+    is_down: bool,
 }
+
+/// Incidents that are over when a node is operational.
+const DOWN: [&RuleInfo; 3] = [&rules::NOT_OPERATIONAL, &rules::UNEXPECTED_BOOT_UP, &rules::REPEATED_BOOT];
 
 /// A transfer of an SDO channel.
 #[derive(Clone, Debug, Default)]
@@ -50,9 +81,9 @@ pub(super) struct Conduct {
     nodes: Vec<NodeConduct>,
     channels: BTreeMap<(u8, u16), ChannelConduct>,
     has_commands: bool,
+    /// Whether a command started a node.
+    has_starts: bool,
     has_answers: bool,
-    /// Requests without an answer: they say something if the log has answers at all.
-    unanswered: History,
 }
 
 impl Default for Conduct {
@@ -61,8 +92,8 @@ impl Default for Conduct {
             nodes: vec![NodeConduct::default(); super::NODES],
             channels: BTreeMap::new(),
             has_commands: false,
+            has_starts: false,
             has_answers: false,
-            unanswered: History::default(),
         }
     }
 }
@@ -73,49 +104,58 @@ impl Conduct {
         self.nodes[usize::from(node_id) % super::NODES].changed
     }
 
-    /// The rules that a frame is against in its order.
+    /// Reports what a frame is against in its order.
     pub(super) fn frame(
         &mut self,
         decoded: &DecodedFrame,
         frame: &LoggedFrame,
         origin: Origin<'_>,
         bus: &Bus<'_>,
-    ) -> Vec<Deviation> {
+        book: &mut IncidentBook,
+    ) {
         if frame.is_remote {
-            return Vec::new();
+            return;
         }
-        let now = frame.time.nanoseconds();
+        let seen = || Seen::of(frame, origin);
         if decoded.kind == FrameKind::Nmt {
-            self.command(frame.data(), now);
-            return Vec::new();
+            return self.command(frame, seen, book);
         }
-        let Some(node_id) = decoded.node_id else { return Vec::new() };
-        let unknown = self.unknown(node_id, decoded, bus);
-        let own = match decoded.kind {
-            FrameKind::BootUp => self.boot_up(node_id, now, bus).into_iter().collect(),
-            FrameKind::Heartbeat => {
-                self.heartbeat(node_id, frame.data(), now);
-                Vec::new()
+        let Some(node_id) = decoded.node_id else { return };
+        self.unknown(node_id, decoded, seen, bus, book);
+        match decoded.kind {
+            FrameKind::BootUp => self.boot_up(node_id, seen, bus, book),
+            FrameKind::Heartbeat => self.heartbeat(node_id, frame, seen, book),
+            FrameKind::Pdo => {
+                if let Some((rule, text)) = self.pdo(node_id, decoded, bus) {
+                    book.against(Subject::new(rule, node_id, 0), seen(), || text);
+                }
             }
-            FrameKind::Pdo => self.pdo(node_id, decoded, bus).into_iter().collect(),
-            FrameKind::Sdo => self.sdo(node_id, decoded, frame, origin, bus),
-            _ => Vec::new(),
-        };
-        unknown.into_iter().chain(own).collect()
+            FrameKind::Sdo => self.sdo(node_id, decoded, frame, origin, bus, book),
+            _ => {}
+        }
     }
 
-    fn command(&mut self, data: &[u8], now: i64) {
-        let &[command, node_id, ..] = data else { return };
+    fn command(&mut self, frame: &LoggedFrame, seen: impl Fn() -> Seen, book: &mut IncidentBook) {
+        let &[command, node_id, ..] = frame.data() else { return };
+        let now = frame.time.nanoseconds();
         self.has_commands = true;
-        let nodes = self.nodes.iter_mut().enumerate();
-        for (_, node) in nodes.filter(|(at, _)| node_id == 0 || *at == usize::from(node_id)) {
+        self.has_starts |= command == 1;
+        let nodes = self.nodes.iter_mut().zip(0..);
+        for (node, at) in nodes.filter(|(_, at)| node_id == 0 || *at == node_id) {
             // what a node has to send before it obeys is still sent
             node.state = (command == 1).then_some(OPERATIONAL);
-            (node.is_said, node.changed) = (false, Some(now));
+            (node.is_said, node.changed, node.boot_up) = (false, Some(now), None);
+            node.is_reset |= node_id == 0 && matches!(command, 0x81 | 0x82);
+            if node_id != 0 && !node.is_seen {
+                node.addressed.get_or_insert_with(&seen);
+            }
+            if command == 1 {
+                node.is_up(at, &seen, book);
+            }
         }
     }
 
-    fn boot_up(&mut self, node_id: u8, now: i64, bus: &Bus<'_>) -> Option<Deviation> {
+    fn boot_up(&mut self, node_id: u8, seen: impl Fn() -> Seen, bus: &Bus<'_>, book: &mut IncidentBook) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
         let is_unexpected = node.state.replace(PRE_OPERATIONAL) == Some(OPERATIONAL) && self.has_commands;
         // 1F80h bit 2: the node does not start by itself (CiA 302-2)
@@ -125,18 +165,41 @@ impl Conduct {
             number.is_none_or(|number| number & 1 << 2 != 0)
         });
         node.state = node.state.filter(|_| waits);
-        (node.is_said, node.changed) = (false, Some(now));
-        is_unexpected.then(|| {
-            let text = format!("{} boots up in operation, without a command", bus.reader.name(node_id));
-            (&rules::UNEXPECTED_BOOT_UP, text)
-        })
+        let moment = seen();
+        let now = moment.time.nanoseconds();
+        let last = node.boot_up_time.replace(now);
+        (node.is_said, node.changed, node.boot_up) = (false, Some(now), Some(moment.clone()));
+        let name = || bus.reader.name(node_id);
+        if is_unexpected {
+            node.is_down = true;
+            let text = || format!("{} boots up in operation, without a command", name());
+            book.against(Subject::new(&rules::UNEXPECTED_BOOT_UP, node_id, 0), moment.clone(), text);
+        }
+        let (waiting, count) = &mut node.boot_ups;
+        if last.is_none_or(|last| now.saturating_sub(last) > BOOT_TIME) {
+            (*waiting, *count) = (Vec::new(), 0);
+        }
+        if !std::mem::take(&mut node.is_reset) {
+            waiting.push(moment);
+            *count += 1;
+        }
+        if *count >= BOOT_UPS {
+            node.is_down = true;
+            for moment in waiting.drain(..) {
+                let text = || format!("{} boots again and again", name());
+                book.against(Subject::new(&rules::REPEATED_BOOT, node_id, 0), moment, text);
+            }
+        }
     }
 
-    fn heartbeat(&mut self, node_id: u8, data: &[u8], now: i64) {
+    fn heartbeat(&mut self, node_id: u8, frame: &LoggedFrame, seen: impl Fn() -> Seen, book: &mut IncidentBook) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
-        let state = data.first().map(|state| state & 0x7F);
+        let state = frame.data().first().map(|state| state & 0x7F);
         if node.state != state {
-            (node.state, node.is_said, node.changed) = (state, false, Some(now));
+            (node.state, node.is_said, node.changed) = (state, false, Some(frame.time.nanoseconds()));
+        }
+        if state == Some(OPERATIONAL) {
+            node.is_up(node_id, &seen, book);
         }
     }
 
@@ -149,20 +212,31 @@ impl Conduct {
         if !self.has_commands || pdo.kind != PdoKind::Tpdo {
             return None;
         }
-        node.is_said = true;
+        (node.is_said, node.is_down) = (true, true);
         let text = format!("{} is sent, but the node is {}", name(decoded, bus), nmt_state(state));
         Some((&rules::NOT_OPERATIONAL, text))
     }
 
     /// The first frame of a node that the network does not have.
-    fn unknown(&mut self, node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<Deviation> {
+    fn unknown(
+        &mut self,
+        node_id: u8,
+        decoded: &DecodedFrame,
+        seen: impl Fn() -> Seen,
+        bus: &Bus<'_>,
+        book: &mut IncidentBook,
+    ) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
-        let is_sent = decoded.sdo.is_none_or(|sdo| !sdo.is_request);
-        if node.is_unknown || !bus.descriptions.is_network || !is_sent || bus.reader.is_described(node_id) {
-            return None;
+        if decoded.sdo.is_some_and(|sdo| sdo.is_request) || is_rpdo(decoded.service) {
+            return;
+        }
+        node.is_seen = true;
+        if node.is_unknown || !bus.descriptions.is_network || bus.reader.is_described(node_id) {
+            return;
         }
         node.is_unknown = true;
-        Some((&rules::UNKNOWN_NODE, format!("node {node_id} is not in the network, but sends frames")))
+        let text = || format!("node {node_id} is not in the network, but sends frames");
+        book.against(Subject::new(&rules::UNKNOWN_NODE, node_id, 0), seen(), text);
     }
 
     fn sdo(
@@ -172,53 +246,96 @@ impl Conduct {
         frame: &LoggedFrame,
         origin: Origin<'_>,
         bus: &Bus<'_>,
-    ) -> Vec<Deviation> {
-        let Some(sdo) = decoded.sdo else { return Vec::new() };
-        let mut found = Vec::new();
+        book: &mut IncidentBook,
+    ) {
+        let Some(sdo) = decoded.sdo else { return };
+        let seen = || Seen::of(frame, origin);
         let count = frame.data().len();
         if count != 8 {
             let side = if sdo.is_request { "request" } else { "response" };
-            let text = format!("{}: the SDO {side} has {count} bytes, not 8", bus.reader.name(node_id));
-            found.push((&rules::SDO_LENGTH, text));
+            let text = || format!("{}: the SDO {side} has {count} bytes, not 8", bus.reader.name(node_id));
+            book.against(Subject::new(&rules::SDO_LENGTH, node_id, 0), seen(), text);
         }
-        let is_there = self.nodes[usize::from(node_id) % super::NODES].changed.is_some();
+        let unanswered = Subject::new(&rules::UNANSWERED_REQUEST, node_id, 0);
+        let node = &mut self.nodes[usize::from(node_id) % super::NODES];
         let channel = self.channels.entry((node_id, sdo.channel)).or_default();
         if !sdo.is_request {
             self.has_answers = true;
             channel.asked = None;
+            book.end(unanswered, seen, "the node answers again");
         } else if is_begin(sdo.step) {
+            if !node.is_seen {
+                node.addressed.get_or_insert_with(seen);
+            }
             // a scan asks for all nodes that there may be
-            let is_expected = is_there || bus.reader.is_described(node_id);
-            let asked = is_expected.then(|| (Seen::of(frame, origin), sdo.entry));
+            let is_expected = node.changed.is_some() || bus.reader.is_described(node_id);
+            let asked = is_expected.then(|| (seen(), sdo.entry));
             if let Some((moment, entry)) = std::mem::replace(&mut channel.asked, asked) {
-                let text = || unanswered(bus, node_id, entry);
-                self.unanswered.add(moment, node_id, Some(&rules::UNANSWERED_REQUEST), text);
+                book.against(unanswered, moment, || without_answer(bus, node_id, entry));
             }
         } else if matches!(sdo.step, TransferStep::Abort(_)) {
             channel.asked = None;
         }
         if let Some(fault) = channel.step(sdo, decoded, frame.data(), bus) {
             let entry = sdo.entry.map_or_else(String::new, |entry| bus.reader.entry_name(node_id, entry));
-            let text = format!("{}: {entry}: {fault}", bus.reader.name(node_id));
-            found.push((&rules::BROKEN_TRANSFER, text));
+            let text = || format!("{}: {entry}: {fault}", bus.reader.name(node_id));
+            book.against(Subject::new(&rules::BROKEN_TRANSFER, node_id, about(sdo)), seen(), text);
         }
-        found
     }
 
-    /// The requests without an answer; those at the end of the log had no time for it.
-    pub(super) fn unanswered(&mut self, end: i64, bus: &Bus<'_>) -> Vec<NodeEvent> {
+    /// What is missing at the end of the log; the last requests had no time for an answer.
+    pub(super) fn close(&mut self, end: i64, bus: &Bus<'_>, book: &mut IncidentBook) {
+        let is_past = |time: LogTime, limit: i64| end.saturating_sub(time.nanoseconds()) > limit;
         for (&(node_id, _), channel) in &mut self.channels {
-            let is_late = |time: LogTime| end.saturating_sub(time.nanoseconds()) > PATIENCE;
-            if let Some((moment, entry)) = channel.asked.take_if(|(moment, _)| is_late(moment.time)) {
-                let text = || unanswered(bus, node_id, entry);
-                self.unanswered.add(moment, node_id, Some(&rules::UNANSWERED_REQUEST), text);
+            if let Some((moment, entry)) = channel.asked.take_if(|(moment, _)| is_past(moment.time, PATIENCE)) {
+                let subject = Subject::new(&rules::UNANSWERED_REQUEST, node_id, 0);
+                book.against(subject, moment, || without_answer(bus, node_id, entry));
             }
         }
-        if self.has_answers { self.unanswered.take() } else { Vec::new() }
+        let is_missing = |node: &NodeConduct| {
+            !node.is_seen && node.addressed.as_ref().is_some_and(|seen| is_past(seen.time, PATIENCE))
+        };
+        // more are those that a scan looks for
+        if self.has_answers && self.nodes.iter().filter(|node| is_missing(node)).count() <= MAX_MISSING {
+            for (node, node_id) in self.nodes.iter_mut().zip(0..).filter(|(node, _)| is_missing(node)) {
+                let Some(moment) = node.addressed.take() else { continue };
+                let text =
+                    || format!("{} does not answer: no frame of it is in the log", bus.reader.name(node_id));
+                book.against(Subject::new(&rules::MISSING_NODE, node_id, 0), moment, text);
+            }
+        }
+        for (node, node_id) in self.nodes.iter_mut().zip(0..) {
+            let waits = self.has_starts && node.state == Some(PRE_OPERATIONAL);
+            let boot_up = node.boot_up.take().filter(|seen| waits && is_past(seen.time, START_TIME));
+            if let Some(moment) = boot_up {
+                let text = || format!("{} boots up and is not started", bus.reader.name(node_id));
+                book.against(Subject::new(&rules::NOT_STARTED, node_id, 0), moment, text);
+            }
+        }
+        if !self.has_answers {
+            book.forget(&rules::UNANSWERED_REQUEST);
+        }
     }
 }
 
-fn unanswered(bus: &Bus<'_>, node_id: u8, entry: Option<(u16, u8)>) -> String {
+impl NodeConduct {
+    /// It is operational, which ends what kept it from that.
+    fn is_up(&mut self, node_id: u8, seen: impl Fn() -> Seen, book: &mut IncidentBook) {
+        self.boot_up = None;
+        if std::mem::take(&mut self.is_down) {
+            for rule in DOWN {
+                book.end(Subject::new(rule, node_id, 0), &seen, "the node is operational");
+            }
+        }
+    }
+}
+
+/// The number of an entry, as what an incident is about.
+pub(super) fn about(sdo: SdoFrame) -> u32 {
+    sdo.entry.map_or(0, |(index, sub)| u32::from(index) << 8 | u32::from(sub))
+}
+
+fn without_answer(bus: &Bus<'_>, node_id: u8, entry: Option<(u16, u8)>) -> String {
     let entry = entry.map_or_else(String::new, |entry| bus.reader.entry_name(node_id, entry));
     format!("{}: the request for {entry} has no answer", bus.reader.name(node_id))
 }

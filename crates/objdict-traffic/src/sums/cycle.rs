@@ -34,6 +34,12 @@ impl Cycle {
         self.sum = self.sum.saturating_add(distance);
     }
 
+    /// The mean distance, if there are so many that hardly differ.
+    pub(super) fn regular(&self, count: u64) -> Option<i64> {
+        let is_regular = self.distances >= count && self.longest / 2 <= self.shortest / 4 * 3;
+        self.mean().filter(|_| is_regular)
+    }
+
     /// The mean distance; `None` without two frames.
     pub(super) fn mean(&self) -> Option<i64> {
         self.sum.checked_div(i64::try_from(self.distances).ok()?)

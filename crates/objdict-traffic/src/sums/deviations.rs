@@ -1,14 +1,18 @@
 //! What frames are not as the descriptions say.
 
+use crate::incident::words_in;
 use crate::log::LoggedFrame;
 use crate::{Bus, raw};
-use objdict_document::describe::frames::{DecodedFrame, TransferStep};
+use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoTransfer, TransferStep};
 use objdict_lint::recorded::traffic as rules;
-use objdict_model::diagnostic::RuleInfo;
+use objdict_model::diagnostic::{RuleInfo, plural};
 use objdict_model::model::{Access, DataType, Entry, PdoKind};
 use objdict_network::Service;
 
 use super::milliseconds;
+
+/// The abort code of a command that a node does not know.
+const UNKNOWN_COMMAND: u32 = 0x0504_0001;
 
 /// A rule that a frame is against, and how.
 pub(super) type Deviation = (&'static RuleInfo, String);
@@ -27,6 +31,9 @@ pub(super) struct ExpectedFrames {
     is_synchronous: bool,
     /// The synchronous window length in nanoseconds.
     window: Option<i64>,
+    /// Whether it carries words of a drive.
+    pub(super) has_words: bool,
+    is_wrong: bool,
 }
 
 /// What came before a frame, in nanoseconds.
@@ -67,7 +74,15 @@ impl ExpectedFrames {
             timer: timer.map(|time| i64::from(time) * 1_000_000),
             is_synchronous,
             window: window.filter(|window| *window != 0).map(|window| i64::from(window) * 1000),
+            has_words: !words_in(decoded, frame, bus).is_empty(),
+            is_wrong: false,
         }
+    }
+
+    /// Whether a frame has the right length after one that has not.
+    pub(super) fn is_right_again(&mut self, frame: &LoggedFrame) -> bool {
+        let is_wrong = self.bytes.is_some_and(|bytes| bytes != frame.data().len());
+        std::mem::replace(&mut self.is_wrong, is_wrong) && !is_wrong
     }
 
     /// What is not as described in a frame.
@@ -165,6 +180,45 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
         let [low, high] = limits.map(bound);
         (&rules::SDO_LIMITS, format!("{} = {number} is outside of the limits {low} to {high}", name()))
     })
+}
+
+/// The rule that an abort is against: of reads only those that break off are, as a client may ask for what a node does not have.
+pub(super) fn of_abort(code: u32, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<&'static RuleInfo> {
+    let is_write = bus.reader.transfer(decoded).is_some_and(SdoTransfer::is_download);
+    match code >> 16 {
+        // toggle bit, time, block size, sequence, checksum
+        0x0503 | 0x0504 if code != UNKNOWN_COMMAND => Some(&rules::BROKEN_TRANSFER),
+        _ if is_write && decoded.sdo.is_some_and(|sdo| !sdo.is_request) => Some(&rules::REFUSED_WRITE),
+        _ => None,
+    }
+}
+
+/// An abort in words, with the value that was to be written.
+pub(super) fn refused(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> String {
+    let words = bus.words(decoded, frame);
+    let value = bus.reader.transfer(decoded).filter(|transfer| transfer.is_download());
+    match value.map(SdoTransfer::data) {
+        Some(data @ [_, ..]) if data.len() <= 8 => {
+            let number = data.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte));
+            format!("{words}; to be written was {number} ({number:X}h)")
+        }
+        _ => words,
+    }
+}
+
+/// A frame of a service whose length is not the one of the service.
+pub(super) fn malformed(decoded: &DecodedFrame, frame: &LoggedFrame) -> Option<String> {
+    let count = frame.data().len();
+    let is_right = match decoded.kind {
+        _ if frame.is_remote || frame.is_fd => true,
+        FrameKind::Sync => count <= 1,
+        FrameKind::Nmt => count == 2,
+        FrameKind::Heartbeat | FrameKind::BootUp | FrameKind::Guarding => count == 1,
+        FrameKind::Emcy => count == 8,
+        FrameKind::Time => count == 6,
+        _ => true,
+    };
+    (!is_right).then(|| format!("{} with {}", decoded.kind.name(), plural(count, "byte")))
 }
 
 fn limits(entry: &Entry, node_id: u8) -> [Option<i128>; 2] {

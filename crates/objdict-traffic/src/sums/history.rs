@@ -34,7 +34,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    pub(super) fn of(frame: &LoggedFrame, Origin { log, line, text }: Origin<'_>) -> Self {
+    pub(crate) fn of(frame: &LoggedFrame, Origin { log, line, text }: Origin<'_>) -> Self {
         let text = match text {
             [] => frame.to_string(),
             text => String::from_utf8_lossy(text).into_owned(),
@@ -44,7 +44,7 @@ impl Seen {
 }
 
 /// An event of a node.
-#[derive(Debug, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NodeEvent {
     /// When it happened, and the frame that shows it.
@@ -79,7 +79,7 @@ fn id<S: Serializer>(rule: &Option<&'static RuleInfo>, serializer: S) -> Result<
 
 /// Events in their order.
 #[derive(Debug, Default)]
-pub(super) struct History {
+pub(crate) struct History {
     events: Vec<NodeEvent>,
     /// How many there were of a node, by the id of their rule.
     counts: BTreeMap<(Option<&'static str>, u8), usize>,
@@ -87,7 +87,7 @@ pub(super) struct History {
 
 impl History {
     /// Adds an event of a node, whose text is made if it is kept.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         moment: Seen,
         node: u8,
@@ -101,8 +101,14 @@ impl History {
         }
     }
 
+    /// Forgets the events of a rule.
+    pub(crate) fn forget(&mut self, rule: &'static RuleInfo) {
+        self.events.retain(|event| event.rule.is_none_or(|of| of.id != rule.id));
+        self.counts.retain(|(of, _), _| *of != Some(rule.id));
+    }
+
     /// Takes the events out. The last one of a rule and node says how many more there were.
-    pub(super) fn take(&mut self) -> Vec<NodeEvent> {
+    pub(crate) fn take(&mut self) -> Vec<NodeEvent> {
         for (&(rule, node), count) in self.counts.iter().filter(|((rule, _), _)| rule.is_some()) {
             let of_rule =
                 |event: &&mut NodeEvent| event.node == node && event.rule.map(|rule| rule.id) == rule;
@@ -116,7 +122,7 @@ impl History {
     }
 
     /// How many events are not kept.
-    pub(super) fn further(&self) -> u64 {
+    pub(crate) fn further(&self) -> u64 {
         let count: usize = self.counts.values().sum();
         (count - self.events.len()) as u64
     }

@@ -10,13 +10,14 @@ use std::collections::BTreeMap;
 
 use self::conduct::Conduct;
 use self::cycle::Cycle;
-use self::deviations::{ExpectedFrames, Preceding, of_transfer};
-use self::history::History;
+use self::conduct::about;
+use self::deviations::{ExpectedFrames, Preceding, malformed, of_abort, of_transfer, refused};
 pub use self::history::NodeEvent;
-pub(crate) use self::history::Seen;
+pub(crate) use self::history::{History, Seen};
 pub use self::report::BusReport;
 use self::report::sync_period;
 use super::{Bus, Origin, PRE_OPERATIONAL};
+use crate::incident::{Drives, IncidentBook, Subject};
 use crate::log::{LogTime, LoggedFrame};
 use objdict_bus::classical_bits;
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, TransferStep};
@@ -25,6 +26,21 @@ use objdict_network::Service;
 
 /// The most CAN-IDs of 29 bits.
 const MAX_EXTENDED: usize = 4096;
+
+/// The bit of an error frame of SocketCAN that says bus-off.
+const BUS_OFF: u32 = 0x40;
+
+/// So many distances between SYNC, and between PDOs, show that they are regular.
+const SYNCS: u64 = 20;
+
+/// So many distances between heartbeats do so.
+const HEARTBEATS: u64 = 3;
+
+/// The most error codes of a node that are followed.
+const MAX_ERRORS: usize = 8;
+
+/// So many requests of guarding without an answer are too many: the usual life time factor.
+const GUARDINGS: u32 = 3;
 
 /// The most entries whose last written values are kept.
 const MAX_WRITTEN: usize = 10_000;
@@ -49,6 +65,28 @@ struct MessageSums {
     expected: ExpectedFrames,
 }
 
+/// A frame that may turn out to be the last one.
+#[derive(Clone, Debug)]
+struct LastFrame {
+    frame: LoggedFrame,
+    log: usize,
+    line: u64,
+}
+
+impl LastFrame {
+    fn of(frame: &LoggedFrame, Origin { log, line, .. }: Origin<'_>) -> Self {
+        Self { frame: frame.clone(), log, line }
+    }
+
+    fn seen(&self) -> Seen {
+        Seen::of(&self.frame, Origin { log: self.log, line: self.line, text: &[] })
+    }
+
+    fn nanoseconds(&self) -> i64 {
+        self.frame.time.nanoseconds()
+    }
+}
+
 /// What was seen of a node.
 #[derive(Clone, Debug, Default)]
 struct NodeSums {
@@ -62,6 +100,17 @@ struct NodeSums {
     last_heartbeat: Option<Seen>,
     /// The longest time between heartbeats in nanoseconds; `None` if no description says it.
     limit: Option<i64>,
+    /// Whether the node has said that it sends no heartbeats.
+    is_off: bool,
+    heartbeats: Cycle,
+    /// Its last frame.
+    last: Option<LastFrame>,
+    /// When a command stopped or reset it, in nanoseconds.
+    stopped: Option<i64>,
+    /// The requests of guarding since its last answer, and whether it has answered one.
+    guarding: (u32, bool),
+    /// The error codes that it has sent and not taken back.
+    errors: Vec<u16>,
 }
 
 /// The sums of a bus.
@@ -83,13 +132,16 @@ pub struct BusSums {
     changes: Option<u64>,
     emergencies: History,
     aborts: History,
-    lost: History,
-    /// What is not as the descriptions say.
-    deviations: History,
+    book: IncidentBook,
+    drives: Drives,
     starts: History,
     bus_errors: History,
     conduct: Conduct,
-    last_sync: Option<i64>,
+    last_sync: Option<LastFrame>,
+    syncs: Cycle,
+    /// The last time that SYNC did not come, in nanoseconds.
+    sync_break: Option<i64>,
+    is_bus_off: bool,
     /// The period of SYNC in nanoseconds, where a description states it.
     sync_period: Option<i64>,
     /// The last value that a node has accepted.
@@ -114,12 +166,15 @@ impl BusSums {
             changes: None,
             emergencies: History::default(),
             aborts: History::default(),
-            lost: History::default(),
-            deviations: History::default(),
+            book: IncidentBook::default(),
+            drives: Drives::default(),
             starts: History::default(),
             bus_errors: History::default(),
             conduct: Conduct::default(),
             last_sync: None,
+            syncs: Cycle::default(),
+            sync_break: None,
+            is_bus_off: false,
             sync_period: None,
             written: BTreeMap::new(),
             is_written_cut: false,
@@ -132,9 +187,11 @@ impl BusSums {
         let (first, last) = self.span.unwrap_or((frame.time, frame.time));
         self.span = Some((first.min(frame.time), last.max(frame.time)));
         if frame.is_error {
-            self.error_frames += 1;
-            self.bus_errors.add(Seen::of(frame, origin), 0, None, || bus.words(decoded, frame));
+            self.error_frame(decoded, frame, origin, bus);
             return;
+        }
+        if std::mem::take(&mut self.is_bus_off) {
+            self.book.end(Subject::new(&rules::BUS_OFF, 0, 0), || Seen::of(frame, origin), "frames again");
         }
         let bits = match self.bit_rate {
             Some(_) if !frame.is_fd => {
@@ -159,13 +216,16 @@ impl BusSums {
         let sender = if is_sent { node_id } else { 0 };
         self.nodes[sender].frames += 1;
         self.nodes[sender].bits += bits;
+        self.nodes[sender].last = Some(LastFrame::of(frame, origin));
+        if let Some(text) = malformed(decoded, frame) {
+            let subject = Subject::new(&rules::MALFORMED_FRAME, node_id as u8, frame.can_id);
+            self.book.against(subject, Seen::of(frame, origin), || text);
+        }
         if decoded.kind == FrameKind::Sync && !frame.is_remote {
             self.sync(node_id as u8, frame, origin);
         }
         self.message(decoded, frame, origin, bus);
-        for (rule, text) in self.conduct.frame(decoded, frame, origin, bus) {
-            self.deviations.add(Seen::of(frame, origin), node_id as u8, Some(rule), || text);
-        }
+        self.conduct.frame(decoded, frame, origin, bus, &mut self.book);
         self.event(decoded, frame, origin, bus);
     }
 
@@ -201,66 +261,155 @@ impl BusSums {
             let node_id = decoded.node_id.unwrap_or(0);
             let before = Preceding {
                 frame: message.cycle.last,
-                sync: self.last_sync,
+                sync: self.last_sync.as_ref().map(LastFrame::nanoseconds),
                 state: self.conduct.changed(node_id),
             };
+            let about = frame.can_id;
             for (rule, text) in message.expected.deviations(decoded, frame, bus, before) {
-                self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
+                self.book.against(Subject::new(rule, node_id, about), Seen::of(frame, origin), || text);
+            }
+            if message.expected.is_right_again(frame) {
+                let subject = Subject::new(&rules::PDO_LENGTH, node_id, about);
+                self.book.end(subject, || Seen::of(frame, origin), "the length is right again");
+            }
+            if message.expected.has_words {
+                self.drives.frame(decoded, frame, origin, bus, &mut self.book);
             }
         }
         // a boot-up is not a part of the cycle of heartbeats
         message.cycle.add(frame.time, decoded.kind != FrameKind::BootUp && !frame.is_remote);
     }
 
-    /// SYNC out of its cycle: half a period more or less is more than a busy bus explains.
+    /// SYNC out of its cycle: half a period more or less is more than a busy bus explains. Without a described period a
+    /// SYNC that was regular has its own.
     fn sync(&mut self, node_id: u8, frame: &LoggedFrame, origin: Origin<'_>) {
         let now = frame.time.nanoseconds();
-        let Some((last, period)) = self.last_sync.replace(now).zip(self.sync_period) else { return };
+        let last = self.last_sync.replace(LastFrame::of(frame, origin)).map(|last| last.nanoseconds());
+        let period = self.sync_period.or_else(|| self.syncs.regular(SYNCS));
+        let Some((last, period)) = last.zip(period) else { return self.syncs.add(frame.time, true) };
         let gap = now.saturating_sub(last);
-        if gap < period / 2 || gap > period / 2 * 3 {
-            let [gap, period] = [gap, period].map(milliseconds);
-            let text = || format!("SYNC comes {gap} ms after the one before, its period is {period} ms");
-            self.deviations.add(Seen::of(frame, origin), node_id, Some(&rules::SYNC_CYCLE), text);
+        if (period / 2..=period / 2 * 3).contains(&gap) {
+            return self.syncs.add(frame.time, true);
         }
+        // the next distance counts from here
+        self.syncs.last = Some(now);
+        self.sync_break = Some(now);
+        let is_early = gap < period / 2;
+        let [gap, period] = [gap, period].map(milliseconds);
+        let subject = Subject::new(&rules::SYNC_CYCLE, node_id, is_early.into());
+        let many = if is_early { ", probably of a second producer: a frame has no sender" } else { "" };
+        let text = || format!("SYNC comes {gap} ms after the one before, its period is {period} ms{many}");
+        self.book.against(subject, Seen::of(frame, origin), text);
+    }
+
+    fn error_frame(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+        self.error_frames += 1;
+        let words = bus.words(decoded, frame);
+        let seen = Seen::of(frame, origin);
+        self.bus_errors.add(seen.clone(), 0, None, || words.clone());
+        let is_bus_off = frame.can_id & BUS_OFF != 0;
+        self.is_bus_off |= is_bus_off;
+        let rule = if is_bus_off { &rules::BUS_OFF } else { &rules::ERROR_FRAMES };
+        self.book.against(Subject::new(rule, 0, 0), seen, || words);
     }
 
     /// What is more than a frame.
     fn event(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+        if decoded.kind == FrameKind::Nmt {
+            return self.command(frame);
+        }
         let Some(node_id) = decoded.node_id else { return };
         let node = &mut self.nodes[usize::from(node_id) % NODES];
         match decoded.kind {
             FrameKind::BootUp => {
                 node.boot_ups += 1;
                 // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
-                (node.last_heartbeat, node.state) = (None, Some(PRE_OPERATIONAL));
+                (node.last_heartbeat, node.state, node.stopped) = (None, Some(PRE_OPERATIONAL), None);
+                for code in std::mem::take(&mut node.errors) {
+                    let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
+                    self.book.end(subject, || Seen::of(frame, origin), "the node boots up");
+                }
                 self.starts.add(Seen::of(frame, origin), node_id, None, || bus.words(decoded, frame));
             }
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);
                 if decoded.kind == FrameKind::Heartbeat {
                     self.heartbeat(node_id, Seen::of(frame, origin), bus);
+                } else {
+                    node.guarding = (0, true);
+                    let subject = Subject::new(&rules::SILENT_NODE, node_id, 0);
+                    self.book.end(subject, || Seen::of(frame, origin), "the node answers again");
+                }
+            }
+            FrameKind::Guarding => {
+                node.guarding.0 += 1;
+                if node.guarding == (GUARDINGS, true) {
+                    let subject = Subject::new(&rules::SILENT_NODE, node_id, 0);
+                    let text = || format!("{} does not answer guarding", bus.reader.name(node_id));
+                    self.book.against(subject, Seen::of(frame, origin), text);
                 }
             }
             FrameKind::Emcy if !frame.is_remote => {
                 node.emergencies += 1;
                 let moment = Seen::of(frame, origin);
                 self.emergencies.add(moment, node_id, None, || bus.words(decoded, frame));
+                self.emergency(node_id, decoded, frame, origin, bus);
             }
             FrameKind::Sdo => self.transfer(node_id, decoded, frame, origin, bus),
             _ => {}
         }
     }
 
+    /// Silence after a command that stops or resets a node is right.
+    fn command(&mut self, frame: &LoggedFrame) {
+        let &[command @ (2 | 0x80..=0x82), whom, ..] = frame.data() else { return };
+        for (_, node) in self.nodes.iter_mut().enumerate().filter(|(at, _)| whom == 0 || *at == usize::from(whom)) {
+            node.stopped = Some(frame.time.nanoseconds());
+            if matches!(command, 0x81 | 0x82) {
+                node.last_heartbeat = None;
+            }
+        }
+    }
+
+    fn emergency(
+        &mut self,
+        node_id: u8,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        origin: Origin<'_>,
+        bus: &Bus<'_>,
+    ) {
+        let &[low, high, ..] = frame.data() else { return };
+        let code = u16::from_le_bytes([low, high]);
+        let errors = &mut self.nodes[usize::from(node_id) % NODES].errors;
+        let seen = || Seen::of(frame, origin);
+        if code >> 8 != 0 {
+            if !errors.contains(&code) && errors.len() < MAX_ERRORS {
+                errors.push(code);
+            }
+            let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
+            return self.book.against(subject, seen(), || bus.words(decoded, frame));
+        }
+        for code in std::mem::take(errors) {
+            let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
+            self.book.end(subject, seen, &bus.words(decoded, frame));
+        }
+    }
+
     fn heartbeat(&mut self, node_id: u8, moment: Seen, bus: &Bus<'_>) {
         let node = &mut self.nodes[usize::from(node_id) % NODES];
         let time = moment.time;
-        let last = node.last_heartbeat.replace(moment);
-        let Some((last, limit)) = last.zip(node.limit) else { return };
-        let gap = time.nanoseconds().saturating_sub(last.time.nanoseconds());
-        if gap > limit {
+        let limit = node.heartbeat_limit();
+        let last = node.last_heartbeat.replace(moment.clone());
+        let gap = last.as_ref().map_or(0, |last| time.nanoseconds().saturating_sub(last.time.nanoseconds()));
+        let late = last.zip(limit).filter(|(_, limit)| gap > *limit);
+        // a gap is not a part of the cycle
+        node.heartbeats.add(time, late.is_none());
+        if let Some((last, limit)) = late {
             node.lost += 1;
-            let rule = Some(&rules::LATE_HEARTBEAT);
-            self.lost.add(last, node_id, rule, || lost(&bus.reader.name(node_id), gap, limit));
+            let subject = Subject::new(&rules::LATE_HEARTBEAT, node_id, 0);
+            self.book.against(subject, last, || lost(&bus.reader.name(node_id), gap, limit));
+            self.book.end(subject, || moment, "heartbeat again");
         }
     }
 
@@ -273,16 +422,24 @@ impl BusSums {
         bus: &Bus<'_>,
     ) {
         let Some(sdo) = decoded.sdo else { return };
+        let subject = |rule| Subject::new(rule, node_id, about(sdo));
+        let seen = || Seen::of(frame, origin);
         if let Some((rule, text)) = of_transfer(node_id, decoded, bus) {
-            self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
+            self.book.against(subject(rule), seen(), || text);
         }
+        self.drives.frame(decoded, frame, origin, bus, &mut self.book);
         match (sdo.step, sdo.entry) {
-            (TransferStep::Abort(_), _) => {
+            (TransferStep::Abort(code), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
-                let moment = Seen::of(frame, origin);
-                self.aborts.add(moment, node_id, None, || bus.words(decoded, frame));
+                self.aborts.add(seen(), node_id, None, || bus.words(decoded, frame));
+                if let Some(rule) = of_abort(code, decoded, bus) {
+                    self.book.against(subject(rule), seen(), || refused(decoded, frame, bus));
+                }
             }
             (TransferStep::Written, Some((index, sub))) => {
+                for rule in [&rules::REFUSED_WRITE, &rules::BROKEN_TRANSFER] {
+                    self.book.end(subject(rule), seen, "the node accepts the value");
+                }
                 let key = (node_id, index, sub);
                 if self.written.len() >= MAX_WRITTEN && !self.written.contains_key(&key) {
                     self.is_written_cut = true;
@@ -306,9 +463,10 @@ impl BusSums {
             .filter_map(|node_id| Some((node_id, bus.reader.device(node_id)?.services())))
             .collect();
         for node in &mut self.nodes {
-            node.limit = None;
+            (node.limit, node.is_off) = (None, false);
         }
         for (node_id, own) in &services {
+            self.nodes[usize::from(*node_id) % NODES].is_off = own.heartbeat_time == Some(0);
             let produced = own.heartbeat_time.filter(|time| *time != 0);
             self.nodes[usize::from(*node_id) % NODES].limit =
                 produced.map(|time| i64::from(time) * MILLISECOND * 3 / 2);
@@ -320,6 +478,14 @@ impl BusSums {
                 node.limit = Some(node.limit.map_or(time, |limit| limit.min(time)));
             }
         }
+    }
+}
+
+impl NodeSums {
+    /// How long the node may be without a heartbeat, in nanoseconds. One that was regular has its own limit, with much room.
+    fn heartbeat_limit(&self) -> Option<i64> {
+        let own = || self.heartbeats.regular(HEARTBEATS).filter(|_| !self.is_off).map(|period| period.saturating_mul(3));
+        self.limit.or_else(own)
     }
 }
 

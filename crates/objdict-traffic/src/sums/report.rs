@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use super::history::NodeEvent;
-use super::{BusSums, MessageSums, NODES, kept, lost, milliseconds};
-use crate::{Bus, DescribedNode};
+use super::{BusSums, LastFrame, MessageSums, NODES, SYNCS, kept, lost, milliseconds};
+use crate::incident::Subject;
+use crate::{Bus, DescribedNode, Incident};
 use objdict_document::describe::frames::{FrameKind, nmt_state, raw_bytes};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::model::{CobId, Pdo, PdoKind};
@@ -36,21 +37,22 @@ pub struct BusReport {
     pub nodes: Vec<NodeReport>,
     /// The CAN-IDs in ascending order.
     pub messages: Vec<MessageReport>,
-    /// The first heartbeats that did not come in time; the time is that of the one before.
-    pub lost_heartbeats: Vec<NodeEvent>,
     /// The first SDO transfers that ended with an abort code.
     pub aborted_transfers: Vec<NodeEvent>,
     /// The first emergencies.
     pub emergencies: Vec<NodeEvent>,
-    /// The first frames that are not as the descriptions say (times and lengths of PDOs, the cycle of SYNC, type, access and limits of entries
-    /// in SDO transfers), or not in their order (states of nodes, transfers, requests without an answer).
-    pub deviations: Vec<NodeEvent>,
     /// How many of these events there are beyond those that are listed.
     pub further_events: u64,
     /// The nodes that no description covers.
     pub undescribed: Vec<u8>,
     /// What was written to nodes, beside their descriptions.
     pub configurations: Vec<ConfigurationReport>,
+    /// What went wrong: [`incidents`](crate::incidents) takes it out and numbers it.
+    #[serde(skip)]
+    pub incidents: Vec<Incident>,
+    /// The first events that are against rules.
+    #[serde(skip)]
+    pub findings: Vec<NodeEvent>,
     /// The first boot-up messages, which only a page lists.
     #[serde(skip)]
     pub starts: Vec<NodeEvent>,
@@ -160,7 +162,7 @@ pub struct ConfigurationReport {
 impl BusReport {
     /// What is against the rules in a log.
     pub fn against_rules(&self, log: usize) -> impl Iterator<Item = &NodeEvent> {
-        self.deviations.iter().chain(&self.lost_heartbeats).filter(move |event| event.moment.log == log)
+        self.findings.iter().filter(move |event| event.moment.log == log)
     }
 }
 
@@ -171,16 +173,15 @@ impl BusSums {
         let seconds = self.seconds();
         let kinds = FrameKind::ALL.iter().zip(self.kinds).filter(|(_, frames)| *frames > 0);
         let kinds = kinds.map(|(kind, frames)| KindSums { kind: kind.name(), frames });
-        let listed = [&self.lost, &self.aborts, &self.emergencies, &self.deviations];
+        let listed = [&self.aborts, &self.emergencies];
         let further = listed.iter().map(|history| history.further()).sum();
         let nodes: Vec<NodeReport> =
             (0..NODES as u8).filter_map(|node| self.node(node, bus, seconds)).collect();
         let undescribed = nodes.iter().map(|node| node.node);
         let undescribed = undescribed.filter(|node| *node != 0 && !bus.reader.is_described(*node)).collect();
         let (from, to) = self.span.unwrap_or_default();
-        let mut deviations = self.deviations.take();
-        deviations.extend(self.conduct.unanswered(to.nanoseconds(), bus));
-        deviations.sort_by_key(|event| event.moment.time);
+        let mut findings = self.book.findings.take();
+        findings.sort_by_key(|event| event.moment.time);
         BusReport {
             channel: bus.channel.clone(),
             from: from.to_string(),
@@ -194,29 +195,74 @@ impl BusSums {
             nodes,
             messages: self.messages(bus),
             configurations: self.configurations(bus),
-            lost_heartbeats: self.lost.take(),
             aborted_transfers: self.aborts.take(),
             emergencies: self.emergencies.take(),
-            deviations,
+            incidents: self.book.incidents(&bus.channel),
+            findings,
             starts: self.starts.take(),
             bus_errors: self.bus_errors.take(),
             further_events: further,
         }
     }
 
-    /// Heartbeats that are missing at the end of the log.
+    /// What is missing at the end of the log.
     fn close(&mut self, bus: &Bus<'_>) {
         let Some((_, end)) = self.span else { return };
+        let end = end.nanoseconds();
         for node_id in 1..=127_u8 {
             let node = &mut self.nodes[usize::from(node_id)];
-            let Some((last, limit)) = node.last_heartbeat.clone().zip(node.limit) else { continue };
-            let gap = end.nanoseconds().saturating_sub(last.time.nanoseconds());
+            let subject = Subject::new(&rules::LATE_HEARTBEAT, node_id, 1);
+            let limit = node.heartbeat_limit();
+            let Some((last, limit)) = node.last_heartbeat.clone().zip(limit) else {
+                self.close_silent(node_id, end, bus);
+                continue;
+            };
+            let gap = end.saturating_sub(last.time.nanoseconds());
             if gap > limit {
                 node.lost += 1;
                 let name = bus.reader.name(node_id);
-                let text = || lost(&name, gap, limit) + ", until the end of the log";
-                self.lost.add(last, node_id, Some(&rules::LATE_HEARTBEAT), text);
+                self.book.against(subject, last, || lost(&name, gap, limit) + ", until the end of the log");
             }
+        }
+        self.conduct.close(end, bus, &mut self.book);
+        self.close_sync(end);
+    }
+
+    /// A node without heartbeats whose regular PDOs end.
+    fn close_silent(&mut self, node_id: u8, end: i64, bus: &Bus<'_>) {
+        let node = &self.nodes[usize::from(node_id)];
+        let Some(last) = &node.last else { return };
+        // a command may come before the last frames that are to be sent
+        let at = last.nanoseconds();
+        let has_reason = node.stopped.is_some_and(|stopped| stopped >= at.saturating_sub(SECOND))
+            || self.is_without_sync(at, end);
+        let own = self.messages.iter().filter(|message| message.node_id == Some(node_id));
+        let period = own.filter(|message| message.is_sent_pdo()).filter_map(|message| message.cycle.regular(SYNCS)).max();
+        let gap = end.saturating_sub(at);
+        if let Some(period) = period.filter(|period| !has_reason && gap > SECOND.max(period.saturating_mul(10))) {
+            let [gap, period] = [gap, period].map(milliseconds);
+            let name = bus.reader.name(node_id);
+            let text = || format!("{name}: nothing for {gap} ms, its PDOs came every {period} ms, until the end of the log");
+            self.book.against(Subject::new(&rules::SILENT_NODE, node_id, 1), last.seen(), text);
+        }
+    }
+
+    /// Whether SYNC ended before a time, or about with it, and did not come again.
+    fn is_without_sync(&self, at: i64, end: i64) -> bool {
+        let last = self.last_sync.as_ref().map(LastFrame::nanoseconds);
+        last.is_some_and(|last| end.saturating_sub(last) > SECOND && last <= at.saturating_add(SECOND))
+    }
+
+    fn close_sync(&mut self, end: i64) {
+        let Some(last) = self.last_sync.as_ref().map(LastFrame::seen) else { return };
+        let at = last.time.nanoseconds();
+        let has_reason = self.nodes.iter().any(|node| node.stopped.is_some_and(|stopped| stopped >= at.saturating_sub(SECOND)));
+        let period = self.sync_period.or_else(|| self.syncs.regular(SYNCS)).filter(|_| !has_reason);
+        let gap = end.saturating_sub(at);
+        if let Some(period) = period.filter(|period| gap > SECOND.max(period.saturating_mul(10))) {
+            let [gap, period] = [gap, period].map(milliseconds);
+            let text = || format!("no SYNC for {gap} ms, its period is {period} ms, until the end of the log");
+            self.book.against(Subject::new(&rules::SYNC_CYCLE, 0, 2), last, text);
         }
     }
 
@@ -300,7 +346,13 @@ impl BusSums {
 /// The most entries of a list.
 const MAX_LISTED: usize = 100;
 
+const SECOND: i64 = 1_000_000_000;
+
 impl MessageSums {
+    fn is_sent_pdo(&self) -> bool {
+        matches!(self.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Tpdo)
+    }
+
     fn report(&self, bus: &Bus<'_>, sync: Option<u32>) -> MessageReport {
         let has_cycle =
             matches!(self.kind, FrameKind::Sync | FrameKind::Time | FrameKind::Pdo | FrameKind::Heartbeat);

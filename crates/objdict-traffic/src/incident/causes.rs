@@ -1,0 +1,203 @@
+//! One cause is one incident: what it leads to belongs to it.
+
+use super::book::Draft;
+use super::{Incident, IncidentState};
+use objdict_lint::recorded::traffic::{self as rules, KINDS};
+use objdict_model::diagnostic::{RuleInfo, Severity};
+
+const SECOND: i64 = 1_000_000_000;
+
+/// What begins so much later is a consequence; a report of it may come earlier.
+const SLACK: i64 = 2 * SECOND;
+
+/// Axes and drives that stop within this time stop together.
+const TOGETHER: i64 = SECOND / 10;
+
+/// The incidents of a bus, each with its consequences.
+pub(super) fn incidents(mut drafts: Vec<Draft>, channel: &str) -> Vec<Incident> {
+    drafts.sort_by_key(|draft| draft.start);
+    let mut drafts = with_interruptions(together(drafts));
+    for kind in KINDS.iter().filter(|kind| !kind.leads_to.is_empty()) {
+        drafts = with_consequences(drafts, kind.rule, kind.leads_to);
+    }
+    repeated(drafts).into_iter().map(|draft| draft.into_incident(channel)).collect()
+}
+
+impl Draft {
+    fn is(&self, rule: &RuleInfo) -> bool {
+        self.kind.rule.id == rule.id
+    }
+
+    fn starts(&self) -> i64 {
+        self.start.nanoseconds()
+    }
+
+    /// When it is over, in nanoseconds.
+    fn ends(&self) -> i64 {
+        self.end.map_or(i64::MAX, |end| end.nanoseconds())
+    }
+
+    /// Takes the nodes, the frames and the time of another one.
+    fn join(&mut self, other: Self) {
+        self.nodes.extend(other.nodes);
+        self.nodes.sort_unstable();
+        self.nodes.dedup();
+        self.end = self.end.zip(other.end).map(|(end, other)| end.max(other));
+        self.frames.join(other.frames);
+        self.events += other.events;
+    }
+
+    fn into_incident(self, channel: &str) -> Incident {
+        let state = match (self.kind.rule.severity, self.end) {
+            (Severity::Error, None) => IncidentState::Unresolved,
+            (Severity::Error, Some(_)) => IncidentState::Recovered,
+            _ => IncidentState::Warning,
+        };
+        let is_drive = [&rules::DRIVE_FAULT, &rules::QUICK_STOP, &rules::REFUSED_TRANSITION];
+        let is_drive = is_drive.iter().any(|rule| self.is(rule));
+        let axes = (1..=8).filter(|axis| is_drive && self.about >> axis & 1 == 1).collect();
+        let mut text = self.text;
+        if self.events > 1 {
+            text.push_str(&format!(", {} times", self.events));
+        } else if let (IncidentState::Recovered, Some(end)) = (state, self.end) {
+            let time = end.nanoseconds().saturating_sub(self.start.nanoseconds());
+            text.push_str(&format!("; recovered after {} s", seconds(time)));
+        }
+        Incident {
+            number: 0,
+            fingerprint: String::new(),
+            kind: self.kind,
+            state,
+            channel: channel.to_owned(),
+            nodes: self.nodes,
+            axes,
+            start: self.start,
+            end: self.end,
+            text,
+            events: self.events,
+            frames: self.frames.into_vec(),
+            causes: self.kind.causes,
+            checks: self.kind.look,
+            why: self.kind.rule.why,
+            about: self.about,
+        }
+    }
+}
+
+/// Nanoseconds as seconds with three digits.
+pub(crate) fn seconds(nanoseconds: i64) -> String {
+    let milliseconds = (nanoseconds.unsigned_abs() + 500_000) / 1_000_000;
+    format!("{}.{:03}", milliseconds / 1000, milliseconds % 1000)
+}
+
+/// Drives whose axes are in a fault at one time, with the axes as bits.
+fn together(drafts: Vec<Draft>) -> Vec<Draft> {
+    let mut kept: Vec<Draft> = Vec::new();
+    for mut draft in drafts {
+        if !draft.is(&rules::DRIVE_FAULT) && !draft.is(&rules::QUICK_STOP) && !draft.is(&rules::REFUSED_TRANSITION) {
+            kept.push(draft);
+            continue;
+        }
+        draft.about = 1 << draft.about.min(31);
+        let is_same = |kept: &&mut Draft| {
+            kept.is(draft.kind.rule) && draft.starts() - kept.starts() <= TOGETHER
+        };
+        match kept.iter_mut().rev().find(is_same) {
+            Some(first) => {
+                first.about |= draft.about;
+                first.text = format!("{}, {}", first.text, draft.text);
+                first.join(draft);
+                first.events = 1;
+            }
+            None => kept.push(draft),
+        }
+    }
+    kept
+}
+
+/// Whether two nodes are silent at the same time.
+fn is_one_silence(a: &Draft, b: &Draft) -> bool {
+    let is_open = a.end.is_none() && b.end.is_none();
+    let ends_with = || a.end.is_some() && b.end.is_some() && a.ends().abs_diff(b.ends()) <= SLACK as u64;
+    a.starts().abs_diff(b.starts()) <= SLACK as u64
+        && (is_open || ends_with())
+        && a.starts().max(b.starts()) < a.ends().min(b.ends())
+        && a.nodes != b.nodes
+}
+
+/// Several nodes that are silent at one time are one incident of the bus.
+fn with_interruptions(drafts: Vec<Draft>) -> Vec<Draft> {
+    let is_silence = |draft: &Draft| draft.is(&rules::LATE_HEARTBEAT) || draft.is(&rules::SILENT_NODE);
+    let mut kept: Vec<Draft> = Vec::new();
+    for draft in drafts {
+        let first = kept.iter_mut().rev().find(|kept| {
+            (is_silence(kept) || kept.is(&rules::INTERRUPTED_BUS)) && is_silence(&draft) && is_one_silence(kept, &draft)
+        });
+        match (first, KINDS.iter().find(|kind| kind.rule.id == rules::INTERRUPTED_BUS.id)) {
+            (Some(first), Some(kind)) => {
+                first.kind = kind;
+                first.about = 0;
+                first.join(draft);
+                let nodes: Vec<String> = first.nodes.iter().map(ToString::to_string).collect();
+                first.text = format!("nodes {} are silent at the same time", nodes.join(", "));
+                first.events = 1;
+            }
+            _ => kept.push(draft),
+        }
+    }
+    kept
+}
+
+/// Gives the consequences of a kind to the incidents that lead to them.
+fn with_consequences(drafts: Vec<Draft>, rule: &RuleInfo, leads_to: &[&RuleInfo]) -> Vec<Draft> {
+    let (mut causes, others): (Vec<Draft>, Vec<Draft>) = drafts.into_iter().partition(|draft| draft.is(rule));
+    let mut kept = Vec::new();
+    for draft in others {
+        let is_effect = leads_to.iter().any(|effect| draft.is(effect));
+        match causes.iter_mut().rev().find(|cause| is_effect && cause.leads_to(&draft)) {
+            Some(cause) => cause.take_effect(draft),
+            None => kept.push(draft),
+        }
+    }
+    causes.append(&mut kept);
+    causes.sort_by_key(|draft| draft.start);
+    causes
+}
+
+impl Draft {
+    fn leads_to(&self, effect: &Draft) -> bool {
+        let (start, at) = (self.starts(), effect.starts());
+        let is_of_bus = self.nodes.is_empty() || self.is(&rules::INTERRUPTED_BUS);
+        let is_same = is_of_bus || effect.nodes.iter().all(|node| self.nodes.contains(node));
+        // consumers report a node that is silent with 81xxh
+        let is_reported = effect.is(&rules::EMERGENCY) && effect.about & 0xFF00 == 0x8100;
+        let until = if is_same && !effect.is(&rules::EMERGENCY) { self.ends() } else { start };
+        let may_be = is_same || is_reported && !self.is(&rules::DRIVE_FAULT);
+        may_be && at >= start.saturating_sub(SLACK / 2) && at <= until.saturating_add(SLACK)
+    }
+
+    fn take_effect(&mut self, effect: Self) {
+        if self.is(&rules::DRIVE_FAULT) && effect.is(&rules::EMERGENCY) {
+            self.text = format!("{}: {}", self.text, effect.text);
+            // the error code distinguishes two faults of a drive
+            self.about |= effect.about << 16;
+        }
+        self.frames.join(effect.frames);
+    }
+}
+
+/// What happens again and is over each time is one incident, but faults of drives are told one by one.
+fn repeated(drafts: Vec<Draft>) -> Vec<Draft> {
+    let mut kept: Vec<Draft> = Vec::new();
+    for draft in drafts {
+        let is_same = |first: &&mut Draft| {
+            first.is(draft.kind.rule)
+                && (&first.nodes, first.about, first.end.is_some()) == (&draft.nodes, draft.about, draft.end.is_some())
+        };
+        match kept.iter_mut().find(is_same) {
+            Some(first) if !draft.is(&rules::DRIVE_FAULT) => first.join(draft),
+            _ => kept.push(draft),
+        }
+    }
+    kept
+}
