@@ -101,7 +101,7 @@ fn heartbeats_that_are_late() {
         "(0.0) can0 605#4017100000000000\n(0.01) can0 585#4B17100064000000\n(0.1) can0 705#05\n\
         (0.2) can0 705#05\n(0.4) can0 705#05\n(0.45) can0 705#00\n(0.9) can0 705#05\n(1.2) can0 080#\n",
     );
-    let texts: Vec<_> = report.lost_heartbeats.iter().map(|event| &*event.text).collect();
+    let texts: Vec<_> = report.findings.iter().map(|event| &*event.text).collect();
     let expected = [
         "node 5: no heartbeat for 200.000 ms, limit 150.000 ms",
         "node 5: no heartbeat for 300.000 ms, limit 150.000 ms, until the end of the log",
@@ -127,7 +127,11 @@ fn each_rule_has_a_log_that_is_against_it() {
     const SYNC: &str = "(0.0) can0 605#23071000D0070000\n(0.1) can0 585#6007100000000000\n\
         (0.2) can0 605#2F00180201000000\n(0.3) can0 585#6000180200000000\n(1.0) can0 080#\n";
     let after_sync = |pdo: &str| &*Box::leak(format!("{SYNC}{pdo}").into_boxed_str());
-    let cases: [(&str, &str, &str); 19] = [
+    let regular = |end: &str| {
+        let pdos: String = (0..30).map(|at| format!("(1.{at:02}) can0 187#01\n")).collect();
+        &*Box::leak(format!("{pdos}{end}").into_boxed_str())
+    };
+    let cases: [(&str, &str, &str); 33] = [
         ("traffic/pdo-length", "(1.0) can0 185#3702\n", "(1.0) can0 185#370201\n"),
         (
             "traffic/inhibit-time",
@@ -213,7 +217,8 @@ fn each_rule_has_a_log_that_is_against_it() {
             "(0.9) can0 705#7F\n(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n(1.2) can0 605#4018100200000000\n(3.0) can0 080#\n",
             // the log ends before the answer; a scan asks for nodes that are not there
             "(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n(1.2) can0 608#4018100200000000\n\
-             (1.3) can0 608#4018100200000000\n(3.0) can0 605#4018100200000000\n",
+             (1.3) can0 609#4018100200000000\n(1.4) can0 60A#4018100200000000\n(1.5) can0 60B#4018100200000000\n\
+             (3.0) can0 605#4018100200000000\n",
         ),
         (
             "traffic/broken-transfer",
@@ -231,20 +236,85 @@ fn each_rule_has_a_log_that_is_against_it() {
              (1.3) can0 585#A201020000000000\n(1.4) can0 605#D152970000000000\n(1.5) can0 585#A100000000000000\n",
         ),
         (
+            "traffic/missing-node",
+            "(1.0) can0 608#4018100200000000\n(1.1) can0 605#4018100100000000\n(1.2) can0 585#4318100102040000\n\
+             (3.0) can0 080#\n",
+            // the log ends before an answer could come
+            "(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n(2.9) can0 608#4018100200000000\n\
+             (3.0) can0 080#\n",
+        ),
+        (
+            "traffic/refused-write",
+            "(1.0) can0 605#2B17100064000000\n(1.1) can0 585#8017100010000706\n",
+            // reads may try what there is
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#8017100000000206\n",
+        ),
+        (
+            "traffic/broken-transfer",
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#8017100000000405\n",
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#8017100001000405\n",
+        ),
+        ("traffic/emergency", "(1.0) can0 085#1032010000000000\n", "(1.0) can0 085#0000000000000000\n"),
+        ("traffic/malformed-frame", "(1.0) can0 080#0102\n", "(1.0) can0 080#01\n"),
+        ("traffic/error-frames", "(1.0) can0 20000008#0000000000000000\n", "(1.0) can0 080#\n"),
+        ("traffic/bus-off", "(1.0) can0 20000040#0000000000000000\n", "(1.0) can0 080#\n"),
+        (
+            "traffic/repeated-boot",
+            "(1.0) can0 707#00\n(2.0) can0 707#00\n(3.0) can0 707#00\n",
+            // all are reset at first, and later one is
+            "(1.0) can0 707#00\n(2.0) can0 000#8200\n(2.1) can0 707#00\n(3.0) can0 000#8107\n(3.1) can0 707#00\n",
+        ),
+        (
+            "traffic/not-started",
+            "(1.0) can0 707#00\n(1.1) can0 706#00\n(1.2) can0 000#0106\n(1.3) can0 707#7F\n(4.0) can0 080#\n",
+            // it starts by itself
+            "(1.0) can0 707#00\n(1.1) can0 706#00\n(1.2) can0 000#0106\n(1.3) can0 707#05\n(4.0) can0 080#\n",
+        ),
+        (
+            "traffic/silent-node",
+            regular("(3.0) can0 080#\n"),
+            // a command stops it
+            regular("(1.31) can0 000#0207\n(3.0) can0 080#\n"),
+        ),
+        (
+            "traffic/silent-node",
+            "(1.0) can0 707#R\n(1.01) can0 707#05\n(2.0) can0 707#R\n(3.0) can0 707#R\n(4.0) can0 707#R\n",
+            // guarding that no answer shows
+            "(2.0) can0 707#R\n(3.0) can0 707#R\n(4.0) can0 707#R\n",
+        ),
+        ("traffic/drive-fault", "(1.0) can0 185#180201\n", "(1.0) can0 185#370201\n"),
+        (
+            "traffic/quick-stop",
+            "(0.9) can0 205#0F0001\n(1.0) can0 185#370201\n(1.05) can0 185#170201\n",
+            // the controlword asks for it
+            "(0.9) can0 205#0F0001\n(1.0) can0 185#370201\n(1.02) can0 205#0B0001\n(1.05) can0 185#170201\n",
+        ),
+        (
+            "traffic/refused-transition",
+            "(0.9) can0 205#0F0001\n(1.0) can0 185#310201\n(3.05) can0 185#310201\n",
+            "(0.9) can0 205#0F0001\n(1.0) can0 185#310201\n(2.05) can0 185#370201\n(3.05) can0 185#370201\n",
+        ),
+        (
             "traffic/sdo-length",
             "(1.0) can0 605#40181001\n(1.1) can0 585#4318100102040000\n",
             "(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100102040000\n",
         ),
     ];
-    // that of a network is in a test of its own
-    let has_case = |id: &str| id == "traffic/unknown-node" || cases.iter().any(|case| case.0 == id);
+    // that of a network is in a test of its own, and the nodes that are silent together are found among the incidents
+    let others = ["traffic/unknown-node", "traffic/interrupted-bus"];
+    let has_case = |id: &str| others.contains(&id) || cases.iter().any(|case| case.0 == id);
     assert!(RULES.iter().all(|rule| has_case(rule.id)));
     for (rule, bad, good) in cases {
-        // the drive has no window
-        let drives = usize::from(rule != "traffic/sync-window");
-        let found: Vec<_> = against(drives, bad).into_iter().map(|(id, _)| id).collect();
+        // the drive has no window, and would be the node that is silent
+        let drives = usize::from(!["traffic/sync-window", "traffic/silent-node"].contains(&rule));
+        let mut found: Vec<_> = against(drives, bad).into_iter().map(|(id, _)| id).collect();
+        // an incident may have several events
+        found.dedup();
         assert_eq!(found, [rule], "{bad}");
-        assert_eq!(against(drives, good), [], "{rule}: {good}");
+        // what is right for one rule is a refusal for another
+        let mut found = against(drives, good);
+        found.retain(|(id, _)| *id == rule || *id != "traffic/refused-write");
+        assert_eq!(found, [], "{rule}: {good}");
     }
 }
 
@@ -255,7 +325,7 @@ fn nodes_that_a_network_does_not_have() {
     let mut network = drives(1);
     network.nodes[0].node_id = Some(5);
     let rules = |descriptions: &Descriptions| {
-        let events = report(descriptions, LOG).deviations;
+        let events = report(descriptions, LOG).findings;
         events.into_iter().map(|event| event.text).collect::<Vec<_>>()
     };
     assert_eq!(rules(&network), [""; 0]);
@@ -272,4 +342,76 @@ fn findings_are_bounded_and_counted() {
     assert_eq!(found[0].1, "0.00: drive-402 TPDO 1 has 2 bytes, 3 are mapped");
     let last = "4.95: drive-402 TPDO 1 has 2 bytes, 3 are mapped (the rule finds 150 more of this node)";
     assert_eq!(found[99].1, last);
+}
+
+/// What went wrong in a log, in its order.
+fn incidents_of(log: String) -> Vec<Incident> {
+    incidents(&mut [report(&Descriptions::default(), log.leak())])
+}
+
+fn fixture(name: &str) -> String {
+    std::fs::read_to_string(Path::new("../../fixtures/logs").join(name)).unwrap()
+}
+
+/// A node that never answers, one that falls silent, a refused setting, and two drives that recover from a fault.
+#[test]
+fn incidents_are_those_of_the_fixture() {
+    let found = incidents_of(fixture("incidents.log"));
+    let text = serde_json::to_string_pretty(&found).unwrap() + "\n";
+    assert_eq!(text, fixture("incidents.json"), "{text}");
+    assert_eq!(verdict(&found), "needs attention: 3 unresolved, 2 recovered");
+}
+
+/// Numbers and fingerprints are the same in a log of another day, and of another length.
+#[test]
+fn incidents_are_known_again() {
+    let log = fixture("incidents.log");
+    let known = |log: String| {
+        let found = incidents_of(log);
+        found.into_iter().map(|incident| (incident.number, incident.fingerprint)).collect::<Vec<_>>()
+    };
+    let expected = known(log.clone());
+    assert_eq!(expected.len(), 5);
+    assert_eq!(known(log.replace("(17605", "(19605")), expected);
+}
+
+/// The states of what is found in a log, and what is said.
+fn told(log: &str) -> Vec<(IncidentState, String)> {
+    let found = incidents_of(log.to_owned());
+    found.into_iter().map(|incident| (incident.state, incident.text)).collect()
+}
+
+/// One cause is one incident.
+#[test]
+fn consequences_belong_to_their_cause() {
+    let heartbeats = |nodes: &[u8], from: u32, to: u32| {
+        let times = (from..to).flat_map(|at| nodes.iter().map(move |node| (at, node)));
+        times.map(|(at, node)| format!("({}.{}) can0 70{node}#05\n", at / 10, at % 10)).collect::<String>()
+    };
+    // the bus is cut, and node 4 reports it afterwards
+    let cut = heartbeats(&[1, 2, 3], 10, 20) + "(3.0) can0 084#3081110000000000\n";
+    assert_eq!(
+        told(&cut),
+        [(IncidentState::Unresolved, "nodes 1, 2, 3 are silent at the same time".to_owned())]
+    );
+    let pause = heartbeats(&[1, 2], 10, 20) + &heartbeats(&[1, 2], 40, 50);
+    let text = "nodes 1, 2 are silent at the same time; recovered after 2.100 s".to_owned();
+    assert_eq!(told(&pause), [(IncidentState::Recovered, text)]);
+    // a node that goes on is not silent because another one is
+    let one = heartbeats(&[1, 2], 10, 20) + &heartbeats(&[2], 20, 40);
+    let text = "node 1: no heartbeat for 2000.000 ms, limit 300.000 ms, until the end of the log".to_owned();
+    assert_eq!(told(&one), [(IncidentState::Unresolved, text)]);
+}
+
+/// What is right, or cannot be known, is no incident.
+#[test]
+fn a_healthy_log_has_no_incidents() {
+    // one that ends with the commands that stop the nodes, and one that begins late
+    let heartbeats: String = (10..20).map(|at| format!("({}.{}) can0 705#05\n", at / 10, at % 10)).collect();
+    assert_eq!(told(&(heartbeats.clone() + "(2.0) can0 000#8100\n(2.3) can0 705#00\n(9.0) can0 080#\n")), []);
+    assert_eq!(
+        told("(1.0) can0 585#4318100102040000\n(1.1) can0 605#6000000000000000\n(3.0) can0 705#05\n"),
+        []
+    );
+    assert_eq!(told(&fixture("worked.log")), []);
 }

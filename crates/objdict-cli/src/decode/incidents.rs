@@ -16,9 +16,7 @@ pub(super) fn write(verdict: &str, incidents: &[Incident], out: &mut Output) -> 
     let mut letters = verdict.chars();
     let first = letters.next().map(|first| first.to_ascii_uppercase());
     writeln!(out, "{}", first.into_iter().chain(letters).collect::<String>())?;
-    for (state, title) in
-        IncidentState::ALL.into_iter().zip(["Unresolved", "Recovered", "Warnings"])
-    {
+    for (state, title) in IncidentState::ALL.into_iter().zip(["Unresolved", "Recovered", "Warnings"]) {
         let of_state: Vec<&Incident> = incidents.iter().filter(|incident| incident.state == state).collect();
         if of_state.is_empty() {
             continue;
@@ -26,7 +24,13 @@ pub(super) fn write(verdict: &str, incidents: &[Incident], out: &mut Output) -> 
         writeln!(out, "\n{title}:")?;
         for incident in of_state.iter().take(LISTED) {
             let Incident { number, start, text, kind, .. } = incident;
-            writeln!(out, "  {number:>2}  {start}  {}{} [{}]", channel(incident), fit(text, LINE), kind.rule.id)?;
+            writeln!(
+                out,
+                "  {number:>2}  {start}  {}{} [{}]",
+                channel(incident),
+                fit(text, LINE),
+                kind.rule.id
+            )?;
         }
         if of_state.len() > LISTED {
             writeln!(out, "  and {} more", of_state.len() - LISTED)?;

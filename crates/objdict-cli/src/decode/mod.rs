@@ -89,7 +89,9 @@ fn sums(
     let is_unresolved =
         document.incidents().iter().any(|incident| incident.state == IncidentState::Unresolved);
     match args.incident {
-        Some(number) if args.format == DecodeFormat::Json => document.only(number)?.write(args.format, out)?,
+        Some(number) if args.format == DecodeFormat::Json => {
+            document.only(number)?.write(args.format, out)?
+        }
         Some(number) => incidents::write_one(number, document.incidents(), out)?,
         None if args.summary => document.write(args.format, out)?,
         None if args.check => return check::run(args, document.buses(), out),

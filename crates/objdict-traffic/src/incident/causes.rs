@@ -94,14 +94,16 @@ pub(crate) fn seconds(nanoseconds: i64) -> String {
 fn together(drafts: Vec<Draft>) -> Vec<Draft> {
     let mut kept: Vec<Draft> = Vec::new();
     for mut draft in drafts {
-        if !draft.is(&rules::DRIVE_FAULT) && !draft.is(&rules::QUICK_STOP) && !draft.is(&rules::REFUSED_TRANSITION) {
+        if !draft.is(&rules::DRIVE_FAULT)
+            && !draft.is(&rules::QUICK_STOP)
+            && !draft.is(&rules::REFUSED_TRANSITION)
+        {
             kept.push(draft);
             continue;
         }
         draft.about = 1 << draft.about.min(31);
-        let is_same = |kept: &&mut Draft| {
-            kept.is(draft.kind.rule) && draft.starts() - kept.starts() <= TOGETHER
-        };
+        let is_same =
+            |kept: &&mut Draft| kept.is(draft.kind.rule) && draft.starts() - kept.starts() <= TOGETHER;
         match kept.iter_mut().rev().find(is_same) {
             Some(first) => {
                 first.about |= draft.about;
@@ -131,7 +133,9 @@ fn with_interruptions(drafts: Vec<Draft>) -> Vec<Draft> {
     let mut kept: Vec<Draft> = Vec::new();
     for draft in drafts {
         let first = kept.iter_mut().rev().find(|kept| {
-            (is_silence(kept) || kept.is(&rules::INTERRUPTED_BUS)) && is_silence(&draft) && is_one_silence(kept, &draft)
+            (is_silence(kept) || kept.is(&rules::INTERRUPTED_BUS))
+                && is_silence(&draft)
+                && is_one_silence(kept, &draft)
         });
         match (first, KINDS.iter().find(|kind| kind.rule.id == rules::INTERRUPTED_BUS.id)) {
             (Some(first), Some(kind)) => {
@@ -178,7 +182,8 @@ impl Draft {
 
     fn take_effect(&mut self, effect: Self) {
         if self.is(&rules::DRIVE_FAULT) && effect.is(&rules::EMERGENCY) {
-            self.text = format!("{}: {}", self.text, effect.text);
+            let report = effect.text.find("EMCY").map_or("", |at| &effect.text[at..]);
+            self.text = format!("{}: {report}", self.text);
             // the error code distinguishes two faults of a drive
             self.about |= effect.about << 16;
         }
@@ -192,7 +197,8 @@ fn repeated(drafts: Vec<Draft>) -> Vec<Draft> {
     for draft in drafts {
         let is_same = |first: &&mut Draft| {
             first.is(draft.kind.rule)
-                && (&first.nodes, first.about, first.end.is_some()) == (&draft.nodes, draft.about, draft.end.is_some())
+                && (&first.nodes, first.about, first.end.is_some())
+                    == (&draft.nodes, draft.about, draft.end.is_some())
         };
         match kept.iter_mut().find(is_same) {
             Some(first) if !draft.is(&rules::DRIVE_FAULT) => first.join(draft),

@@ -110,11 +110,7 @@ pub(crate) fn words_in(
 }
 
 /// Without a mapping, PDO 1 of a drive of two bytes has the words that CiA 402-3 maps by default.
-fn default_word(
-    decoded: &DecodedFrame,
-    frame: &LoggedFrame,
-    bus: &Bus<'_>,
-) -> Option<(u8, bool, u8, u16)> {
+fn default_word(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> Option<(u8, bool, u8, u16)> {
     let (node_id, Some(Service::Pdo(pdo))) = (decoded.node_id?, decoded.service) else { return None };
     let &[low, high] = frame.data() else { return None };
     let is_drive = bus.reader.device(node_id)?.profile() == Some(402);
@@ -223,7 +219,9 @@ impl Axis {
             }
             if former != Some(DriveState::Fault) {
                 (self.was_faulty, self.resets, self.reset) = (true, 0, None);
-                book.against(subject(&rules::DRIVE_FAULT), spot.seen(), || format!("{} is in a fault", drive()));
+                book.against(subject(&rules::DRIVE_FAULT), spot.seen(), || {
+                    format!("{} is in a fault", drive())
+                });
             }
         }
         if former != Some(state) {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::deviations::{Deviation, name};
-use super::is_rpdo;
 use super::history::Seen;
+use super::is_rpdo;
 use crate::incident::{IncidentBook, Subject};
 use crate::log::{LogTime, LoggedFrame};
 use crate::{Bus, Origin, PRE_OPERATIONAL};
@@ -192,7 +192,13 @@ impl Conduct {
         }
     }
 
-    fn heartbeat(&mut self, node_id: u8, frame: &LoggedFrame, seen: impl Fn() -> Seen, book: &mut IncidentBook) {
+    fn heartbeat(
+        &mut self,
+        node_id: u8,
+        frame: &LoggedFrame,
+        seen: impl Fn() -> Seen,
+        book: &mut IncidentBook,
+    ) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
         let state = frame.data().first().map(|state| state & 0x7F);
         if node.state != state {
@@ -287,7 +293,8 @@ impl Conduct {
     pub(super) fn close(&mut self, end: i64, bus: &Bus<'_>, book: &mut IncidentBook) {
         let is_past = |time: LogTime, limit: i64| end.saturating_sub(time.nanoseconds()) > limit;
         for (&(node_id, _), channel) in &mut self.channels {
-            if let Some((moment, entry)) = channel.asked.take_if(|(moment, _)| is_past(moment.time, PATIENCE)) {
+            if let Some((moment, entry)) = channel.asked.take_if(|(moment, _)| is_past(moment.time, PATIENCE))
+            {
                 let subject = Subject::new(&rules::UNANSWERED_REQUEST, node_id, 0);
                 book.against(subject, moment, || without_answer(bus, node_id, entry));
             }

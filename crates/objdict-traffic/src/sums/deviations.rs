@@ -200,7 +200,7 @@ pub(super) fn refused(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>
     match value.map(SdoTransfer::data) {
         Some(data @ [_, ..]) if data.len() <= 8 => {
             let number = data.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte));
-            format!("{words}; to be written was {number} ({number:X}h)")
+            format!("{words}; the value was {number} ({number:X}h)")
         }
         _ => words,
     }

@@ -9,8 +9,8 @@ mod report;
 use std::collections::BTreeMap;
 
 use self::conduct::Conduct;
-use self::cycle::Cycle;
 use self::conduct::about;
+use self::cycle::Cycle;
 use self::deviations::{ExpectedFrames, Preceding, malformed, of_abort, of_transfer, refused};
 pub use self::history::NodeEvent;
 pub(crate) use self::history::{History, Seen};
@@ -302,7 +302,13 @@ impl BusSums {
         self.book.against(subject, Seen::of(frame, origin), text);
     }
 
-    fn error_frame(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+    fn error_frame(
+        &mut self,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        origin: Origin<'_>,
+        bus: &Bus<'_>,
+    ) {
         self.error_frames += 1;
         let words = bus.words(decoded, frame);
         let seen = Seen::of(frame, origin);
@@ -363,7 +369,9 @@ impl BusSums {
     /// Silence after a command that stops or resets a node is right.
     fn command(&mut self, frame: &LoggedFrame) {
         let &[command @ (2 | 0x80..=0x82), whom, ..] = frame.data() else { return };
-        for (_, node) in self.nodes.iter_mut().enumerate().filter(|(at, _)| whom == 0 || *at == usize::from(whom)) {
+        for (_, node) in
+            self.nodes.iter_mut().enumerate().filter(|(at, _)| whom == 0 || *at == usize::from(whom))
+        {
             node.stopped = Some(frame.time.nanoseconds());
             if matches!(command, 0x81 | 0x82) {
                 node.last_heartbeat = None;
@@ -388,7 +396,9 @@ impl BusSums {
                 errors.push(code);
             }
             let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
-            return self.book.against(subject, seen(), || bus.words(decoded, frame));
+            let words = bus.reader.error_code(node_id, code);
+            let text = || format!("{} reports EMCY {code:04X}h ({words})", bus.reader.name(node_id));
+            return self.book.against(subject, seen(), text);
         }
         for code in std::mem::take(errors) {
             let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
@@ -484,7 +494,12 @@ impl BusSums {
 impl NodeSums {
     /// How long the node may be without a heartbeat, in nanoseconds. One that was regular has its own limit, with much room.
     fn heartbeat_limit(&self) -> Option<i64> {
-        let own = || self.heartbeats.regular(HEARTBEATS).filter(|_| !self.is_off).map(|period| period.saturating_mul(3));
+        let own = || {
+            self.heartbeats
+                .regular(HEARTBEATS)
+                .filter(|_| !self.is_off)
+                .map(|period| period.saturating_mul(3))
+        };
         self.limit.or_else(own)
     }
 }

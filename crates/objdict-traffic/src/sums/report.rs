@@ -237,12 +237,21 @@ impl BusSums {
         let has_reason = node.stopped.is_some_and(|stopped| stopped >= at.saturating_sub(SECOND))
             || self.is_without_sync(at, end);
         let own = self.messages.iter().filter(|message| message.node_id == Some(node_id));
-        let period = own.filter(|message| message.is_sent_pdo()).filter_map(|message| message.cycle.regular(SYNCS)).max();
+        let period = own
+            .filter(|message| message.is_sent_pdo())
+            .filter_map(|message| message.cycle.regular(SYNCS))
+            .max();
         let gap = end.saturating_sub(at);
-        if let Some(period) = period.filter(|period| !has_reason && gap > SECOND.max(period.saturating_mul(10))) {
+        if let Some(period) =
+            period.filter(|period| !has_reason && gap > SECOND.max(period.saturating_mul(10)))
+        {
             let [gap, period] = [gap, period].map(milliseconds);
             let name = bus.reader.name(node_id);
-            let text = || format!("{name}: nothing for {gap} ms, its PDOs came every {period} ms, until the end of the log");
+            let text = || {
+                format!(
+                    "{name}: nothing for {gap} ms, its PDOs came every {period} ms, until the end of the log"
+                )
+            };
             self.book.against(Subject::new(&rules::SILENT_NODE, node_id, 1), last.seen(), text);
         }
     }
@@ -256,12 +265,16 @@ impl BusSums {
     fn close_sync(&mut self, end: i64) {
         let Some(last) = self.last_sync.as_ref().map(LastFrame::seen) else { return };
         let at = last.time.nanoseconds();
-        let has_reason = self.nodes.iter().any(|node| node.stopped.is_some_and(|stopped| stopped >= at.saturating_sub(SECOND)));
+        let has_reason = self
+            .nodes
+            .iter()
+            .any(|node| node.stopped.is_some_and(|stopped| stopped >= at.saturating_sub(SECOND)));
         let period = self.sync_period.or_else(|| self.syncs.regular(SYNCS)).filter(|_| !has_reason);
         let gap = end.saturating_sub(at);
         if let Some(period) = period.filter(|period| gap > SECOND.max(period.saturating_mul(10))) {
             let [gap, period] = [gap, period].map(milliseconds);
-            let text = || format!("no SYNC for {gap} ms, its period is {period} ms, until the end of the log");
+            let text =
+                || format!("no SYNC for {gap} ms, its period is {period} ms, until the end of the log");
             self.book.against(Subject::new(&rules::SYNC_CYCLE, 0, 2), last, text);
         }
     }

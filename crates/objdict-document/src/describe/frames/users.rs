@@ -60,10 +60,13 @@ impl Users {
     /// Takes services of a node as they are now.
     pub(super) fn update(&mut self, node: &TalkingNode<'_>, stale: Stale) {
         let is_stale = |user: &CanIdUser| user.node_id == node.node_id && stale.has(user.service);
-        if let Stale::Content(..) = stale {
-            for user in self.0.values_mut().flatten().filter(|user| is_stale(user)) {
-                user.content.take();
+        if let Stale::Content(kind, number) = stale {
+            let mut known = self.0.values_mut().flatten().filter(|user| is_stale(user)).peekable();
+            if known.peek().is_none() {
+                self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number));
+                return;
             }
+            known.for_each(|user| drop(user.content.take()));
             return;
         }
         self.0.retain(|_, users| {
@@ -84,6 +87,13 @@ impl Users {
     }
 
     fn add_pdo(&mut self, node: &TalkingNode<'_>, kind: PdoKind, number: u16, cob_id: Option<CobId>) {
+        // of a node without a description a log may show the mapping alone
+        let default = || {
+            let base = kind.predefined_can_id(number).filter(|_| !node.is_described)?;
+            node.device.pdo(kind, number)?.mapped_count.filter(|count| *count > 0)?;
+            Some(predefined::per_node(base))
+        };
+        let cob_id = cob_id.or_else(default);
         self.add(node, cob_id.filter(|cob_id| cob_id.is_valid()), Service::pdo(kind, number), 0);
     }
 
