@@ -127,6 +127,12 @@ fn each_rule_has_a_log_that_is_against_it() {
     const SYNC: &str = "(0.0) can0 605#23071000D0070000\n(0.1) can0 585#6007100000000000\n\
         (0.2) can0 605#2F00180201000000\n(0.3) can0 585#6000180200000000\n(1.0) can0 080#\n";
     let after_sync = |pdo: &str| &*Box::leak(format!("{SYNC}{pdo}").into_boxed_str());
+    let enabling = |status: &str| {
+        let word = |at| if at < 20 { "310201" } else { status };
+        let words: String =
+            (10..32).map(|at| format!("({}.{}) can0 185#{}\n", at / 10, at % 10, word(at))).collect();
+        &*Box::leak(format!("(0.9) can0 205#0F0001\n{words}").into_boxed_str())
+    };
     let regular = |end: &str| {
         let pdos: String = (0..30).map(|at| format!("(1.{at:02}) can0 187#01\n")).collect();
         &*Box::leak(format!("{pdos}{end}").into_boxed_str())
@@ -289,11 +295,7 @@ fn each_rule_has_a_log_that_is_against_it() {
             // the controlword asks for it
             "(0.9) can0 205#0F0001\n(1.0) can0 185#370201\n(1.02) can0 205#0B0001\n(1.05) can0 185#170201\n",
         ),
-        (
-            "traffic/refused-transition",
-            "(0.9) can0 205#0F0001\n(1.0) can0 185#310201\n(3.05) can0 185#310201\n",
-            "(0.9) can0 205#0F0001\n(1.0) can0 185#310201\n(2.05) can0 185#370201\n(3.05) can0 185#370201\n",
-        ),
+        ("traffic/refused-transition", enabling("310201"), enabling("370201")),
         (
             "traffic/sdo-length",
             "(1.0) can0 605#40181001\n(1.1) can0 585#4318100102040000\n",
@@ -392,7 +394,10 @@ fn consequences_belong_to_their_cause() {
     let cut = heartbeats(&[1, 2, 3], 10, 20) + "(3.0) can0 084#3081110000000000\n";
     assert_eq!(
         told(&cut),
-        [(IncidentState::Unresolved, "nodes 1, 2, 3 are silent at the same time".to_owned())]
+        [(
+            IncidentState::Unresolved,
+            "nodes 1, 2, 3 are silent at the same time, with 1 consequence".to_owned()
+        )]
     );
     let pause = heartbeats(&[1, 2], 10, 20) + &heartbeats(&[1, 2], 40, 50);
     let text = "nodes 1, 2 are silent at the same time; recovered after 2.100 s".to_owned();

@@ -43,6 +43,8 @@ pub(super) struct Draft {
     pub(super) start: LogTime,
     pub(super) end: Option<LogTime>,
     pub(super) events: u64,
+    /// How many incidents it has led to.
+    pub(super) consequences: usize,
     pub(super) frames: Frames,
 }
 
@@ -102,8 +104,8 @@ impl IncidentBook {
         let at = at.or_else(|| {
             let kind = KINDS.iter().find(|kind| kind.rule.id == rule.id)?;
             let (nodes, start) = ([node].into_iter().filter(|node| *node != 0).collect(), moment.time);
-            let (end, events, frames, text) = (None, 0, Frames::default(), text.clone());
-            self.drafts.push(Draft { kind, nodes, about, text, start, end, events, frames });
+            let (end, events, consequences, frames, text) = (None, 0, 0, Frames::default(), text.clone());
+            self.drafts.push(Draft { kind, nodes, about, text, start, end, events, consequences, frames });
             let at = self.drafts.len() - 1;
             let count = self.counts.entry((rule.id, node)).or_default();
             *count = (count.0 + 1, at);

@@ -3,7 +3,7 @@
 use super::book::Draft;
 use super::{Incident, IncidentState};
 use objdict_lint::recorded::traffic::{self as rules, KINDS};
-use objdict_model::diagnostic::{RuleInfo, Severity};
+use objdict_model::diagnostic::{RuleInfo, Severity, plural};
 
 const SECOND: i64 = 1_000_000_000;
 
@@ -45,6 +45,7 @@ impl Draft {
         self.end = self.end.zip(other.end).map(|(end, other)| end.max(other));
         self.frames.join(other.frames);
         self.events += other.events;
+        self.consequences += other.consequences;
     }
 
     fn into_incident(self, channel: &str) -> Incident {
@@ -62,6 +63,9 @@ impl Draft {
         } else if let (IncidentState::Recovered, Some(end)) = (state, self.end) {
             let time = end.nanoseconds().saturating_sub(self.start.nanoseconds());
             text.push_str(&format!("; recovered after {} s", seconds(time)));
+        }
+        if self.consequences > 0 {
+            text.push_str(&format!(", with {}", plural(self.consequences, "consequence")));
         }
         Incident {
             number: 0,
@@ -172,12 +176,19 @@ impl Draft {
     fn leads_to(&self, effect: &Draft) -> bool {
         let (start, at) = (self.starts(), effect.starts());
         let is_of_bus = self.nodes.is_empty() || self.is(&rules::INTERRUPTED_BUS);
-        let is_same = is_of_bus || effect.nodes.iter().all(|node| self.nodes.contains(node));
+        // a manager that is silent sends no SYNC
+        let is_sync =
+            effect.is(&rules::SYNC_CYCLE) && effect.end.is_none() && self.end.is_none() && effect.about == 2;
+        let is_own = !effect.nodes.is_empty() && effect.nodes.iter().all(|node| self.nodes.contains(node));
+        let is_same = is_of_bus || is_own || is_sync;
         // consumers report a node that is silent with 81xxh
         let is_reported = effect.is(&rules::EMERGENCY) && effect.about & 0xFF00 == 0x8100;
         let until = if is_same && !effect.is(&rules::EMERGENCY) { self.ends() } else { start };
         let may_be = is_same || is_reported && !self.is(&rules::DRIVE_FAULT);
-        may_be && at >= start.saturating_sub(SLACK / 2) && at <= until.saturating_add(SLACK)
+        // a report may come before what it reports, and a node is silent before it boots
+        let is_early = self.is(&rules::DRIVE_FAULT) || self.is(&rules::UNEXPECTED_BOOT_UP);
+        let from = if is_early { start.saturating_sub(SLACK / 2) } else { start };
+        may_be && at >= from && at <= until.saturating_add(SLACK)
     }
 
     fn take_effect(&mut self, effect: Self) {
@@ -186,6 +197,8 @@ impl Draft {
             self.text = format!("{}: {report}", self.text);
             // the error code distinguishes two faults of a drive
             self.about |= effect.about << 16;
+        } else {
+            self.consequences += 1;
         }
         self.frames.join(effect.frames);
     }

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::{IncidentBook, Subject};
 use crate::log::LoggedFrame;
-use crate::sums::Seen;
-use crate::{Bus, Origin, raw};
+use crate::sums::Sight;
+use crate::{Bus, raw};
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, TransferStep};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::diagnostic::RuleInfo;
@@ -72,23 +72,6 @@ pub(crate) struct Drives {
     axes: BTreeMap<(u8, u8), Axis>,
 }
 
-/// A frame in its log.
-#[derive(Clone, Copy, Debug)]
-struct Spot<'s> {
-    frame: &'s LoggedFrame,
-    origin: Origin<'s>,
-}
-
-impl Spot<'_> {
-    fn seen(&self) -> Seen {
-        Seen::of(self.frame, self.origin)
-    }
-
-    fn now(&self) -> i64 {
-        self.frame.time.nanoseconds()
-    }
-}
-
 /// The words of drives in a PDO: node, whether it is the statusword, the axis from 1, and the value.
 pub(crate) fn words_in(
     decoded: &DecodedFrame,
@@ -137,53 +120,30 @@ fn word_of((index, sub): (u16, u8)) -> Option<(bool, u8)> {
 
 impl Drives {
     /// Takes the words in a PDO, or in an SDO.
-    pub(crate) fn frame(
-        &mut self,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-        book: &mut IncidentBook,
-    ) {
-        let spot = Spot { frame, origin };
+    pub(crate) fn frame(&mut self, sight: Sight<'_>, book: &mut IncidentBook) {
+        let Sight { decoded, frame, bus, .. } = sight;
         if decoded.kind == FrameKind::Pdo {
             for (node_id, is_status, axis, word) in words_in(decoded, frame, bus) {
-                self.word((node_id, axis), is_status, word, spot, bus, book);
+                self.word((node_id, axis), is_status, word, sight, book);
             }
             return;
         }
-        let sdo = decoded.sdo.zip(decoded.node_id);
-        let Some(((is_status, axis), node_id)) =
-            sdo.and_then(|(sdo, node_id)| Some((word_of(sdo.entry?)?, node_id)))
-        else {
-            return;
-        };
-        let is_taken = decoded.sdo.is_some_and(|sdo| {
-            !sdo.is_request
-                && if is_status { sdo.step.has_value() } else { sdo.step == TransferStep::Written }
-        });
+        let Some((sdo, node_id)) = decoded.sdo.zip(decoded.node_id) else { return };
+        let Some((is_status, axis)) = sdo.entry.and_then(word_of) else { return };
+        let is_value = if is_status { sdo.step.has_value() } else { sdo.step == TransferStep::Written };
+        let is_taken = is_value && !sdo.is_request && is_drive(node_id, bus);
         if let (true, Some(&[low, high, ..])) = (is_taken, bus.reader.transferred_bytes(decoded)) {
-            self.word((node_id, axis), is_status, u16::from_le_bytes([low, high]), spot, bus, book);
+            self.word((node_id, axis), is_status, u16::from_le_bytes([low, high]), sight, book);
         }
     }
 
-    fn word(
-        &mut self,
-        of: (u8, u8),
-        is_status: bool,
-        word: u16,
-        spot: Spot<'_>,
-        bus: &Bus<'_>,
-        book: &mut IncidentBook,
-    ) {
+    fn word(&mut self, of: (u8, u8), is_status: bool, word: u16, sight: Sight<'_>, book: &mut IncidentBook) {
         let axis = self.axes.entry(of).or_default();
-        if is_status {
+        if !is_status {
+            axis.control(word, sight.now());
+        } else if axis.status != Some(word) || axis.reset.is_some() || axis.enable.is_some() {
             // nothing waits for a word that says the same
-            if axis.status != Some(word) || axis.reset.is_some() || axis.enable.is_some() {
-                axis.status(of, word, spot, bus, book);
-            }
-        } else {
-            axis.control(word, spot.now());
+            axis.status(of, word, sight, book);
         }
     }
 }
@@ -203,23 +163,23 @@ impl Axis {
         self.enable = self.enable.or(Some(now)).filter(|_| is_asked);
     }
 
-    fn status(&mut self, of: (u8, u8), word: u16, spot: Spot<'_>, bus: &Bus<'_>, book: &mut IncidentBook) {
+    fn status(&mut self, of: (u8, u8), word: u16, sight: Sight<'_>, book: &mut IncidentBook) {
         let (node_id, axis) = of;
         let subject = |rule: &'static RuleInfo| Subject::new(rule, node_id, axis.into());
-        let (state, now) = (DriveState::of(word), spot.now());
+        let (state, now) = (DriveState::of(word), sight.now());
         let former = self.status.replace(word).map(DriveState::of);
         let drive = || match axis {
-            1 => bus.reader.name(node_id),
-            _ => format!("{} axis {axis}", bus.reader.name(node_id)),
+            1 => sight.name(node_id),
+            _ => format!("{} axis {axis}", sight.name(node_id)),
         };
         if state == DriveState::Fault {
             if self.reset.take_if(|reset| now.saturating_sub(*reset) > RESET_TIME).is_some() {
                 let text = format!("reset {} of the fault has no effect", self.resets);
-                book.step(subject(&rules::DRIVE_FAULT), spot.seen(), &text);
+                book.step(subject(&rules::DRIVE_FAULT), sight.seen(), &text);
             }
             if former != Some(DriveState::Fault) {
                 (self.was_faulty, self.resets, self.reset) = (true, 0, None);
-                book.against(subject(&rules::DRIVE_FAULT), spot.seen(), || {
+                book.against(subject(&rules::DRIVE_FAULT), sight.seen(), || {
                     format!("{} is in a fault", drive())
                 });
             }
@@ -227,23 +187,23 @@ impl Axis {
         if former != Some(state) {
             if former == Some(DriveState::Fault) {
                 let text = format!("the fault is cleared: {}", state.words());
-                book.end(subject(&rules::DRIVE_FAULT), || spot.seen(), &text);
+                book.end(subject(&rules::DRIVE_FAULT), || sight.seen(), &text);
             }
             if former == Some(DriveState::QuickStop) {
-                book.end(subject(&rules::QUICK_STOP), || spot.seen(), state.words());
+                book.end(subject(&rules::QUICK_STOP), || sight.seen(), state.words());
             }
             let is_asked = self.control.is_none_or(|control| control & 4 == 0);
             if state == DriveState::QuickStop && former.is_some() && !is_asked {
                 let text = || format!("{} stops by itself: quick stop active", drive());
-                book.against(subject(&rules::QUICK_STOP), spot.seen(), text);
+                book.against(subject(&rules::QUICK_STOP), sight.seen(), text);
             }
         }
         if state == DriveState::Enabled {
             if former != Some(state) && std::mem::take(&mut self.was_faulty) {
-                book.step(subject(&rules::DRIVE_FAULT), spot.seen(), "operation is enabled again");
+                book.step(subject(&rules::DRIVE_FAULT), sight.seen(), "operation is enabled again");
             }
             if former != Some(state) {
-                book.end(subject(&rules::REFUSED_TRANSITION), || spot.seen(), state.words());
+                book.end(subject(&rules::REFUSED_TRANSITION), || sight.seen(), state.words());
             }
             self.enable = None;
         } else if matches!(state, DriveState::Off | DriveState::Ready)
@@ -252,7 +212,7 @@ impl Axis {
             // said once: the word has to ask for something else before it asks again
             self.enable = Some(i64::MAX);
             let text = || format!("{} does not enable operation: {}", drive(), state.words());
-            book.against(subject(&rules::REFUSED_TRANSITION), spot.seen(), text);
+            book.against(subject(&rules::REFUSED_TRANSITION), sight.seen(), text);
         }
     }
 }

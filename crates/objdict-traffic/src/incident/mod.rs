@@ -53,11 +53,10 @@ pub struct Incident {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub axes: Vec<u8>,
     /// When it began, in seconds with the digits of the log.
-    #[serde(serialize_with = "shown")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub start: LogTime,
     /// When it was over; absent for what is not over.
-    #[serde(serialize_with = "shown_end", skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub end: Option<LogTime>,
     /// What happened.
@@ -82,14 +81,6 @@ fn id<S: Serializer>(kind: &&'static IncidentKind, serializer: S) -> Result<S::O
 
 fn name<S: Serializer>(state: &IncidentState, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(state.name())
-}
-
-fn shown<S: Serializer>(time: &LogTime, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(time)
-}
-
-fn shown_end<S: Serializer>(time: &Option<LogTime>, serializer: S) -> Result<S::Ok, S::Error> {
-    time.map(|time| time.to_string()).serialize(serializer)
 }
 
 /// The incidents of all buses in their order, with numbers and fingerprints, which no time of the log decides.

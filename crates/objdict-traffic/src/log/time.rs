@@ -125,6 +125,13 @@ impl Ord for LogTime {
     }
 }
 
+/// As a text, because a number of JSON would not keep the digits.
+impl serde::Serialize for LogTime {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// Seconds with the digits of the log: `1436509052.249713`.
 impl fmt::Display for LogTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

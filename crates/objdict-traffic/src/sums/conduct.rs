@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use super::deviations::{Deviation, name};
 use super::history::Seen;
-use super::is_rpdo;
+use super::{Sight, is_rpdo};
 use crate::incident::{IncidentBook, Subject};
-use crate::log::{LogTime, LoggedFrame};
-use crate::{Bus, Origin, PRE_OPERATIONAL};
+use crate::log::LogTime;
+use crate::{Bus, PRE_OPERATIONAL};
 use objdict_bus::crc;
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoFrame, TransferStep, nmt_state};
 use objdict_lint::recorded::traffic as rules;
@@ -73,6 +73,8 @@ struct ChannelConduct {
     size: Option<u32>,
     /// Whether client and server check blocks.
     has_crc: [bool; 2],
+    /// Whether the last transfer has a fault.
+    is_broken: bool,
 }
 
 /// What was seen of the order of frames.
@@ -105,71 +107,62 @@ impl Conduct {
     }
 
     /// Reports what a frame is against in its order.
-    pub(super) fn frame(
-        &mut self,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-        book: &mut IncidentBook,
-    ) {
-        if frame.is_remote {
+    pub(super) fn frame(&mut self, sight: Sight<'_>, book: &mut IncidentBook) {
+        let decoded = sight.decoded;
+        if sight.frame.is_remote {
             return;
         }
-        let seen = || Seen::of(frame, origin);
         if decoded.kind == FrameKind::Nmt {
-            return self.command(frame, seen, book);
+            return self.command(sight, book);
         }
         let Some(node_id) = decoded.node_id else { return };
-        self.unknown(node_id, decoded, seen, bus, book);
+        self.unknown(node_id, sight, book);
         match decoded.kind {
-            FrameKind::BootUp => self.boot_up(node_id, seen, bus, book),
-            FrameKind::Heartbeat => self.heartbeat(node_id, frame, seen, book),
+            FrameKind::BootUp => self.boot_up(node_id, sight, book),
+            FrameKind::Heartbeat => self.heartbeat(node_id, sight, book),
             FrameKind::Pdo => {
-                if let Some((rule, text)) = self.pdo(node_id, decoded, bus) {
-                    book.against(Subject::new(rule, node_id, 0), seen(), || text);
+                if let Some((rule, text)) = self.pdo(node_id, decoded, sight.bus) {
+                    book.against(Subject::new(rule, node_id, 0), sight.seen(), || text);
                 }
             }
-            FrameKind::Sdo => self.sdo(node_id, decoded, frame, origin, bus, book),
+            FrameKind::Sdo => self.sdo(node_id, sight, book),
             _ => {}
         }
     }
 
-    fn command(&mut self, frame: &LoggedFrame, seen: impl Fn() -> Seen, book: &mut IncidentBook) {
-        let &[command, node_id, ..] = frame.data() else { return };
-        let now = frame.time.nanoseconds();
+    fn command(&mut self, sight: Sight<'_>, book: &mut IncidentBook) {
+        let &[command, node_id, ..] = sight.frame.data() else { return };
         self.has_commands = true;
         self.has_starts |= command == 1;
         let nodes = self.nodes.iter_mut().zip(0..);
         for (node, at) in nodes.filter(|(_, at)| node_id == 0 || *at == node_id) {
             // what a node has to send before it obeys is still sent
             node.state = (command == 1).then_some(OPERATIONAL);
-            (node.is_said, node.changed, node.boot_up) = (false, Some(now), None);
+            (node.is_said, node.changed, node.boot_up) = (false, Some(sight.now()), None);
             node.is_reset |= node_id == 0 && matches!(command, 0x81 | 0x82);
             if node_id != 0 && !node.is_seen {
-                node.addressed.get_or_insert_with(&seen);
+                node.addressed.get_or_insert_with(|| sight.seen());
             }
             if command == 1 {
-                node.is_up(at, &seen, book);
+                node.is_up(at, sight, book);
             }
         }
     }
 
-    fn boot_up(&mut self, node_id: u8, seen: impl Fn() -> Seen, bus: &Bus<'_>, book: &mut IncidentBook) {
+    fn boot_up(&mut self, node_id: u8, sight: Sight<'_>, book: &mut IncidentBook) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
         let is_unexpected = node.state.replace(PRE_OPERATIONAL) == Some(OPERATIONAL) && self.has_commands;
         // 1F80h bit 2: the node does not start by itself (CiA 302-2)
-        let startup = bus.reader.device(node_id).map(|device| device.value(0x1F80, 0));
+        let startup = sight.bus.reader.device(node_id).map(|device| device.value(0x1F80, 0));
         let waits = startup.is_some_and(|startup| {
             let number = startup.and_then(|value| value.as_integer());
             number.is_none_or(|number| number & 1 << 2 != 0)
         });
         node.state = node.state.filter(|_| waits);
-        let moment = seen();
-        let now = moment.time.nanoseconds();
+        let (moment, now) = (sight.seen(), sight.now());
         let last = node.boot_up_time.replace(now);
         (node.is_said, node.changed, node.boot_up) = (false, Some(now), Some(moment.clone()));
-        let name = || bus.reader.name(node_id);
+        let name = || sight.name(node_id);
         if is_unexpected {
             node.is_down = true;
             let text = || format!("{} boots up in operation, without a command", name());
@@ -192,20 +185,14 @@ impl Conduct {
         }
     }
 
-    fn heartbeat(
-        &mut self,
-        node_id: u8,
-        frame: &LoggedFrame,
-        seen: impl Fn() -> Seen,
-        book: &mut IncidentBook,
-    ) {
+    fn heartbeat(&mut self, node_id: u8, sight: Sight<'_>, book: &mut IncidentBook) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
-        let state = frame.data().first().map(|state| state & 0x7F);
+        let state = sight.frame.data().first().map(|state| state & 0x7F);
         if node.state != state {
-            (node.state, node.is_said, node.changed) = (state, false, Some(frame.time.nanoseconds()));
+            (node.state, node.is_said, node.changed) = (state, false, Some(sight.now()));
         }
         if state == Some(OPERATIONAL) {
-            node.is_up(node_id, &seen, book);
+            node.is_up(node_id, sight, book);
         }
     }
 
@@ -224,14 +211,8 @@ impl Conduct {
     }
 
     /// The first frame of a node that the network does not have.
-    fn unknown(
-        &mut self,
-        node_id: u8,
-        decoded: &DecodedFrame,
-        seen: impl Fn() -> Seen,
-        bus: &Bus<'_>,
-        book: &mut IncidentBook,
-    ) {
+    fn unknown(&mut self, node_id: u8, sight: Sight<'_>, book: &mut IncidentBook) {
+        let Sight { decoded, bus, .. } = sight;
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
         if decoded.sdo.is_some_and(|sdo| sdo.is_request) || is_rpdo(decoded.service) {
             return;
@@ -242,20 +223,18 @@ impl Conduct {
         }
         node.is_unknown = true;
         let text = || format!("node {node_id} is not in the network, but sends frames");
-        book.against(Subject::new(&rules::UNKNOWN_NODE, node_id, 0), seen(), text);
+        book.against(Subject::new(&rules::UNKNOWN_NODE, node_id, 0), sight.seen(), text);
     }
 
-    fn sdo(
-        &mut self,
-        node_id: u8,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-        book: &mut IncidentBook,
-    ) {
+    /// Whether no fault was found in the last transfer of a channel.
+    pub(super) fn is_sound(&self, node_id: u8, sdo: SdoFrame) -> bool {
+        self.channels.get(&(node_id, sdo.channel)).is_none_or(|channel| !channel.is_broken)
+    }
+
+    fn sdo(&mut self, node_id: u8, sight: Sight<'_>, book: &mut IncidentBook) {
+        let Sight { decoded, frame, bus, .. } = sight;
         let Some(sdo) = decoded.sdo else { return };
-        let seen = || Seen::of(frame, origin);
+        let seen = || sight.seen();
         let count = frame.data().len();
         if count != 8 {
             let side = if sdo.is_request { "request" } else { "response" };
@@ -283,6 +262,7 @@ impl Conduct {
             channel.asked = None;
         }
         if let Some(fault) = channel.step(sdo, decoded, frame.data(), bus) {
+            channel.is_broken = true;
             let entry = sdo.entry.map_or_else(String::new, |entry| bus.reader.entry_name(node_id, entry));
             let text = || format!("{}: {entry}: {fault}", bus.reader.name(node_id));
             book.against(Subject::new(&rules::BROKEN_TRANSFER, node_id, about(sdo)), seen(), text);
@@ -327,11 +307,11 @@ impl Conduct {
 
 impl NodeConduct {
     /// It is operational, which ends what kept it from that.
-    fn is_up(&mut self, node_id: u8, seen: impl Fn() -> Seen, book: &mut IncidentBook) {
+    fn is_up(&mut self, node_id: u8, sight: Sight<'_>, book: &mut IncidentBook) {
         self.boot_up = None;
         if std::mem::take(&mut self.is_down) {
             for rule in DOWN {
-                book.end(Subject::new(rule, node_id, 0), &seen, "the node is operational");
+                book.end(Subject::new(rule, node_id, 0), || sight.seen(), "the node is operational");
             }
         }
     }

@@ -9,7 +9,7 @@ use objdict_model::diagnostic::{RuleInfo, plural};
 use objdict_model::model::{Access, DataType, Entry, PdoKind};
 use objdict_network::Service;
 
-use super::milliseconds;
+use super::{Sight, milliseconds};
 
 /// The abort code of a command that a node does not know.
 const UNKNOWN_COMMAND: u32 = 0x0504_0001;
@@ -194,9 +194,9 @@ pub(super) fn of_abort(code: u32, decoded: &DecodedFrame, bus: &Bus<'_>) -> Opti
 }
 
 /// An abort in words, with the value that was to be written.
-pub(super) fn refused(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> String {
-    let words = bus.words(decoded, frame);
-    let value = bus.reader.transfer(decoded).filter(|transfer| transfer.is_download());
+pub(super) fn refused(sight: Sight<'_>) -> String {
+    let words = sight.words();
+    let value = sight.bus.reader.transfer(sight.decoded).filter(|transfer| transfer.is_download());
     match value.map(SdoTransfer::data) {
         Some(data @ [_, ..]) if data.len() <= 8 => {
             let number = data.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte));

@@ -20,7 +20,6 @@ const MAX_FINDINGS: usize = 100;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Seen {
     /// The time, in seconds with the digits of the log.
-    #[serde(serialize_with = "shown")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub time: LogTime,
     /// The number of the line in the log, or of the packet in a capture, from 1.
@@ -67,10 +66,6 @@ impl NodeEvent {
         let message = format!("{}: {}", self.moment.time, self.text);
         Some(Diagnostic::new(rule, line, message).help(crate::probe::help(rule)))
     }
-}
-
-fn shown<S: Serializer>(time: &LogTime, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(time)
 }
 
 fn id<S: Serializer>(rule: &Option<&'static RuleInfo>, serializer: S) -> Result<S::Ok, S::Error> {

@@ -65,6 +65,33 @@ struct MessageSums {
     expected: ExpectedFrames,
 }
 
+/// A frame in its log, and what it is on its bus.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sight<'s> {
+    pub(crate) decoded: &'s DecodedFrame,
+    pub(crate) frame: &'s LoggedFrame,
+    pub(crate) origin: Origin<'s>,
+    pub(crate) bus: &'s Bus<'s>,
+}
+
+impl Sight<'_> {
+    pub(crate) fn seen(&self) -> Seen {
+        Seen::of(self.frame, self.origin)
+    }
+
+    pub(crate) fn now(&self) -> i64 {
+        self.frame.time.nanoseconds()
+    }
+
+    pub(crate) fn name(&self, node_id: u8) -> String {
+        self.bus.reader.name(node_id)
+    }
+
+    fn words(&self) -> String {
+        self.bus.words(self.decoded, self.frame)
+    }
+}
+
 /// A frame that may turn out to be the last one.
 #[derive(Clone, Debug)]
 struct LastFrame {
@@ -139,8 +166,6 @@ pub struct BusSums {
     conduct: Conduct,
     last_sync: Option<LastFrame>,
     syncs: Cycle,
-    /// The last time that SYNC did not come, in nanoseconds.
-    sync_break: Option<i64>,
     is_bus_off: bool,
     /// The period of SYNC in nanoseconds, where a description states it.
     sync_period: Option<i64>,
@@ -173,7 +198,6 @@ impl BusSums {
             conduct: Conduct::default(),
             last_sync: None,
             syncs: Cycle::default(),
-            sync_break: None,
             is_bus_off: false,
             sync_period: None,
             written: BTreeMap::new(),
@@ -183,15 +207,16 @@ impl BusSums {
 
     /// Adds a frame.
     pub fn add(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+        let sight = Sight { decoded, frame, origin, bus };
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.time, frame.time));
         self.span = Some((first.min(frame.time), last.max(frame.time)));
         if frame.is_error {
-            self.error_frame(decoded, frame, origin, bus);
+            self.error_frame(sight);
             return;
         }
         if std::mem::take(&mut self.is_bus_off) {
-            self.book.end(Subject::new(&rules::BUS_OFF, 0, 0), || Seen::of(frame, origin), "frames again");
+            self.book.end(Subject::new(&rules::BUS_OFF, 0, 0), || sight.seen(), "frames again");
         }
         let bits = match self.bit_rate {
             Some(_) if !frame.is_fd => {
@@ -219,17 +244,18 @@ impl BusSums {
         self.nodes[sender].last = Some(LastFrame::of(frame, origin));
         if let Some(text) = malformed(decoded, frame) {
             let subject = Subject::new(&rules::MALFORMED_FRAME, node_id as u8, frame.can_id);
-            self.book.against(subject, Seen::of(frame, origin), || text);
+            self.book.against(subject, sight.seen(), || text);
         }
         if decoded.kind == FrameKind::Sync && !frame.is_remote {
-            self.sync(node_id as u8, frame, origin);
+            self.sync(node_id as u8, sight);
         }
-        self.message(decoded, frame, origin, bus);
-        self.conduct.frame(decoded, frame, origin, bus, &mut self.book);
-        self.event(decoded, frame, origin, bus);
+        self.message(sight);
+        self.conduct.frame(sight, &mut self.book);
+        self.event(sight);
     }
 
-    fn message(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+    fn message(&mut self, sight: Sight<'_>) {
+        let Sight { decoded, frame, bus, .. } = sight;
         let LoggedFrame { can_id, is_extended, .. } = *frame;
         let known = match is_extended {
             false => usize::from(self.base[can_id as usize & 0x7FF]).checked_sub(1),
@@ -266,14 +292,14 @@ impl BusSums {
             };
             let about = frame.can_id;
             for (rule, text) in message.expected.deviations(decoded, frame, bus, before) {
-                self.book.against(Subject::new(rule, node_id, about), Seen::of(frame, origin), || text);
+                self.book.against(Subject::new(rule, node_id, about), sight.seen(), || text);
             }
             if message.expected.is_right_again(frame) {
                 let subject = Subject::new(&rules::PDO_LENGTH, node_id, about);
-                self.book.end(subject, || Seen::of(frame, origin), "the length is right again");
+                self.book.end(subject, || sight.seen(), "the length is right again");
             }
             if message.expected.has_words {
-                self.drives.frame(decoded, frame, origin, bus, &mut self.book);
+                self.drives.frame(sight, &mut self.book);
             }
         }
         // a boot-up is not a part of the cycle of heartbeats
@@ -282,8 +308,9 @@ impl BusSums {
 
     /// SYNC out of its cycle: half a period more or less is more than a busy bus explains. Without a described period a
     /// SYNC that was regular has its own.
-    fn sync(&mut self, node_id: u8, frame: &LoggedFrame, origin: Origin<'_>) {
-        let now = frame.time.nanoseconds();
+    fn sync(&mut self, node_id: u8, sight: Sight<'_>) {
+        let Sight { frame, origin, .. } = sight;
+        let now = sight.now();
         let last = self.last_sync.replace(LastFrame::of(frame, origin)).map(|last| last.nanoseconds());
         let period = self.sync_period.or_else(|| self.syncs.regular(SYNCS));
         let Some((last, period)) = last.zip(period) else { return self.syncs.add(frame.time, true) };
@@ -293,34 +320,27 @@ impl BusSums {
         }
         // the next distance counts from here
         self.syncs.last = Some(now);
-        self.sync_break = Some(now);
         let is_early = gap < period / 2;
         let [gap, period] = [gap, period].map(milliseconds);
         let subject = Subject::new(&rules::SYNC_CYCLE, node_id, is_early.into());
         let many = if is_early { ", probably of a second producer: a frame has no sender" } else { "" };
         let text = || format!("SYNC comes {gap} ms after the one before, its period is {period} ms{many}");
-        self.book.against(subject, Seen::of(frame, origin), text);
+        self.book.against(subject, sight.seen(), text);
     }
 
-    fn error_frame(
-        &mut self,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-    ) {
+    fn error_frame(&mut self, sight: Sight<'_>) {
         self.error_frames += 1;
-        let words = bus.words(decoded, frame);
-        let seen = Seen::of(frame, origin);
+        let (seen, words) = (sight.seen(), sight.words());
         self.bus_errors.add(seen.clone(), 0, None, || words.clone());
-        let is_bus_off = frame.can_id & BUS_OFF != 0;
+        let is_bus_off = sight.frame.can_id & BUS_OFF != 0;
         self.is_bus_off |= is_bus_off;
         let rule = if is_bus_off { &rules::BUS_OFF } else { &rules::ERROR_FRAMES };
         self.book.against(Subject::new(rule, 0, 0), seen, || words);
     }
 
     /// What is more than a frame.
-    fn event(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+    fn event(&mut self, sight: Sight<'_>) {
+        let Sight { decoded, frame, .. } = sight;
         if decoded.kind == FrameKind::Nmt {
             return self.command(frame);
         }
@@ -331,37 +351,34 @@ impl BusSums {
                 node.boot_ups += 1;
                 // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
                 (node.last_heartbeat, node.state, node.stopped) = (None, Some(PRE_OPERATIONAL), None);
-                for code in std::mem::take(&mut node.errors) {
-                    let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
-                    self.book.end(subject, || Seen::of(frame, origin), "the node boots up");
-                }
-                self.starts.add(Seen::of(frame, origin), node_id, None, || bus.words(decoded, frame));
+                node.heartbeats.last = None;
+                self.errors_end(node_id, sight);
+                self.starts.add(sight.seen(), node_id, None, || sight.words());
             }
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);
                 if decoded.kind == FrameKind::Heartbeat {
-                    self.heartbeat(node_id, Seen::of(frame, origin), bus);
+                    self.heartbeat(node_id, sight);
                 } else {
                     node.guarding = (0, true);
                     let subject = Subject::new(&rules::SILENT_NODE, node_id, 0);
-                    self.book.end(subject, || Seen::of(frame, origin), "the node answers again");
+                    self.book.end(subject, || sight.seen(), "the node answers again");
                 }
             }
             FrameKind::Guarding => {
                 node.guarding.0 += 1;
                 if node.guarding == (GUARDINGS, true) {
                     let subject = Subject::new(&rules::SILENT_NODE, node_id, 0);
-                    let text = || format!("{} does not answer guarding", bus.reader.name(node_id));
-                    self.book.against(subject, Seen::of(frame, origin), text);
+                    let text = || format!("{} does not answer guarding", sight.name(node_id));
+                    self.book.against(subject, sight.seen(), text);
                 }
             }
             FrameKind::Emcy if !frame.is_remote => {
                 node.emergencies += 1;
-                let moment = Seen::of(frame, origin);
-                self.emergencies.add(moment, node_id, None, || bus.words(decoded, frame));
-                self.emergency(node_id, decoded, frame, origin, bus);
+                self.emergencies.add(sight.seen(), node_id, None, || sight.words());
+                self.emergency(node_id, sight);
             }
-            FrameKind::Sdo => self.transfer(node_id, decoded, frame, origin, bus),
+            FrameKind::Sdo => self.transfer(node_id, sight),
             _ => {}
         }
     }
@@ -369,9 +386,8 @@ impl BusSums {
     /// Silence after a command that stops or resets a node is right.
     fn command(&mut self, frame: &LoggedFrame) {
         let &[command @ (2 | 0x80..=0x82), whom, ..] = frame.data() else { return };
-        for (_, node) in
-            self.nodes.iter_mut().enumerate().filter(|(at, _)| whom == 0 || *at == usize::from(whom))
-        {
+        let nodes = self.nodes.iter_mut().enumerate();
+        for (_, node) in nodes.filter(|(at, _)| whom == 0 || *at == usize::from(whom)) {
             node.stopped = Some(frame.time.nanoseconds());
             if matches!(command, 0x81 | 0x82) {
                 node.last_heartbeat = None;
@@ -379,77 +395,68 @@ impl BusSums {
         }
     }
 
-    fn emergency(
-        &mut self,
-        node_id: u8,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-    ) {
-        let &[low, high, ..] = frame.data() else { return };
+    fn emergency(&mut self, node_id: u8, sight: Sight<'_>) {
+        let &[low, high, ..] = sight.frame.data() else { return };
         let code = u16::from_le_bytes([low, high]);
-        let errors = &mut self.nodes[usize::from(node_id) % NODES].errors;
-        let seen = || Seen::of(frame, origin);
-        if code >> 8 != 0 {
-            if !errors.contains(&code) && errors.len() < MAX_ERRORS {
-                errors.push(code);
-            }
-            let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
-            let words = bus.reader.error_code(node_id, code);
-            let text = || format!("{} reports EMCY {code:04X}h ({words})", bus.reader.name(node_id));
-            return self.book.against(subject, seen(), text);
+        if code >> 8 == 0 {
+            return self.errors_end(node_id, sight);
         }
-        for code in std::mem::take(errors) {
+        let errors = &mut self.nodes[usize::from(node_id) % NODES].errors;
+        if !errors.contains(&code) && errors.len() < MAX_ERRORS {
+            errors.push(code);
+        }
+        let words = sight.bus.reader.error_code(node_id, code);
+        let text = || format!("{} reports EMCY {code:04X}h ({words})", sight.name(node_id));
+        self.book.against(Subject::new(&rules::EMERGENCY, node_id, code.into()), sight.seen(), text);
+    }
+
+    /// A node takes back its errors, or boots up.
+    fn errors_end(&mut self, node_id: u8, sight: Sight<'_>) {
+        for code in std::mem::take(&mut self.nodes[usize::from(node_id) % NODES].errors) {
             let subject = Subject::new(&rules::EMERGENCY, node_id, code.into());
-            self.book.end(subject, seen, &bus.words(decoded, frame));
+            self.book.end(subject, || sight.seen(), &sight.words());
         }
     }
 
-    fn heartbeat(&mut self, node_id: u8, moment: Seen, bus: &Bus<'_>) {
+    fn heartbeat(&mut self, node_id: u8, sight: Sight<'_>) {
         let node = &mut self.nodes[usize::from(node_id) % NODES];
-        let time = moment.time;
-        let limit = node.heartbeat_limit();
-        let last = node.last_heartbeat.replace(moment.clone());
-        let gap = last.as_ref().map_or(0, |last| time.nanoseconds().saturating_sub(last.time.nanoseconds()));
+        let (now, limit) = (sight.now(), node.heartbeat_limit());
+        let last = node.last_heartbeat.replace(sight.seen());
+        let gap = last.as_ref().map_or(0, |last| now.saturating_sub(last.time.nanoseconds()));
         let late = last.zip(limit).filter(|(_, limit)| gap > *limit);
         // a gap is not a part of the cycle
-        node.heartbeats.add(time, late.is_none());
+        node.heartbeats.add(sight.frame.time, late.is_none());
         if let Some((last, limit)) = late {
             node.lost += 1;
             let subject = Subject::new(&rules::LATE_HEARTBEAT, node_id, 0);
-            self.book.against(subject, last, || lost(&bus.reader.name(node_id), gap, limit));
-            self.book.end(subject, || moment, "heartbeat again");
+            self.book.against(subject, last, || lost(&sight.name(node_id), gap, limit));
+            self.book.end(subject, || sight.seen(), "heartbeat again");
         }
     }
 
-    fn transfer(
-        &mut self,
-        node_id: u8,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-    ) {
+    fn transfer(&mut self, node_id: u8, sight: Sight<'_>) {
+        let Sight { decoded, bus, .. } = sight;
         let Some(sdo) = decoded.sdo else { return };
         let subject = |rule| Subject::new(rule, node_id, about(sdo));
-        let seen = || Seen::of(frame, origin);
+        let seen = || sight.seen();
         if let Some((rule, text)) = of_transfer(node_id, decoded, bus) {
             self.book.against(subject(rule), seen(), || text);
         }
-        self.drives.frame(decoded, frame, origin, bus, &mut self.book);
+        self.drives.frame(sight, &mut self.book);
+        let is_written = sdo.step == TransferStep::Written;
+        if (is_written || !sdo.is_request && sdo.step.has_value()) && self.conduct.is_sound(node_id, sdo) {
+            self.book.end(subject(&rules::BROKEN_TRANSFER), seen, "the transfer succeeds");
+        }
         match (sdo.step, sdo.entry) {
             (TransferStep::Abort(code), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
-                self.aborts.add(seen(), node_id, None, || bus.words(decoded, frame));
+                self.aborts.add(seen(), node_id, None, || sight.words());
                 if let Some(rule) = of_abort(code, decoded, bus) {
-                    self.book.against(subject(rule), seen(), || refused(decoded, frame, bus));
+                    self.book.against(subject(rule), seen(), || refused(sight));
                 }
             }
             (TransferStep::Written, Some((index, sub))) => {
-                for rule in [&rules::REFUSED_WRITE, &rules::BROKEN_TRANSFER] {
-                    self.book.end(subject(rule), seen, "the node accepts the value");
-                }
+                self.book.end(subject(&rules::REFUSED_WRITE), seen, "the node accepts the value");
                 let key = (node_id, index, sub);
                 if self.written.len() >= MAX_WRITTEN && !self.written.contains_key(&key) {
                     self.is_written_cut = true;
@@ -494,13 +501,8 @@ impl BusSums {
 impl NodeSums {
     /// How long the node may be without a heartbeat, in nanoseconds. One that was regular has its own limit, with much room.
     fn heartbeat_limit(&self) -> Option<i64> {
-        let own = || {
-            self.heartbeats
-                .regular(HEARTBEATS)
-                .filter(|_| !self.is_off)
-                .map(|period| period.saturating_mul(3))
-        };
-        self.limit.or_else(own)
+        let own = || self.heartbeats.regular(HEARTBEATS).filter(|_| !self.is_off);
+        self.limit.or_else(|| Some(own()?.saturating_mul(3)))
     }
 }
 
