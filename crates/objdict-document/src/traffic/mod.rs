@@ -60,7 +60,7 @@ pub struct TrafficLane<'a> {
 pub struct TrafficEvents {
     /// The kind.
     pub title: &'static str,
-    /// The class of the marks in the time line: `emcy`, `boot-up`, `abort`, `error`, `lost` or `deviation`.
+    /// The class of the marks in the time line: `emcy`, `boot-up`, `abort`, `error` or `deviation`.
     pub class: &'static str,
     /// In the order of time.
     pub events: Vec<TrafficEvent>,
