@@ -12,6 +12,9 @@ use objdict_model::diagnostic::RuleInfo;
 /// The most incidents of a kind and node; of more, the last one takes the events.
 const MAX_INCIDENTS: usize = 20;
 
+/// The most incidents of a bus; of more, only the findings are kept.
+const MAX_ALL: usize = 4096;
+
 /// How many of the first frames of an incident are kept, and of the last ones.
 const MAX_FRAMES: usize = 8;
 
@@ -99,9 +102,12 @@ impl IncidentBook {
         let open = self.known.get(&subject.key()).copied().filter(|at| self.drafts[*at].end.is_none());
         let at = open.or_else(|| {
             let (count, last) = self.counts.get(&(rule.id, node)).copied().unwrap_or_default();
-            (count >= MAX_INCIDENTS).then_some(last)
+            (count > 0 && (count >= MAX_INCIDENTS || self.drafts.len() >= MAX_ALL)).then_some(last)
         });
         let at = at.or_else(|| {
+            if self.drafts.len() >= MAX_ALL {
+                return None;
+            }
             let kind = KINDS.iter().find(|kind| kind.rule.id == rule.id)?;
             let (nodes, start) = ([node].into_iter().filter(|node| *node != 0).collect(), moment.time);
             let (end, events, consequences, frames, text) = (None, 0, 0, Frames::default(), text.clone());

@@ -28,6 +28,10 @@ impl Draft {
         self.kind.rule.id == rule.id
     }
 
+    fn is_of_drive(&self) -> bool {
+        [&rules::DRIVE_FAULT, &rules::QUICK_STOP, &rules::REFUSED_TRANSITION].iter().any(|rule| self.is(rule))
+    }
+
     fn starts(&self) -> i64 {
         self.start.nanoseconds()
     }
@@ -54,8 +58,7 @@ impl Draft {
             (Severity::Error, Some(_)) => IncidentState::Recovered,
             _ => IncidentState::Warning,
         };
-        let is_drive = [&rules::DRIVE_FAULT, &rules::QUICK_STOP, &rules::REFUSED_TRANSITION];
-        let is_drive = is_drive.iter().any(|rule| self.is(rule));
+        let is_drive = self.is_of_drive();
         let axes = (1..=8).filter(|axis| is_drive && self.about >> axis & 1 == 1).collect();
         let mut text = self.text;
         if self.events > 1 {
@@ -89,36 +92,41 @@ impl Draft {
 }
 
 /// Nanoseconds as seconds with three digits.
-pub(crate) fn seconds(nanoseconds: i64) -> String {
+fn seconds(nanoseconds: i64) -> String {
     let milliseconds = (nanoseconds.unsigned_abs() + 500_000) / 1_000_000;
     format!("{}.{:03}", milliseconds / 1000, milliseconds % 1000)
 }
 
-/// Drives whose axes are in a fault at one time, with the axes as bits.
-fn together(drafts: Vec<Draft>) -> Vec<Draft> {
+/// Joins each incident to the last one before that it belongs to.
+fn joined(
+    drafts: Vec<Draft>,
+    belongs: impl Fn(&Draft, &Draft) -> bool,
+    join: impl Fn(&mut Draft, Draft),
+) -> Vec<Draft> {
     let mut kept: Vec<Draft> = Vec::new();
-    for mut draft in drafts {
-        if !draft.is(&rules::DRIVE_FAULT)
-            && !draft.is(&rules::QUICK_STOP)
-            && !draft.is(&rules::REFUSED_TRANSITION)
-        {
-            kept.push(draft);
-            continue;
-        }
-        draft.about = 1 << draft.about.min(31);
-        let is_same =
-            |kept: &&mut Draft| kept.is(draft.kind.rule) && draft.starts() - kept.starts() <= TOGETHER;
-        match kept.iter_mut().rev().find(is_same) {
-            Some(first) => {
-                first.about |= draft.about;
-                first.text = format!("{}, {}", first.text, draft.text);
-                first.join(draft);
-                first.events = 1;
-            }
+    for draft in drafts {
+        match kept.iter_mut().rev().find(|first| belongs(first, &draft)) {
+            Some(first) => join(first, draft),
             None => kept.push(draft),
         }
     }
     kept
+}
+
+/// Drives whose axes are in a fault at one time, with the axes as bits.
+fn together(mut drafts: Vec<Draft>) -> Vec<Draft> {
+    for draft in drafts.iter_mut().filter(|draft| draft.is_of_drive()) {
+        draft.about = 1 << draft.about.min(31);
+    }
+    let belongs = |first: &Draft, draft: &Draft| {
+        draft.is_of_drive() && first.is(draft.kind.rule) && draft.starts() - first.starts() <= TOGETHER
+    };
+    joined(drafts, belongs, |first, draft| {
+        first.about |= draft.about;
+        first.text = format!("{}, {}", first.text, draft.text);
+        first.join(draft);
+        first.events = 1;
+    })
 }
 
 /// Whether two nodes are silent at the same time.
@@ -134,26 +142,19 @@ fn is_one_silence(a: &Draft, b: &Draft) -> bool {
 /// Several nodes that are silent at one time are one incident of the bus.
 fn with_interruptions(drafts: Vec<Draft>) -> Vec<Draft> {
     let is_silence = |draft: &Draft| draft.is(&rules::LATE_HEARTBEAT) || draft.is(&rules::SILENT_NODE);
-    let mut kept: Vec<Draft> = Vec::new();
-    for draft in drafts {
-        let first = kept.iter_mut().rev().find(|kept| {
-            (is_silence(kept) || kept.is(&rules::INTERRUPTED_BUS))
-                && is_silence(&draft)
-                && is_one_silence(kept, &draft)
-        });
-        match (first, KINDS.iter().find(|kind| kind.rule.id == rules::INTERRUPTED_BUS.id)) {
-            (Some(first), Some(kind)) => {
-                first.kind = kind;
-                first.about = 0;
-                first.join(draft);
-                let nodes: Vec<String> = first.nodes.iter().map(ToString::to_string).collect();
-                first.text = format!("nodes {} are silent at the same time", nodes.join(", "));
-                first.events = 1;
-            }
-            _ => kept.push(draft),
-        }
-    }
-    kept
+    let belongs = |first: &Draft, draft: &Draft| {
+        (is_silence(first) || first.is(&rules::INTERRUPTED_BUS))
+            && is_silence(draft)
+            && is_one_silence(first, draft)
+    };
+    let kind = KINDS.iter().find(|kind| kind.rule.id == rules::INTERRUPTED_BUS.id);
+    joined(drafts, belongs, |first, draft| {
+        first.kind = kind.unwrap_or(first.kind);
+        first.join(draft);
+        let nodes: Vec<String> = first.nodes.iter().map(ToString::to_string).collect();
+        first.text = format!("nodes {} are silent at the same time", nodes.join(", "));
+        (first.about, first.events) = (0, 1);
+    })
 }
 
 /// Gives the consequences of a kind to the incidents that lead to them.
@@ -206,17 +207,9 @@ impl Draft {
 
 /// What happens again and is over each time is one incident, but faults of drives are told one by one.
 fn repeated(drafts: Vec<Draft>) -> Vec<Draft> {
-    let mut kept: Vec<Draft> = Vec::new();
-    for draft in drafts {
-        let is_same = |first: &&mut Draft| {
-            first.is(draft.kind.rule)
-                && (&first.nodes, first.about, first.end.is_some())
-                    == (&draft.nodes, draft.about, draft.end.is_some())
-        };
-        match kept.iter_mut().find(is_same) {
-            Some(first) if !draft.is(&rules::DRIVE_FAULT) => first.join(draft),
-            _ => kept.push(draft),
-        }
-    }
-    kept
+    let subject = |draft: &Draft| (draft.kind.rule.id, draft.nodes.clone(), draft.about, draft.end.is_some());
+    let belongs = |first: &Draft, draft: &Draft| {
+        first.is(draft.kind.rule) && !draft.is(&rules::DRIVE_FAULT) && subject(first) == subject(draft)
+    };
+    joined(drafts, belongs, Draft::join)
 }

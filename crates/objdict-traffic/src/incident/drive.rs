@@ -70,6 +70,8 @@ struct Axis {
 #[derive(Debug, Default)]
 pub(crate) struct Drives {
     axes: BTreeMap<(u8, u8), Axis>,
+    /// Whether time decides what a word says.
+    pub(crate) is_waiting: bool,
 }
 
 /// The words of drives in a PDO: node, whether it is the statusword, the axis from 1, and the value.
@@ -145,6 +147,7 @@ impl Drives {
             // nothing waits for a word that says the same
             axis.status(of, word, sight, book);
         }
+        self.is_waiting = self.axes.values().any(|axis| axis.reset.is_some() || axis.enable.is_some());
     }
 }
 

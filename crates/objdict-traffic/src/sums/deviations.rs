@@ -11,6 +11,9 @@ use objdict_network::Service;
 
 use super::{Sight, milliseconds};
 
+/// The abort code of a client that waits no longer.
+const TIMEOUT: u32 = 0x0504_0000;
+
 /// The abort code of a command that a node does not know.
 const UNKNOWN_COMMAND: u32 = 0x0504_0001;
 
@@ -185,10 +188,12 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
 /// The rule that an abort is against: of reads only those that break off are, as a client may ask for what a node does not have.
 pub(super) fn of_abort(code: u32, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<&'static RuleInfo> {
     let is_write = bus.reader.transfer(decoded).is_some_and(SdoTransfer::is_download);
+    let is_client = decoded.sdo.is_some_and(|sdo| sdo.is_request);
     match code >> 16 {
+        _ if is_client && code == TIMEOUT => Some(&rules::UNANSWERED_REQUEST),
         // toggle bit, time, block size, sequence, checksum
         0x0503 | 0x0504 if code != UNKNOWN_COMMAND => Some(&rules::BROKEN_TRANSFER),
-        _ if is_write && decoded.sdo.is_some_and(|sdo| !sdo.is_request) => Some(&rules::REFUSED_WRITE),
+        _ if is_write && !is_client => Some(&rules::REFUSED_WRITE),
         _ => None,
     }
 }

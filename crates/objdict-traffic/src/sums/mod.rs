@@ -63,6 +63,8 @@ struct MessageSums {
     node_id: Option<u8>,
     cycle: Cycle,
     expected: ExpectedFrames,
+    /// The last data of a PDO with words of a drive.
+    data: u64,
 }
 
 /// A frame in its log, and what it is on its bus.
@@ -130,7 +132,7 @@ struct NodeSums {
     /// Whether the node has said that it sends no heartbeats.
     is_off: bool,
     heartbeats: Cycle,
-    /// Its last frame.
+    /// Its last frame, while it has no heartbeat.
     last: Option<LastFrame>,
     /// When a command stopped or reset it, in nanoseconds.
     stopped: Option<i64>,
@@ -241,7 +243,9 @@ impl BusSums {
         let sender = if is_sent { node_id } else { 0 };
         self.nodes[sender].frames += 1;
         self.nodes[sender].bits += bits;
-        self.nodes[sender].last = Some(LastFrame::of(frame, origin));
+        if sender != 0 && self.nodes[sender].last_heartbeat.is_none() {
+            self.nodes[sender].last = Some(LastFrame::of(frame, origin));
+        }
         if let Some(text) = malformed(decoded, frame) {
             let subject = Subject::new(&rules::MALFORMED_FRAME, node_id as u8, frame.can_id);
             self.book.against(subject, sight.seen(), || text);
@@ -273,9 +277,18 @@ impl BusSums {
             }
             let DecodedFrame { kind, service, node_id, .. } = *decoded;
             let is_described = !decoded.is_predefined();
-            let (cycle, expected) = Default::default();
-            let message =
-                MessageSums { can_id, is_extended, kind, service, is_described, node_id, cycle, expected };
+            let (cycle, expected, data) = Default::default();
+            let message = MessageSums {
+                can_id,
+                is_extended,
+                kind,
+                service,
+                is_described,
+                node_id,
+                cycle,
+                expected,
+                data,
+            };
             self.messages.push(message);
             at
         });
@@ -298,7 +311,10 @@ impl BusSums {
                 let subject = Subject::new(&rules::PDO_LENGTH, node_id, about);
                 self.book.end(subject, || sight.seen(), "the length is right again");
             }
-            if message.expected.has_words {
+            // most words are those of the frame before
+            let is_news = message.expected.has_words
+                && std::mem::replace(&mut message.data, first_bytes(frame)) != first_bytes(frame);
+            if is_news || message.expected.has_words && self.drives.is_waiting {
                 self.drives.frame(sight, &mut self.book);
             }
         }
@@ -318,8 +334,9 @@ impl BusSums {
         if (period / 2..=period / 2 * 3).contains(&gap) {
             return self.syncs.add(frame.time, true);
         }
-        // the next distance counts from here
-        self.syncs.last = Some(now);
+        // the period may be another one from now on
+        self.syncs = Cycle::default();
+        self.syncs.add(frame.time, true);
         let is_early = gap < period / 2;
         let [gap, period] = [gap, period].map(milliseconds);
         let subject = Subject::new(&rules::SYNC_CYCLE, node_id, is_early.into());
@@ -351,7 +368,7 @@ impl BusSums {
                 node.boot_ups += 1;
                 // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
                 (node.last_heartbeat, node.state, node.stopped) = (None, Some(PRE_OPERATIONAL), None);
-                node.heartbeats.last = None;
+                node.heartbeats = Cycle::default();
                 self.errors_end(node_id, sight);
                 self.starts.add(sight.seen(), node_id, None, || sight.words());
             }
@@ -424,8 +441,11 @@ impl BusSums {
         let last = node.last_heartbeat.replace(sight.seen());
         let gap = last.as_ref().map_or(0, |last| now.saturating_sub(last.time.nanoseconds()));
         let late = last.zip(limit).filter(|(_, limit)| gap > *limit);
-        // a gap is not a part of the cycle
-        node.heartbeats.add(sight.frame.time, late.is_none());
+        if late.is_some() {
+            // the period may be another one from now on
+            node.heartbeats = Cycle::default();
+        }
+        node.heartbeats.add(sight.frame.time, true);
         if let Some((last, limit)) = late {
             node.lost += 1;
             let subject = Subject::new(&rules::LATE_HEARTBEAT, node_id, 0);
@@ -452,7 +472,9 @@ impl BusSums {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
                 self.aborts.add(seen(), node_id, None, || sight.words());
                 if let Some(rule) = of_abort(code, decoded, bus) {
-                    self.book.against(subject(rule), seen(), || refused(sight));
+                    let is_of_node = rule.id == rules::UNANSWERED_REQUEST.id;
+                    let about = if is_of_node { 0 } else { about(sdo) };
+                    self.book.against(Subject::new(rule, node_id, about), seen(), || refused(sight));
                 }
             }
             (TransferStep::Written, Some((index, sub))) => {
@@ -504,6 +526,11 @@ impl NodeSums {
         let own = || self.heartbeats.regular(HEARTBEATS).filter(|_| !self.is_off);
         self.limit.or_else(|| Some(own()?.saturating_mul(3)))
     }
+}
+
+/// The first eight bytes as a number.
+fn first_bytes(frame: &LoggedFrame) -> u64 {
+    frame.data().iter().take(8).fold(frame.data().len() as u64, |number, byte| number << 8 | u64::from(*byte))
 }
 
 /// What is kept of a value to compare it.
