@@ -90,7 +90,7 @@ fn sums(
         document.incidents().iter().any(|incident| incident.state == IncidentState::Unresolved);
     match args.incident {
         Some(number) if args.format == DecodeFormat::Json => {
-            document.only(number)?.write(args.format, out)?
+            document.only(number)?.write(args.format, out)?;
         }
         Some(number) => incidents::write_one(number, document.incidents(), out)?,
         None if args.summary => document.write(args.format, out)?,

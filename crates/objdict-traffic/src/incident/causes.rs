@@ -2,6 +2,7 @@
 
 use super::book::Draft;
 use super::{Incident, IncidentState};
+use crate::log::LogTime;
 use objdict_lint::recorded::traffic::{self as rules, KINDS};
 use objdict_model::diagnostic::{RuleInfo, Severity, plural};
 
@@ -38,7 +39,7 @@ impl Draft {
 
     /// When it is over, in nanoseconds.
     fn ends(&self) -> i64 {
-        self.end.map_or(i64::MAX, |end| end.nanoseconds())
+        self.end.map_or(i64::MAX, LogTime::nanoseconds)
     }
 
     /// Takes the nodes, the frames and the time of another one.

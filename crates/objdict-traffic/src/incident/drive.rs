@@ -9,7 +9,7 @@ use crate::{Bus, raw};
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, TransferStep};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::diagnostic::RuleInfo;
-use objdict_model::model::PdoKind;
+use objdict_model::model::{Device, PdoKind};
 use objdict_network::Service;
 
 const FAULT_RESET: u16 = 0x80;
@@ -105,7 +105,7 @@ fn default_word(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> O
 
 /// Other profiles have other objects there; many drives do not state one.
 fn is_drive(node_id: u8, bus: &Bus<'_>) -> bool {
-    let profile = bus.reader.device(node_id).and_then(|device| device.profile());
+    let profile = bus.reader.device(node_id).and_then(Device::profile);
     matches!(profile, None | Some(0 | 402 | 0xFFFF))
 }
 
