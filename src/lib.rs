@@ -239,6 +239,8 @@ pub mod format {
     pub use objdict_format::check_structure;
     #[cfg(feature = "full")]
     pub use objdict_format::nodelist;
+    #[doc(hidden)] // for the language server
+    pub use objdict_format::read_after;
     #[cfg(feature = "toml")]
     pub use objdict_format::{
         ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, canopeneditor,

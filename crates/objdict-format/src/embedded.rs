@@ -8,7 +8,7 @@ use crate::compare::{Datum, DatumChange, apply};
 use objdict_model::diagnostic::{Diagnostic, Findings, say, text_rules};
 use objdict_model::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
-    Extra, ExtraSection, Field, Labels, Part, Place, Property,
+    Extra, ExtraSection, Field, Labels, Object, Part, Place, Property,
 };
 use objdict_model::source::{Edits, Span};
 
@@ -157,7 +157,16 @@ pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
     }
     // the one that was made to hold them
     device.functions.retain(|function| changes.is_empty() || *function != DeviceFunction::default());
-    for (&index, object) in device.objects.iter_mut() {
+    let has_property = |entry: &Entry| {
+        let mut properties = entry.parameter.iter().flat_map(|parameter| &parameter.properties);
+        properties.any(|property| property.name.starts_with(PREFIX))
+    };
+    let has_any = |object: &Object| {
+        has_property(&object.main) || object.subs.iter().any(|(_, entry)| has_property(entry))
+    };
+    let carriers = device.objects.iter().filter(|(_, object)| has_any(object)).map(|(index, _)| *index);
+    for index in carriers.collect::<Vec<_>>() {
+        let Some(object) = device.objects.get_mut(&index) else { continue };
         from_properties(&mut object.main, (index, None), &mut changes);
         for (sub, entry) in object.subs.iter_mut() {
             from_properties(entry, (index, Some(sub)), &mut changes);

@@ -64,7 +64,13 @@ pub use {objdict_xdd::xdd, objdict_xdd::xdd::XddVersion, objdict_xdd::xml};
 
 /// Reads a source in a format.
 pub fn read(source: SourceFile, format: Format) -> Description {
-    Description::read(source, format)
+    Description::read(source, format, None)
+}
+
+/// As [`read`], from the description of another text of the file: in an EDS or DCF, only objects whose sections differ are read.
+#[doc(hidden)] // for the language server
+pub fn read_after(source: SourceFile, format: Format, before: Option<&Description>) -> Description {
+    Description::read(source, format, before)
 }
 
 /// The words for data types in files that people write.

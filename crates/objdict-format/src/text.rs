@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::path::PathBuf;
 
-use objdict_eds::ini;
+use objdict_eds::{eds::SectionStarts, ini};
 use objdict_model::diagnostic::{Change, Findings};
-use objdict_model::model::{Commissioning, Device, Place};
+use objdict_model::model::{Commissioning, Device, Objects, Place};
 use objdict_model::source::{EditError, SourceFile, Span};
 #[cfg(feature = "xdd")]
 use objdict_xdd::xml::Tree;
@@ -19,6 +19,16 @@ pub(crate) type TextEdits = Vec<(Span, String)>;
 
 /// A node, and the name of the EDS of the type that it is made from.
 pub(crate) type NodeOfType<'a> = (&'a Commissioning, Option<&'a str>);
+
+/// What was read of an INI file.
+#[derive(Clone, Copy)]
+pub(crate) struct LinesBefore<'a> {
+    pub(crate) document: &'a ini::Document,
+    pub(crate) plain: &'a Objects,
+    pub(crate) sections: &'a SectionStarts,
+    /// Whether its lines were checked and nothing was found in them.
+    pub(crate) is_clean: bool,
+}
 
 /// A text that was read as one of its devices. What a syntax does not have, such as variants, it leaves as it is here.
 pub(crate) trait DescriptionText: Debug + Send + Sync {
@@ -77,6 +87,11 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
 
     /// It as lines, if it is an INI file.
     fn lines(&self) -> Option<&ini::Document> {
+        None
+    }
+
+    /// What was read of its lines, for reading them again with edits.
+    fn read_lines(&self) -> Option<LinesBefore<'_>> {
         None
     }
 

@@ -11,6 +11,7 @@ mod demands;
 mod drive;
 mod facts;
 mod index_set;
+mod objects;
 mod options;
 #[doc(hidden)] // for the crates that read recordings
 pub mod recorded;
@@ -30,18 +31,20 @@ use std::cell::LazyCell;
 use objdict_model::{diagnostic, literal, model};
 use objdict_profile as profile;
 
-use crate::diagnostic::{Findings, RuleInfo};
-use crate::model::{Device, Object};
+use crate::diagnostic::{Findings, MAX_PER_RULE, RuleInfo};
+use crate::model::Device;
 
 use configured::ConfiguredDevice;
 #[cfg(feature = "catalogue")]
 pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdService, CobIdUse, Facts, MappedTo, PdoFacts, is_unstated};
 pub(crate) use index_set::IndexSet;
+#[doc(hidden)] // for the language server
+pub use objects::KnownObjects;
 pub use options::Options;
 pub(crate) use respell::{ListFixes, respell, sub_0, with_members};
 pub use rule::Rule;
-pub(crate) use rule::{Check, EntryAt, EntryCheck, EntryOwner};
+pub(crate) use rule::{Check, EntryAt, EntryOwner};
 pub(crate) use rules::rules_of;
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
@@ -66,6 +69,28 @@ pub fn check_some(
     is_wanted: &dyn Fn(&RuleInfo) -> bool,
     is_asked: &dyn Fn(u16) -> bool,
 ) -> Findings {
+    check_with(described, options, is_wanted, is_asked, None)
+}
+
+/// As [`check`], without a look at objects that are known from a check before an edit; what is known now takes their place.
+#[doc(hidden)] // for the language server
+pub fn check_after(described: &Device, options: &Options, known: &mut KnownObjects) -> Findings {
+    let findings = check_with(described, options, &|_| true, &|_| true, Some(known));
+    if findings.len() < MAX_PER_RULE as usize {
+        return findings;
+    }
+    // with more findings, checks look less closely
+    *known = KnownObjects::default();
+    check(described, options)
+}
+
+fn check_with(
+    described: &Device,
+    options: &Options,
+    is_wanted: &dyn Fn(&RuleInfo) -> bool,
+    is_asked: &dyn Fn(u16) -> bool,
+    known: Option<&mut KnownObjects>,
+) -> Findings {
     let is_ethercat = described.is_ethercat();
     let is_wanted = &|rule: &RuleInfo| {
         let is_of_canopen = |name: &str| OF_CANOPEN.contains(&format!(" {name} "));
@@ -86,7 +111,7 @@ pub fn check_some(
         }
     }
     check_demands(&facts, is_wanted, is_asked, &mut findings);
-    check_objects(device, &rules, is_asked, &mut findings);
+    objects::check(device, &rules, is_asked, known, &mut findings);
     match enabled {
         Cow::Owned(_) => rules::renumbered(described, findings),
         Cow::Borrowed(_) => findings,
@@ -154,53 +179,6 @@ fn check_demands(
                 }
             }
             findings.limit_from(first, demands::highest_severity(against.facts.confidence));
-        }
-    }
-}
-
-/// One walk over the objects for all rules that check one object or one entry at a time.
-fn check_objects(device: &Device, rules: &[&Rule], is_asked: &dyn Fn(u16) -> bool, findings: &mut Findings) {
-    let mut object_checks = Vec::new();
-    let mut entry_checks = Vec::new();
-    for rule in rules {
-        match rule.check {
-            Check::Object(check) => object_checks.push(check),
-            Check::Entry(check) => entry_checks.push(check),
-            _ => {}
-        }
-    }
-    for (&index, object) in device.objects.iter().filter(|(index, _)| is_asked(**index)) {
-        for check in &object_checks {
-            check(device, index, object, findings);
-        }
-        check_entries(device, EntryOwner::Device, index, object, &entry_checks, findings);
-    }
-    for (&number, module) in device.modules.iter().flat_map(|modules| &modules.supported) {
-        for (&index, object) in &module.fixed {
-            check_entries(device, EntryOwner::Fixed(number), index, object, &entry_checks, findings);
-        }
-        for (&index, extension) in &module.extensions {
-            let mut object = Object { main: extension.entry.clone(), ..Object::default() };
-            // some descriptions state the type of the extended object
-            object.main.object_type = object.main.object_type.filter(|object_type| !object_type.has_subs());
-            check_entries(device, EntryOwner::Extension(number), index, &object, &entry_checks, findings);
-        }
-    }
-}
-
-/// Applies all rules about entries to the described entries of an object.
-fn check_entries(
-    device: &Device,
-    origin: EntryOwner,
-    index: u16,
-    object: &Object,
-    checks: &[EntryCheck],
-    findings: &mut Findings,
-) {
-    for (sub, entry) in object.described() {
-        let at = EntryAt { device, origin, index, object, sub, entry };
-        for check in checks {
-            check(&at, findings);
         }
     }
 }

@@ -37,9 +37,6 @@ impl Rule {
     }
 }
 
-/// A check of one entry.
-pub(crate) type EntryCheck = fn(&EntryAt<'_>, &mut Findings);
-
 /// The subject of a rule. The linter walks over the device once and calls each rule at its places.
 #[derive(Clone, Copy)]
 pub(crate) enum Check {
@@ -47,10 +44,15 @@ pub(crate) enum Check {
     Device(fn(&Device, &mut Findings)),
     /// The same with the objects that are disabled, which no other rule sees.
     Described(fn(&Device, &mut Findings)),
-    /// Each object with its index, including those without their own section ([`Object::orphan`]).
-    Object(fn(&Device, u16, &Object, &mut Findings)),
-    /// Each described entry, also of modules: the section of an object, or a sub-index.
-    Entry(EntryCheck),
+    /// Each object with its index, including those without their own section ([`Object::orphan`]). It alone decides, so nothing is
+    /// checked again while it is the same.
+    Object(fn(u16, &Object, &mut Findings)),
+    /// The same for a check that also looks at the device.
+    ObjectOf(fn(&Device, u16, &Object, &mut Findings)),
+    /// Each described entry, also of modules: the section of an object, or a sub-index. Its object alone decides.
+    Entry(fn(&EntryAt<'_>, &mut Findings)),
+    /// The same for a check that also looks at the device.
+    EntryOf(fn(&Device, &EntryAt<'_>, &mut Findings)),
     /// The communication as a whole.
     Facts(fn(&Facts<'_>, &mut Findings)),
     /// Each PDO with at least one described object.
@@ -74,7 +76,6 @@ pub(crate) enum Check {
 /// An entry with its position.
 #[derive(Clone, Copy)]
 pub(crate) struct EntryAt<'a> {
-    pub device: &'a Device,
     pub origin: EntryOwner,
     pub index: u16,
     /// The object of the entry; for an extension, an object with only this entry.

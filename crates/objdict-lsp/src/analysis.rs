@@ -8,7 +8,7 @@ use objdict_format::identify::{ContentKind, identify_source};
 use objdict_format::input::{FileKind, Reading};
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format, ReadError};
-use objdict_lint::Options;
+use objdict_lint::{KnownObjects, Options};
 use objdict_model::diagnostic::Findings;
 use objdict_model::source::{CONFIG_FILE, Encoding, MAX_TOML_SIZE, SourceFile, SourceOptions, Span};
 use objdict_network_file::{NetworkFile, PathOptions};
@@ -40,6 +40,8 @@ pub(super) struct Analysis {
     /// Errors that are not findings of rules: why the file cannot be read.
     pub(super) errors: Vec<ReadProblem>,
     pub(super) options: Options,
+    /// What the rules about single objects found, for the next edit.
+    known: KnownObjects,
     /// The configuration that holds for the file.
     project: Option<Arc<Project>>,
 }
@@ -78,6 +80,12 @@ impl Analysis {
         }
     }
 
+    /// How many objects the rules about single objects had to look at.
+    #[cfg(test)]
+    pub(super) fn checked_objects(&self) -> usize {
+        self.known.checked()
+    }
+
     /// What a function makes of each device of the file and its findings; of another file, of all of it.
     pub(super) fn map_subjects<T>(&self, mut make: impl FnMut(Subject<'_>, &Findings) -> T) -> Vec<T> {
         let mut findings = self.findings.iter();
@@ -94,7 +102,7 @@ impl Analysis {
         let encoding = Some(source.encoding()).filter(|encoding| *encoding != Encoding::Utf8);
         let bytes = encoding.and_then(|encoding| encoding.encode(text).ok());
         let bytes = bytes.unwrap_or_else(|| text.as_bytes().to_vec());
-        analyse(Path::new(source.name()), bytes, encoding, self.project.clone())
+        analyse(Path::new(source.name()), bytes, encoding, self.project.clone(), Some(self))
     }
 
     /// What a check finds in another text of the description.
@@ -103,18 +111,26 @@ impl Analysis {
     }
 
     fn of(content: FileContent, findings: Findings, options: Options) -> Self {
-        Self { content, findings: vec![findings], errors: Vec::new(), options, project: None }
+        Self {
+            content,
+            findings: vec![findings],
+            errors: Vec::new(),
+            options,
+            known: KnownObjects::default(),
+            project: None,
+        }
     }
 }
 
-/// Reads and checks a file.
+/// Reads and checks a file, from what was found in another text of it.
 pub(super) fn analyse(
     path: &Path,
     bytes: Vec<u8>,
     encoding: Option<Encoding>,
     project: Option<Arc<Project>>,
+    before: Option<&Analysis>,
 ) -> Analysis {
-    let analysis = read_and_checked(path, bytes, encoding, project.as_deref());
+    let analysis = read_and_checked(path, bytes, encoding, project.as_deref(), before);
     Analysis { project, ..analysis }
 }
 
@@ -123,6 +139,7 @@ fn read_and_checked(
     bytes: Vec<u8>,
     encoding: Option<Encoding>,
     project: Option<&Project>,
+    before: Option<&Analysis>,
 ) -> Analysis {
     let name = path.display().to_string();
     let options = options(path, project);
@@ -134,10 +151,15 @@ fn read_and_checked(
     }
     match reading.recognised(&name, bytes.clone()) {
         Ok((kind, text)) => match kind.format() {
-            Some(format) => match reading.described(text, format) {
-                Ok(description) => of_description(path, description, options),
-                Err(error) => of_error(&error, source(&name, bytes, encoding), options),
-            },
+            Some(format) => {
+                match reading.described_after(text, format, before.and_then(Analysis::description)) {
+                    Ok(description) => {
+                        let known = before.map(|before| before.known.clone()).unwrap_or_default();
+                        of_description(path, description, options, known)
+                    }
+                    Err(error) => of_error(&error, source(&name, bytes, encoding), options),
+                }
+            }
             None => of_other(path, source(&name, bytes, encoding), &reading, options),
         },
         Err(ReadError::Foreign { .. }) if is_other(path) => {
@@ -175,11 +197,16 @@ fn source(name: &str, bytes: Vec<u8>, encoding: Option<Encoding>) -> SourceFile 
     SourceFile::from_bytes(name, bytes, &options).unwrap_or_else(|_| SourceFile::from_text(name, ""))
 }
 
-fn of_description(path: &Path, description: Description, options: Options) -> Analysis {
+fn of_description(
+    path: &Path,
+    description: Description,
+    options: Options,
+    mut known: KnownObjects,
+) -> Analysis {
     let description = with_origin_beside(path, description, &SourceOptions::default());
-    let findings = workspace::findings(&description, &options);
+    let findings = workspace::findings_after(&description, &options, &mut known);
     let content = FileContent::Description(Box::new(description));
-    Analysis { findings, ..Analysis::of(content, Findings::new(), options) }
+    Analysis { findings, known, ..Analysis::of(content, Findings::new(), options) }
 }
 
 fn of_error(error: &ReadError, source: SourceFile, options: Options) -> Analysis {

@@ -1,9 +1,8 @@
 //! `objdict lsp`: a language server for descriptions, networks and what belongs to them.
 //!
-//! No result is updated in place, so tests can compare its findings with those of a check.
-//!
-//! The text is the truth: each change brings the whole text of a file, which is read and checked again. Answers are made of what
-//! the readers of the library give: places of the model and spans of the text.
+//! The text is the truth: what is found after an edit is what a check of the whole text finds, and tests compare the two. Objects of
+//! an EDS or DCF of which no section changed are neither read nor checked again by the rules that look at nothing else; all else is.
+//! Answers are made of what the readers of the library give: places of the model and spans of the text.
 
 mod actions;
 mod analysis;

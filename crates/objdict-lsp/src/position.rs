@@ -1,5 +1,7 @@
 //! Lines and columns as editors count them: from 0, in units of UTF-16 or UTF-8.
 
+use std::borrow::Cow;
+
 use super::protocol::{ContentChange, Position, Range, TextEdit};
 use objdict_model::source::{LineIndex, SourceFile, Span};
 
@@ -91,13 +93,14 @@ impl<'a> Positions<'a> {
     }
 }
 
-/// Makes a change that an editor sends: of a range, or of the whole text.
-pub(super) fn apply(text: &mut String, change: ContentChange, unit: ColumnUnit) {
+/// Makes a change that an editor sends: of a range, or of the whole text, whose lines may be known.
+pub(super) fn apply(text: &mut String, lines: Option<&LineIndex>, change: ContentChange, unit: ColumnUnit) {
     let Some(range) = change.range else {
         *text = change.text;
         return;
     };
-    let span = Positions { text, lines: &LineIndex::new(text), unit }.span(range);
+    let lines = lines.map_or_else(|| Cow::Owned(LineIndex::new(text)), Cow::Borrowed);
+    let span = Positions { text, lines: &lines, unit }.span(range);
     text.replace_range(span.start as usize..span.end as usize, &change.text);
 }
 

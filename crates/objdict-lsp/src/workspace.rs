@@ -86,6 +86,8 @@ pub(super) struct EditorWorkspace {
     /// What is asked of the client next.
     pub(super) requests: Vec<Request>,
     analyses: BTreeMap<PathBuf, Derived<Analysis>>,
+    /// What was found in the open files before the edits since.
+    before: BTreeMap<PathBuf, Rc<Analysis>>,
     /// The configurations by the folders that they hold in.
     projects: BTreeMap<PathBuf, Derived<Option<Arc<Project>>>>,
 }
@@ -102,9 +104,15 @@ impl EditorWorkspace {
     /// Makes changes of an open file, each in the text that the one before leaves.
     pub(super) fn change(&mut self, uri: &str, version: i32, changes: Vec<ContentChange>) {
         let Some(path) = path_of(uri) else { return };
+        let known = self.analyses.remove(&path).map(|known| known.value);
         if let Some(buffer) = self.texts.borrow_mut().get_mut(&path) {
+            let source = known.as_ref().map(|known| known.subject().source());
+            let mut lines = source.filter(|source| source.text() == buffer.text).map(SourceFile::lines);
             buffer.version = version;
-            changes.into_iter().for_each(|change| apply(&mut buffer.text, change, self.unit));
+            changes.into_iter().for_each(|change| apply(&mut buffer.text, lines.take(), change, self.unit));
+        }
+        if let Some(known) = known {
+            self.before.insert(path.clone(), known);
         }
         self.forget(&path);
     }
@@ -114,6 +122,7 @@ impl EditorWorkspace {
         self.texts.borrow_mut().remove(&path);
         self.forget(&path);
         self.analyses.remove(&path);
+        self.before.remove(&path);
     }
 
     /// Drops what depends on a file.
@@ -141,10 +150,11 @@ impl EditorWorkspace {
             return Some(Rc::clone(&known.value));
         }
         let project = self.project(path);
+        let before = self.before.remove(path);
         let (analysis, mut files) = self.recorded(|| {
             let bytes = source::read(path, source::DEFAULT_MAX_SIZE).ok()?;
             let encoding = self.texts.borrow().get(path).and_then(|buffer| buffer.encoding);
-            let mut analysis = analyse(path, bytes, encoding, project.0.clone());
+            let mut analysis = analyse(path, bytes, encoding, project.0.clone(), before.as_deref());
             if let Some(baseline) = &self.baseline {
                 baseline::sift(baseline, &mut analysis);
             }
@@ -283,4 +293,30 @@ pub(super) fn is_description(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let ending = name.rsplit('.').next().unwrap_or_default();
     matches!(ending, "eds" | "dcf" | "xdd" | "xdc") || name.ends_with("device.toml")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::protocol::{Position, Range};
+    use super::*;
+
+    #[test]
+    fn an_edit_is_read_and_checked_from_what_was_found_before() {
+        let (uri, mut workspace) = ("file:///nowhere/a.eds", EditorWorkspace::default());
+        let text: String = (0x2000..0x2010).map(|index| format!("[{index:X}]\nParameterName=a\n")).collect();
+        workspace.open(uri.to_owned(), 0, text);
+        let path = path_of(uri).unwrap();
+        let before = workspace.analysis(&path).unwrap();
+        assert_eq!(before.checked_objects(), 16);
+        // also with another edit before the findings are asked for
+        for line in [7, 9] {
+            let place = Position::new(line, 14);
+            let change = ContentChange { range: Some(Range::new(place, place)), text: "b".to_owned() };
+            workspace.change(uri, 1, vec![change]);
+        }
+        let after = workspace.analysis(&path).unwrap();
+        assert_eq!(after.checked_objects(), 2);
+        let [before, after] = [&before, &after].map(|one| &one.description().unwrap().described().objects);
+        assert_eq!(after.keys().filter(|index| !after.shares(before, index)).count(), 2);
+    }
 }

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use objdict_format::Description;
-use objdict_lint::{Options, Severities};
+use objdict_lint::{KnownObjects, Options, Severities};
 use objdict_model::diagnostic::{Findings, Severity, Tool};
 use objdict_model::source::SourceError;
 use objdict_profile::Profile;
 
-use crate::check::check_with;
+use crate::check::{check_after, check_with};
 pub use crate::check::{of_devices, with_origin_beside};
 use crate::config::{Config, Project};
 
@@ -152,6 +152,19 @@ impl Workspace {
 /// The findings of each device of a file; of a variant those that the file does not have without it.
 pub fn findings(description: &Description, options: &Options) -> Vec<Findings> {
     of_devices(description, |device| check_with(device, options))
+}
+
+/// The same from what is known of the objects of a description before an edit; what is known now takes its place.
+#[doc(hidden)] // for the language server
+pub fn findings_after(
+    description: &Description,
+    options: &Options,
+    known: &mut KnownObjects,
+) -> Vec<Findings> {
+    match description.document() {
+        Some(_) => vec![check_after(description, options, known)],
+        None => findings(description, options),
+    }
 }
 
 /// The same with the configuration of its file; one that cannot be read is reported by who reads the patches in it.

@@ -1,5 +1,6 @@
 //! The language server: an editor in this process opens files, changes them and asks.
 
+mod again;
 mod allowed;
 pub(crate) mod client;
 mod findings;

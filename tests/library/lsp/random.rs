@@ -41,9 +41,60 @@ const WORDS: [&str; 16] = [
 ];
 
 /// Numbers that are the same in each run.
-struct Numbers(u64);
+pub(super) struct Numbers(u64);
+
+/// Lines that change how others are read.
+const LINES: [&str; 8] = [
+    "; objdict-embed: /objects/0x1018/name=1",
+    ";StorageLocation=RAM",
+    ";CO_disabled=true",
+    "[DeviceComissioning]",
+    "[2000Value]",
+    "<<<<<<< ours",
+    "ObjectType=0x8",
+    "[1018sub1]",
+];
 
 impl Numbers {
+    pub(super) const fn new(start: u64) -> Self {
+        Self(start)
+    }
+
+    /// The text with one of its lines, or all lines of a section, changed, removed, repeated or moved.
+    pub(super) fn edit_of_lines(&mut self, text: &str) -> String {
+        let mut lines: Vec<String> = text.split_inclusive('\n').map(str::to_owned).collect();
+        let at = self.below(lines.len());
+        let to = self.below(lines.len());
+        let is_header = |line: &&String| line.starts_with('[');
+        let section = |lines: &[String], at: usize| {
+            let start = at - lines[..=at].iter().rev().position(|line| is_header(&line)).unwrap_or(at);
+            let length = lines[at + 1..].iter().position(|line| is_header(&line));
+            (start, length.map_or(lines.len(), |length| at + 1 + length))
+        };
+        match self.below(9) {
+            _ if lines.is_empty() => lines.push("[1000]\r\n".to_owned()),
+            0 => lines[at] = format!("{}\r\n", LINES[self.below(LINES.len())]),
+            1 => lines.insert(at, format!("{}\n", LINES[self.below(LINES.len())])),
+            2 => _ = lines.remove(at),
+            3 => lines.insert(to, lines[at].clone()),
+            4 => lines.swap(at, to),
+            5 => lines[at] = lines[at].replace("\r\n", ["\n", "\r", ""][self.below(3)]),
+            6 => {
+                let (start, end) = section(&lines, at);
+                let copied = lines[start..end].to_vec();
+                let (to, _) = section(&lines, to);
+                lines.splice(to..to, copied);
+            }
+            7 => _ = lines.drain(at.min(to)..at.max(to).min(at.min(to) + 12)),
+            _ => {
+                let value = WORDS[self.below(WORDS.len())];
+                let key = lines[at].split('=').next().unwrap_or_default().trim_end().to_owned();
+                lines[at] = format!("{key}={value}\r\n");
+            }
+        }
+        lines.concat()
+    }
+
     fn below(&mut self, limit: usize) -> usize {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (self.0 >> 33) as usize % limit.max(1)
@@ -55,7 +106,7 @@ impl Numbers {
         (at..=text.len()).find(|&at| text.is_char_boundary(at)).unwrap()
     }
 
-    fn edit(&mut self, text: &str) -> String {
+    pub(super) fn edit(&mut self, text: &str) -> String {
         let start = self.place(text);
         let end = match self.below(3) {
             0 => start,
@@ -104,7 +155,7 @@ fn findings_are_those_of_a_check(ending: &str, original: &str) {
         if edit % 50 == 0 {
             text = original.to_owned();
         }
-        text = numbers.edit(&text);
+        text = if edit % 2 == 0 { numbers.edit(&text) } else { numbers.edit_of_lines(&text) };
         let found = client.change(&name, &text);
         if let Some(expected) = checked(&client.path(&name), &text) {
             assert_eq!(published(&found), expected, "{name}, edit {edit}:\n{text}");

@@ -5,7 +5,11 @@ use std::thread;
 use lsp_server::{Connection, Message, Notification, Request, Response};
 use serde_json::{Value, json};
 
-use objdict::format::Format;
+use objdict::diagnostic::Findings;
+use objdict::format::{self, Format};
+use objdict::lint::{KnownObjects, Options};
+use objdict::source::SourceFile;
+use objdict::workspace::{findings, findings_after};
 
 const FILE: &str = "file:///nowhere/fuzzed";
 
@@ -49,9 +53,37 @@ impl Numbers<'_> {
     }
 }
 
-/// Fails when the server ends early, or answers a request twice or never.
+/// Fails when what is read and found after an edit is not what a fresh start gives.
+fn edited(format: Format, text: &str, numbers: &mut Numbers<'_>) {
+    let source = |text: &str| SourceFile::from_text("fuzzed", text);
+    let shown = |found: &[Findings]| {
+        let found = found.iter().flatten();
+        let shown =
+            found.map(|one| format!("{} {} {:?} {:?}", one.rule.id, one.message, one.labels, one.fix));
+        shown.collect::<Vec<_>>()
+    };
+    let (mut text, mut known, options) = (text.to_owned(), KnownObjects::default(), Options::default());
+    let mut before = format::read(source(&text), format);
+    findings_after(&before, &options, &mut known);
+    for _ in 0..3 {
+        let place = |at: usize| (at..text.len()).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len());
+        let start = place(numbers.below(text.len()));
+        let end = place(start + numbers.below(100));
+        let copied = place(numbers.below(text.len()));
+        let new: String = text[copied..].chars().take(numbers.below(60)).collect();
+        text.replace_range(start..end, &new);
+        let fresh = format::read(source(&text), format);
+        before = format::read_after(source(&text), format, Some(&before));
+        assert!(before.described() == fresh.described(), "the device is the one that is read at once");
+        let found = findings_after(&before, &options, &mut known);
+        assert_eq!(shown(&found), shown(&findings(&fresh, &options)), "a check finds the same");
+    }
+}
+
+/// Fails when the server ends early, or answers a request twice or never, or an edit is read otherwise than the text after it.
 pub(super) fn run(format: Format, bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
+    edited(format, &text, &mut Numbers { state: bytes.len() as u64, bytes });
     let lines = text.matches('\n').count();
     let mut numbers = Numbers { state: bytes.len() as u64, bytes };
     let (client, server) = Connection::memory();

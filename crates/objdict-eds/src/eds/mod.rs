@@ -29,7 +29,7 @@ pub use fix::edits;
 pub use keys::{is_key, is_meaning_key};
 pub use locate::{SectionLocator, objects};
 pub use misspelt::is_key_of;
-pub use read::{comments, read};
+pub use read::{BeforeEdit, ReadDocument, SectionStarts, comments, read, read_after, read_first};
 pub use section::SectionName;
 #[cfg(feature = "write")]
 pub use style::Style;

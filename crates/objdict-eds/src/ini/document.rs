@@ -3,7 +3,7 @@
 //! Lines are not stored. Scanning again is fast enough for reading, printing and locating, and a file of a
 //! million lines needs no more memory than its text.
 
-use super::{Line, LineKind, Lines};
+use super::{EditedSpan, Line, LineKind, Lines};
 use crate::source::{SourceFile, Span};
 
 /// An INI file, well-formed or not: the text is the source, and lines and sections are views of it.
@@ -40,6 +40,22 @@ pub struct IniEntry {
     pub key: Span,
     /// The value, without surrounding blanks.
     pub value: Span,
+}
+
+impl Section {
+    /// The section of the lines up to the next header.
+    fn of(header: Option<Header>, lines: Lines<'_>) -> Self {
+        let mut section = Self { header, ..Self::default() };
+        for line in lines {
+            match line.kind {
+                LineKind::Section { .. } => break,
+                LineKind::Entry { key, value } => section.entries.push(IniEntry { key, value }),
+                LineKind::Comment => section.comments.push(line.span),
+                LineKind::Blank | LineKind::Junk => {}
+            }
+        }
+        section
+    }
 }
 
 impl Document {
@@ -99,16 +115,7 @@ impl Document {
         let mut lines = Lines::from(self.text(), offset);
         let first = lines.next()?;
         let LineKind::Section { name } = first.kind else { return None };
-        let mut section = Section { header: Some(Header { name, line: first.span }), ..Section::default() };
-        for line in lines {
-            match line.kind {
-                LineKind::Section { .. } => break,
-                LineKind::Entry { key, value } => section.entries.push(IniEntry { key, value }),
-                LineKind::Comment => section.comments.push(line.span),
-                LineKind::Blank | LineKind::Junk => {}
-            }
-        }
-        Some(section)
+        Some(Section::of(Some(Header { name, line: first.span }), lines))
     }
 
     /// The line that contains `offset`.
@@ -121,6 +128,19 @@ impl Document {
         };
         let start = memchr::memrchr2(b'\n', b'\r', before).map_or(0, |end| end + 1);
         Lines::from(self.text(), start as u32).next()
+    }
+
+    /// The entries before the first header.
+    pub(crate) fn headless(&self) -> Section {
+        Section::of(None, self.lines())
+    }
+
+    /// The lines that an edit may have changed: the first one contains the byte before the edit, because a line feed behind a carriage
+    /// return is part of its line end, and the line behind the last one starts behind the edit.
+    pub(crate) fn changed_lines(&self, edited: EditedSpan) -> impl Iterator<Item = Line> {
+        let first = self.line_at(edited.start.saturating_sub(2));
+        let start = first.map_or(edited.start, |line| line.span.start);
+        Lines::from(self.text(), start).take_while(move |line| line.span.start <= edited.new_end)
     }
 
     /// Calls `visit` for each section in order, and `other` for each line that is neither header nor entry.

@@ -3,12 +3,14 @@
 
 mod document;
 mod edit;
+mod edited;
 pub mod findings;
 mod scan;
 mod tidy;
 
 pub use document::{Document, Header, IniEntry, Section};
 pub use edit::IniEditor;
+pub use edited::EditedSpan;
 pub(crate) use scan::headers;
 pub use scan::{Line, LineKind, Lines};
 pub(crate) use tidy::tidy;

@@ -2,11 +2,11 @@
 
 use std::sync::OnceLock;
 
-use crate::text::{DescriptionText, NodeOfType, ReadText, TextEdits, restored};
-use objdict_eds::eds::{self, SectionLocator};
-use objdict_eds::ini::{self, Document};
+use crate::text::{DescriptionText, LinesBefore, NodeOfType, ReadText, TextEdits, restored};
+use objdict_eds::eds::{self, SectionLocator, SectionStarts};
+use objdict_eds::ini::{self, Document, EditedSpan};
 use objdict_model::diagnostic::{Change, Findings};
-use objdict_model::model::{Device, DeviceKind, Place};
+use objdict_model::model::{Device, DeviceKind, Objects, Place};
 use objdict_model::source::{EditError, SourceFile, Span};
 
 /// Lines with what finds places in them, which is made when it is asked for.
@@ -14,13 +14,34 @@ use objdict_model::source::{EditError, SourceFile, Span};
 struct IniText {
     document: Document,
     locator: OnceLock<SectionLocator>,
+    /// What is found in the lines.
+    findings: OnceLock<Findings>,
+    /// The objects that need not be read again while their sections stay the same.
+    plain: Objects,
+    /// Where its sections start, for the next edit.
+    starts: OnceLock<SectionStarts>,
 }
 
-/// Reads lines.
-pub(super) fn read(source: SourceFile, kind: DeviceKind) -> ReadText {
+/// Reads lines, from what was read of them before an edit.
+pub(super) fn read(source: SourceFile, kind: DeviceKind, before: Option<LinesBefore<'_>>) -> ReadText {
     let document = Document::new(source);
-    let (device, findings) = restored(eds::read(&document, kind));
-    (Box::new(IniText { document, locator: OnceLock::new() }), device, findings)
+    let (findings, starts) = (OnceLock::new(), OnceLock::new());
+    let read = match before {
+        None => eds::read_first(&document, kind),
+        Some(LinesBefore { document: old, plain, sections, is_clean }) => {
+            let edited = EditedSpan::of(old.text(), document.text());
+            if is_clean && ini::findings::lines::stays_clean(&document, old, edited) {
+                findings.get_or_init(Findings::new);
+            }
+            let (read, sections) =
+                eds::read_after(&document, kind, &eds::BeforeEdit { plain, sections, edited });
+            starts.get_or_init(|| sections);
+            read
+        }
+    };
+    let text = IniText { document, locator: OnceLock::new(), findings, plain: read.plain, starts };
+    let (device, findings) = restored((read.device, read.findings));
+    (Box::new(text), device, findings)
 }
 
 impl IniText {
@@ -51,9 +72,18 @@ impl DescriptionText for IniText {
     }
 
     fn findings(&self) -> Findings {
-        let mut findings = Findings::new();
-        ini::findings::lines::check(&self.document, &mut findings);
-        findings
+        let found = self.findings.get_or_init(|| {
+            let mut findings = Findings::new();
+            ini::findings::lines::check(&self.document, &mut findings);
+            findings
+        });
+        found.clone()
+    }
+
+    fn read_lines(&self) -> Option<LinesBefore<'_>> {
+        let is_clean = self.findings.get().is_some_and(Findings::is_empty);
+        let sections = self.starts.get_or_init(|| SectionStarts::of(&self.document));
+        Some(LinesBefore { document: &self.document, plain: &self.plain, sections, is_clean })
     }
 
     fn edits(&self, device: &Device, changes: &[Change]) -> Option<TextEdits> {

@@ -47,14 +47,14 @@ pub fn stated_name(name: &str) -> String {
 }
 
 impl Description {
-    pub(super) fn read(source: SourceFile, format: Format) -> Self {
+    pub(super) fn read(source: SourceFile, format: Format, before: Option<&Self>) -> Self {
         let read = match format.syntax() {
             #[cfg(feature = "xdd")]
             super::Syntax::Xml => xml::read(source, format.kind()),
             #[cfg(feature = "full")]
             super::Syntax::Toml => super::device_toml::document::read(source),
             // a build without XDD finds nothing but junk in one
-            _ => ini::read(source, format.kind()),
+            _ => ini::read(source, format.kind(), before.and_then(|before| before.text.read_lines())),
         };
         let mut read = Self::of(format, 0, read);
         // a source keeps the name of the description that is made of it
@@ -80,7 +80,7 @@ impl Description {
 
     /// The same file with other bytes; `None` where they are no text, or describe fewer devices.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Option<Self> {
-        Self::read(self.source().with_bytes(bytes).ok()?, self.format).select(self.number)
+        Self::read(self.source().with_bytes(bytes).ok()?, self.format, None).select(self.number)
     }
 
     /// How many devices the file describes. A network of CANopenEditor (`.nxdd`, `.nxdc`) describes several, and this is

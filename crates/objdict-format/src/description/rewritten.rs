@@ -101,7 +101,7 @@ impl Description {
             return Err(EditError::ReadOnly(source.name().to_owned()));
         }
         let is_same = |text: &String| {
-            let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format);
+            let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format, None);
             // a network has several devices
             (0..self.device_count())
                 .all(|number| are_equal(&self.device_at(number), &again.device_at(number)))

@@ -166,7 +166,21 @@ impl Reading {
     /// # Errors
     /// When there is no such variant.
     pub fn described(&self, source: SourceFile, format: Format) -> Result<Description, ReadError> {
-        let description = super::read(source, format);
+        self.described_after(source, format, None)
+    }
+
+    /// As [`described`](Self::described), from the description of another text of the file, see [`read_after`](super::read_after).
+    ///
+    /// # Errors
+    /// When there is no such variant.
+    #[doc(hidden)] // for the language server
+    pub fn described_after(
+        &self,
+        source: SourceFile,
+        format: Format,
+        before: Option<&Description>,
+    ) -> Result<Description, ReadError> {
+        let description = super::read_after(source, format, before);
         let description = match &self.variant {
             Some(variant) => {
                 let (name, variant) = (description.source().name().to_owned(), variant.clone());

@@ -33,6 +33,13 @@ impl Objects {
         self.0.get(index).map(|object| &**object)
     }
 
+    /// Whether these and others share the object at an index, so that it is the same without a comparison.
+    #[doc(hidden)] // for the crates that read and check again after an edit
+    pub fn shares(&self, others: &Self, index: &u16) -> bool {
+        let (one, other) = (self.0.get(index), others.0.get(index));
+        one.zip(other).is_some_and(|(one, other)| Arc::ptr_eq(one, other))
+    }
+
     /// The object at an index, to change it.
     pub fn get_mut(&mut self, index: &u16) -> Option<&mut Object> {
         self.0.get_mut(index).map(Arc::make_mut)

@@ -101,13 +101,22 @@ impl LineIndex {
 fn line_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     let here = bytes.get(start..end).unwrap_or_default();
     let behind = bytes.get(start + 1..).unwrap_or_default();
-    let lf = here.iter().fold(0u8, |count, byte| count.wrapping_add(u8::from(*byte == b'\n')));
-    let cr = here.iter().fold(0u8, |count, byte| count.wrapping_add(u8::from(*byte == b'\r')));
+    let (lf, cr) = match here.first_chunk::<BLOCK>() {
+        // of a known length, which the compiler counts a vector at a time
+        Some(block) => (count(block, b'\n'), count(block, b'\r')),
+        None => (count(here, b'\n'), count(here, b'\r')),
+    };
     if cr == 0 {
         return u32::from(lf);
     }
     let followed = here.iter().zip(behind).filter(|pair| matches!(pair, (b'\r', b'\n'))).count() as u32;
     u32::from(lf) + u32::from(cr) - followed
+}
+
+/// How often a byte is in a block.
+#[inline(always)]
+fn count(block: &[u8], wanted: u8) -> u8 {
+    block.iter().fold(0, |count, byte| count + u8::from(*byte == wanted))
 }
 
 /// The start of the next line after `at`.

@@ -15,9 +15,9 @@ use crate::compat;
 use objdict_eds::eds;
 use objdict_format::{Description, Format, Syntax};
 use objdict_lint as lint;
-use objdict_lint::Options;
+use objdict_lint::{KnownObjects, Options};
 use objdict_model::diagnostic::{Diagnostic, Findings, Reach};
-use objdict_model::model::OBJDICTGEN_SECTION;
+use objdict_model::model::{Device, OBJDICTGEN_SECTION};
 
 pub use self::comments::insertion;
 pub use self::origin::{last_eds, with_origin_beside};
@@ -30,7 +30,19 @@ pub fn check(description: &Description) -> Findings {
 
 /// As [`check`], with options.
 pub fn check_with(description: &Description, options: &Options) -> Findings {
-    let mut findings = check_unordered(description, options);
+    in_order(description, unordered(description, options, None))
+}
+
+/// As [`check_with`], from what is known of the objects before an edit.
+pub(crate) fn check_after(
+    description: &Description,
+    options: &Options,
+    known: &mut KnownObjects,
+) -> Findings {
+    in_order(description, unordered(description, options, Some(known)))
+}
+
+fn in_order(description: &Description, mut findings: Findings) -> Findings {
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         (!finding.is_key_error(), start, finding.rule.id)
@@ -40,6 +52,14 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
 
 /// As [`check_with`], in any order: to count findings, since most of the time that an order takes goes into finding their lines.
 pub fn check_unordered(description: &Description, options: &Options) -> Findings {
+    unordered(description, options, None)
+}
+
+fn unordered(description: &Description, options: &Options, known: Option<&mut KnownObjects>) -> Findings {
+    let check = |device: &Device, options: &Options| match known {
+        Some(known) => lint::check_after(device, options, known),
+        None => lint::check(device, options),
+    };
     let is_xml = description.format().syntax() == Syntax::Xml;
     let mut findings = description.findings().clone();
     findings.append(description.text_findings());
@@ -47,14 +67,14 @@ pub fn check_unordered(description: &Description, options: &Options) -> Findings
     if options.tools.is_empty() || is_xml {
         // the rules about other tools cover only the text formats of CiA 306
         let options = Options { tools: Vec::new(), ..options.clone() };
-        findings.append(lint::check(description.described(), &options));
+        findings.append(check(description.described(), &options));
         if !is_xml {
             findings = compat::without_readers(findings, description);
         }
     } else {
         let seen = description.seen_by_others();
         let device = seen.as_ref().unwrap_or_else(|| description.described());
-        findings.append(lint::check(device, options));
+        findings.append(check(device, options));
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }

@@ -1,7 +1,7 @@
 //! Decoded frames in words, those of LSS (CiA 305) too.
 
 use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
-use super::signals::{self, Multiplexer, PdoContent, PdoSignal};
+use super::signals::{self, Multiplexer, PdoSignal};
 use super::talker::{MISSING, TalkingNode, named, other_length, raw_bytes};
 use super::{FrameReader, nmt_state};
 use crate::describe::{Decoder, time};
@@ -82,7 +82,7 @@ impl FrameReader<'_> {
             ([], _) => raw_bytes(frame.data),
             (values, None) => values.join(", "),
         };
-        let expected = content.and_then(PdoContent::bytes);
+        let expected = self.mapped_bytes(decoded, frame);
         let other =
             expected.and_then(|expected| other_length(frame.data.len(), expected)).unwrap_or_default();
         let mark = self.missing_mark(decoded);

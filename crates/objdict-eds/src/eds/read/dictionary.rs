@@ -34,9 +34,13 @@ impl DictionaryReader {
         &mut self.objects[at].1
     }
 
-    /// All objects, by index.
-    pub(super) fn into_objects(self) -> Objects {
-        self.objects.into_iter().collect()
+    /// All objects, by index, with `others`.
+    pub(super) fn into_objects(self, mut others: Objects) -> Objects {
+        if others.is_empty() {
+            return self.objects.into_iter().collect();
+        }
+        others.extend(self.objects);
+        others
     }
 
     fn position(&mut self, index: u16) -> Option<usize> {
@@ -78,7 +82,10 @@ mod tests {
             dictionary.get_or_insert(index).links.push(index);
         }
         assert!(dictionary.get_mut(0x1001).is_none());
-        let times = dictionary.into_objects().into_iter().map(|(index, object)| (index, object.links.len()));
+        let times = dictionary
+            .into_objects(Objects::default())
+            .into_iter()
+            .map(|(index, object)| (index, object.links.len()));
         assert_eq!(times.collect::<Vec<_>>(), [(0, 2), (0x1000, 2), (0x2000, 3), (0xFFFF, 1)]);
     }
 }

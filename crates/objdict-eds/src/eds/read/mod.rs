@@ -3,6 +3,7 @@
 //!
 //! If a key or section occurs twice, the first one is used; object lists are merged. Findings report both cases.
 
+mod again;
 mod compact;
 mod dictionary;
 mod directions;
@@ -13,23 +14,41 @@ mod lists;
 mod modules;
 mod objects;
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::hash::{BuildHasher, RandomState};
 
+pub use self::again::{BeforeEdit, SectionStarts};
 use self::dictionary::DictionaryReader;
 use self::items::Items;
 use super::findings::{self, DuplicateKind};
 use super::section::{NameSpelling, SectionName};
-use crate::diagnostic::Findings;
-use crate::ini::{self, Document, LineKind};
+use crate::diagnostic::{Findings, MAX_PER_RULE};
+use crate::ini::{self, Document, Header, LineKind};
 use crate::model::{
-    Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry, Extra, ExtraSection, Part, Place,
+    Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry, Extra, ExtraSection, Objects, Part, Place,
 };
 use crate::source::Span;
 
 /// Reads a document as the description of a device type or, if `kind` requests it or there is a
 /// commissioning section, of a node.
 pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
+    let read = read_first(document, kind);
+    (read.device, read.findings)
+}
+
+/// What was read of a document.
+#[derive(Debug)]
+pub struct ReadDocument {
+    /// The device.
+    pub device: Device,
+    /// The findings of the reader.
+    pub findings: Findings,
+    /// The objects that nothing but their own sections describes, if nothing was found in these.
+    pub plain: Objects,
+}
+
+/// As [`read`], with what it takes to read the document again after an edit.
+pub fn read_first(document: &Document, kind: DeviceKind) -> ReadDocument {
     let mut reader = EdsReader::new(document.text());
     let mut embedded = Extra::default();
     document.visit(
@@ -41,7 +60,24 @@ pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
         },
     );
     reader.keep(EMBEDDED_SECTION, &embedded);
-    reader.finish(kind)
+    reader.finish(kind, Objects::default())
+}
+
+/// As [`read_first`], from what was read of the text before an edit: the objects that the edit left as they were are not read again.
+pub fn read_after(
+    document: &Document,
+    kind: DeviceKind,
+    before: &BeforeEdit<'_>,
+) -> (ReadDocument, SectionStarts) {
+    let (sections, unchanged) = again::unchanged(document, before);
+    if unchanged.is_empty() {
+        return (read_first(document, kind), sections);
+    }
+    let mut reader = EdsReader::new(document.text());
+    reader.section(&document.headless());
+    let changed = sections.without(&unchanged).filter_map(|start| document.section_at(start));
+    changed.for_each(|section| reader.section(&section));
+    (reader.finish(kind, unchanged), sections)
 }
 
 /// The datum in a comment line that holds what the format has no place for.
@@ -68,6 +104,8 @@ struct EdsReader<'a> {
     /// The objects of the device.
     objects: DictionaryReader,
     findings: Findings,
+    /// The objects of which something was found, or more than their own sections say what they are.
+    odd: BTreeSet<u16>,
     /// The parts found so far, except objects and their entries, which are in the dictionary.
     seen: HashSet<Part>,
     /// Sections that can only be read once their objects are known, which may be defined later.
@@ -86,6 +124,7 @@ impl<'a> EdsReader<'a> {
             device: Device::default(),
             objects: DictionaryReader::new(),
             findings: Findings::new(),
+            odd: BTreeSet::new(),
             seen: HashSet::new(),
             compact: Vec::new(),
             misspelt: Vec::new(),
@@ -100,6 +139,15 @@ impl<'a> EdsReader<'a> {
         };
         let text = header.name.of(self.text);
         let name = SectionName::parse(text);
+        let (object, found) = (name.part.object(), self.findings.len());
+        let is_plain = matches!(name.part, Part::Object(_) | Part::Entry(..));
+        self.named_section(name, text, header, section);
+        if !is_plain || self.findings.len() > found {
+            self.odd.extend(object);
+        }
+    }
+
+    fn named_section(&mut self, name: SectionName, text: &str, header: Header, section: &ini::Section) {
         if name.spelling == NameSpelling::Misspelt {
             return self.misspelt.push((name.part, section.clone()));
         }
@@ -208,16 +256,20 @@ impl<'a> EdsReader<'a> {
         }
     }
 
-    fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
+    fn finish(mut self, kind: DeviceKind, unchanged: Objects) -> ReadDocument {
         self.misspelt_sections();
         self.apply_compact();
-        self.device.objects = self.objects.into_objects();
+        self.device.objects = self.objects.into_objects(unchanged);
+        let mut plain = self.device.objects.clone();
+        // with more findings, later ones are only counted
+        let is_known = self.findings.len() < MAX_PER_RULE as usize;
+        plain.retain(|index, _| is_known && !self.odd.contains(index));
         self.device.extra.shrink_to_fit();
         directions::unite(&mut self.device, &mut self.findings);
         self.device.kind = match self.device.commissioning {
             Some(_) => DeviceKind::Node,
             None => kind,
         };
-        (self.device, self.findings)
+        ReadDocument { device: self.device, findings: self.findings, plain }
     }
 }

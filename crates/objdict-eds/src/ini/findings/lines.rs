@@ -6,7 +6,7 @@ use super::{
     TEXT_AFTER_SECTION, UNCLOSED_SECTION,
 };
 use crate::diagnostic::{Change, Diagnostic, Findings, Fix, Severity, Tidy, counted, say};
-use crate::ini::{Document, Line, LineKind};
+use crate::ini::{Document, EditedSpan, Line, LineKind};
 use crate::source::{Encoding, Span};
 
 /// The maximum length of a line in characters, without its line end.
@@ -15,21 +15,36 @@ const MAX_LINE: usize = 255;
 /// Adds the findings about the lines of `document`.
 pub fn check(document: &Document, findings: &mut Findings) {
     check_characters(document, findings);
-    let mut lines = LineCheck {
-        text: document.text(),
-        first_section: None,
-        line_end: None,
-        mixed: None,
-        lone_cr: false,
-        comment: None,
-        blank: None,
-        findings,
-    };
+    let mut lines = LineCheck::new(document.text(), findings);
     let mut all = document.lines();
     while let Some(line) = all.advance() {
         lines.check(&line);
     }
     lines.finish();
+}
+
+/// Whether nothing is found, as in the document `before` an edit: only the lines of the edit are looked at. `false` decides nothing.
+pub fn stays_clean(document: &Document, before: &Document, edited: EditedSpan) -> bool {
+    let text = document.text();
+    let (first, section) = (document.lines().next(), document.headers().next());
+    let Some((first, section)) = first.zip(section) else { return false };
+    let mut changed = document.changed_lines(edited).peekable();
+    let is_behind = changed.peek().is_none_or(|line| line.span.start >= section.next.max(first.next));
+    if document.source().encoding() != before.source().encoding() || !is_behind {
+        return false;
+    }
+    let mut findings = Findings::new();
+    let mut lines = LineCheck::new(text, &mut findings);
+    (lines.first_section, lines.line_end) = (Some(section.span), Some(LineEnd::of(text, &first)));
+    for line in changed {
+        let bytes = line.span.of(text).as_bytes();
+        if !bytes.is_ascii() || bytes.iter().any(is_control) {
+            return false;
+        }
+        lines.check(&line);
+    }
+    lines.finish();
+    findings.is_empty()
 }
 
 fn check_characters(document: &Document, findings: &mut Findings) {
@@ -133,6 +148,21 @@ impl LineEnd {
 
 fn count(counter: &mut Option<(Span, u32)>, span: Span) {
     counter.get_or_insert((span, 0)).1 += 1;
+}
+
+impl<'a> LineCheck<'a> {
+    fn new(text: &'a str, findings: &'a mut Findings) -> Self {
+        Self {
+            text,
+            first_section: None,
+            line_end: None,
+            mixed: None,
+            lone_cr: false,
+            comment: None,
+            blank: None,
+            findings,
+        }
+    }
 }
 
 impl LineCheck<'_> {

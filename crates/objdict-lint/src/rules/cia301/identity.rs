@@ -60,7 +60,7 @@ rules! {
     remedy: "Describe the modules, or remove 1027h if the device is not modular.",
     source: "CiA 301 §7.5.2.30, CiA 306-1 §6.2",
 
-    "cia301/obsolete-object" = OBSOLETE_OBJECT, Note, Object(obsolete_object);
+    "cia301/obsolete-object" = OBSOLETE_OBJECT, Note, ObjectOf(obsolete_object);
     summary: "an object of an old edition of CiA 301",
     checks: "Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which are reserved since version 4 of CiA 301. The finding is a warning if 1004h contradicts the description: its upper half was the number of RPDOs, its lower half the number of TPDOs.",
     why: "The objects are harmless but unused: 1018h, 1200h and the PDO parameters provide the same information. A master that reads wrong numbers in 1004h expects other PDOs.",

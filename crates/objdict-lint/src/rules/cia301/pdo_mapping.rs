@@ -28,7 +28,7 @@ rules! {
     remedy: "Write 0 for a fixed mapping, 8 for a mapping of whole bytes, 1 for a mapping of single bits.",
     source: "CiA 306-1 §4.5",
 
-    "cia301/listed-entry-missing" = LISTED_ENTRY_MISSING, Error, Object(listed_entry_missing);
+    "cia301/listed-entry-missing" = LISTED_ENTRY_MISSING, Error, ObjectOf(listed_entry_missing);
     summary: "a list of multiplexed PDOs names an entry that does not exist",
     checks: "Whether each value of an object scanner list (1FA0h to 1FCFh) and the local entry of each value of an object dispatching list (1FD0h to 1FFFh) is described, with all sub-indexes of its block. Modular devices are not checked.",
     why: "The device cannot send the entry, and discards what it receives for it.",

@@ -22,7 +22,7 @@ rules! {
     remedy: "Write 0 to start with any SYNC, or a value up to that of 1019h.",
     source: "CiA 301 §7.5.2.22, §7.5.2.37",
 
-    "cia301/sync-object-without-sync" = SYNC_OBJECT_WITHOUT_SYNC, Warning, Object(sync_object_without_sync);
+    "cia301/sync-object-without-sync" = SYNC_OBJECT_WITHOUT_SYNC, Warning, ObjectOf(sync_object_without_sync);
     summary: "the device has a SYNC object but no COB-ID for SYNC",
     checks: "Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.",
     why: "Period, window and counter belong to a SYNC message that the device does not support.",

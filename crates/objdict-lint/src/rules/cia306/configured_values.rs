@@ -27,7 +27,7 @@ rules! {
     example: "`DownloadFile=program.bin` of an UNSIGNED32",
     remedy: "Remove the key, and write `ParameterValue` unless it is there or the entry is read-only; or correct the object type or access.",
 
-    "cia306/read-only-value" = READ_ONLY_VALUE, Warning, Entry(read_only_value), fix Unsafe;
+    "cia306/read-only-value" = READ_ONLY_VALUE, Warning, EntryOf(read_only_value), fix Unsafe;
     summary: "a DCF configures an entry that is not writable",
     checks: "Whether each `ParameterValue` that differs from the default belongs to a writable entry. For `ro` entries the finding is a note: a tool may have stored a value read from the node, as in the example of the standard. Sub-index 0 and the identity object are not checked.",
     why: "Tools cannot download the value to the node, although the author expects it.",
@@ -143,7 +143,7 @@ fn misplaced_file(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(MISPLACED_FILE.at(at.field(field), message).help(help));
 }
 
-fn read_only_value(at: &EntryAt<'_>, findings: &mut Findings) {
+fn read_only_value(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(value) = at.entry.configured_value() else { return };
     let severity = match at.entry.access {
         Some(Access::Const) => Severity::Warning,
@@ -151,13 +151,13 @@ fn read_only_value(at: &EntryAt<'_>, findings: &mut Findings) {
         _ => return,
     };
     let Some(default) = at.entry.default.as_ref().filter(|default| *default != value) else { return };
-    let [node_id, _] = stated::node_ids(at.device);
+    let [node_id, _] = stated::node_ids(device);
     let same = stated::compare(value, default, node_id) == Some(Ordering::Equal);
     if same
         || at.index == 0x1018
         || at.sub == Some(0)
         || !at.holds_value()
-        || at.device.kind != DeviceKind::Node
+        || device.kind != DeviceKind::Node
     {
         return;
     }
@@ -174,7 +174,7 @@ fn read_only_value(at: &EntryAt<'_>, findings: &mut Findings) {
         .label(at.field(Field::AccessType), "not writable");
     let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
     // the access type that the standard defines is right, so the default may be wrong
-    let is_fixed = profile::access(at.device, at.index, at.sub).is_some_and(|access| !access.is_writable());
+    let is_fixed = profile::access(device, at.index, at.sub).is_some_and(|access| !access.is_writable());
     findings.push(finding.fix(fix).help(match value {
         Value::Unsigned(number) if is_fixed => {
             let digits =

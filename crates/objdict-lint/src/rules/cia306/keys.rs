@@ -33,7 +33,7 @@ rules! {
     source: "CiA 306-1 §4.6.3.3",
 
     "cia306/missing-key" = MISSING_KEY, Error,
-        Entry(missing_key), fix Mixed, stops "*" at [DataType, AccessType];
+        EntryOf(missing_key), fix Mixed, stops "*" at [DataType, AccessType];
     summary: "a key required by the object type is missing",
     checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
     why: "Without data type and access, the value cannot be read or written. Tools guess differently or refuse the file.",
@@ -49,7 +49,7 @@ rules! {
     remedy: "Write the name from the standard or the manual.",
     source: "CiA 306-1 §4.6.3.2",
 
-    "cia306/unsupported-key" = UNSUPPORTED_KEY, Warning, Entry(unsupported_key), fix Mixed;
+    "cia306/unsupported-key" = UNSUPPORTED_KEY, Warning, EntryOf(unsupported_key), fix Mixed;
     summary: "the object type does not support a key",
     checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, or a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error. CiA 311 allows `dataType` and `accessType` for every object.",
     why: "The key describes a value that does not exist. The object type may be wrong, or the key is in the wrong section.",
@@ -58,7 +58,7 @@ rules! {
     source: "CiA 306-1 §4.6.3.2, obligation table",
 }
 
-fn command_without_flag(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn command_without_flag(index: u16, object: &Object, findings: &mut Findings) {
     let command = match index {
         0x1010 => "stores parameters",
         0x1011 => "restores default parameters",
@@ -104,7 +104,7 @@ fn unguarded_entries(index: u16, object: &Object) -> Vec<(Place, u32)> {
     places
 }
 
-fn duplicate_name(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn duplicate_name(index: u16, object: &Object, findings: &mut Findings) {
     let Some((first, second)) = Some(object).filter(|_| index >= 0x2000).and_then(repeated_name) else {
         return;
     };
@@ -152,20 +152,20 @@ fn invalid_object_flags(at: &EntryAt<'_>, findings: &mut Findings) {
     });
 }
 
-fn missing_key(at: &EntryAt<'_>, findings: &mut Findings) {
+fn missing_key(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     match at.object_type() {
-        Some(ObjectType::Var | ObjectType::DefType) => check_value_keys(at, "VAR", findings),
+        Some(ObjectType::Var | ObjectType::DefType) => check_value_keys(device, at, "VAR", findings),
         Some(ObjectType::Domain | ObjectType::Null) => {}
         Some(_) if at.sub.is_some() => {}
         Some(object_type) if at.object.compact.is_some() => {
-            check_value_keys(at, object_type.name(), findings);
+            check_value_keys(device, at, object_type.name(), findings);
         }
         Some(object_type) => check_sub_number(at, object_type, findings),
         None => check_object_type_key(at, findings),
     }
 }
 
-fn check_value_keys(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
+fn check_value_keys(device: &Device, at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     let entry = at.entry;
     // in an XDD, a parameter may define the access
     let has_access = entry.access.is_some()
@@ -193,8 +193,8 @@ fn check_value_keys(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     };
     let message = say!("{} needs {}", kind, listing(&missing));
     let mut finding = MISSING_KEY.at(at.field(first.clone()), message);
-    let data_type = type_of_count(at).or_else(|| profile::data_type(at.device, at.index, at.sub));
-    let access = profile::access(at.device, at.index, at.sub);
+    let data_type = type_of_count(at).or_else(|| profile::data_type(device, at.index, at.sub));
+    let access = profile::access(device, at.index, at.sub);
     if missing == [Field::DataType]
         && let Some(data_type) = data_type
     {
@@ -269,7 +269,7 @@ fn missing_name(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(finding.help(say!("write `{ParameterName=}` and a name")));
 }
 
-fn unsupported_key(at: &EntryAt<'_>, findings: &mut Findings) {
+fn unsupported_key(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(object_type) = at.object_type() else { return };
     let keys = match object_type {
         ObjectType::Var | ObjectType::DefType if at.sub.is_some() => return,
@@ -277,7 +277,7 @@ fn unsupported_key(at: &EntryAt<'_>, findings: &mut Findings) {
         ObjectType::Domain => keys_of_structure(at).into_iter().chain(keys_of_number(at)).collect(),
         ObjectType::Null => return,
         _ if at.sub.is_some() || at.object.compact.is_some() => return,
-        _ => keys_of_value(at),
+        _ => keys_of_value(device, at),
     };
     let Some(first) = keys.first() else { return };
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
@@ -329,10 +329,10 @@ fn keys_of_number(at: &EntryAt<'_>) -> Vec<Field> {
     stated.into_iter().filter(|(_, stated)| *stated).map(|(field, _)| field).collect()
 }
 
-fn keys_of_value(at: &EntryAt<'_>) -> Vec<Field> {
+fn keys_of_value(device: &Device, at: &EntryAt<'_>) -> Vec<Field> {
     let entry = at.entry;
     // CiA 311 allows both attributes for every object type
-    let is_eds = at.device.headers.network.is_none();
+    let is_eds = device.headers.network.is_none();
     let stated = [
         (Field::DataType, is_eds && entry.data_type.is_some()),
         (Field::AccessType, is_eds && entry.access.is_some()),

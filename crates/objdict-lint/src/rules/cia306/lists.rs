@@ -20,7 +20,7 @@ rules! {
     source: "CANopenEditor",
 
     "cia306/link-to-missing-object" = LINK_TO_MISSING_OBJECT, Warning,
-        Object(link_to_missing_object), fix Unsafe;
+        ObjectOf(link_to_missing_object), fix Unsafe;
     summary: "a link refers to a missing object",
     checks: "Whether each index in `[xxxxObjectLinks]` is described, and object xxxx as well.",
     why: "Tools show linked objects as a group; the group is incomplete.",
@@ -440,7 +440,7 @@ fn link_to_missing_object(device: &Device, index: u16, object: &Object, findings
     }
 }
 
-fn repeated_link(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn repeated_link(index: u16, object: &Object, findings: &mut Findings) {
     if object.links.is_empty() {
         return;
     }

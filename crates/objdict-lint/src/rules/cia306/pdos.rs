@@ -35,7 +35,7 @@ rules! {
     remedy: "Write 0 or remove the line. Use UNSIGNED32 for a gap of 32 bits.",
     source: "CiA 301 §7.4.7.1, CiA 306-1 §4.6.2",
 
-    "cia306/mapping-not-possible" = MAPPING_NOT_POSSIBLE, Warning, Entry(mapping_not_possible), fix Unsafe;
+    "cia306/mapping-not-possible" = MAPPING_NOT_POSSIBLE, Warning, EntryOf(mapping_not_possible), fix Unsafe;
     summary: "an entry is marked mappable, but cannot be mapped",
     checks: "Whether entries with `PDOMapping=1` are at most 64 bits long and are not `const`. A text or OCTET_STRING can be mapped if its value has at most 8 bytes; without a value its length is open, and it is reported.",
     why: "Tools offer the entry for mapping, but the device refuses the mapping.",
@@ -143,7 +143,7 @@ fn dummy_type(device: &Device, findings: &mut Findings) {
     findings.push(DUMMY_TYPE.at(dummy_place(first), message).help(title).fix(fix));
 }
 
-fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
+fn mapping_not_possible(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let entry = at.entry;
     if !entry.is_mappable() || !at.holds_value() || at.object_type() == Some(ObjectType::Domain) {
         return;
@@ -151,7 +151,7 @@ fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
     // another rule reports a PDO that maps an entry without a fixed length
     let is_mapped = |at: &EntryAt<'_>| {
         let this = |mapped: MappedObject| mapped.entry() == (at.index, at.sub.unwrap_or(0));
-        at.device.pdos().any(|pdo| pdo.mapped().any(this))
+        device.pdos().any(|pdo| pdo.mapped().any(this))
     };
     let unmappable = entry
         .data_type

@@ -75,7 +75,7 @@ rules! {
     remedy: "Write `DataType=0x0005`.",
     source: "CiA 301 §7.4.7.2",
 
-    "cia306/sub-number-mismatch" = SUB_NUMBER_MISMATCH, Error, Object(sub_number_mismatch), fix Mixed,
+    "cia306/sub-number-mismatch" = SUB_NUMBER_MISMATCH, Error, ObjectOf(sub_number_mismatch), fix Mixed,
         explains Object [
             "wrong-highest-sub-index", "gap-in-mapping", "gap-in-array", "missing-sub-index", "wrong-mapping-count",
             "incomplete-pdo-parameter", "incomplete-sdo-parameter"
@@ -120,7 +120,7 @@ rules! {
     source: "CiA 301 §7.4.7.2",
 }
 
-fn compact_and_sub_number(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn compact_and_sub_number(index: u16, object: &Object, findings: &mut Findings) {
     let Some(compact) = &object.compact else { return };
     let Some(number) = object.sub_number.filter(|&number| number > 0) else { return };
     let is_structure = stated::object_type(object).is_some_and(ObjectType::has_subs);
@@ -137,7 +137,7 @@ fn compact_and_sub_number(_: &Device, index: u16, object: &Object, findings: &mu
     findings.push(finding.help(say!("remove `{SubNumber}`")).fix(fix));
 }
 
-fn contradictory_sub_0(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn contradictory_sub_0(index: u16, object: &Object, findings: &mut Findings) {
     let Some(sub_0) = object.subs.get(0).filter(|_| object.subs.len() == 1) else { return };
     if stated::object_type(object).is_none_or(ObjectType::has_subs) {
         return;
@@ -167,7 +167,7 @@ fn different_fields(object: &Entry, sub_0: &Entry) -> Vec<Field> {
     fields.into_iter().filter(|(_, differ)| *differ).map(|(field, _)| field).collect()
 }
 
-fn missing_sub_0(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn missing_sub_0(index: u16, object: &Object, findings: &mut Findings) {
     if object.subs.get(0).is_some() || object.compact.is_some() {
         return;
     }
@@ -258,7 +258,7 @@ fn sub_number_mismatch(device: &Device, index: u16, object: &Object, findings: &
     });
 }
 
-fn sub_of_var(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn sub_of_var(index: u16, object: &Object, findings: &mut Findings) {
     let Some((sub, _)) = object.subs.iter().find(|&(sub, _)| sub != 0) else { return };
     let Some(object_type) = stated::object_type(object).filter(|object_type| !object_type.has_subs()) else {
         return;
@@ -317,7 +317,7 @@ fn object_section(title: Text, index: u16, object: &Object) -> Fix {
     fix.with(Change::Add(Part::Object(index), keys.to_vec()))
 }
 
-fn wrong_highest_sub_index(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn wrong_highest_sub_index(index: u16, object: &Object, findings: &mut Findings) {
     let Some(sub_0) = object.subs.get(0) else { return };
     let counts = stated::counts_otherwise(index) || sub_0.access.is_some_and(Access::is_writable);
     let is_list = stated::object_type(object).is_some_and(ObjectType::has_subs);
@@ -380,7 +380,7 @@ fn missing_highest(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findin
     );
 }
 
-fn wrong_structure_entry(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn wrong_structure_entry(index: u16, object: &Object, findings: &mut Findings) {
     let Some(entry) = object.subs.get(0xFF) else { return };
     let object_type =
         stated::object_type(object).filter(|kind| matches!(kind, ObjectType::Array | ObjectType::Record));
@@ -464,7 +464,7 @@ fn first_other_access(object: &Object) -> Option<((u8, Access), (u8, Access))> {
     stated.find(|other| kind(other.1) != kind(first.1)).map(|other| (first, other))
 }
 
-fn array_of_mixed_types(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn array_of_mixed_types(index: u16, object: &Object, findings: &mut Findings) {
     if object.main.object_type != Some(ObjectType::Array) || stated::object_type(object).is_none() {
         return;
     }
@@ -501,7 +501,7 @@ fn is_decimal(object: &Object) -> bool {
     subs.all(|sub| sub.is_some()) && (is_counted || digits.trim_end() == "10")
 }
 
-fn gap_in_array(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn gap_in_array(index: u16, object: &Object, findings: &mut Findings) {
     let is_array = object.main.object_type == Some(ObjectType::Array) && object.compact.is_none();
     if !(0x2000..0x6000).contains(&index) || !is_array || object.orphan || is_decimal(object) {
         return;

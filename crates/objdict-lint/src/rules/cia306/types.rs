@@ -22,7 +22,7 @@ rules! {
     remedy: "Write `ObjectType=0x2`, or correct the data type.",
     source: "CiA 301 §7.4.3, CiA 306-1 §4.6.3.2",
 
-    "cia306/nested-structure" = NESTED_STRUCTURE, Warning, Entry(nested_structure), fix Mixed;
+    "cia306/nested-structure" = NESTED_STRUCTURE, Warning, EntryOf(nested_structure), fix Mixed;
     summary: "an entry is a structure",
     checks: "Whether a sub-index or VAR has an object type with sub-indexes (ARRAY, RECORD, DEFSTRUCT), or a structured data type: 0020h to 0025h, or a DEFSTRUCT of the file.",
     why: "A sub-index cannot have sub-indexes, so the parts of the structure cannot be accessed.",
@@ -46,7 +46,7 @@ rules! {
     remedy: "Move vendor-specific objects to 2000h to 5FFFh.",
     source: "CiA 301 §7.4.1, tables 41 and 44; CiA 302-2 for 102Ah",
 
-    "cia306/undefined-data-type" = UNDEFINED_DATA_TYPE, Error, Entry(undefined_data_type), stops "*";
+    "cia306/undefined-data-type" = UNDEFINED_DATA_TYPE, Error, EntryOf(undefined_data_type), stops "*";
     summary: "a data type is not defined",
     checks: "Whether `DataType` is a type of CiA 301, or, from 0040h to 025Fh, a DEFTYPE or DEFSTRUCT of the file.",
     why: "Length and meaning of the value are unknown; the value can be neither read nor written.",
@@ -100,10 +100,10 @@ fn domain_mismatch(at: &EntryAt<'_>, findings: &mut Findings) {
     }
 }
 
-fn nested_structure(at: &EntryAt<'_>, findings: &mut Findings) {
+fn nested_structure(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let entry = at.entry;
     let nested_type = at.sub.and(entry.object_type).filter(|object_type| object_type.has_subs());
-    let structure = entry.data_type.filter(|&data_type| is_structure(at.device, data_type));
+    let structure = entry.data_type.filter(|&data_type| is_structure(device, data_type));
     let (field, kind) = match (nested_type, structure) {
         (Some(object_type), _) => (Field::ObjectType, object_type.to_string()),
         (None, Some(data_type)) if holds_one_value(at) => (Field::DataType, data_type.to_string()),
@@ -122,7 +122,7 @@ fn nested_structure(at: &EntryAt<'_>, findings: &mut Findings) {
         finding = finding.fix(Fix::risky(title.clone()).set(at.field(field), "0x7")).help(title);
     } else {
         let documented =
-            profile::data_type(at.device, at.index, at.sub).map(|data_type| format!("0x{:04X}", data_type.0));
+            profile::data_type(device, at.index, at.sub).map(|data_type| format!("0x{:04X}", data_type.0));
         finding = finding.help(match documented {
             Some(code) => say!("write `{}`", Argument::setting(Field::DataType, code)),
             None => "use a separate sub-index or object for each part of the structure".into(),
@@ -148,7 +148,7 @@ fn is_structure(device: &Device, data_type: DataType) -> bool {
     }
 }
 
-fn null_object(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn null_object(index: u16, object: &Object, findings: &mut Findings) {
     if object.main.object_type != Some(ObjectType::Null) {
         return;
     }
@@ -157,7 +157,7 @@ fn null_object(_: &Device, index: u16, object: &Object, findings: &mut Findings)
     findings.push(finding.help("write the actual object type, or remove the object"));
 }
 
-fn reserved_index(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn reserved_index(index: u16, object: &Object, findings: &mut Findings) {
     let area = match index {
         0x0260..=0x0FFF => "0260h to 0FFFh",
         0x101A..=0x101F => "101Ah to 101Fh",
@@ -178,11 +178,11 @@ fn reserved_index(_: &Device, index: u16, object: &Object, findings: &mut Findin
     }
 }
 
-fn undefined_data_type(at: &EntryAt<'_>, findings: &mut Findings) {
+fn undefined_data_type(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(data_type) = at.entry.data_type else { return };
     let why = match data_type.kind() {
         TypeKind::Reserved => "is not the index of a data type",
-        TypeKind::Defined if !is_defined(at.device, data_type) => {
+        TypeKind::Defined if !is_defined(device, data_type) => {
             "is a custom data type, but the file does not define it"
         }
         _ => return,

@@ -14,14 +14,14 @@ use crate::{EntryAt, respell, stated};
 rules! {
     source: "CiA 306-1 §4.6.3.2";
 
-    "cia306/fixed-by-limits" = FIXED_BY_LIMITS, Note, Entry(fixed_by_limits);
+    "cia306/fixed-by-limits" = FIXED_BY_LIMITS, Note, EntryOf(fixed_by_limits);
     summary: "the limits of an entry allow only one value",
     checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value. So may enumerations of a document, such as 6086h (motion profile type), whose default is that value: the device supports one of the defined choices.",
     why: "With only one allowed value, the entry is effectively a constant. Often a limit still has its initial value.",
     example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
     remedy: "Correct the limits, or remove them.",
 
-    "cia306/formula-out-of-range" = FORMULA_OUT_OF_RANGE, Error, Entry(formula_out_of_range);
+    "cia306/formula-out-of-range" = FORMULA_OUT_OF_RANGE, Error, EntryOf(formula_out_of_range);
     summary: "a formula exceeds the range of its data type",
     checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for the node-ID of the node.",
     why: "On some nodes the value is truncated, which gives a wrong COB-ID or node-ID.",
@@ -45,7 +45,7 @@ rules! {
     example: "`DataType=0x0009` with `HighLimit=20`",
     remedy: "Remove the limits, or correct the data type.",
 
-    "cia306/low-limit-above-high" = LOW_LIMIT_ABOVE_HIGH, Error, Entry(low_limit_above_high), fix Unsafe;
+    "cia306/low-limit-above-high" = LOW_LIMIT_ABOVE_HIGH, Error, EntryOf(low_limit_above_high), fix Unsafe;
     summary: "the low limit is above the high limit",
     checks: "Whether `LowLimit` is at most `HighLimit`, both interpreted in the data type. Limits with `$NODEID` are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF.",
     why: "No value is within such limits: tools refuse every value, or skip the check.",
@@ -66,7 +66,7 @@ rules! {
     example: "`HighLimit=100`, and no `LowLimit`",
     remedy: "Add the other limit.",
 
-    "cia306/value-outside-limits" = VALUE_OUTSIDE_LIMITS, Error, Entry(value_outside_limits);
+    "cia306/value-outside-limits" = VALUE_OUTSIDE_LIMITS, Error, EntryOf(value_outside_limits);
     summary: "a value is outside its limits",
     checks: "Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF. 1010h and 1011h are not checked: their limits apply to the signature, not to the value that is read.",
     why: "The device rejects the value; a tool that restores it gets an abort.",
@@ -74,7 +74,7 @@ rules! {
     remedy: "Correct the value or the limit.",
     source: "CiA 306-1 §4.6.3.2, §5.3.1",
 
-    "cia306/write-only-default" = WRITE_ONLY_DEFAULT, Note, Entry(write_only_default);
+    "cia306/write-only-default" = WRITE_ONLY_DEFAULT, Note, EntryOf(write_only_default);
     summary: "a write-only entry has a default",
     checks: "Whether entries with `AccessType=wo` have a `DefaultValue` other than 0. Settings that a device profile defines as `wo`, such as 60C4h sub-index 5 (size of data record), may have one.",
     why: "The entry cannot be read back, so tools that restore or compare defaults fail at it. Mostly the entry is a command, and writing its default would execute the command.",
@@ -82,7 +82,7 @@ rules! {
     remedy: "Remove the value, or correct the access type.",
 }
 
-fn formula_out_of_range(at: &EntryAt<'_>, findings: &mut Findings) {
+fn formula_out_of_range(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let entry = at.entry;
     let Some(data_type) = entry.data_type else { return };
     let fields = [
@@ -93,12 +93,13 @@ fn formula_out_of_range(at: &EntryAt<'_>, findings: &mut Findings) {
     ];
     for (field, value) in fields {
         if let Some(value @ Value::NodeId(_)) = value {
-            check_formula(at, data_type, field, value, findings);
+            check_formula(device, at, data_type, field, value, findings);
         }
     }
 }
 
 fn check_formula(
+    device: &Device,
     at: &EntryAt<'_>,
     data_type: DataType,
     field: &Field,
@@ -106,7 +107,7 @@ fn check_formula(
     findings: &mut Findings,
 ) {
     let Some((_, highest)) = data_type.integer_range() else { return };
-    let [_, node_id] = stated::node_ids(at.device);
+    let [_, node_id] = stated::node_ids(device);
     let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
     let message = say!(
         "`{}` is {} on node {}, but the maximum of {} is {}",
@@ -253,13 +254,13 @@ fn missing_constant(at: &EntryAt<'_>, findings: &mut Findings) {
     );
 }
 
-fn write_only_default(at: &EntryAt<'_>, findings: &mut Findings) {
+fn write_only_default(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     if at.entry.access != Some(Access::Wo) || !at.holds_value() || at.entry.is_mappable() {
         return;
     }
     let Some(default) = at.entry.default.as_ref().filter(|value| !is_zero_or_empty(value)) else { return };
     // CiA 402 defines settings that cannot be read; the other entries of documents that are `wo` are commands
-    let facts = facts_of(at).filter(|facts| facts.access.contains(&Access::Wo));
+    let facts = facts_of(device, at).filter(|facts| facts.access.contains(&Access::Wo));
     if facts.is_some_and(|facts| is_choice(&facts) || facts.name == "Size of data record") {
         return;
     }
@@ -285,7 +286,7 @@ fn is_zero_or_empty(value: &Value) -> bool {
     }
 }
 
-fn fixed_by_limits(at: &EntryAt<'_>, findings: &mut Findings) {
+fn fixed_by_limits(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let (Some(low), Some(high)) = (&at.entry.low_limit, &at.entry.high_limit) else { return };
     let is_number = at.entry.data_type.is_some_and(DataType::is_numeric);
     let is_writable = at.entry.access.is_some_and(Access::is_writable);
@@ -293,12 +294,12 @@ fn fixed_by_limits(at: &EntryAt<'_>, findings: &mut Findings) {
     if !is_number || !is_writable || !at.holds_value() || at.entry.flags().refuses_write() {
         return;
     }
-    let [node_id, _] = stated::node_ids(at.device);
+    let [node_id, _] = stated::node_ids(device);
     if stated::compare(low, high, node_id) != Some(Ordering::Equal) || at.index < 0x2000 {
         return;
     }
     // a device may support only one of the choices that its profile defines
-    if at.entry.default.as_ref() == Some(low) && facts_of(at).as_ref().is_some_and(is_choice) {
+    if at.entry.default.as_ref() == Some(low) && facts_of(device, at).as_ref().is_some_and(is_choice) {
         return;
     }
     let message = say!("the entry is writable, but its limits allow only {:h}", low);
@@ -332,9 +333,9 @@ fn limits_on_text(at: &EntryAt<'_>, findings: &mut Findings) {
     }
 }
 
-fn low_limit_above_high(at: &EntryAt<'_>, findings: &mut Findings) {
+fn low_limit_above_high(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let (Some(low), Some(high)) = (&at.entry.low_limit, &at.entry.high_limit) else { return };
-    let above = stated::first_node(low, high, Ordering::Greater, stated::node_ids(at.device)).is_some();
+    let above = stated::first_node(low, high, Ordering::Greater, stated::node_ids(device)).is_some();
     if !above || !at.holds_value() {
         return;
     }
@@ -392,12 +393,12 @@ fn single_limit(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(SINGLE_LIMIT.at(at.field(stated), message).help(say!("add `{}`", missing)));
 }
 
-fn value_outside_limits(at: &EntryAt<'_>, findings: &mut Findings) {
+fn value_outside_limits(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let entry = at.entry;
-    if entry.low_limit.is_none() && entry.high_limit.is_none() {
+    let node_ids = stated::node_ids(device);
+    if entry.low_limit.is_none() && entry.high_limit.is_none() || is_reported_elsewhere(at, node_ids) {
         return;
     }
-    let node_ids = stated::node_ids(at.device);
     if let Some(value) = &entry.default
         && let Some(exceeded) = exceeded_limit(entry, value, node_ids)
     {
@@ -453,10 +454,10 @@ fn exceeded_limit<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Opt
 
 /// Whether another rule reports the cause (contradictory limits, no value), or the limits are those of a
 /// signature.
-fn is_reported_elsewhere(at: &EntryAt<'_>) -> bool {
+fn is_reported_elsewhere(at: &EntryAt<'_>, node_ids: [u8; 2]) -> bool {
     let contradictory = match (&at.entry.low_limit, &at.entry.high_limit) {
         (Some(low), Some(high)) => {
-            stated::first_node(low, high, Ordering::Greater, stated::node_ids(at.device)).is_some()
+            stated::first_node(low, high, Ordering::Greater, node_ids).is_some()
         }
         _ => false,
     };
@@ -471,9 +472,6 @@ fn report_exceeded(
     exceeded: ExceededLimit<'_>,
     findings: &mut Findings,
 ) {
-    if is_reported_elsewhere(at) {
-        return;
-    }
     let ExceededLimit { field, limit, node_id } = exceeded;
     // the value of a formula for that node-ID
     let number = |value: &Value| match (value, value.integer_for(node_id)) {
@@ -487,8 +485,8 @@ fn report_exceeded(
 
 /// The definition of an entry in a document for all devices or in the profile of its device; `None` if the object has another
 /// structure there.
-fn facts_of(at: &EntryAt<'_>) -> Option<EntryFacts<'static>> {
-    let documents = profile::for_all(at.device).chain(profile::of_device(at.device));
+fn facts_of(device: &Device, at: &EntryAt<'_>) -> Option<EntryFacts<'static>> {
+    let documents = profile::for_all(device).chain(profile::of_device(device));
     let object = documents.into_iter().find_map(|profile| {
         let blocks = if profile.repeats { MAX_BLOCKS } else { 1 };
         (0..blocks).find_map(|block| profile.object_in(block, at.index))

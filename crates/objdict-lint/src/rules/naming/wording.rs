@@ -275,7 +275,7 @@ fn named_type(name: &str) -> Option<(TypeKind, &str)> {
     Some((named, word))
 }
 
-fn unordered_numbering(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn unordered_numbering(index: u16, object: &Object, findings: &mut Findings) {
     if index < 0x2000 || object.compact.is_some() {
         return;
     }
@@ -541,7 +541,7 @@ fn duplicate_object_name(device: &Device, findings: &mut Findings) {
     }
 }
 
-fn same_identifier(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+fn same_identifier(index: u16, object: &Object, findings: &mut Findings) {
     if index < 0x2000 {
         return;
     }
