@@ -348,7 +348,7 @@ fn findings_are_bounded_and_counted() {
 
 /// What went wrong in a log, in its order.
 fn incidents_of(log: String) -> Vec<Incident> {
-    incidents(&mut [report(&Descriptions::default(), log.leak())])
+    incidents(report(&Descriptions::default(), log.leak()).incidents)
 }
 
 fn fixture(name: &str) -> String {

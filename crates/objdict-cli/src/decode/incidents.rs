@@ -5,8 +5,10 @@ use std::io::{self, Write};
 use super::super::ending::Failure;
 use super::super::stdout::Output;
 use super::super::table::fit;
-use super::summary::LINE;
 use objdict_traffic::{Incident, IncidentState};
+
+/// The most characters of a line.
+pub(super) const LINE: usize = 200;
 
 /// The most incidents of a state that the list shows.
 const LISTED: usize = 100;

@@ -9,7 +9,8 @@ use super::super::ending::Failure;
 use super::super::input::source_name;
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
-use super::{Logs, each_frame, incidents};
+use super::incidents::{self, LINE};
+use super::{Logs, each_frame};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_traffic as traffic;
@@ -17,9 +18,6 @@ use objdict_traffic::{BusReport, BusSums, Buses, Incident, NodeEvent, Recording}
 
 /// The most characters of a cell.
 const CELL: usize = 60;
-
-/// The most characters of a line.
-pub(super) const LINE: usize = 200;
 
 /// The most events of a kind that the text shows.
 const EVENTS: usize = 20;
@@ -62,7 +60,8 @@ pub(super) fn gather(
     })?;
     let mut reports: Vec<BusReport> =
         sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
-    let incidents = traffic::incidents(&mut reports);
+    let incidents =
+        traffic::incidents(reports.iter_mut().flat_map(|report| std::mem::take(&mut report.incidents)));
     Ok(TrafficSummaryJson {
         version: Version,
         logs: args.logs.iter().map(|path| source_name(path)).collect(),

@@ -2,10 +2,8 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use super::{Incident, causes};
-use crate::NodeEvent;
+use crate::history::{History, NodeEvent, Seen};
 use crate::log::LogTime;
-use crate::sums::{History, Seen};
 use objdict_lint::recorded::traffic::{IncidentKind, KINDS};
 use objdict_model::diagnostic::RuleInfo;
 
@@ -48,17 +46,17 @@ pub(super) struct Draft {
     pub(super) events: u64,
     /// How many incidents it has led to.
     pub(super) consequences: usize,
-    pub(super) frames: Frames,
+    pub(super) frames: KeptFrames,
 }
 
 /// The first and the last frames of an incident.
 #[derive(Debug, Default)]
-pub(super) struct Frames {
+pub(super) struct KeptFrames {
     first: Vec<NodeEvent>,
     last: VecDeque<NodeEvent>,
 }
 
-impl Frames {
+impl KeptFrames {
     fn push(&mut self, event: NodeEvent) {
         if self.first.len() < MAX_FRAMES {
             return self.first.push(event);
@@ -110,7 +108,7 @@ impl IncidentBook {
             }
             let kind = KINDS.iter().find(|kind| kind.rule.id == rule.id)?;
             let (nodes, start) = ([node].into_iter().filter(|node| *node != 0).collect(), moment.time);
-            let (end, events, consequences, frames, text) = (None, 0, 0, Frames::default(), text.clone());
+            let (end, events, consequences, frames, text) = (None, 0, 0, KeptFrames::default(), text.clone());
             self.drafts.push(Draft { kind, nodes, about, text, start, end, events, consequences, frames });
             let at = self.drafts.len() - 1;
             let count = self.counts.entry((rule.id, node)).or_default();
@@ -158,9 +156,8 @@ impl IncidentBook {
         self.findings.forget(rule);
     }
 
-    /// The incidents at the end of the log, each with its consequences.
-    pub(crate) fn incidents(&mut self, channel: &str) -> Vec<Incident> {
+    pub(super) fn take(&mut self) -> Vec<Draft> {
         self.known.clear();
-        causes::incidents(std::mem::take(&mut self.drafts), channel)
+        std::mem::take(&mut self.drafts)
     }
 }

@@ -1,7 +1,7 @@
 //! One cause is one incident: what it leads to belongs to it.
 
 use super::book::Draft;
-use super::{Incident, IncidentState};
+use super::found::{Incident, IncidentState};
 use crate::log::LogTime;
 use objdict_lint::recorded::traffic::{self as rules, KINDS};
 use objdict_model::diagnostic::{RuleInfo, Severity, plural};

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{IncidentBook, Subject};
+use super::book::{IncidentBook, Subject};
 use crate::log::LoggedFrame;
-use crate::sums::Sight;
+use crate::sight::Sight;
 use crate::{Bus, raw};
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, TransferStep};
 use objdict_lint::recorded::traffic as rules;

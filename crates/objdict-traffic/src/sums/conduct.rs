@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::deviations::{Deviation, name};
-use super::history::Seen;
-use super::{Sight, is_rpdo};
+use super::is_rpdo;
+use crate::history::Seen;
 use crate::incident::{IncidentBook, Subject};
 use crate::log::LogTime;
+use crate::sight::Sight;
 use crate::{Bus, PRE_OPERATIONAL};
 use objdict_bus::crc;
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoFrame, TransferStep, nmt_state};

@@ -2,6 +2,7 @@
 
 use crate::incident::words_in;
 use crate::log::LoggedFrame;
+use crate::sight::Sight;
 use crate::{Bus, raw};
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoTransfer, TransferStep};
 use objdict_lint::recorded::traffic as rules;
@@ -9,7 +10,7 @@ use objdict_model::diagnostic::{RuleInfo, plural};
 use objdict_model::model::{Access, DataType, Entry, PdoKind};
 use objdict_network::Service;
 
-use super::{Sight, milliseconds};
+use super::milliseconds;
 
 /// The abort code of a client that waits no longer.
 const TIMEOUT: u32 = 0x0504_0000;

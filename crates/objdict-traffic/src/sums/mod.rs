@@ -3,7 +3,6 @@
 mod conduct;
 mod cycle;
 mod deviations;
-mod history;
 mod report;
 
 use std::collections::BTreeMap;
@@ -12,13 +11,13 @@ use self::conduct::Conduct;
 use self::conduct::about;
 use self::cycle::Cycle;
 use self::deviations::{ExpectedFrames, Preceding, malformed, of_abort, of_transfer, refused};
-pub use self::history::NodeEvent;
-pub(crate) use self::history::{History, Seen};
 pub use self::report::BusReport;
 use self::report::sync_period;
 use super::{Bus, Origin, PRE_OPERATIONAL};
+use crate::history::{History, Seen};
 use crate::incident::{Drives, IncidentBook, Subject};
 use crate::log::{LogTime, LoggedFrame};
+use crate::sight::Sight;
 use objdict_bus::classical_bits;
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, TransferStep};
 use objdict_lint::recorded::traffic as rules;
@@ -65,33 +64,6 @@ struct MessageSums {
     expected: ExpectedFrames,
     /// The last data of a PDO with words of a drive.
     data: u64,
-}
-
-/// A frame in its log, and what it is on its bus.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Sight<'s> {
-    pub(crate) decoded: &'s DecodedFrame,
-    pub(crate) frame: &'s LoggedFrame,
-    pub(crate) origin: Origin<'s>,
-    pub(crate) bus: &'s Bus<'s>,
-}
-
-impl Sight<'_> {
-    pub(crate) fn seen(&self) -> Seen {
-        Seen::of(self.frame, self.origin)
-    }
-
-    pub(crate) fn now(&self) -> i64 {
-        self.frame.time.nanoseconds()
-    }
-
-    pub(crate) fn name(&self, node_id: u8) -> String {
-        self.bus.reader.name(node_id)
-    }
-
-    fn words(&self) -> String {
-        self.bus.words(self.decoded, self.frame)
-    }
 }
 
 /// A frame that may turn out to be the last one.

@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::history::NodeEvent;
 use super::{BusSums, LastFrame, MessageSums, NODES, SYNCS, kept, lost, milliseconds};
-use crate::incident::Subject;
-use crate::{Bus, DescribedNode, Incident};
+use crate::incident::{Subject, with_consequences};
+use crate::{Bus, DescribedNode, Incident, NodeEvent};
 use objdict_document::describe::frames::{FrameKind, nmt_state, raw_bytes};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::model::{CobId, Pdo, PdoKind};
@@ -197,7 +196,7 @@ impl BusSums {
             configurations: self.configurations(bus),
             aborted_transfers: self.aborts.take(),
             emergencies: self.emergencies.take(),
-            incidents: self.book.incidents(&bus.channel),
+            incidents: with_consequences(&mut self.book, &bus.channel),
             findings,
             starts: self.starts.take(),
             bus_errors: self.bus_errors.take(),
