@@ -378,7 +378,7 @@ fn incidents_are_known_again() {
 }
 
 /// The states of what is found in a log, and what is said.
-fn told(log: &str) -> Vec<(IncidentState, String)> {
+fn said(log: &str) -> Vec<(IncidentState, String)> {
     let found = incidents_of(log.to_owned());
     found.into_iter().map(|incident| (incident.state, incident.text)).collect()
 }
@@ -393,7 +393,7 @@ fn consequences_belong_to_their_cause() {
     // the bus is cut, and node 4 reports it afterwards
     let cut = heartbeats(&[1, 2, 3], 10, 20) + "(3.0) can0 084#3081110000000000\n";
     assert_eq!(
-        told(&cut),
+        said(&cut),
         [(
             IncidentState::Unresolved,
             "nodes 1, 2, 3 are silent at the same time, with 1 consequence".to_owned()
@@ -401,11 +401,11 @@ fn consequences_belong_to_their_cause() {
     );
     let pause = heartbeats(&[1, 2], 10, 20) + &heartbeats(&[1, 2], 40, 50);
     let text = "nodes 1, 2 are silent at the same time; recovered after 2.100 s".to_owned();
-    assert_eq!(told(&pause), [(IncidentState::Recovered, text)]);
+    assert_eq!(said(&pause), [(IncidentState::Recovered, text)]);
     // a node that goes on is not silent because another one is
     let one = heartbeats(&[1, 2], 10, 20) + &heartbeats(&[2], 20, 40);
     let text = "node 1: no heartbeat for 2000.000 ms, limit 300.000 ms, until the end of the log".to_owned();
-    assert_eq!(told(&one), [(IncidentState::Unresolved, text)]);
+    assert_eq!(said(&one), [(IncidentState::Unresolved, text)]);
 }
 
 /// What is right, or cannot be known, is no incident.
@@ -413,10 +413,10 @@ fn consequences_belong_to_their_cause() {
 fn a_healthy_log_has_no_incidents() {
     // one that ends with the commands that stop the nodes, and one that begins late
     let heartbeats: String = (10..20).map(|at| format!("({}.{}) can0 705#05\n", at / 10, at % 10)).collect();
-    assert_eq!(told(&(heartbeats.clone() + "(2.0) can0 000#8100\n(2.3) can0 705#00\n(9.0) can0 080#\n")), []);
+    assert_eq!(said(&(heartbeats.clone() + "(2.0) can0 000#8100\n(2.3) can0 705#00\n(9.0) can0 080#\n")), []);
     assert_eq!(
-        told("(1.0) can0 585#4318100102040000\n(1.1) can0 605#6000000000000000\n(3.0) can0 705#05\n"),
+        said("(1.0) can0 585#4318100102040000\n(1.1) can0 605#6000000000000000\n(3.0) can0 705#05\n"),
         []
     );
-    assert_eq!(told(&fixture("worked.log")), []);
+    assert_eq!(said(&fixture("worked.log")), []);
 }

@@ -206,7 +206,7 @@ impl Draft {
     }
 }
 
-/// What happens again and is over each time is one incident, but faults of drives are told one by one.
+/// What happens again and is over each time is one incident, but each fault of a drive is an incident.
 fn repeated(drafts: Vec<Draft>) -> Vec<Draft> {
     let subject = |draft: &Draft| (draft.kind.rule.id, draft.nodes.clone(), draft.about, draft.end.is_some());
     let belongs = |first: &Draft, draft: &Draft| {
