@@ -408,6 +408,31 @@ fn consequences_belong_to_their_cause() {
     assert_eq!(said(&one), [(IncidentState::Unresolved, text)]);
 }
 
+/// The frames that follow from a boot-up message in operation belong to it, and so do more boot-up messages.
+#[test]
+fn a_boot_up_takes_its_consequences() {
+    let start = "(0.9) can0 705#05\n(1.0) can0 000#0105\n";
+    let after = "(1.1) can0 705#00\n(1.15) can0 705#7F\n(1.2) can0 185#01\n(1.3) can0 085#1081110000000000\n";
+    let text = "node 5 boots up in operation, without a command, with 2 consequences".to_owned();
+    assert_eq!(said(&format!("{start}{after}")), [(IncidentState::Unresolved, text)]);
+    let ends = format!("{start}(1.1) can0 705#00\n(1.2) can0 000#0105\n(1.3) can0 705#05\n");
+    let text = "node 5 boots up in operation, without a command; recovered after 0.100 s".to_owned();
+    assert_eq!(said(&ends), [(IncidentState::Recovered, text)]);
+    let storm: String = (1..9).map(|at| format!("({at}.0) can0 705#00\n")).collect();
+    let text = "node 5 boots again and again, 8 times".to_owned();
+    assert_eq!(said(&storm), [(IncidentState::Unresolved, text)]);
+}
+
+/// A setting that is refused and then accepted is over.
+#[test]
+fn a_refused_setting_may_be_accepted_later() {
+    let refused = "(1.0) can0 605#2B17100064000000\n(1.1) can0 585#8017100022000008\n";
+    let accepted = "(2.0) can0 605#2B17100064000000\n(2.1) can0 585#6017100000000000\n";
+    let states = |log: &str| said(log).into_iter().map(|(state, _)| state).collect::<Vec<_>>();
+    assert_eq!(states(refused), [IncidentState::Unresolved]);
+    assert_eq!(states(&format!("{refused}{accepted}")), [IncidentState::Recovered]);
+}
+
 /// What is right, or cannot be known, is no incident.
 #[test]
 fn a_healthy_log_has_no_incidents() {
