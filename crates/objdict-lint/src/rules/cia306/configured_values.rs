@@ -153,11 +153,7 @@ fn read_only_value(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(default) = at.entry.default.as_ref().filter(|default| *default != value) else { return };
     let [node_id, _] = stated::node_ids(device);
     let same = stated::compare(value, default, node_id) == Some(Ordering::Equal);
-    if same
-        || at.index == 0x1018
-        || at.sub == Some(0)
-        || !at.holds_value()
-        || device.kind != DeviceKind::Node
+    if same || at.index == 0x1018 || at.sub == Some(0) || !at.holds_value() || device.kind != DeviceKind::Node
     {
         return;
     }

@@ -456,9 +456,7 @@ fn exceeded_limit<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Opt
 /// signature.
 fn is_reported_elsewhere(at: &EntryAt<'_>, node_ids: [u8; 2]) -> bool {
     let contradictory = match (&at.entry.low_limit, &at.entry.high_limit) {
-        (Some(low), Some(high)) => {
-            stated::first_node(low, high, Ordering::Greater, node_ids).is_some()
-        }
+        (Some(low), Some(high)) => stated::first_node(low, high, Ordering::Greater, node_ids).is_some(),
         _ => false,
     };
     contradictory || !at.holds_value() || matches!(at.index, 0x1010 | 0x1011)
