@@ -3,12 +3,14 @@
 import { ask } from "./engine";
 import { h, hex } from "./dom";
 import { table } from "./network";
-import type { BusReport, FrameFilter, Frames, LogSummary } from "./protocol";
+import type { BusReport, FrameFilter, Frames, Incident, LogSummary } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
 const ROW = 24;
 /** Rows above and below those in sight. */
 const AROUND = 30;
+/** So many incidents are listed; `objdict decode` lists all. */
+const MAX_INCIDENTS = 200;
 /** Browsers draw no element that is higher, so a longer list is scrolled in larger steps. */
 const MAX_HEIGHT = 8_000_000;
 
@@ -26,6 +28,25 @@ function busTables(bus: BusReport): HTMLElement {
     table(["Node", "Name", "Frames", "Frames/s", "Load", "State", "Boot-ups", "Lost", "EMCY", "Aborts"], nodes, "Nodes"),
     table(["CAN-ID", "Message", "Frames", "Min ms", "Mean ms", "Max ms", "Described"], messages, "Messages"),
   );
+}
+
+const STATES: Record<Incident["state"], string> = { unresolved: "Unresolved", recovered: "Recovered", warning: "Warning" };
+
+/** What went wrong, with links to the frames. */
+function incidentList(log: LogSummary, go: (line: number) => void): HTMLElement {
+  const lines = (title: string, texts: string[]) => [h("h4", {}, title), h("ol", {}, ...texts.map((text) => h("li", {}, text)))];
+  const each = ({ number, kind, state, channel, start, text, frames, causes, checks, why }: Incident) =>
+    h(
+      "details",
+      { class: `incident ${state}` },
+      h("summary", {}, `${number}. ${STATES[state]}, ${start}: ${channel ? `${channel}: ` : ""}${text} `, h("code", {}, kind)),
+      h("p", { class: "meaning" }, why),
+      h("ul", {}, ...frames.map((frame) => h("li", {}, h("button", { onclick: () => go(frame.line) }, frame.time), ` ${frame.text}`))),
+      ...lines("Likely causes", causes),
+      ...lines("What to check", checks),
+    );
+  const [first, ...rest] = log.verdict;
+  return h("section", { class: "incidents", "aria-label": "Incidents" }, h("h3", {}, `${first?.toUpperCase()}${rest.join("")}`), ...log.incidents.slice(0, MAX_INCIDENTS).map(each));
 }
 
 function remarks(log: LogSummary): string[] {
@@ -131,7 +152,7 @@ export function logView(store: Store): HTMLElement {
     if (of !== current) scroll.scrollTop = 0;
     [shown, of] = [current.log, current];
     choices(current.log);
-    sums.replaceChildren(...remarks(current.log).map((text) => h("p", { class: "meaning" }, text)), ...current.log.buses.map(busTables));
+    sums.replaceChildren(incidentList(current.log, (line) => void show(line)), ...remarks(current.log).map((text) => h("p", { class: "meaning" }, text)), ...current.log.buses.map(busTables));
     void show();
   });
   return view;

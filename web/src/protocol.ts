@@ -304,11 +304,29 @@ export interface BusReport {
   undescribed: number[];
 }
 
+/** Something that went wrong on a bus. */
+export interface Incident {
+  number: number;
+  kind: string;
+  state: "unresolved" | "recovered" | "warning";
+  channel?: string;
+  start: string;
+  text: string;
+  /** The first and the last of its frames. */
+  frames: { time: string; line: number; text: string }[];
+  causes: string[];
+  checks: string[];
+  why: string;
+}
+
 /** A log that was read with descriptions. */
 export interface LogSummary {
   form: string;
   /** How many frames can be listed. */
   rows: number;
+  /** What the incidents say together. */
+  verdict: string;
+  incidents: Incident[];
   buses: BusReport[];
   notes: string[];
   bad_lines: [line: number, reason: string][];

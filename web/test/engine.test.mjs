@@ -164,6 +164,7 @@ test("the frames of a log are those that the command prints", { skip: noCommand 
     ["fixtures/logs/cell.log", ...NETWORKS[1]],
     ["fixtures/logs/drive.asc", "fixtures/eds/drive-402.eds"],
     ["fixtures/logs/short.pcap"],
+    ["fixtures/logs/incidents.log"],
   ]) {
     const workbench = new Workbench();
     opened(workbench, [log, ...others]);
@@ -173,7 +174,8 @@ test("the frames of a log are those that the command prints", { skip: noCommand 
     const printed = decoded("--format", "json").trimEnd().split("\n").map((line) => JSON.parse(line));
     assert.equal(rows.length, printed.length);
     assert.deepEqual(rows.map((row) => [row.kind, row.node ?? undefined, row.cells[3].replace("remote", "").replaceAll(" ", ""), row.cells[4]]), printed.map((row) => [row.kind, row.node, row.data, row.text]), log);
-    assert.deepEqual(summary.buses, JSON.parse(decoded("--summary", "--format", "json")).buses);
+    const sums = JSON.parse(decoded("--summary", "--format", "json"));
+    assert.deepEqual([summary.buses, summary.incidents, summary.verdict], [sums.buses, sums.incidents, sums.verdict]);
     assert.deepEqual(summary.report.findings, JSON.parse(decoded("--check", "--format", "json")).findings);
     workbench.free();
   }

@@ -318,6 +318,18 @@ test("a log is read with the open network, and pasted frames with a description"
     await page.waitForSelector(".frame:has-text('Statusword')");
   }));
 
+test("a log begins with what went wrong, and an incident leads to its frames", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, ["incidents.log", fixture("logs/incidents.log")]);
+    const incidents = page.getByRole("region", { name: "Incidents" });
+    assert.equal(await incidents.getByRole("heading", { level: 3 }).textContent(), "Needs attention: 3 unresolved, 2 recovered");
+    assert.equal(await incidents.locator("summary").count(), 5);
+    await incidents.getByText("node 2 is in a fault").first().click();
+    await incidents.getByText("What to check").locator("visible=true").waitFor();
+    await incidents.getByRole("button", { name: "1760500003.422000" }).click();
+    await page.waitForSelector(".frame.marked:has-text('182'):has-text('50 02')");
+  }));
+
 test("a coupler is configured with modules", { skip }, () =>
   withPage(async (page) => {
     await open(page, ["coupler-modular.eds", fixture("eds/coupler-modular.eds")]);

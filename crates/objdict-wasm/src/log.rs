@@ -4,7 +4,9 @@ use std::path::Path;
 
 use objdict::describe::frames::FrameKind;
 use objdict::format::log::{LogForm, LogOptions, LogReader, LoggedFrame};
-use objdict::traffic::{BusReport, BusSums, Buses, Descriptions, MergedLogs, NamedLog, findings};
+use objdict::traffic::{
+    BusReport, BusSums, Buses, Descriptions, Incident, MergedLogs, NamedLog, findings, incidents, verdict,
+};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -62,6 +64,8 @@ struct LogSummary {
     form: &'static str,
     /// The number of frames that are kept as rows.
     rows: usize,
+    verdict: String,
+    incidents: Vec<Incident>,
     buses: Vec<BusReport>,
     /// How descriptions without a node-ID found their nodes.
     notes: Vec<String>,
@@ -120,14 +124,17 @@ impl Log {
                 rows.push(LogRow { line: origin.line, node: decoded.node_id, kind: decoded.kind, text });
             }
         }
-        let buses: Vec<BusReport> =
+        let mut buses: Vec<BusReport> =
             sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
         let (lines, found) = findings(&buses, 0, self.name.clone());
         let report = text_report(&lines, found)?;
+        let incidents = incidents(&mut buses);
         let reader = &logs.0[0].reader;
         let summary = LogSummary {
             form: self.form.name(),
             rows: rows.len(),
+            verdict: verdict(&incidents),
+            incidents,
             buses,
             notes,
             bad_lines: reader.bad_lines().iter().map(|bad| (bad.line, bad.reason)).collect(),

@@ -34,6 +34,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
 }
 
 /// As [`check_with`], from what is known of the objects before an edit.
+#[cfg(feature = "lint")]
 pub(crate) fn check_after(
     description: &Description,
     options: &Options,
