@@ -348,7 +348,7 @@ fn findings_are_bounded_and_counted() {
 
 /// What went wrong in a log, in its order.
 fn incidents_of(log: String) -> Vec<Incident> {
-    incidents(report(&Descriptions::default(), log.leak()).incidents)
+    incidents(&mut [report(&Descriptions::default(), log.leak())])
 }
 
 fn fixture(name: &str) -> String {

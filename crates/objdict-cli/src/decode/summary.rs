@@ -60,8 +60,7 @@ pub(super) fn gather(
     })?;
     let mut reports: Vec<BusReport> =
         sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
-    let incidents =
-        traffic::incidents(reports.iter_mut().flat_map(|report| std::mem::take(&mut report.incidents)));
+    let incidents = traffic::incidents(&mut reports);
     Ok(TrafficSummaryJson {
         version: Version,
         logs: args.logs.iter().map(|path| source_name(path)).collect(),

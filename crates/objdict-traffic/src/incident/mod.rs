@@ -18,8 +18,7 @@ pub(crate) fn with_consequences(book: &mut IncidentBook, channel: &str) -> Vec<I
 }
 
 /// The incidents of all buses in their order, with numbers and fingerprints, which no time of the log decides.
-pub fn incidents(found: impl IntoIterator<Item = Incident>) -> Vec<Incident> {
-    let mut all: Vec<Incident> = found.into_iter().collect();
+pub(crate) fn numbered(mut all: Vec<Incident>) -> Vec<Incident> {
     all.sort_by(|a, b| {
         let key = |of: &Incident| (of.state, of.start, of.kind.rule.id, of.about);
         key(a).cmp(&key(b)).then_with(|| a.nodes.cmp(&b.nodes))

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{BusSums, LastFrame, MessageSums, NODES, SYNCS, kept, lost, milliseconds};
-use crate::incident::{Subject, with_consequences};
+use crate::incident::{Subject, numbered, with_consequences};
 use crate::{Bus, DescribedNode, Incident, NodeEvent};
 use objdict_document::describe::frames::{FrameKind, nmt_state, raw_bytes};
 use objdict_lint::recorded::traffic as rules;
@@ -156,6 +156,11 @@ pub struct ConfigurationReport {
     pub not_written: Vec<String>,
     /// Whether more entries were written than are compared.
     pub is_cut: bool,
+}
+
+/// What went wrong on all buses, which is taken out of their reports.
+pub fn incidents(reports: &mut [BusReport]) -> Vec<Incident> {
+    numbered(reports.iter_mut().flat_map(|report| std::mem::take(&mut report.incidents)).collect())
 }
 
 impl BusReport {
