@@ -59,7 +59,7 @@ incident_kinds! {
         causes: ["the node is off or not connected", "the node has another node-ID", "the node has another bit rate"],
         look: ["check the node-ID of the device (switches, LSS)", "check supply, connector and bit rate of the node", "look for frames with an unexpected CAN-ID"],
         summary: "a node never answers",
-        checks: "Whether a node that is addressed by SDO sends any frame. Needs answers of other nodes; a scan, which addresses more than three nodes that are not there, is not judged.",
+        checks: "Whether a node that is addressed by SDO, or by an NMT command to it alone, sends any frame. Needs answers of other nodes; a scan, which addresses more than three nodes that are not there, is not judged.",
         why: "The node is not on the bus, so nothing that the manager wants of it happens.",
         example: "a read of 1000h of node 4, which sends no frame",
         remedy: "Connect the node, or remove it from the configuration of the manager.",
