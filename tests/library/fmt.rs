@@ -152,7 +152,7 @@ fn xml_gets_the_order_of_the_standard() {
     );
 }
 
-/// What is read and never written says so.
+/// The error names the reason: the format is read and never written.
 #[test]
 fn projects_of_other_programs_are_not_formatted() {
     for name in ["esi/press.xml", "objdictgen/pump.od"] {

@@ -252,3 +252,26 @@ fn an_eds_named_as_a_dcf_keeps_its_sections() {
     let found = rules("minimal.dcf", &configured);
     assert!(found.len() == 2 && found.iter().all(|(_, help)| !help.starts_with("rename")), "{found:?}");
 }
+
+/// Who asks about one of two objects that are compared gets what is found, whichever has the place of the finding.
+#[test]
+fn a_finding_belongs_to_both_objects_that_are_compared() {
+    let object = |index: &str, count: u8| {
+        let subs: String = (1..=count)
+            .map(|sub| format!("[{index}sub{sub}]\nParameterName=p{sub}\nDataType=0x0005\nAccessType=rw\n"))
+            .collect();
+        format!(
+            "[{index}]\nParameterName=Programs\nObjectType=0x8\nSubNumber={}\n[{index}sub0]\nParameterName=n\nDataType=0x0005\n\
+             AccessType=const\nDefaultValue={count}\n{subs}",
+            count + 1
+        )
+    };
+    let text = minimal(&(object("1F50", 2) + &object("1F51", 1)));
+    let device = format::read(SourceFile::from_text("a.eds", text), Format::Eds).into_device();
+    for (asked, is_found) in [(0x1F50, true), (0x1F51, true), (0x1017, false)] {
+        let is_wanted = |rule: &RuleInfo| rule.id == "cia302/different-program-count";
+        let found =
+            objdict::lint::check_some(&device, &Options::default(), &is_wanted, &|index| index == asked);
+        assert_eq!(found.len() == 1, is_found, "{asked:04X}");
+    }
+}

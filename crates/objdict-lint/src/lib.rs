@@ -166,7 +166,10 @@ fn check_demands(
         if rules.is_empty() {
             continue;
         }
-        for against in demands::against(facts.device, one).filter(|against| is_asked(against.index)) {
+        // a finding about an object may be reported for one that it is compared with
+        let against = demands::against(facts.device, one)
+            .filter(|against| is_asked(against.index) || against.counterparts().any(is_asked));
+        for against in against {
             let first = findings.len();
             let entries = LazyCell::new(|| against.entries().collect::<Vec<_>>());
             for rule in &rules {

@@ -445,3 +445,23 @@ fn a_healthy_log_has_no_incidents() {
     );
     assert_eq!(said(&fixture("worked.log")), []);
 }
+
+/// Many warnings hide no error: the first incident of each kind and node is kept.
+#[test]
+fn an_error_behind_thousands_of_warnings_is_an_incident() {
+    use crate::incident::{IncidentBook, Subject, numbered, with_consequences};
+    use objdict_lint::recorded::traffic::{BUS_OFF, INHIBIT_TIME, MALFORMED_FRAME, REPEATED_PDO};
+    let mut logs = logs(&["(1.0) can0 080#\n"]);
+    let (log, frame) = logs.next_frame().unwrap().unwrap();
+    let seen = crate::history::Seen::of(&frame, logs.origin(log));
+    let mut book = IncidentBook::default();
+    for rule in [&INHIBIT_TIME, &MALFORMED_FRAME, &REPEATED_PDO] {
+        for (node, about) in (1..128).flat_map(|node| (0..30).map(move |about| (node, about))) {
+            book.against(Subject::new(rule, node, about), seen.clone(), || "warning".to_owned());
+        }
+    }
+    book.against(Subject::new(&BUS_OFF, 0, 0), seen, || "bus-off".to_owned());
+    let found = numbered(with_consequences(&mut book, "can0"));
+    assert!((4096..8000).contains(&found.len()), "{}", found.len());
+    assert_eq!(found[0].state, IncidentState::Unresolved);
+}

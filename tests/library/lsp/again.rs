@@ -1,4 +1,4 @@
-//! What an edit left as it was is neither read nor checked again, and the result is that of a fresh start.
+//! Objects that an edit does not touch are neither read nor checked again, and the findings equal a fresh check.
 
 use objdict::diagnostic::{Findings, Tool};
 use objdict::format::{Description, Format, read, read_after};

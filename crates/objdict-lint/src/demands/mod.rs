@@ -122,6 +122,13 @@ impl Applied<'_> {
 }
 
 impl<'a> Against<'a> {
+    /// The objects that have as many elements as it, by the document.
+    pub(crate) fn counterparts(&self) -> impl Iterator<Item = u16> + use<'a> {
+        let (block, facts) = (self.applied.block, self.facts);
+        let offset = self.index - profile::index_in(block, facts.first);
+        facts.as_many_as.iter().map(move |&index| profile::index_in(block, index) + offset)
+    }
+
     /// The described entries that the document defines; the shared attributes of a compactly stored object
     /// count as one entry. There are none if the structure of the object differs from the document.
     pub(crate) fn entries(self) -> impl Iterator<Item = Expected<'a>> {

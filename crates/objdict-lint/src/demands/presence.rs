@@ -116,15 +116,11 @@ pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findin
 
 /// Reports an object with a different number of elements than the objects it belongs to.
 pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
-    let facts = at.facts;
-    if facts.as_many_as.is_empty() || !at.has_its_shape() || at.device.is_modular() {
+    if at.facts.as_many_as.is_empty() || !at.has_its_shape() || at.device.is_modular() {
         return;
     }
-    let block = at.applied.block;
-    let offset = at.index - index_in(block, facts.first);
-    let others = facts.as_many_as.iter().map(|&index| index_in(block, index) + offset);
     let others: Vec<(u16, Option<u8>)> =
-        others.filter_map(|index| Some((index, count(at.device.object(index)?)))).collect();
+        at.counterparts().filter_map(|index| Some((index, count(at.device.object(index)?)))).collect();
     let Some(own) = count(at.object) else { return };
     let is_alike = others.iter().any(|&(_, number)| number.is_none_or(|number| number == own));
     let Some(&(index, Some(number))) = others.first().filter(|_| !is_alike) else { return };

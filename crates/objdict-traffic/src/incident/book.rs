@@ -10,7 +10,7 @@ use objdict_model::diagnostic::RuleInfo;
 /// The most incidents of a kind and node; of more, the last one takes the events.
 const MAX_INCIDENTS: usize = 20;
 
-/// The most incidents of a bus; of more, only the findings are kept.
+/// So many incidents of a bus are kept, and beyond them the first of each kind and node; of more, the last one of these takes the events.
 const MAX_ALL: usize = 4096;
 
 /// How many of the first frames of an incident are kept, and of the last ones.
@@ -103,9 +103,6 @@ impl IncidentBook {
             (count > 0 && (count >= MAX_INCIDENTS || self.drafts.len() >= MAX_ALL)).then_some(last)
         });
         let at = at.or_else(|| {
-            if self.drafts.len() >= MAX_ALL {
-                return None;
-            }
             let kind = KINDS.iter().find(|kind| kind.rule.id == rule.id)?;
             let (nodes, start) = ([node].into_iter().filter(|node| *node != 0).collect(), moment.time);
             let (end, events, consequences, frames, text) = (None, 0, 0, KeptFrames::default(), text.clone());

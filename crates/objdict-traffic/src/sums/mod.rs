@@ -283,9 +283,9 @@ impl BusSums {
                 let subject = Subject::new(&rules::PDO_LENGTH, node_id, about);
                 self.book.end(subject, || sight.seen(), "the length is right again");
             }
-            // most words are those of the frame before
-            let is_news = message.expected.has_words
-                && std::mem::replace(&mut message.data, first_bytes(frame)) != first_bytes(frame);
+            // most frames repeat the words of the frame before
+            let data = if message.expected.has_words { first_bytes(frame) } else { message.data };
+            let is_news = std::mem::replace(&mut message.data, data) != data;
             if is_news || message.expected.has_words && self.drives.is_waiting {
                 self.drives.frame(sight, &mut self.book);
             }

@@ -22,12 +22,12 @@ pub struct BeforeEdit<'a> {
 pub struct SectionStarts(Vec<(u32, Option<u16>)>);
 
 impl SectionStarts {
-    /// Those of a document.
+    /// Finds the sections of a document.
     pub fn of(document: &Document) -> Self {
         Self(document.headers().filter_map(|line| start_of(document, &line)).collect())
     }
 
-    /// Those of the document after an edit, and the objects of the sections that the edit touched, before it or after it.
+    /// Finds the sections of the document after an edit, and the objects of the sections that the edit touched, before it or after it.
     fn after(&self, document: &Document, edited: EditedSpan) -> (Self, BTreeSet<u16>) {
         let EditedSpan { old_end, new_end, .. } = edited;
         let mut lines = document.changed_lines(edited).peekable();
