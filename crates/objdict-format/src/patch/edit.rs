@@ -11,7 +11,7 @@ use crate::input::DEFAULT_MAX_ENTRIES;
 use crate::{Description, EditError, Syntax, WriteOptions, embedded};
 use objdict_eds::eds;
 use objdict_model::diagnostic::{Change, Fix};
-use objdict_model::model::{Device, Field, ObjectList, Part, Place};
+use objdict_model::model::{Device, Field, Object, ObjectList, Part, Place};
 use objdict_model::source::Edits;
 
 /// The description with the text of `wanted`: where its format has a place by edits, in an EDS or DCF else by embedding; where
@@ -58,9 +58,13 @@ fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
 /// The differences of two devices as changes in the words of CiA 306: of the texts that an EDS would have of both.
 fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
     let device = original.described();
-    let [before, after] = [device, wanted].map(eds::stated);
+    let is_other = |index: u16, object: &Object| wanted.object(index).is_some_and(|other| other != object);
+    let before = eds::stated(&with_some(device, is_other));
+    let after = eds::stated(&with_some(wanted, |index, object| device.object(index) != Some(object)));
     let mut before: BTreeMap<Part, Vec<(Field, String)>> = before.into_iter().collect();
-    let mut changes = Vec::new();
+    let gone = device.objects.keys().filter(|index| wanted.object(**index).is_none());
+    let mut changes: Vec<Change> =
+        gone.map(|index| Change::Remove(Place::of(Part::Object(*index)))).collect();
     for (part, fields) in after {
         let old = before.remove(&part).unwrap_or_default();
         if matches!(part, Part::List(_)) || old == fields {
@@ -79,17 +83,18 @@ fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
             }
         }
     }
-    let is_gone = |part: &Part| part.object().is_some_and(|index| wanted.object(index).is_none());
-    changes.extend(before.into_keys().filter_map(|part| match part {
-        Part::Object(_) => Some(Change::Remove(Place::of(part))),
-        Part::List(_) => None,
-        // gone with its object
-        part if is_gone(&part) => None,
-        part => Some(Change::Remove(Place::of(part))),
-    }));
+    let gone = before.into_keys().filter(|part| !matches!(part, Part::List(_)));
+    changes.extend(gone.map(|part| Change::Remove(Place::of(part))));
     let lists = ObjectList::ALL.into_iter().filter(|list| device.lists.get(*list) != wanted.lists.get(*list));
     changes.extend(lists.map(|list| Change::List(list, wanted.lists.get(list).to_vec())));
     changes
+}
+
+/// A device with some of its objects.
+fn with_some(device: &Device, mut is_kept: impl FnMut(u16, &Object) -> bool) -> Device {
+    let mut some = device.clone();
+    some.objects.retain(|index, object| is_kept(*index, object));
+    some
 }
 
 /// The description with what edits could not say embedded; `None` where its format has no place for that.

@@ -5,7 +5,7 @@ mod section;
 mod spell;
 mod text;
 
-use self::section::SectionBlock;
+use self::section::{ArrangedKey, SectionBlock};
 use self::text::ArrangedText;
 pub use self::text::Extent;
 use super::order::Rank;
@@ -132,10 +132,14 @@ impl<'a> Stretch<'a> {
                     }
                     stretch.block = Some(block(name.of(text), &line, text, std::mem::take(&mut notes)));
                 }
-                LineKind::Entry { key, .. } => {
+                LineKind::Entry { key, value } => {
                     let notes = std::mem::take(&mut notes);
                     match &mut stretch.block {
-                        Some(block) => block.entries.push((block.rank_of(key.of(text)), above)),
+                        Some(block) => {
+                            let (name, value) = (key.of(text), value.of(text));
+                            let (rank, line) = (block.rank_of(name), line.span.start);
+                            block.keys.push(ArrangedKey { rank, above, line, name, value });
+                        }
                         // lines without a section keep their place
                         None => stretch.before_sections(notes.all(), line.span.of(text).trim()),
                     }
@@ -191,7 +195,7 @@ fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> S
         above: notes.paragraphs,
         remark: Some(remark).filter(|remark| !remark.is_empty()),
         part,
-        entries: Vec::new(),
+        keys: Vec::new(),
         behind: Vec::new(),
     }
 }

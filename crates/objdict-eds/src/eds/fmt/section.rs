@@ -6,8 +6,19 @@ use super::spell;
 use super::text::{ArrangedText, Extent};
 use crate::eds::keys::FieldKey;
 use crate::eds::order::{COUNTERS, key_rank};
-use crate::ini::{LineKind, Lines};
-use crate::model::{Device, ModulePart, Part};
+use crate::ini::Lines;
+use crate::model::{Device, Field, ModulePart, Part};
+
+/// A key of a section with its value.
+pub(super) struct ArrangedKey<'a> {
+    /// Its place among the keys of the section.
+    pub(super) rank: u32,
+    /// Where the lines above it start, and where its own line does.
+    pub(super) above: u32,
+    pub(super) line: u32,
+    pub(super) name: &'a str,
+    pub(super) value: &'a str,
+}
 
 /// A section and the lines that move with it.
 pub(super) struct SectionBlock<'a> {
@@ -19,13 +30,12 @@ pub(super) struct SectionBlock<'a> {
     pub(super) is_above: bool,
     /// The text after the header on its line.
     pub(super) remark: Option<&'a str>,
-    /// The rank of each key, and where the lines above it start.
-    pub(super) entries: Vec<(u32, u32)>,
+    pub(super) keys: Vec<ArrangedKey<'a>>,
     /// The lines after the last key.
     pub(super) behind: Vec<&'a str>,
 }
 
-impl SectionBlock<'_> {
+impl<'a> SectionBlock<'a> {
     pub(super) fn write(&mut self, source: &str, device: &Device, extent: Extent, text: &mut ArrangedText) {
         for (number, paragraph) in self.above.iter().enumerate() {
             text.lines(paragraph);
@@ -34,29 +44,27 @@ impl SectionBlock<'_> {
             }
         }
         if let Some(remark) = self.remark {
-            text.line(&format!("; {remark}"));
+            text.parts(["; ", remark, ""]);
         }
-        text.line(&format!("[{}]", self.name));
+        text.parts(["[", &self.name, "]"]);
         if extent.keys {
-            self.entries.sort_unstable();
+            self.keys.sort_unstable_by_key(|key| (key.rank, key.above));
         }
-        for &(_, start) in &self.entries {
-            for line in Lines::from(source, start) {
-                if let LineKind::Entry { key, value } = line.kind {
-                    let (key, value) = (key.of(source), value.of(source));
-                    let value = match extent.values {
-                        true => spell::value(device, &self.part, key, value),
-                        false => Cow::Borrowed(value),
-                    };
-                    let key = if extent.names { self.key(key) } else { Cow::Borrowed(key) };
-                    text.line(&format!("{key}={value}"));
-                    break;
-                }
-                let above = line.span.of(source).trim_end();
-                if !above.is_empty() {
-                    text.line(above);
+        for key in &self.keys {
+            let above = Lines::from(source, key.above).take_while(|line| line.span.start < key.line);
+            for line in above {
+                let line = line.span.of(source).trim_end();
+                if !line.is_empty() {
+                    text.line(line);
                 }
             }
+            let field = FieldKey::find(key.name).map(FieldKey::field);
+            let value = match extent.values {
+                true => spell::value(device, &self.part, field, key),
+                false => Cow::Borrowed(key.value),
+            };
+            let name = if extent.names { self.spelling(field, key.name) } else { Cow::Borrowed(key.name) };
+            text.parts([&name, "=", &value]);
         }
         text.lines(&self.behind);
     }
@@ -86,11 +94,11 @@ impl SectionBlock<'_> {
         }
     }
 
-    /// A key in the spelling of the standard.
-    fn key<'k>(&self, key: &'k str) -> Cow<'k, str> {
-        match FieldKey::find(key) {
-            Some(found) if !matches!(self.part, Part::Section(_)) => found.field().name(),
-            _ => Cow::Borrowed(key),
+    /// The name of a key in the spelling of the standard.
+    fn spelling(&self, field: Option<&'static Field>, name: &'a str) -> Cow<'a, str> {
+        match field {
+            Some(field) if !matches!(self.part, Part::Section(_)) => field.name(),
+            _ => Cow::Borrowed(name),
         }
     }
 }

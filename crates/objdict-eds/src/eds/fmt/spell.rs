@@ -2,17 +2,22 @@
 
 use std::borrow::Cow;
 
-use crate::eds::keys::FieldKey;
+use super::section::ArrangedKey;
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, DataType, Device, Field, ModulePart, ObjectType, Part, TypeKind};
 
-/// The value of a key of a part.
-pub(super) fn value<'a>(device: &Device, part: &Part, key: &str, text: &'a str) -> Cow<'a, str> {
-    let spelled = match FieldKey::find(key).map(FieldKey::field) {
-        Some(field) => of_field(device, part, field, text),
-        None => of_item(device, part, key, text),
+/// The value of a key of a part, which is that of a field unless the standard does not define it.
+pub(super) fn value<'a>(
+    device: &Device,
+    part: &Part,
+    field: Option<&Field>,
+    key: &ArrangedKey<'a>,
+) -> Cow<'a, str> {
+    let spelled = match field {
+        Some(field) => of_field(device, part, field, key.value),
+        None => of_item(device, part, key.name, key.value),
     };
-    spelled.map_or(Cow::Borrowed(text), Cow::Owned)
+    spelled.map_or(Cow::Borrowed(key.value), Cow::Owned)
 }
 
 fn of_field(device: &Device, part: &Part, field: &Field, text: &str) -> Option<String> {
@@ -49,6 +54,10 @@ fn of_item(device: &Device, part: &Part, key: &str, text: &str) -> Option<String
 
 /// A number or a formula of an integer type.
 fn of_type(data_type: DataType, text: &str) -> Option<String> {
+    // nothing is spelled in two ways but hexadecimal digits and `$NODEID`
+    if !text.contains(['x', 'X', '$']) {
+        return None;
+    }
     if !matches!(data_type.kind(), TypeKind::Signed(_) | TypeKind::Unsigned(_)) {
         return None;
     }
@@ -69,6 +78,13 @@ fn of_type(data_type: DataType, text: &str) -> Option<String> {
 
 /// An index with four digits.
 fn index(text: &str) -> Option<String> {
+    let is_digit = |byte: &u8| matches!(byte, b'0'..=b'9' | b'A'..=b'F');
+    if text
+        .strip_prefix("0x")
+        .is_some_and(|digits| digits.len() == 4 && digits.bytes().all(|byte| is_digit(&byte)))
+    {
+        return None;
+    }
     let number = u16::try_from(plain_number(text)?).ok()?;
     Some(format!("0x{number:04X}"))
 }

@@ -33,6 +33,12 @@ impl ArrangedText {
         self.text.push_str(self.line_end);
     }
 
+    /// A line of three parts.
+    pub(super) fn parts(&mut self, parts: [&str; 3]) {
+        parts.iter().for_each(|part| self.text.push_str(part));
+        self.text.push_str(self.line_end);
+    }
+
     pub(super) fn lines(&mut self, lines: &[&str]) {
         lines.iter().for_each(|line| self.line(line));
     }
