@@ -18,7 +18,8 @@ use super::shared::{Described, SharedDescription};
 #[pyfunction]
 pub(crate) fn findings(py: Python<'_>, of: &NativeDictionary) -> PyResult<String> {
     py.detach(|| {
-        let (subject, findings) = findings_of(&of.0)?;
+        let shared = of.now();
+        let (subject, findings) = findings_of(&shared)?;
         document(|report| report.file(subject, &findings))
     })
 }
@@ -27,7 +28,8 @@ pub(crate) fn findings(py: Python<'_>, of: &NativeDictionary) -> PyResult<String
 #[pyfunction]
 pub(crate) fn errors(py: Python<'_>, of: &NativeDictionary) -> PyResult<String> {
     py.detach(|| {
-        let (subject, findings) = findings_of(&of.0)?;
+        let shared = of.now();
+        let (subject, findings) = findings_of(&shared)?;
         errors_among(subject, findings)
     })
 }

@@ -6,6 +6,7 @@
 //! meanings of values are computed at first use, so opening a file costs only reading it. The stable interface
 //! (abi3) needs neither headers nor an interpreter to build.
 
+mod configure;
 mod dictionary;
 mod entry;
 mod findings;
@@ -17,6 +18,8 @@ mod streams;
 mod traffic;
 mod value;
 
+use objdict::source::SourceError;
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 pyo3::create_exception!(
@@ -31,11 +34,27 @@ fn raised(error: impl std::fmt::Display) -> PyErr {
     ObjdictError::new_err(error.to_string())
 }
 
+/// A file that cannot be read: an `OSError` as that of Python's own functions, such as `FileNotFoundError`.
+fn unreadable(error: SourceError) -> PyErr {
+    match error {
+        SourceError::Io { path, error } => match error.raw_os_error() {
+            Some(number) => {
+                let text = error.to_string();
+                let text = text.split(" (os error").next().unwrap_or_default().to_owned();
+                PyOSError::new_err((number, text, path))
+            }
+            None => raised(format_args!("cannot read `{path}`: {error}")),
+        },
+        error => raised(error),
+    }
+}
+
 #[pymodule]
 mod _native {
     #[pymodule_export]
     use super::{
         ObjdictError,
+        configure::configure,
         dictionary::{NativeDictionary, NativeObject, open, read},
         entry::PythonEntry,
         findings::{check, errors, findings},

@@ -4,14 +4,16 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, CodeName, Finding, Form, Identifiers, Subject};
 use objdict::download::{ConciseDcf, NeededFile, PlanOptions};
-use objdict::format::{self, EditError, Format, WriteOptions, json};
+use objdict::format::{self, Format, WriteOptions, json};
 use objdict::generate::{self as code, Generated, Options, Target};
 use objdict::lint::changes::compare;
-use objdict::model::{Commissioning, DeviceKind};
+use objdict::model::{Commissioning, Device, DeviceKind};
 use objdict::report::Location;
 use objdict::source::Folder;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -19,6 +21,7 @@ use super::dictionary::NativeDictionary;
 use super::findings::findings_of;
 use super::raised;
 use super::shared::{Described, SharedDescription};
+use super::value::NodeId;
 
 /// A file of another format, and what it does not have of the device.
 type Converted = (Vec<u8>, Vec<String>);
@@ -31,12 +34,13 @@ pub(crate) fn convert<'py>(
     of: &NativeDictionary,
     to: &str,
     name: &str,
-    node_id: Option<u8>,
+    node_id: Option<NodeId>,
     bit_rate: Option<u16>,
     embed: bool,
 ) -> PyResult<(Bound<'py, PyBytes>, Vec<String>)> {
-    let node = OutputNode { node_id: node_id.or(of.0.node_id), bit_rate };
-    let (bytes, lost) = py.detach(|| converted(&of.0, to, name, &node, embed))?;
+    let shared = of.now();
+    let node = OutputNode { node_id: node_id.map(|node| node.0).or(shared.node_id), bit_rate };
+    let (bytes, lost) = py.detach(|| converted(&shared, to, name, &node, embed))?;
     Ok((PyBytes::new(py, &bytes), lost))
 }
 
@@ -47,14 +51,15 @@ pub(crate) fn generate(
     of: &NativeDictionary,
     target: &str,
 ) -> PyResult<(BTreeMap<String, String>, Vec<String>)> {
-    of.0.refuse_errors()?;
+    let shared = of.now();
+    shared.refuse_errors()?;
     let target = Target::named(target).map_err(raised)?;
     let mut options = Options::default();
-    options.node_id = of.0.node_id;
-    let stem = Path::new(of.0.source().name()).file_stem();
+    options.node_id = shared.node_id;
+    let stem = Path::new(shared.source().name()).file_stem();
     options.file_stem = stem.map_or_else(|| "device".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let Generated { files, notes, .. } =
-        py.detach(|| code::generate(of.0.device(), target, &options)).map_err(raised)?;
+        py.detach(|| code::generate(shared.device(), target, &options)).map_err(raised)?;
     let text = |contents: Vec<u8>| String::from_utf8(contents).map_err(raised);
     let files = files.into_iter().map(|file| Ok((file.path, text(file.contents)?)));
     Ok((files.collect::<PyResult<_>>()?, notes.iter().map(ToString::to_string).collect()))
@@ -70,7 +75,7 @@ pub(crate) fn docs(
     language: Option<String>,
 ) -> PyResult<String> {
     let form = Form::of_extension(form).ok_or_else(|| raised(format_args!("there is no form `{form}`")))?;
-    py.detach(|| page(&of.0, form, language))
+    py.detach(|| page(&of.now(), form, language))
 }
 
 /// The changes from one device to another: rule, index, sub-index, old, new, verdict and message of each.
@@ -86,7 +91,8 @@ pub(crate) fn changes(
         let rule = change.rule.info.id.to_owned();
         (rule, change.index, change.sub, change.old, change.new, verdict, message)
     };
-    py.detach(|| compare(old.0.device(), new.0.device()).into_iter().map(row).collect())
+    let (old, new) = (old.now(), new.now());
+    py.detach(|| compare(old.device(), new.device()).into_iter().map(row).collect())
 }
 
 /// The node that a description of one is for.
@@ -97,10 +103,16 @@ struct OutputNode {
 
 impl OutputNode {
     /// What the description says of its node, but for what is wanted otherwise.
-    fn commissioning(&self, stated: Option<&Commissioning>) -> Commissioning {
+    fn commissioning(&self, stated: Option<&Commissioning>) -> PyResult<Commissioning> {
         let mut node = stated.cloned().unwrap_or_default();
-        (node.node_id, node.baud_rate) = (self.node_id.or(node.node_id), self.bit_rate.or(node.baud_rate));
-        node
+        (node.node_id, node.baud_rate) = (Some(self.node_id()?), self.bit_rate.or(node.baud_rate));
+        Ok(node)
+    }
+
+    fn node_id(&self) -> PyResult<u8> {
+        self.node_id.ok_or_else(|| {
+            PyValueError::new_err("the node-ID is missing: give `node_id`, 1 to 127, to `load` or here")
+        })
     }
 }
 
@@ -116,15 +128,16 @@ fn converted(
     match to {
         "json" => return Ok((json::write_device(device).into_bytes(), Vec::new())),
         "cdcf" => return Ok((concise(shared, node)?, Vec::new())),
+        "dbc" => return dbc(device, node.node_id()?),
         _ => {}
     }
     let format = Format::from_name(to).ok_or_else(|| raised(format_args!("there is no format `{to}`")))?;
-    if let Some(bytes) = edited(shared, format, name, node).map_err(raised)? {
+    if let Some(bytes) = edited(shared, format, name, node)? {
         return Ok((bytes, Vec::new()));
     }
     let mut device = device.clone();
     if format.kind() == DeviceKind::Node {
-        device.commissioning = Some(node.commissioning(device.commissioning.as_ref()));
+        device.commissioning = Some(node.commissioning(device.commissioning.as_ref())?);
         device.kind = DeviceKind::Node;
     }
     let mut options = WriteOptions::default();
@@ -139,23 +152,33 @@ fn edited(
     to: Format,
     name: &str,
     node: &OutputNode,
-) -> Result<Option<Vec<u8>>, EditError> {
+) -> PyResult<Option<Vec<u8>>> {
     let Described::Text(description) = &shared.described else { return Ok(None) };
     let is_read_only =
         description.is_project() || description.is_network() || description.variant().is_some();
     if is_read_only || description.format().syntax() != to.syntax() {
         return Ok(None);
     }
-    let is_same = description.format() == to && node.bit_rate.is_none();
+    let is_same = description.format() == to && node.bit_rate.is_none() && shared.revision == 0;
     let is_node_kept = node.node_id == description.device().node_id();
     Ok(Some(match to.kind() {
         _ if is_same && (is_node_kept || to.kind() == DeviceKind::Type) => description.print(),
-        DeviceKind::Type => description.to_type(name)?,
+        DeviceKind::Type => description.to_type(name).map_err(raised)?,
         DeviceKind::Node => {
             let stated = description.device().commissioning.as_ref();
-            description.to_node(name, &node.commissioning(stated))?
+            description.to_node(name, &node.commissioning(stated)?).map_err(raised)?
         }
     }))
+}
+
+/// The frames of the node as a DBC, and what is on the bus and not in it.
+fn dbc(device: &Device, node_id: u8) -> PyResult<Converted> {
+    let name = device.commissioning.as_ref().and_then(|node| node.node_name.as_deref());
+    let bus = [BusNode { device, node_id, name, is_counterpart: false }];
+    let written = dbc::write(&bus, DbcOptions::default());
+    let lost = written.omissions.iter().filter(|omission| omission.is_lost);
+    let lost = lost.map(|omission| format!("{}: {}", omission.place, omission.reason)).collect();
+    Ok((written.bytes, lost))
 }
 
 /// The downloads that configure the node. Files that they need are beside the description.
@@ -202,5 +225,5 @@ fn with_subject(
 /// The card at the top of the documentation.
 #[pyfunction]
 pub(crate) fn card(of: &NativeDictionary) -> String {
-    with_subject(&of.0, None, &Identifiers::new(), |subject| document::card(subject, &Default::default()))
+    with_subject(&of.now(), None, &Identifiers::new(), |subject| document::card(subject, &Default::default()))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 use objdict::config::Project;
 use objdict::format::Description;
@@ -24,12 +24,32 @@ pub(crate) enum Described {
     Model(Box<Device>, SourceFile),
 }
 
-/// What a description says, shared by all that Python has of it.
+/// A device as Python holds it: what was read, until values of it are set.
+pub(crate) struct SharedDevice(RwLock<Arc<SharedDescription>>);
+
+impl SharedDevice {
+    pub(crate) fn new(described: SharedDescription) -> Self {
+        Self(RwLock::new(Arc::new(described)))
+    }
+
+    /// What is described now.
+    pub(crate) fn now(&self) -> Arc<SharedDescription> {
+        Arc::clone(&self.0.read().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    pub(crate) fn set(&self, described: SharedDescription) {
+        *self.0.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(described);
+    }
+}
+
+/// What a description says at a time.
 pub(crate) struct SharedDescription {
     pub(crate) described: Described,
     /// The file; `None` of bytes.
     pub(crate) path: Option<PathBuf>,
     pub(crate) node_id: Option<u8>,
+    /// How often values were set. The text of a file has none.
+    pub(crate) revision: u32,
     /// The nearest configuration of the file.
     pub(crate) project: Option<Arc<Project>>,
     pub(crate) meanings: OnceLock<HashMap<(u16, u8), ValueMeaning>>,
@@ -53,8 +73,7 @@ impl SharedDescription {
 
     /// The settings of the nearest configuration; bytes have none.
     pub(crate) fn options(&self) -> lint::Options {
-        let node_id = self.node_id.filter(|id| (1..=127).contains(id));
-        let overrides = Overrides { node_id, ..Overrides::default() };
+        let overrides = Overrides { node_id: self.node_id, ..Overrides::default() };
         match &self.path {
             Some(path) => overrides.options(path, self.project.as_deref()),
             None => overrides.options(Path::new(""), None),

@@ -19,6 +19,7 @@ use super::dictionary::NativeDictionary;
 use super::network::opened;
 use super::raised;
 use super::shared::SharedDescription;
+use super::value::NodeId;
 
 /// So many frames pass to Python at once, and so many batches wait for it.
 const BATCH: usize = 256;
@@ -65,10 +66,10 @@ pub(crate) fn decode(
     py: Python<'_>,
     logs: Vec<LogSource>,
     networks: Vec<PathBuf>,
-    devices: Vec<(Option<u8>, PyRef<'_, NativeDictionary>)>,
+    devices: Vec<(Option<NodeId>, PyRef<'_, NativeDictionary>)>,
 ) -> PyResult<Frames> {
     let devices: Vec<(Option<u8>, Arc<SharedDescription>)> =
-        devices.iter().map(|(node_id, device)| (*node_id, Arc::clone(&device.0))).collect();
+        devices.iter().map(|(node_id, device)| (node_id.map(|node| node.0), device.now())).collect();
     let descriptions = py.detach(|| describe(&networks, &devices))?;
     let (sender, receiver) = sync_channel(WAITING);
     thread::spawn(move || {

@@ -4,14 +4,35 @@ use std::time::Duration;
 
 use objdict::model::{DataType, Time, TypeKind, Value};
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::{PyOverflowError, PyTypeError};
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBool, PyBytes, PyFloat, PyInt};
 
 const MILLISECONDS_OF_DAY: u64 = 24 * 60 * 60 * 1000;
 
+/// A node-ID, 1 to 127. Other numbers are a `ValueError`.
+#[derive(Clone, Copy)]
+pub(crate) struct NodeId(pub(crate) u8);
+
+impl FromPyObject<'_, '_> for NodeId {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if !object.is_instance_of::<PyInt>() {
+            return Err(PyTypeError::new_err(format!(
+                "a node-ID is a number from 1 to 127, not `{}`",
+                *object
+            )));
+        }
+        let number = object.extract().ok().filter(|number| (1..=127).contains(number));
+        number.map(Self).ok_or_else(|| {
+            PyValueError::new_err(format!("`{}` is not a node-ID: write a number from 1 to 127", *object))
+        })
+    }
+}
+
 /// A value that is the node-ID plus a number, as long as the node-ID is unknown.
-#[pyclass(frozen, eq, hash, module = "canopen_objdict")]
+#[pyclass(frozen, eq, hash, from_py_object, module = "canopen_objdict")]
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub(crate) struct Formula {
     /// The number.
@@ -22,8 +43,8 @@ pub(crate) struct Formula {
 #[pymethods]
 impl Formula {
     /// The value on a node.
-    fn on_node(&self, node_id: u8) -> u64 {
-        self.offset.wrapping_add(node_id.into())
+    fn on_node(&self, node_id: NodeId) -> u64 {
+        self.offset.wrapping_add(node_id.0.into())
     }
 
     fn __repr__(&self) -> String {
@@ -57,6 +78,26 @@ pub(crate) fn to_python<'py>(
 
 fn duration(time: Time) -> Duration {
     Duration::from_millis(u64::from(time.days) * MILLISECONDS_OF_DAY + u64::from(time.milliseconds))
+}
+
+/// A value as a setting states it: as in a DCF. Texts stay as they are.
+pub(crate) fn setting_text(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if value.is_instance_of::<PyBool>() {
+        return Ok(u8::from(value.is_truthy()?).to_string());
+    }
+    if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() {
+        return Ok(value.str()?.to_string());
+    }
+    if let Ok(formula) = value.extract::<Formula>() {
+        return Ok(formula.__repr__());
+    }
+    if let Ok(text) = value.extract::<String>() {
+        return Ok(text);
+    }
+    let data_type =
+        if value.is_instance_of::<PyBytes>() { DataType::OCTET_STRING } else { DataType::TIME_OF_DAY };
+    let unfit = |_| PyTypeError::new_err(format!("`{value}` is not a value of an entry"));
+    Ok(from_python(value, data_type).map_err(unfit)?.to_string())
 }
 
 /// The value of a data type that an object of Python is.

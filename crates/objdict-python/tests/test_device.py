@@ -1,6 +1,7 @@
 """What a description says."""
 
 import io
+import pickle
 from concurrent.futures import ThreadPoolExecutor
 from datetime import timedelta
 from pathlib import Path
@@ -129,8 +130,6 @@ def test_variants_and_devices_are_selected(fixtures: Path) -> None:
 def test_what_is_no_description_is_an_exception(tmp_path: Path) -> None:
     with pytest.raises(ObjdictError, match="not a file that objdict knows"):
         load(b"junk")
-    with pytest.raises(ObjdictError, match="missing.eds"):
-        load(tmp_path / "missing.eds")
 
 
 def test_threads_read_at_the_same_time(fixtures: Path) -> None:
@@ -147,3 +146,98 @@ def test_a_notebook_shows_the_card(drive: Device) -> None:
 
 def test_the_version_is_there() -> None:
     assert canopen_objdict.__version__.count(".") == 2
+
+
+def test_values_are_set_and_saved(fixtures: Path, tmp_path: Path) -> None:
+    device = load(fixtures / "eds/drive-402.eds", node_id=5)
+    entry = device[0x1017, 0]
+    assert not device.findings
+    device[0x1017].value = 1000
+    assert (device[0x1017].value, entry.value, entry.is_configured, device.format) == (1000, 1000, True, "DCF")
+    entry.value = 250
+    device.configure({(0x1800, 2): 1, "Homing acceleration": 3}, bit_rate=500)
+    assert [pdo.transmission_type for pdo in device.pdos if pdo.name == "TPDO 1"] == [1] and device.findings
+    device.save(tmp_path / "node5.dcf")
+    text = (tmp_path / "node5.dcf").read_text(encoding="utf-8")
+    assert "; Servo drive after CiA 402" in text and "FileName=node5.dcf" in text and "NodeID=5" in text
+    saved = load(tmp_path / "node5.dcf")
+    assert saved == device and [finding.rule for finding in saved.findings] == ["cia301/timer-without-effect"]
+    assert (saved.node_id, saved[0x1017].value, saved[0x1800, 2].value, saved[0x609A].value) == (5, 250, 1, 3)
+
+
+def test_a_file_of_settings_is_applied(fixtures: Path, tmp_path: Path) -> None:
+    (tmp_path / "settings.toml").write_text("node-id = 9\n[set]\n'1017' = '1s'\n", encoding="utf-8")
+    device = load(fixtures / "eds/drive-402.eds")
+    device.configure(file=tmp_path / "settings.toml")
+    assert (device.node_id, device[0x1017].value) == (9, 1000)
+
+
+def test_settings_that_are_not_possible_change_nothing(fixtures: Path) -> None:
+    device = load(fixtures / "eds/drive-402.eds", node_id=5)
+    copy = load(fixtures / "eds/drive-402.eds", node_id=5)
+    with pytest.raises(ValueError, match="(?s)`70000` is not a valid UNSIGNED16.*no object `5555`"):
+        device.configure({0x1017: 70000, 0x5555: 1, (0x1800, 2): 1})
+    with pytest.raises(ValueError, match="cannot be configured"):
+        device[0x1018, 1].value = 7
+    with pytest.raises(TypeError, match="1018h has sub-indexes"):
+        device[0x1018].value = 7
+    assert device == copy and device.format == "EDS"
+    with pytest.raises(ValueError, match="`node_id`, 1 to 127"):
+        load(fixtures / "eds/drive-402.eds")[0x1017].value = 5
+
+
+@pytest.mark.parametrize("node_id", [0, 128, -1, 256, 2**70])
+def test_node_ids_are_1_to_127(fixtures: Path, node_id: int) -> None:
+    device = load(fixtures / "eds/drive-402.eds")
+    for use in (
+        lambda: load(fixtures / "eds/drive-402.eds", node_id=node_id),
+        lambda: device.convert("dcf", node_id=node_id),
+        lambda: device.to_canopen(node_id),
+        lambda: device.configure({}, node_id=node_id),
+        lambda: canopen_objdict.decode(fixtures / "logs/drive.asc", {node_id: device}),
+    ):
+        with pytest.raises(ValueError, match="is not a node-ID: write a number from 1 to 127"):
+            use()
+
+
+def test_a_node_needs_a_node_id(fixtures: Path, tmp_path: Path) -> None:
+    device = load(fixtures / "eds/drive-402.eds")
+    for form in ("dcf", "xdc", "dbc"):
+        with pytest.raises(ValueError, match="the node-ID is missing"):
+            device.save(tmp_path / f"x.{form}")
+        device.save(tmp_path / f"x.{form}", node_id=7)
+    assert load(tmp_path / "x.dcf").node_id == 7
+    assert b"BO_ 391 " in (tmp_path / "x.dbc").read_bytes()
+
+
+def test_devices_are_compared_and_copied(fixtures: Path) -> None:
+    path = fixtures / "eds/drive-402.eds"
+    device = load(path, node_id=5)
+    assert device == load(path.read_bytes(), node_id=5, name="other.eds")
+    assert device != load(path, node_id=6) and device != load(fixtures / "eds/io-401.eds") and device != 5
+    assert device[0x1018, 1] == load(path)[0x1018, 1] != device[0x1018, 2]
+    assert len({device, load(path, node_id=5)}) == 1
+    device[0x1017].value = 33
+    for source in (device, load(fixtures / "toml/family.toml", variant="io8", node_id=4), load(fixtures / "toml/family.toml")):
+        copied = pickle.loads(pickle.dumps(source))
+        assert copied == source and (copied.name, copied.path, copied.node_id) == (source.name, source.path, source.node_id)
+
+
+def test_what_is_missing_is_said(fixtures: Path, tmp_path: Path) -> None:
+    device = load(fixtures / "eds/drive-402.eds")
+    with pytest.raises(KeyError, match="drive-402.eds has no object 5555h"):
+        device[0x5555]
+    with pytest.raises(KeyError, match="drive-402.eds has no object 'Nothing'"):
+        device["Nothing"]
+    with pytest.raises(KeyError, match="1018h Identity object has no sub-index 63h"):
+        device[0x1018, 99]
+    assert device.get(0x5555, 7) == 7 and device.get((0x1018, 99)) is None
+    with pytest.raises(FileNotFoundError) as error:
+        load(tmp_path / "none.eds")
+    assert error.value.filename == str(tmp_path / "none.eds")
+
+
+def test_entries_are_a_table_of_pandas(fixtures: Path) -> None:
+    pytest.importorskip("pandas")
+    table = load(fixtures / "eds/drive-402.eds").to_dataframe()
+    assert table.loc[("1018", 1), "default"] == 0x3F9 and len(table.query("pdo_mapping != 'no'")) > 10

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO, Union, overload
+from typing import TYPE_CHECKING, Any, BinaryIO, Generic, NamedTuple, TextIO, TypeVar, Union, overload
 
 from . import _native
 from ._findings import Finding, of_document
@@ -17,6 +17,12 @@ from ._pdo import Mapped, Pdo
 
 if TYPE_CHECKING:
     import canopen
+    import pandas
+
+#: What a table says of an entry, in this order.
+COLUMNS = (
+    "name", "data_type", "access", "pdo_mapping", "default", "value", "low_limit", "high_limit", "unit", "factor", "description"
+)
 
 #: What `load` takes: a path, the bytes of a file, or a file object.
 Source = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview, BinaryIO, TextIO]
@@ -33,6 +39,30 @@ class Change(NamedTuple):
     #: The worst that it means for a user of the device: `compatible`, `risky` or `breaking`.
     verdict: str
     message: str
+
+
+T = TypeVar("T")
+
+
+class _until_set(Generic[T]):
+    """A property that is computed when it is asked for, and again after values were set."""
+
+    def __init__(self, compute: Callable[[Device], T]) -> None:
+        self._compute = compute
+        self.__doc__ = compute.__doc__
+
+    @overload
+    def __get__(self, device: None, owner: type[Device]) -> _until_set[T]: ...
+    @overload
+    def __get__(self, device: Device, owner: type[Device]) -> T: ...
+    def __get__(self, device: Device | None, owner: type[Device]) -> T | _until_set[T]:
+        if device is None:
+            return self
+        revision = device._native.revision
+        kept: tuple[int, T] | None = device._kept.get(self._compute.__name__)
+        if kept is None or kept[0] != revision:
+            kept = device._kept[self._compute.__name__] = revision, self._compute(device)
+        return kept[1]
 
 
 def load(
@@ -65,6 +95,20 @@ def content_of(source: bytes | bytearray | memoryview | BinaryIO | TextIO) -> tu
     return name if isinstance(name, str) else None, content.encode() if isinstance(content, str) else bytes(content)
 
 
+def _copy(
+    content: bytes, name: str, node_id: int | None, device: int | None, variant: str | None, path: str | None
+) -> Device:
+    """A copied device."""
+    return Device(_native.read(content, name, node_id, device, variant, [], path))
+
+
+def _name_of(key: int | str | tuple[int, int]) -> str:
+    """The key of a setting as objdict names an entry."""
+    if isinstance(key, tuple):
+        return f"{key[0]:04X}:{key[1]:X}"
+    return key if isinstance(key, str) else f"{key:04X}"
+
+
 class Object(Mapping[int, Entry]):
     """An object: its entries by sub-index, and by name."""
 
@@ -95,8 +139,14 @@ class Object(Mapping[int, Entry]):
 
     @property
     def value(self) -> Any:
-        """The value of an object that is one: that of sub-index 0."""
+        """The value of an object that is one: that of sub-index 0. Set, it is the one that the node is configured with."""
         return self[0].value
+
+    @value.setter
+    def value(self, value: Any) -> None:
+        if not self.is_single:
+            raise TypeError(f"{self.index:04X}h has sub-indexes: set the value of one of them")
+        self[0].value = value
 
     @cached_property
     def _subs(self) -> dict[str, int]:
@@ -106,7 +156,8 @@ class Object(Mapping[int, Entry]):
         sub = self._subs.get(key) if isinstance(key, str) else key
         entry = self._native.entry(sub) if sub is not None and 0 <= sub <= 0xFF else None
         if entry is None:
-            raise KeyError(key)
+            what = f"sub-index {key:02X}h" if isinstance(key, int) and key >= 0 else f"entry {key!r}"
+            raise KeyError(f"{self.index:04X}h {self.name} has no {what}")
         return entry
 
     def __contains__(self, key: object) -> bool:
@@ -129,6 +180,7 @@ class Device(Mapping[int, Object]):
 
     def __init__(self, native: _native.Dictionary) -> None:
         self._native = native
+        self._kept: dict[str, Any] = {}
 
     @classmethod
     def new(cls, profile: int = 301, node_id: int | None = None, **tables: Table) -> Device:
@@ -179,17 +231,17 @@ class Device(Mapping[int, Object]):
         """The supported bit rates in kbit/s."""
         return self._native.bit_rates
 
-    @cached_property
+    @_until_set
     def facts(self) -> dict[str, Any]:
         """`file_info`, `device_info`, `commissioning`, `comments` …, as the JSON of a device has them."""
         return dict(json.loads(self._native.facts())["device"])
 
-    @cached_property
+    @_until_set
     def pdos(self) -> list[Pdo]:
         """The PDOs: RPDOs first, by number."""
         return [Pdo(*facts, tuple(Mapped(*one) for one in mapped), self) for facts, mapped in self._native.pdos()]
 
-    @cached_property
+    @_until_set
     def findings(self) -> list[Finding]:
         """The findings, which are looked for when they are asked for the first time."""
         return list(of_document(_native.findings(self._native)))
@@ -218,19 +270,24 @@ class Device(Mapping[int, Object]):
         index = self._indexes.get(key) if isinstance(key, str) else key
         native = self._native.object(index) if index is not None and 0 <= index <= 0xFFFF else None
         if native is None:
-            raise KeyError(key)
+            what = f"object {key:04X}h" if isinstance(key, int) and key >= 0 else f"object {key!r}"
+            raise KeyError(f"{Path(self.name).name} has no {what}")
         return Object(native)
 
-    @overload  # type: ignore[override]
+    @overload
     def get(self, key: tuple[int, int]) -> Entry | None: ...
     @overload
     def get(self, key: int | str) -> Object | None: ...
-    def get(self, key: int | str | tuple[int, int]) -> Object | Entry | None:
-        """An object or an entry, if there is one."""
+    @overload
+    def get(self, key: tuple[int, int], default: T) -> Entry | T: ...
+    @overload
+    def get(self, key: int | str, default: T) -> Object | T: ...
+    def get(self, key: int | str | tuple[int, int], default: Any = None) -> Any:
+        """An object or an entry, if there is one, else the default."""
         try:
             return self[key]
         except KeyError:
-            return None
+            return default
 
     def __contains__(self, key: object) -> bool:
         if isinstance(key, tuple):
@@ -245,9 +302,35 @@ class Device(Mapping[int, Object]):
     def __len__(self) -> int:
         return len(self._native)
 
-    # a device is what was read, not the objects that it has in common with another
-    __eq__ = object.__eq__
-    __hash__ = object.__hash__
+    def __eq__(self, other: object) -> bool:
+        """Whether another device says the same, for the same node; the files may differ."""
+        return isinstance(other, Device) and self._native.is_same(other._native)
+
+    def __hash__(self) -> int:
+        # the same for as long as the device lives, also when values are set
+        return hash((self.profile, len(self)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        content, number, variant = self._native.copied()
+        path = None if self.path is None else os.fspath(self.path)
+        return _copy, (content, self.name, self.node_id, number, variant, path)
+
+    def configure(
+        self,
+        settings: Mapping[int | str | tuple[int, int], Any] | None = None,
+        *,
+        file: str | os.PathLike[str] | None = None,
+        node_id: int | None = None,
+        bit_rate: int | None = None,
+    ) -> None:
+        """Sets values that the node is configured with, by index, index and sub-index, or name: all of them, or none.
+
+        The device is then that of the node, as a DCF or XDC describes it. `file` has settings as `objdict configure` takes them.
+        `ValueError` lists the settings that the description does not allow.
+        """
+        values = [(_name_of(key), value) for key, value in (settings or {}).items()]
+        path = None if file is None else os.fspath(file)
+        _native.configure(self._native, values, path, node_id, bit_rate)
 
     def convert(
         self,
@@ -258,7 +341,7 @@ class Device(Mapping[int, Object]):
         bit_rate: int | None = None,
         embed: bool = True,
     ) -> bytes:
-        """The description as `eds`, `dcf`, `xdd`, `xdc`, `toml`, `json`, or as concise DCF (`cdcf`).
+        """The description as `eds`, `dcf`, `xdd`, `xdc`, `toml`, `json`, concise DCF (`cdcf`), or the frames as `dbc`.
 
         `name` is the file name that the text states. What the format has no place for is embedded in it, unless `embed` is
         not set: `losses` lists it. A DCF or XDC is for the node `node_id`, at `bit_rate` kbit/s.
@@ -291,6 +374,17 @@ class Device(Mapping[int, Object]):
     def diff(self, new: Device) -> list[Change]:
         """What changes from this device to another, as `objdict diff` judges it."""
         return [Change(*row) for row in _native.changes(self._native, new._native)]
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A table of pandas, which must be installed: a row for each entry, by index and sub-index."""
+        import pandas
+
+        rows = [
+            {"index": f"{entry.index:04X}", "sub": entry.sub, "object": self[entry.index].name}
+            | {column: getattr(entry, column) for column in COLUMNS}
+            for entry in self.entries()
+        ]
+        return pandas.DataFrame(rows, columns=["index", "sub", "object", *COLUMNS]).set_index(["index", "sub"])
 
     def to_dict(self) -> dict[str, Any]:
         """The whole model, as docs/json.md describes it."""

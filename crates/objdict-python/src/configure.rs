@@ -1,0 +1,152 @@
+//! Values of a node that are set: the description becomes that of a node, as `objdict configure` makes it.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use objdict::configure::{Setting, SettingProblem, SettingsFile, configuration, rebase};
+use objdict::format::{self, Description, Format, NodeSettings, Syntax, WriteOptions};
+use objdict::model::{Commissioning, Device, DeviceKind, NoAddress};
+use objdict::source::{MAX_TOML_SIZE, SourceFile, SourceOptions, read_text};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use super::dictionary::NativeDictionary;
+use super::shared::{Described, SharedDescription, SharedDevice};
+use super::value::{NodeId, setting_text};
+use super::{raised, unreadable};
+
+/// What a node is to be.
+#[derive(Default)]
+pub(crate) struct Wanted {
+    /// Names of entries with the texts of their values.
+    settings: Vec<(String, String)>,
+    file: Option<PathBuf>,
+    node_id: Option<u8>,
+    bit_rate: Option<u16>,
+}
+
+impl Wanted {
+    /// The value of one entry.
+    pub(crate) fn value(setting: (String, String)) -> Self {
+        Self { settings: vec![setting], ..Self::default() }
+    }
+}
+
+/// Sets values of a device, those of a file of settings first.
+#[pyfunction]
+#[pyo3(signature = (of, settings, file=None, node_id=None, bit_rate=None))]
+pub(crate) fn configure(
+    py: Python<'_>,
+    of: &NativeDictionary,
+    settings: Vec<(String, Bound<'_, PyAny>)>,
+    file: Option<PathBuf>,
+    node_id: Option<NodeId>,
+    bit_rate: Option<u16>,
+) -> PyResult<()> {
+    let settings = settings.iter().map(|(name, value)| Ok((name.clone(), setting_text(value)?)));
+    let settings = settings.collect::<PyResult<_>>()?;
+    let node_id = node_id.map(|node| node.0);
+    py.detach(|| set(&of.0, Wanted { settings, file, node_id, bit_rate }))
+}
+
+/// Sets values of a device; all of them, or none.
+pub(crate) fn set(device: &SharedDevice, wanted: Wanted) -> PyResult<()> {
+    let shared = device.now();
+    let file = match &wanted.file {
+        Some(path) => {
+            SettingsFile::parse(&read_text(path, MAX_TOML_SIZE).map_err(unreadable)?).map_err(raised)?
+        }
+        None => SettingsFile::default(),
+    };
+    let values = wanted
+        .settings
+        .iter()
+        .map(|(name, text)| Ok(Setting::Value { at: name.parse()?, text: text.clone() }));
+    let values: Vec<Setting> = values.collect::<Result<_, NoAddress>>().map_err(raised)?;
+    let settings = [file.settings.clone(), values].concat();
+    let node = node(&shared, &file, &wanted)?;
+    device.set(configured(&shared, &node, &settings)?);
+    Ok(())
+}
+
+/// The node that the values are for.
+fn node(shared: &SharedDescription, file: &SettingsFile, wanted: &Wanted) -> PyResult<Commissioning> {
+    let own = shared.device().commissioning.clone().unwrap_or_default();
+    let node_id = wanted.node_id.or(file.node_id).or(shared.node_id);
+    if node_id.is_none_or(|node_id| !(1..=127).contains(&node_id)) {
+        let message = "values are those of a node: give its `node_id`, 1 to 127, to `load` or `configure`";
+        return Err(PyValueError::new_err(message));
+    }
+    Ok(Commissioning {
+        node_id,
+        baud_rate: wanted.bit_rate.or(file.baud_rate).or(own.baud_rate),
+        node_name: file.name.clone().or(own.node_name),
+        net_number: file.net_number.or(own.net_number),
+        network_name: file.network_name.clone().or(own.network_name),
+        manager: file.manager.or(own.manager),
+        lss_serial_number: file.lss_serial_number.or(own.lss_serial_number),
+        ..own
+    })
+}
+
+/// The description with the values.
+fn configured(
+    shared: &SharedDescription,
+    node: &Commissioning,
+    settings: &[Setting],
+) -> PyResult<SharedDescription> {
+    let node_id = node.node_id.unwrap_or_default();
+    let mut device = Cow::Borrowed(shared.device());
+    let former = device.node_id().filter(|former| *former != node_id && (1..=127).contains(former));
+    // CAN-IDs that follow the node-ID
+    let followers = former.map(|former| rebase(&device, former).assignments).unwrap_or_default();
+    if !followers.is_empty() {
+        device.to_mut().assign(&followers);
+    }
+    let found = configuration(&device, node_id, settings).map_err(|problems| {
+        let line = |problem: &SettingProblem| {
+            let help = problem.help.as_ref().map(|help| format!(" ({help})")).unwrap_or_default();
+            format!("{problem}{help}")
+        };
+        PyValueError::new_err(problems.iter().map(line).collect::<Vec<_>>().join("\n"))
+    })?;
+    let of_model;
+    let description = match &shared.described {
+        Described::Text(description) => description,
+        Described::Model(device, source) => {
+            of_model = text_of(device, source.name())?;
+            &of_model
+        }
+    };
+    let written = Format::of(description.format().syntax(), DeviceKind::Node);
+    let ending = match written.syntax() {
+        Syntax::Ini => "dcf",
+        Syntax::Xml => "xdc",
+        Syntax::Toml => "toml",
+    };
+    let name = Path::new(description.source().name()).with_extension(ending);
+    let name = name.to_string_lossy().into_owned();
+    let assignments = [followers, found.values].concat();
+    let parts = NodeSettings { node, plugged: None, assignments: &assignments, downloads: &found.downloads };
+    let bytes = description.configured(&name, &parts).map_err(raised)?.bytes;
+    let source = SourceFile::from_bytes(&*name, bytes, &SourceOptions::default()).map_err(raised)?;
+    Ok(SharedDescription {
+        described: Described::Text(Box::new(format::read(source, written))),
+        path: shared.path.clone(),
+        node_id: Some(node_id),
+        revision: shared.revision.wrapping_add(1),
+        project: shared.project.clone(),
+        meanings: OnceLock::new(),
+    })
+}
+
+/// The EDS or DCF that the JSON of a device becomes.
+fn text_of(device: &Device, name: &str) -> PyResult<Box<Description>> {
+    let mut options = WriteOptions::default();
+    options.embed = true;
+    let kind = Format::of(Syntax::Ini, device.kind);
+    let bytes = format::write(device, kind, &options).map_err(raised)?.bytes;
+    let source = SourceFile::from_bytes(name, bytes, &SourceOptions::default()).map_err(raised)?;
+    Ok(Box::new(format::read(source, kind)))
+}
