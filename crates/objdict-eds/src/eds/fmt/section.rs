@@ -8,6 +8,7 @@ use crate::eds::keys::FieldKey;
 use crate::eds::order::{COUNTERS, key_rank};
 use crate::ini::Lines;
 use crate::model::{Device, Field, ModulePart, Part};
+use crate::source::Span;
 
 /// A key of a section with its value.
 pub(super) struct ArrangedKey<'a> {
@@ -51,9 +52,8 @@ impl<'a> SectionBlock<'a> {
             self.keys.sort_unstable_by_key(|key| (key.rank, key.above));
         }
         for key in &self.keys {
-            let above = Lines::from(source, key.above).take_while(|line| line.span.start < key.line);
-            for line in above {
-                let line = line.span.of(source).trim_end();
+            let above = Span::new(key.above, key.line).of(source);
+            for line in Lines::new(above).map(|line| line.span.of(above).trim_end()) {
                 if !line.is_empty() {
                     text.line(line);
                 }
