@@ -289,5 +289,5 @@ pub struct Readme;
 
 /// So is the build script of the tutorial.
 #[cfg(doctest)]
-#[doc = include_str!("../docs/tutorial-device.md")]
+#[doc = include_str!("../docs/tutorials/device.md")]
 pub struct TutorialOfDevices;

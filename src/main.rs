@@ -12,10 +12,10 @@ macro_rules! schemas {
 
 /// The texts of this repository that the command prints, and the page of `objdict open`.
 const TEXTS: Texts = Texts {
-    cli: include_str!("../docs/cli.md"),
-    config: include_str!("../docs/config.md"),
-    dcf: include_str!("../docs/dcf.md"),
-    formats: include_str!("../docs/formats.md"),
+    cli: include_str!("../docs/reference/cli.md"),
+    config: include_str!("../docs/reference/config.md"),
+    dcf: include_str!("../docs/guides/dcf.md"),
+    formats: include_str!("../docs/reference/formats.md"),
     schemas: schemas!(
         "device-json" "concise-dcf" "findings" "changes" "baseline" "identify" "entries" "node-list" "modules" "losses" "sizes" "tables" "variants" "network" "boot" "timing" "conformance" "frame" "traffic" "verify" "profiles" "profile" "rules" "patch" "answers"
     ),

@@ -1,4 +1,4 @@
-//! The pictures of the README and of docs/decode.md, made anew by `OBJDICT_SCREENSHOTS=docs/images cargo test --test browser pictures`.
+//! The pictures of the README and of docs/guides/decode.md, made anew by `OBJDICT_SCREENSHOTS=docs/images cargo test --test browser pictures`.
 
 use std::env;
 use std::fs;

@@ -83,8 +83,10 @@ fn prepare(input: &Path) {
 
 /// The pages for users, which may have sessions.
 fn markdown_pages() -> Vec<PathBuf> {
-    let folders = ["docs", "docs/targets"].into_iter();
-    let docs = folders.flat_map(|folder| fs::read_dir(folder).unwrap()).map(|entry| entry.unwrap().path());
+    let folders =
+        ["docs", "docs/tutorials", "docs/guides", "docs/reference", "docs/explanation", "docs/targets"];
+    let files = folders.into_iter().flat_map(|folder| fs::read_dir(folder).unwrap());
+    let docs = files.map(|entry| entry.unwrap().path());
     let mut pages: Vec<PathBuf> = docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
     pages.push(PathBuf::from("README.md"));
     pages.sort();
@@ -94,7 +96,7 @@ fn markdown_pages() -> Vec<PathBuf> {
 /// The example on the page about profiles is the file that its sessions use.
 #[test]
 fn the_profile_on_the_page() {
-    let page = fs::read_to_string("docs/profiles.md").unwrap();
+    let page = fs::read_to_string("docs/guides/profiles.md").unwrap();
     let example = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
     assert_eq!(example, fs::read_to_string("fixtures/profiles/project-drives.toml").unwrap());
 }

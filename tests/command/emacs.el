@@ -1,4 +1,4 @@
-;; A user of Emacs with Eglot and the configuration of docs/editors.md, in a process without a screen. Prints one JSON document.
+;; A user of Emacs with Eglot and the configuration of docs/guides/editors.md, in a process without a screen. Prints one JSON document.
 (require 'package)
 (add-to-list 'package-directory-list "/usr/share/emacs/site-lisp/elpa")
 (package-initialize)

@@ -1,4 +1,4 @@
-//! Emacs of Debian 12 with Eglot and the configuration of docs/editors.md: what arrives, and the bytes that it writes.
+//! Emacs of Debian 12 with Eglot and the configuration of docs/guides/editors.md: what arrives, and the bytes that it writes.
 
 use std::fs;
 use std::process::Command;
@@ -7,9 +7,9 @@ use serde_json::Value;
 
 use crate::support::skips::skip_unless_ci;
 
-/// The block of `docs/editors.md` in this language.
+/// The block of `docs/guides/editors.md` in this language.
 fn configuration(language: &str) -> String {
-    let page = fs::read_to_string("docs/editors.md").unwrap();
+    let page = fs::read_to_string("docs/guides/editors.md").unwrap();
     let (_, block) = page.split_once(&format!("```{language}\n")).unwrap();
     block.split_once("```").unwrap().0.to_owned()
 }

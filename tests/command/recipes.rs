@@ -1,4 +1,4 @@
-//! The lines for jq and the Python script of docs/json.md, run as they are on the page.
+//! The lines for jq and the Python script of docs/reference/json.md, run as they are on the page.
 
 use std::env;
 use std::fs;
@@ -7,9 +7,9 @@ use std::process::Command;
 
 use crate::support::skips::has;
 
-/// The first block of docs/json.md with this fence.
+/// The first block of docs/reference/json.md with this fence.
 fn block(fence: &str) -> String {
-    let page = fs::read_to_string("docs/json.md").unwrap();
+    let page = fs::read_to_string("docs/reference/json.md").unwrap();
     let rest = page.split_once(&format!("```{fence}\n")).unwrap().1;
     rest.split_once("```\n").unwrap().0.to_owned()
 }

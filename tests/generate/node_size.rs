@@ -37,7 +37,7 @@ rpdos = 1
 tpdos = 1
 "#;
 
-/// The main loop of docs/runtime.md.
+/// The main loop of docs/guides/runtime.md.
 const MAIN: &str = "
 #[allow(warnings)] mod od { include!(\"od.rs\"); }
 use objdict_device::{Frame, Received};
@@ -167,7 +167,7 @@ fn measure(folder: &Path) -> Result<Vec<(&'static str, usize)>, String> {
     Ok(rows)
 }
 
-/// A row of docs/runtime.md, whose number may be off by 2 %, or by 40 bytes.
+/// A row of docs/guides/runtime.md, whose number may be off by 2 %, or by 40 bytes.
 fn is_stated(page: &str, label: &str, bytes: usize) -> bool {
     let row = page.lines().find_map(|line| line.strip_prefix(&format!("| {label} | "))?.strip_suffix(" |"));
     let stated = row.and_then(|number| number.replace([',', '+'], "").parse::<usize>().ok());
@@ -185,7 +185,7 @@ fn a_node_takes_the_flash_that_its_services_need() {
         package(&folder.join(number.to_string()), node);
     }
     let project = Path::new(PROJECT);
-    let page = std::fs::read_to_string(project.join("docs/runtime.md")).unwrap();
+    let page = std::fs::read_to_string(project.join("docs/guides/runtime.md")).unwrap();
     // the packages name the folder of the project, which decides nothing
     let mut key = key(&project.join("crates/objdict-device/src"));
     key.add(std::fs::read(project.join("crates/objdict-device/Cargo.toml")).unwrap());
@@ -200,7 +200,7 @@ fn a_node_takes_the_flash_that_its_services_need() {
         let (minimal, all) = (rows[0].1, rows[rows.len() - 1].1);
         assert!(minimal <= MINIMAL && all <= ALL, "more than {MINIMAL} or {ALL} bytes:\n{table}");
         let is_stated = rows.iter().all(|(label, bytes)| is_stated(&page, label, *bytes));
-        assert!(is_stated, "docs/runtime.md has other sizes than:\n{table}");
+        assert!(is_stated, "docs/guides/runtime.md has other sizes than:\n{table}");
         Ok(())
     })
     .unwrap();

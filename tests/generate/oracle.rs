@@ -9,7 +9,7 @@ use objdict::model::{
 use objdict::profile;
 use objdict_model::literal::{self, Intended, Quirks};
 
-/// Capacity of strings with a shorter default, see docs/generate.md.
+/// Capacity of strings with a shorter default, see docs/reference/generate.md.
 pub(crate) const STRING_ROOM: usize = 32;
 
 /// The dictionary of a node.

@@ -1,4 +1,4 @@
-//! Images of storage groups: byte by byte as described in docs/generate.md, equal in Rust and C, and rejected
+//! Images of storage groups: byte by byte as described in docs/reference/generate.md, equal in Rust and C, and rejected
 //! if any part is invalid.
 
 use std::fmt::Write;
@@ -518,7 +518,8 @@ fn sizes_are_those_of_the_compilers() {
 /// The examples of the documentation with their tables.
 #[test]
 fn the_examples_of_the_documentation_run() {
-    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/storage.md")).unwrap();
+    let page =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/guides/storage.md")).unwrap();
     let example = |language: &str| {
         let (_, rest) = page.split_once(&format!("```{language}\n")).unwrap();
         rest.split_once("```\n").unwrap().0

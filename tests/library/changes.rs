@@ -147,7 +147,7 @@ fn every_kind_of_change_is_planted() {
         .flat_map(|planted| planted.expected.iter().map(|rule| rule.split(' ').next().unwrap().to_owned()))
         .collect();
     let without: Vec<_> = rules().map(|rule| rule.info.id).filter(|id| !planted.contains(*id)).collect();
-    // the command adds these, and the sessions of docs/diff.md and `identifiers` have them
+    // the command adds these, and the sessions of docs/guides/diff.md and `identifiers` have them
     assert_eq!(without, ["change/identifier-changed", "change/configuration-refused"]);
 }
 

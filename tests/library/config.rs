@@ -1,4 +1,4 @@
-//! docs/config.md says what a configuration can say.
+//! docs/reference/config.md says what a configuration can say.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use objdict::source::SourceFile;
 
 /// The first block of a language on the page.
 fn block(language: &str) -> String {
-    let page = fs::read_to_string("docs/config.md").unwrap();
+    let page = fs::read_to_string("docs/reference/config.md").unwrap();
     let (_, rest) = page.split_once(&format!("```{language}\n")).unwrap();
     rest.split_once("```").unwrap().0.to_owned()
 }
@@ -61,7 +61,7 @@ fn arguments_count_more_than_the_configuration_and_less_than_its_paths() {
 
 #[test]
 fn the_page_names_every_setting_and_every_rule_about_them() {
-    let page = fs::read_to_string("docs/config.md").unwrap();
+    let page = fs::read_to_string("docs/reference/config.md").unwrap();
     let config = Config::read(SourceFile::from_text("objdict.toml", "x = 1"), "/project");
     let finding = config.findings().iter().next().unwrap();
     let help = finding.help.as_ref().unwrap().shown();

@@ -294,7 +294,7 @@ fn the_reference_has_every_key() {
             _ => {}
         }
     }
-    let page = include_str!("../../docs/device.md");
+    let page = include_str!("../../docs/reference/device.md");
     let mut found = Vec::new();
     keys(&format::device_schema(), &mut found);
     assert!(found.len() > 100, "{found:?}");
@@ -305,11 +305,11 @@ fn the_reference_has_every_key() {
             row.clone().any(|line| line.to_lowercase().contains(&meaning))
                 || meaning == UNSTATED
                 || meaning == EXTRA,
-            "`{key}` is not on docs/device.md as `{meaning}`"
+            "`{key}` is not on docs/reference/device.md as `{meaning}`"
         );
     }
     let drive = fs::read_to_string(fixture("drive.toml")).unwrap();
-    assert!(page.contains(&drive), "the example of docs/device.md is fixtures/toml/drive.toml");
+    assert!(page.contains(&drive), "the example of docs/reference/device.md is fixtures/toml/drive.toml");
 }
 
 /// Meanings of keys that several tables have are on the page once.

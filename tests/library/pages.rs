@@ -19,7 +19,7 @@ type Text = (String, String);
 const SCOPES: [fn() -> Vec<Text>; 5] = [prose_of_pages, rules, findings, help, comments];
 
 /// Pages that are made of the texts of rules, in the sources.
-const MADE_OF_RULES: [&str; 2] = ["docs/portability.md", "docs/rules"];
+const MADE_OF_RULES: [&str; 2] = ["docs/reference/portability.md", "docs/rules"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -181,20 +181,39 @@ fn links_lead_somewhere() {
     assert!(dead.is_empty(), "dead links, or links out of the site:\n{}", dead.join("\n"));
 }
 
-/// What is not in `SUMMARY.md` is no part of the site.
+/// The pages of the site that a page links to.
+fn linked_pages(page: &Path) -> BTreeSet<PathBuf> {
+    let paths = links(&read(page)).into_iter().filter_map(|(_, link)| {
+        let path = link.split('#').next().filter(|path| path.ends_with(".md"))?;
+        Some(plain(&page.parent().unwrap().join(path)))
+    });
+    paths.collect()
+}
+
+/// `SUMMARY.md` lists every page of the site. Its top lines are all that the folded sidebar shows, so the home page links to each of
+/// them, and each of them to the pages below it.
 #[test]
 fn the_site_has_every_page() {
-    let summary = read(Path::new("docs/SUMMARY.md"));
-    let listed: BTreeSet<PathBuf> =
-        links(&summary).into_iter().map(|(_, link)| Path::new("docs").join(link)).collect();
-    let pages = pages().into_iter().filter(|page| page.starts_with("docs") && !page.ends_with("SUMMARY.md"));
-    assert_eq!(listed, pages.collect());
-    let start = Path::new("docs/README.md");
-    let linked: BTreeSet<PathBuf> =
-        links(&read(start)).into_iter().map(|(_, link)| Path::new("docs").join(link)).collect();
-    // the rules have an index of their own
-    let unlinked = listed.iter().filter(|page| !page.starts_with("docs/rules") && *page != start);
-    assert_eq!(unlinked.filter(|page| !linked.contains(*page)).collect::<Vec<_>>(), [""; 0].map(Path::new));
+    let summary = Path::new("docs/SUMMARY.md");
+    let pages = pages().into_iter().filter(|page| page.starts_with("docs") && page != summary);
+    assert_eq!(linked_pages(summary), pages.collect());
+    let home = Path::new("docs/index.md");
+    let mut above: Vec<(usize, PathBuf)> = Vec::new();
+    let mut unlinked = Vec::new();
+    let mut top_lines = 0;
+    for line in read(summary).lines() {
+        let Some((indent, link)) = line.split_once("- [") else { continue };
+        let page = Path::new("docs").join(link.split_once("](").unwrap().1.trim_end_matches(')'));
+        top_lines += usize::from(indent.is_empty());
+        above.retain(|(outer, _)| *outer < indent.len());
+        let parent = above.last().map_or(home, |(_, page)| page);
+        if page != home && !linked_pages(parent).contains(&page) {
+            unlinked.push(format!("{} lacks {}", parent.display(), page.display()));
+        }
+        above.push((indent.len(), page));
+    }
+    assert!(unlinked.is_empty(), "pages without a link from the page above:\n{}", unlinked.join("\n"));
+    assert_eq!(top_lines, 12, "lines of the folded sidebar");
 }
 
 #[test]
@@ -318,7 +337,8 @@ fn tutorials_show_code_of_the_examples() {
     .flat_map(|folder| files(&folder))
     .filter_map(|path| fs::read_to_string(path).ok())
     .collect();
-    for page in ["docs/tutorial-rust.md", "docs/tutorial-c.md", "docs/runtime.md"] {
+    for page in ["docs/tutorials/firmware-rust.md", "docs/tutorials/firmware-c.md", "docs/guides/runtime.md"]
+    {
         let text = read(Path::new(page));
         let blocks: Vec<&str> = ["```rust,ignore\n", "```c\n", "```cmake\n", "```text\n"]
             .iter()
@@ -365,8 +385,8 @@ pub(crate) fn pages_for_users() -> impl Iterator<Item = PathBuf> {
 fn blocks_of_text_are_printed() {
     let printed = [read(Path::new("examples/session.txt")), error_of_a_build_script()];
     let mut found = Vec::new();
-    // what the script of docs/json.md prints is compared where it is run (tests/command/recipes.rs)
-    for page in pages_for_users().filter(|page| page != Path::new("docs/json.md")) {
+    // what the script of docs/reference/json.md prints is compared where it is run (tests/command/recipes.rs)
+    for page in pages_for_users().filter(|page| page != Path::new("docs/reference/json.md")) {
         for (_, line, text) in blocks(&read(&page)).into_iter().filter(|(language, ..)| language == "text") {
             found.push(page.display().to_string());
             assert!(
@@ -377,7 +397,10 @@ fn blocks_of_text_are_printed() {
             );
         }
     }
-    assert_eq!(found, ["docs/building.md", "docs/tutorial-c.md", "docs/tutorial-rust.md"]);
+    assert_eq!(
+        found,
+        ["docs/guides/building.md", "docs/tutorials/firmware-c.md", "docs/tutorials/firmware-rust.md"]
+    );
 }
 
 /// What prose has in backticks or quotation marks, and what blocks of JSON have as a message, with its line.

@@ -89,7 +89,7 @@ function partSection(store: Store, form: ObjectForm, part: PartForm): HTMLElemen
 const address = (form: ObjectForm, part: PartForm): string =>
   form.index.toString(16).toUpperCase() + (part.sub == null ? "" : `:${part.sub.toString(16).toUpperCase()}`);
 
-/** A patch of one change (docs/patches.md). */
+/** A patch of one change (docs/guides/patches.md). */
 export function patchOf(change: Record<string, string | boolean | Record<string, string | number>>): string {
   const value = (value: unknown): string =>
     typeof value === "object" && value !== null

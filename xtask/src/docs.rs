@@ -1,4 +1,4 @@
-//! docs/rules, a page for each group of rules, docs/portability.md, out of what is known of other tools, and tables in other pages.
+//! docs/rules, a page for each group of rules, docs/reference/portability.md, out of what is known of other tools, and tables in other pages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -18,8 +18,9 @@ use crate::shares::{self, Shares};
 pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
     let mut pages = rule_pages(&shares::read(&folder.join("rules-shares.tsv"))?)?;
-    pages.insert("portability.md".to_owned(), portability_page());
-    let generated = [("diff.md", "verdicts", verdicts()), ("formats.md", "formats", FileKind::table())];
+    pages.insert("reference/portability.md".to_owned(), portability_page());
+    let generated =
+        [("guides/diff.md", "verdicts", verdicts()), ("reference/formats.md", "formats", FileKind::table())];
     for (page, mark, table) in generated {
         pages.insert(page.to_owned(), with_table(&folder, page, mark, &table)?);
     }
@@ -82,19 +83,19 @@ fn verdicts() -> String {
     table
 }
 
-/// The address of a rule's page in the documentation, from `docs` on.
+/// The address of a rule's page, from a page in a folder of `docs`.
 fn address(rule: &str) -> String {
     let (group, name) = rule.split_once('/').unwrap_or((rule, ""));
-    format!("rules/{group}.md#{name}")
+    format!("../rules/{group}.md#{name}")
 }
 
-/// The text above the table of docs/portability.md.
+/// The text above the table of docs/reference/portability.md.
 const PORTABILITY: &str = include_str!("portability.md");
 
-/// The text between the tables of docs/portability.md.
+/// The text between the tables of docs/reference/portability.md.
 const CANCHKEDS: &str = include_str!("canchkeds.md");
 
-/// The text above the tables of docs/rules/README.md.
+/// The text above the tables of docs/rules/index.md.
 const INDEX: &str = include_str!("rules.md");
 
 /// The line at the top of the page of a group.
@@ -160,14 +161,14 @@ fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
         group.iter().for_each(|rule| describe(rule, shares, &mut page));
         pages.insert(format!("rules/{name}.md"), page);
     }
-    pages.insert("rules/README.md".to_owned(), index + &tables);
+    pages.insert("rules/index.md".to_owned(), index + &tables);
     Ok(pages)
 }
 
 /// A row in the table of a group.
 fn list(rule: &RuleInfo, shares: &Shares, tables: &mut String) {
     let address = address(rule.id);
-    let address = address.trim_start_matches("rules/");
+    let address = address.trim_start_matches("../rules/");
     let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
     let share = shares::shown(shares.get(rule.id));
     let (name, severity, summary) = (rule.name(), rule.severity, rule.summary);

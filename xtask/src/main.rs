@@ -57,7 +57,7 @@ usage:
       count the EDS and DCF below FOLDER that python-canopen, dcf-tools and node-canopen read, as they are and after safe
       fixes; PYTHON is an interpreter that has the first two, MODULES the folder node_modules that has the last
   cargo xtask docs [--check]
-      write docs/rules (with docs/rules-shares.tsv), docs/portability.md and the JSON Schemas in schemas; with --check only
+      write docs/rules (with docs/rules-shares.tsv), docs/reference/portability.md and the JSON Schemas in schemas; with --check only
       compare
   cargo xtask interface [--check]
       write tests/interface.txt, the public items of `objdict` and `objdict-device` with their signatures; with --check only

@@ -9,7 +9,7 @@ use objdict_model::source::Encoding;
 // Who reads what is written.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct DialectArgs {
-    /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor, codesys, or portable for several at once (docs/formats.md)
+    /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor, codesys, or portable for several at once (docs/reference/formats.md)
     #[arg(long, value_name = "DIALECT", value_parser = dialect)]
     pub dialect: Option<Dialect>,
 }

@@ -168,10 +168,10 @@ mod tests {
         command.build();
         let help = command.find_subcommand_mut("help").unwrap().render_help().to_string().replace('\n', " ");
         let texts = Texts {
-            cli: include_str!("../../../docs/cli.md"),
-            config: include_str!("../../../docs/config.md"),
-            dcf: include_str!("../../../docs/dcf.md"),
-            formats: include_str!("../../../docs/formats.md"),
+            cli: include_str!("../../../docs/reference/cli.md"),
+            config: include_str!("../../../docs/reference/config.md"),
+            dcf: include_str!("../../../docs/guides/dcf.md"),
+            formats: include_str!("../../../docs/reference/formats.md"),
             schemas: &[],
             workbench: None,
         };

@@ -71,13 +71,13 @@ use objdict_model::diagnostic::{nearest, printable_lines};
 /// What the command prints of the repository. A published crate has only its own folder, so the program brings these.
 #[derive(Debug)]
 pub struct Texts {
-    /// `docs/cli.md`.
+    /// `docs/reference/cli.md`.
     pub cli: &'static str,
-    /// `docs/config.md`.
+    /// `docs/reference/config.md`.
     pub config: &'static str,
-    /// `docs/dcf.md`.
+    /// `docs/guides/dcf.md`.
     pub dcf: &'static str,
-    /// `docs/formats.md`.
+    /// `docs/reference/formats.md`.
     pub formats: &'static str,
     /// The JSON Schemas of documents, by their names.
     pub schemas: &'static [(&'static str, &'static str)],

@@ -108,7 +108,7 @@ fn table(args: &NewArgs, path: &Path) -> Result<Device, Failure> {
     let source = source.map_err(ReadError::from)?;
     object_table::read(source.text()).map_err(|error| {
         let failure = Failure::new(format_args!("cannot read `{name}`: {error}"));
-        failure.help("`objdict docs --to csv` writes all columns (docs/docs.md)")
+        failure.help("`objdict docs --to csv` writes all columns (docs/guides/docs.md)")
     })
 }
 

@@ -1,5 +1,5 @@
 //! What a format has no place for, carried in places that every format has: comment lines in an EDS or DCF, properties of
-//! parameters and characteristics of the device in an XDD or XDC (docs/formats.md).
+//! parameters and characteristics of the device in an XDD or XDC (docs/reference/formats.md).
 //!
 //! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
 //! what the reader will find in its place, so that later edits are not undone.
@@ -37,7 +37,7 @@ text_rules! {
     why: "A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.",
     example: "`/objects/0x2000/subs=nothing instead of 1a2b3c4d` after a sub-index of 2000h was edited",
     remedy: "Remove the item, or convert the file again.",
-    source: "objdict, docs/formats.md",
+    source: "objdict, docs/reference/formats.md",
 }
 
 /// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is reported.

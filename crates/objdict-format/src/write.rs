@@ -32,7 +32,7 @@ pub struct WriteOptions {
     /// The version of CiA 311 of an XDD or XDC, which are always written in UTF-8.
     pub xdd_version: XddVersion,
     /// Whether what the format has no place for is kept in comment lines or properties, which other tools pass over and
-    /// objdict reads (docs/formats.md).
+    /// objdict reads (docs/reference/formats.md).
     pub embed: bool,
     /// In how many values of its JSON the text may differ from the device: in more, [`EditError::TooMuchLost`].
     pub max_losses: usize,
@@ -93,7 +93,7 @@ pub struct Loss {
     #[serde(serialize_with = "place_text")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub place: Place,
-    /// The same as a JSON pointer into the JSON of the device (docs/json.md).
+    /// The same as a JSON pointer into the JSON of the device (docs/reference/json.md).
     pub path: String,
     /// What became of it.
     #[serde(rename = "fate")]

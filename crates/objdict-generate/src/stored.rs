@@ -2,7 +2,7 @@
 //!
 //! Only groups stated in the description or requested by the user count; all other values stay in the struct
 //! of values. An image consists of the layout (a hash, four bytes), the values and a CRC-16, all
-//! little-endian; see docs/generate.md.
+//! little-endian; see docs/reference/generate.md.
 
 use std::collections::BTreeMap;
 

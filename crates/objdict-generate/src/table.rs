@@ -1,6 +1,6 @@
 //! The dictionary as a flat table: what the targets `rust` and `c` share.
 //!
-//! Both languages get the same table and behave identically; docs/generate.md describes the behaviour. The
+//! Both languages get the same table and behave identically; docs/reference/generate.md describes the behaviour. The
 //! parts:
 //!
 //! * **entries**: one row per index and sub-index, in ascending order for binary search. A row has the key,

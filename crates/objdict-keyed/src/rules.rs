@@ -3,7 +3,7 @@
 use objdict_model::diagnostic::text_rules;
 
 text_rules! {
-    source: "dcf-tools 2.4.2; objdict, docs/network.md";
+    source: "dcf-tools 2.4.2; objdict, docs/guides/network.md";
 
     "keys/invalid-toml" = INVALID_TOML, Error;
     summary: "the file is not valid TOML",
@@ -42,7 +42,7 @@ text_rules! {
     why: "One of the two values is not used: the first one.",
     example: "`tpdo.1 = { type = \"sync/1\", transmission = \"event\" }`",
     remedy: "Remove one of the two.",
-    source: "objdict, docs/device.md and docs/network.md",
+    source: "objdict, docs/reference/device.md and docs/guides/network.md",
 
     "keys/wrong-type" = WRONG_TYPE, Error,
         explains Around ["missing-key"];
@@ -74,7 +74,7 @@ text_rules! {
     why: "All objects that the profile brings are missing, the mandatory ones of CiA 301 too.",
     example: "`profile = \"401@2\"`",
     remedy: "Write a profile that `objdict new --help` lists, with the version that the message names.",
-    source: "objdict, docs/device.md",
+    source: "objdict, docs/reference/device.md",
 
     "keys/shared-product-code" = SHARED_PRODUCT_CODE, Warning;
     summary: "two variants with one product code",
@@ -82,5 +82,5 @@ text_rules! {
     why: "A manager knows a device by vendor-ID and product code (1F85h, 1F86h). With one product code it takes one variant for the other and configures entries that are not there.",
     example: "`[variant.io8]` without `device.product-number`",
     remedy: "Give each variant a `device.product-number` of its own.",
-    source: "CiA 301 §7.5.2.19; CiA 302-2; objdict, docs/device.md",
+    source: "CiA 301 §7.5.2.19; CiA 302-2; objdict, docs/reference/device.md",
 }

@@ -14,7 +14,7 @@ named! {
         Xdd = "XDD",
         /// XML device configuration: a node (CiA 311).
         Xdc = "XDC",
-        /// The short source of a device, of either kind (docs/device.md).
+        /// The short source of a device, of either kind (docs/reference/device.md).
         Toml = "device.toml",
     }
 }

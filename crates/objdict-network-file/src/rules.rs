@@ -9,7 +9,7 @@ text_rules! {
     why: "The node has none of the keys of its type.",
     example: "`use = \"drvie\"` beside `[type.drive]`",
     remedy: "Correct the name, or add the type.",
-    source: "objdict, docs/network.md",
+    source: "objdict, docs/guides/network.md",
 
     "network/overridden-key" = OVERRIDDEN_KEY, Warning;
     summary: "a key of `defaults` overrides that of a node",
@@ -49,5 +49,5 @@ text_rules! {
     why: "Without it nothing is known of the node.",
     example: "`dcf: drive.eds`, which is in another folder",
     remedy: "Correct the path. It is relative to the network file, else to the working directory.",
-    source: "objdict, docs/network.md",
+    source: "objdict, docs/guides/network.md",
 }

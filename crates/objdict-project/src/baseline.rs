@@ -1,4 +1,4 @@
-//! Findings that are known: a check with a baseline reports what came since (docs/config.md).
+//! Findings that are known: a check with a baseline reports what came since (docs/reference/config.md).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

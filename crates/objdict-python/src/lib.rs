@@ -1,6 +1,6 @@
 //! The native part of the Python module `canopen_objdict`: descriptions are read, and everything is made of them, by the
 //! library objdict. What a class of Python is, is in `python/canopen_objdict`; what passes between both are numbers, texts,
-//! bytes and the JSON documents of `docs/json.md`.
+//! bytes and the JSON documents of `docs/reference/json.md`.
 //!
 //! Findings, mappings and the dictionaries of python-canopen are Python, which suits them better. Findings and
 //! meanings of values are computed at first use, so opening a file costs only reading it. The stable interface

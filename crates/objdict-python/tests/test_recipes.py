@@ -1,4 +1,4 @@
-"""The recipes of docs/python.md."""
+"""The recipes of docs/guides/python.md."""
 
 import re
 import runpy
@@ -10,7 +10,7 @@ import pytest
 
 from canopen_objdict import load
 
-PAGE = Path(__file__).parents[3] / "docs/python.md"
+PAGE = Path(__file__).parents[3] / "docs/guides/python.md"
 
 
 def recipe(name: str, folder: Path) -> Path:

@@ -9,7 +9,7 @@ use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::model::Value;
 
-/// The version of a line, see docs/json.md.
+/// The version of a line, see docs/reference/json.md.
 const VERSION: u32 = 1;
 
 /// How a line begins whose time is not yet that of the frame.
@@ -138,7 +138,7 @@ impl<'a> Signal<'a> {
 }
 
 impl Bus<'_> {
-    /// What a frame is and says, as a line of `objdict decode --format json` (docs/json.md), without the end of the line.
+    /// What a frame is and says, as a line of `objdict decode --format json` (docs/reference/json.md), without the end of the line.
     pub fn json(&self, decoded: &DecodedFrame, frame: &LoggedFrame) -> String {
         let sdo = decoded.sdo;
         let entry = sdo.and_then(|sdo| sdo.entry);

@@ -79,7 +79,7 @@ enum PageRequest {
         document: usize,
         changes: Vec<FieldChange>,
     },
-    /// A patch (docs/patches.md).
+    /// A patch (docs/guides/patches.md).
     Patch {
         document: usize,
         patch: String,

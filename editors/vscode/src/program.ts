@@ -14,7 +14,7 @@ export interface Places {
   path: string;
 }
 
-/** The end of a run: what was written, and the exit code (`docs/cli.md`), or null if the program was ended. */
+/** The end of a run: what was written, and the exit code (`docs/reference/cli.md`), or null if the program was ended. */
 export interface Outcome {
   code: number | null;
   stdout: string;

@@ -1,4 +1,4 @@
-// Makes the pictures of docs/editors.md and of the README in a real editor, with the packaged extension and the debug build:
+// Makes the pictures of docs/guides/editors.md and of the README in a real editor, with the packaged extension and the debug build:
 // `node test/pictures.mjs ENTRY`, where ENTRY is `out/node/entry.js` of the package `code-server` 4.100.3. The tests do without it,
 // because the editor compiles native modules when it is installed. Chromium is driven by playwright-core of `web`.
 import assert from "node:assert/strict";

@@ -1,4 +1,4 @@
--- The configuration of a user of Neovim 0.7, whose functions for language servers are older than those of docs/editors.md.
+-- The configuration of a user of Neovim 0.7, whose functions for language servers are older than those of docs/guides/editors.md.
 vim.o.termguicolors = true
 vim.o.columns, vim.o.lines = 124, 22
 vim.o.completeopt = 'menuone,noinsert'

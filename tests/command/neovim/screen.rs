@@ -1,4 +1,4 @@
-//! The pictures of docs/editors.md: the screen of Neovim, with what the server says.
+//! The pictures of docs/guides/editors.md: the screen of Neovim, with what the server says.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -54,7 +54,7 @@ fn the_pictures_of_the_editor_are_what_it_shows() {
         skip(format_args!("the pictures are of Neovim 0.7, and this is {version}"));
         return;
     }
-    let page = std::fs::read_to_string("docs/editors.md").unwrap();
+    let page = std::fs::read_to_string("docs/guides/editors.md").unwrap();
     let at_mapping = format!("{}zt", to("\\[1A00sub0\\]"));
     let check = |name: &str, picture: &str| {
         let path = Path::new("docs/images").join(name);
@@ -63,7 +63,7 @@ fn the_pictures_of_the_editor_are_what_it_shows() {
         }
         let shown = std::fs::read_to_string(&path).unwrap_or_default();
         assert!(shown == picture, "{name} is stale: OBJDICT_PICTURES=write cargo test --test command neovim");
-        assert!(page.contains(&format!("images/{name}")), "docs/editors.md does not show {name}");
+        assert!(page.contains(&format!("images/{name}")), "docs/guides/editors.md does not show {name}");
     };
     let neovim = Neovim::open("drive-402.eds", &drive().replace("0x60410010", "0x60410020"));
     neovim.keys(&at_mapping);

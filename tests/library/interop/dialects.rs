@@ -173,7 +173,7 @@ fn tools_read_their_dialects() {
             };
             let Verdict { read, same, reasons } = read_with(command.arg(&folder));
             println!("{}\t{tool}\t{} files\t{read} read\t{same} alike", dialect.name(), devices.len());
-            // it reads some values otherwise, however they are written (docs/portability.md)
+            // it reads some values otherwise, however they are written (docs/reference/portability.md)
             let counts = |why: &str| is_for_it && (tool != "node-canopen" || why.starts_with("refused"));
             let reasons = reasons.iter().filter(|(_, why)| counts(why));
             failures.extend(reasons.map(|(file, why)| format!("{tool}: {file}: {why}")));

@@ -1,4 +1,4 @@
-//! The table of docs/editors.md beside what the server announces, and what it answers about files of each column.
+//! The table of docs/guides/editors.md beside what the server announces, and what it answers about files of each column.
 
 use std::collections::BTreeSet;
 
@@ -149,7 +149,7 @@ fn the_table_of_the_page_is_what_the_server_does() {
         client.write(name, text);
         client.open(name, text);
     }
-    let page = std::fs::read_to_string("docs/editors.md").unwrap();
+    let page = std::fs::read_to_string("docs/guides/editors.md").unwrap();
     let rows: Vec<Vec<&str>> = page
         .lines()
         .skip_while(|line| !line.starts_with("|---"))

@@ -363,7 +363,7 @@ fn messages_name_the_entry_and_the_reason() {
     assert_eq!(message(SdoAnswer::Silence), ["a request for 1018h sub-index 1 has no answer"]);
 }
 
-/// The recorded boot of docs/probe.md: the island of the book, which was not configured as its DCF says. `INSTA_UPDATE=always` writes it.
+/// The recorded boot of docs/guides/probe.md: the island of the book, which was not configured as its DCF says. `INSTA_UPDATE=always` writes it.
 #[test]
 fn the_log_of_the_book_is_that_of_its_node() {
     let file =

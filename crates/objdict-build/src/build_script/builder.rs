@@ -329,7 +329,7 @@ impl Builder {
         self
     }
 
-    /// Also applies a patch to the description, if it is for it (docs/patches.md), beside those of `objdict.toml`; may be called several
+    /// Also applies a patch to the description, if it is for it (docs/guides/patches.md), beside those of `objdict.toml`; may be called several
     /// times.
     pub fn patch(mut self, path: impl AsRef<Path>) -> Self {
         self.request.patches.push(path.as_ref().to_owned());

@@ -206,7 +206,7 @@ pub(crate) struct VariantsArgs {
 pub(crate) enum VariantsFormat {
     /// A table
     Text,
-    /// For programs: one JSON document (docs/json.md)
+    /// For programs: one JSON document (docs/reference/json.md)
     Json,
     /// A page with the table
     Html,

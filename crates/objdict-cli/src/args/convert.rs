@@ -25,7 +25,7 @@ pub(crate) struct ConvertArgs {
     /// The format to write [default: by the extension of the output]
     #[arg(long, value_name = "FORMAT", value_parser = written_kinds())]
     pub to: Option<FileKind>,
-    /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/json.md); `-` is standard output
+    /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/reference/json.md); `-` is standard output
     #[arg(long, value_name = "FILE")]
     pub loss_report: Option<PathBuf>,
     /// Exit with 1 if data are lost or invented
@@ -98,7 +98,7 @@ pub(super) fn about() -> String {
          Reads {read}, and writes {written}. \
          EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep \
          comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored \
-         in properties or comment lines of objdict (docs/formats.md). A DBC contains the messages of one node, or of all nodes of a network \
+         in properties or comment lines of objdict (docs/reference/formats.md). A DBC contains the messages of one node, or of all nodes of a network \
          (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented."
     )
 }

@@ -101,7 +101,7 @@ pub(crate) struct ReleaseArgs {
 pub(crate) enum DiffFormat {
     /// A line per change, and whom it affects
     Text,
-    /// For programs: one JSON document (docs/json.md)
+    /// For programs: one JSON document (docs/reference/json.md)
     Json,
     /// Tables, for release notes and pull requests
     Markdown,

@@ -30,7 +30,7 @@ pub(crate) struct DocsArgs {
     /// The language of names and descriptions, if the file has it; headings and sentences are in English or German
     #[arg(long, value_name = "TAG")]
     pub lang: Option<String>,
-    /// Link each page to the workbench at this address, a URL or a path from the pages (docs/workbench.md)
+    /// Link each page to the workbench at this address, a URL or a path from the pages (docs/guides/workbench.md)
     #[arg(long, value_name = "ADDRESS", value_parser = workbench)]
     pub workbench: Option<String>,
     #[command(flatten)]

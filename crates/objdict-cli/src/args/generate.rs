@@ -163,7 +163,7 @@ pub(crate) enum ReportArg {
 pub(crate) enum SizeFormat {
     /// Plain text
     Table,
-    /// For programs: one JSON document, instead of the list of files (docs/json.md)
+    /// For programs: one JSON document, instead of the list of files (docs/reference/json.md)
     Json,
 }
 

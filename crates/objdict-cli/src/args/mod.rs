@@ -118,30 +118,30 @@ pub(super) enum Command {
     /// Check the node of a description against CiA 301
     ///
     /// Runs the node of `objdict-device` with the defaults of the description, without compiling it, and checks its services and every
-    /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/runtime.md).
+    /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/guides/runtime.md).
     Conformance(ConformanceArgs),
     /// Put the traffic of a bus into words
     ///
     /// Reads logs of candump, ASC of Vector, TRC of PEAK, CSV of python-can, pcap and pcapng, or a pipe of candump, and says what each
     /// frame means by the descriptions of the nodes: services, entries by name with their values, PDO signals, states. Lines
-    /// that are not understood are reported. Exits with 2 if a log has no frame (docs/decode.md).
+    /// that are not understood are reported. Exits with 2 if a log has no frame (docs/guides/decode.md).
     Decode(Box<DecodeArgs>),
     /// Check a device against its description
     ///
     /// Writes what to ask the device: a script for python-canopen, the same reads as a log for canplayer, and a table. With --answers, judges
-    /// what the device answered: presence, size, type, access, values against defaults and limits, abort codes (docs/probe.md). Exits with 1
+    /// what the device answered: presence, size, type, access, values against defaults and limits, abort codes (docs/guides/probe.md). Exits with 1
     /// if there is a finding of severity error (see --deny).
     Probe(Box<ProbeArgs>),
     /// Compare two descriptions, and say whom each change affects
     ///
     /// Compares by meaning: objects, entries, PDOs and facts about the device; order and spelling do not count. Each change has a verdict
     /// for stored configurations, PDO consumers, SDO clients, firmware source and stored values: breaking, risky or compatible
-    /// (docs/diff.md). Exits with 1 if there is a breaking change (see --deny).
+    /// (docs/guides/diff.md). Exits with 1 if there is a breaking change (see --deny).
     Diff(DiffArgs),
     /// Raise the versions of a new description as its changes demand
     ///
     /// Compares two descriptions as `diff` does, and reports which of revision number, product code, FileVersion, FileRevision and
-    /// ModificationDate do not move with the changes. --fix sets them. Exits with 1 if something is missing (docs/diff.md).
+    /// ModificationDate do not move with the changes. --fix sets them. Exits with 1 if something is missing (docs/guides/diff.md).
     Release(ReleaseArgs),
     /// Convert between formats
     #[command(long_about = convert::about())]
@@ -175,7 +175,7 @@ pub(super) enum Command {
     Profile(ProfileCommandArgs),
     /// Correct descriptions that belong to others
     ///
-    /// A patch is a TOML file with changes by address, each with what the file is expected to say (docs/patches.md). `--patch` of other
+    /// A patch is a TOML file with changes by address, each with what the file is expected to say (docs/guides/patches.md). `--patch` of other
     /// commands applies patches too.
     Patch(PatchCommandArgs),
     /// Format descriptions
@@ -196,12 +196,12 @@ pub(super) enum Command {
     ///
     /// Serves the page of the workbench on this computer and starts the browser. The page sees the files that are named, and the descriptions
     /// that a network refers to; it writes a file only after it has asked, and only if the file has not changed since it was read. Ctrl-C ends
-    /// it. The command of the packages has the page; others are built with it (docs/workbench.md).
+    /// it. The command of the packages has the page; others are built with it (docs/guides/workbench.md).
     Open(OpenArgs),
     /// Serve an editor as a language server
     ///
     /// Speaks the Language Server Protocol on standard input and output, for descriptions, networks, `objdict.toml`, profiles and
-    /// patches. The editor starts it (docs/editors.md).
+    /// patches. The editor starts it (docs/guides/editors.md).
     Lsp,
     /// Print the help of a command, or explain a topic
     ///
@@ -269,7 +269,7 @@ pub(super) struct IdentifyArgs {
 pub(super) enum AnswerFormat {
     /// One line per file
     Text,
-    /// For programs: one JSON document, one file per line (docs/json.md)
+    /// For programs: one JSON document, one file per line (docs/reference/json.md)
     Json,
 }
 
@@ -340,7 +340,7 @@ pub(super) struct ProfileListArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ProfileShowArgs {
-    /// The number of a CiA document, such as 401, or the file of a custom profile (docs/profiles.md)
+    /// The number of a CiA document, such as 401, or the file of a custom profile (docs/guides/profiles.md)
     pub profile: String,
     /// Only this object, with its sub-indexes and bits
     #[arg(value_name = "INDEX")]
@@ -355,7 +355,7 @@ pub(super) struct ProfileShowArgs {
 pub(super) enum ProfileFormat {
     /// Tables
     Text,
-    /// For programs: one JSON document (docs/json.md)
+    /// For programs: one JSON document (docs/reference/json.md)
     Json,
 }
 

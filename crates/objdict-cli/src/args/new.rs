@@ -53,7 +53,7 @@ pub(crate) struct NewArgs {
 const KINDS: [(FileKind, &str, &str); 4] = [
     (FileKind::Eds, "eds", ""),
     (FileKind::Xdd, "xdd", ""),
-    (FileKind::Toml, "toml", "The short source of a device (docs/device.md)"),
+    (FileKind::Toml, "toml", "The short source of a device (docs/reference/device.md)"),
     (FileKind::Json, "json", ""),
 ];
 

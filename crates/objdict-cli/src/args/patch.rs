@@ -19,7 +19,7 @@ pub(crate) enum PatchCommand {
     /// Write a patched description
     ///
     /// The text of the vendor is edited: comments, order and spelling stay. What the format has no place for is stored in comment lines of
-    /// objdict (docs/formats.md). Exits with 2 if the file does not say what the patch expects.
+    /// objdict (docs/reference/formats.md). Exits with 2 if the file does not say what the patch expects.
     Apply(PatchApplyArgs),
     /// Make a patch of an original and an edited description
     ///

@@ -37,7 +37,7 @@ pub(crate) enum ReportFormat {
     Text,
     /// One line per finding: file:line:column: severity rule: message
     Concise,
-    /// For programs: one JSON document (docs/json.md)
+    /// For programs: one JSON document (docs/reference/json.md)
     Json,
     /// SARIF 2.1.0, for code scanning services and editors
     Sarif,
@@ -64,7 +64,7 @@ pub(crate) enum ShowFormat {
     /// Plain text
     #[value(alias = "text")]
     Table,
-    /// For programs: one JSON document, one entry per line (docs/json.md)
+    /// For programs: one JSON document, one entry per line (docs/reference/json.md)
     Json,
 }
 
@@ -73,6 +73,6 @@ pub(crate) enum ShowFormat {
 pub(crate) enum PlainFormat {
     /// Plain text
     Text,
-    /// For programs: one JSON document (docs/json.md)
+    /// For programs: one JSON document (docs/reference/json.md)
     Json,
 }

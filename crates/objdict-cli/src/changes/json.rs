@@ -1,4 +1,4 @@
-//! Changes as one JSON document; docs/json.md describes it.
+//! Changes as one JSON document; docs/reference/json.md describes it.
 
 use std::collections::BTreeMap;
 use std::io;

@@ -75,7 +75,7 @@ impl LossReport {
         self.files.iter().flat_map(|file| &file.losses).filter(|loss| loss.kind == kind).count()
     }
 
-    /// One JSON document (docs/json.md), with a line feed at its end.
+    /// One JSON document (docs/reference/json.md), with a line feed at its end.
     pub(super) fn to_json(&self) -> String {
         let summary = LossCounts {
             lost: self.count(LossKind::Lost),

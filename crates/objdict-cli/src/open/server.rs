@@ -82,7 +82,7 @@ fn page(texts: &Texts) -> Result<String, Failure> {
 }
 
 fn without_page() -> Failure {
-    let help = "install a package, or build the page and name it with `OBJDICT_WORKBENCH` (docs/workbench.md); \
+    let help = "install a package, or build the page and name it with `OBJDICT_WORKBENCH` (docs/guides/workbench.md); \
                 `web/dist/objdict-workbench.html` opens files without the command";
     Failure::new("this `objdict` was built without the workbench").help(help)
 }

@@ -1,4 +1,4 @@
-//! Profiles as JSON; `docs/json.md` describes it.
+//! Profiles as JSON; `docs/reference/json.md` describes it.
 
 use std::io::{self, Write};
 

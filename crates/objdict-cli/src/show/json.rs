@@ -1,4 +1,4 @@
-//! The entries of a dictionary as JSON, flat and with all formulas evaluated; `docs/json.md` describes it. The model as
+//! The entries of a dictionary as JSON, flat and with all formulas evaluated; `docs/reference/json.md` describes it. The model as
 //! it is, to be read back, is what `convert` writes.
 
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! `device.toml`: a device in few lines, which says only what does not follow from something else (docs/device.md).
+//! `device.toml`: a device in few lines, which says only what does not follow from something else (docs/reference/device.md).
 
 mod defaults;
 pub(super) mod document;

@@ -61,7 +61,7 @@ fn example(device: &Device) -> String {
 
 const COMMENT: &str = "\
 # Other objects, and what is different, are lines below `[object]`; PDOs are tables. Without `# ` this is an example.
-# Editors know the keys by the schema that `objdict schema device` prints; docs/device.md explains them.
+# Editors know the keys by the schema that `objdict schema device` prints; docs/reference/device.md explains them.
 #
 ";
 

@@ -75,13 +75,13 @@ content_kinds! {
     ObjdictgenJson "objdictgen project as JSON" KindRole::Canopen, "is a project of objdictgen as JSON, which is not read", Some("`odg convert device.json device.od` makes a project that is read");
     /// Project of CANopenEditor in the JSON of protobuf.
     CanopenEditorJson "CANopenEditor project as JSON" KindRole::Read(FileKind::CanopenEditorJson), "is a project of CANopenEditor as JSON", Some("convert it to an XDD");
-    /// The short source of a device (docs/device.md).
+    /// The short source of a device (docs/reference/device.md).
     DeviceToml "device.toml" KindRole::Read(FileKind::Toml), "is the short source of a device (device.toml)", None;
     /// Node list (CiA 306-3).
     NodeList "node list" KindRole::Read(FileKind::Cpj), "is a node list (CiA 306-3) and describes no device", Some("`objdict network check` checks it; its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).
     ConciseDcf "concise DCF" KindRole::Read(FileKind::Cdcf), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
-    /// Concise DCF as a text of one download a line (docs/dcf.md).
+    /// Concise DCF as a text of one download a line (docs/guides/dcf.md).
     ConciseText "concise DCF as text" KindRole::Read(FileKind::CdcfText), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
     /// A device in the JSON of this crate.
     JsonDevice "device as JSON" KindRole::Read(FileKind::Json), "is a device as JSON", Some("convert it to an EDS or DCF");
@@ -89,9 +89,9 @@ content_kinds! {
     JsonConciseDcf "concise DCF as JSON" KindRole::Read(FileKind::Json), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
     /// Bus configuration in YAML, from which Lely's dcfgen and `ros2_canopen` make DCF and concise DCF.
     BusConfiguration "bus configuration" KindRole::Canopen, "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device", Some("`objdict network check` checks it; its keys `dcf` name the descriptions");
-    /// Network of this crate: its nodes and links in TOML (docs/network.md).
+    /// Network of this crate: its nodes and links in TOML (docs/guides/network.md).
     Network "network" KindRole::Canopen, "is a network of objdict and describes no device", Some("`objdict network check` checks it; its keys `file` name the descriptions");
-    /// Patch of descriptions (docs/patches.md).
+    /// Patch of descriptions (docs/guides/patches.md).
     Patch "patch" KindRole::Canopen, "is a patch, which corrects descriptions and describes no device", Some("`objdict patch check` compares it with descriptions, and `--patch` applies it to them");
     /// EDS of Ethernet POWERLINK, which has the layout of that of CANopen.
     PowerlinkEds "EDS" KindRole::Foreign, "describes an Ethernet POWERLINK device, not a CANopen one", Some("ask the vendor for the CANopen EDS or XDD");

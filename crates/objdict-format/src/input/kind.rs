@@ -10,7 +10,7 @@ const EDITED: &str = "by edits of the text, or in the canonical style";
 
 /// Declares the kinds of files, each with its word on the command line, the endings of its files, what people call it, the
 /// feature of this crate with which it is read, its format where it is a description with its text, how it is written, and
-/// its row in docs/formats.md.
+/// its row in docs/reference/formats.md.
 macro_rules! file_kinds {
     ($( $(#[$doc:meta])+ $kind:ident $word:literal $endings:expr, $name:literal $feature:expr, $format:expr, $written:expr, $about:literal; )+) => {
         /// A kind of file that commands and build scripts read or write.
@@ -56,7 +56,7 @@ macro_rules! file_kinds {
                 match self { $( Self::$kind => $written ),+ }
             }
 
-            /// Its description in docs/formats.md.
+            /// Its description in docs/reference/formats.md.
             #[cfg(feature = "clap")]
             const fn about(self) -> &'static str {
                 match self { $( Self::$kind => $about ),+ }
@@ -78,7 +78,7 @@ file_kinds! {
     /// XML device configuration (CiA 311)
     Xdc "xdc" ["xdc", "nxdc"], "XDC" Some("xdd"), Some(Format::Xdc), Some(EDITED),
         "XML device configuration: one node (CiA 311); networks (`.nxdc`) of CANopenEditor are only read";
-    /// The short source of a device (docs/device.md)
+    /// The short source of a device (docs/reference/device.md)
     Toml "toml" ["toml"], "device.toml" Some("toml"), Some(Format::Toml), Some(EDITED),
         "short source of a device ([device.md](device.md))";
     /// Project of the editors for CANopenNode from before XDD
@@ -100,9 +100,9 @@ file_kinds! {
     /// Concise DCF (CiA 302-3)
     Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
         "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
-    /// Concise DCF as a text of one download a line (docs/dcf.md)
+    /// Concise DCF as a text of one download a line (docs/guides/dcf.md)
     CdcfText "cdcf.txt" ["cdcf.txt"], "concise DCF as text" Some("toml"), None, Some("yes"),
-        "concise DCF as a text with one download per line ([dcf.md](dcf.md))";
+        "concise DCF as a text with one download per line ([dcf.md](../guides/dcf.md))";
     /// Node list (CiA 306-3)
     Cpj "cpj" ["cpj"], "node list" Some("full"), None, None,
         "node list of a network (CiA 306-3)";
@@ -125,7 +125,7 @@ impl FileKind {
         Self::ALL.iter().copied().filter(|kind| kind.feature().is_some())
     }
 
-    /// The table of formats in docs/formats.md.
+    /// The table of formats in docs/reference/formats.md.
     #[cfg(feature = "clap")]
     pub fn table() -> String {
         let row = |kind: &Self| {

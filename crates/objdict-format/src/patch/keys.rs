@@ -48,7 +48,8 @@ pub(super) const CHANGE: &[Key] = &[
 ];
 
 pub(super) const RAW: &[Key] = &[
-    key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/json.md).").required(),
+    key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/reference/json.md).")
+        .required(),
     key(
         "expect",
         Shape::Text,

@@ -1,4 +1,4 @@
-//! Patches: corrections of description files that belong to others (docs/patches.md).
+//! Patches: corrections of description files that belong to others (docs/guides/patches.md).
 //!
 //! `Reading` applies patches to every description that it opens, so commands and build scripts share one entry. A
 //! patched description keeps the text of its file and thus the line numbers of findings; a label `At::Patch`

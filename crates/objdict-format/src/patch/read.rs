@@ -156,7 +156,7 @@ fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<S
         } else {
             let finding =
                 Diagnostic::new(&INVALID_CHANGE, said.at, say!("there is no field `{}`", said.value));
-            findings.push(finding.help("write one of the words of docs/patches.md"));
+            findings.push(finding.help("write one of the words of docs/guides/patches.md"));
         }
     }
     names
@@ -187,7 +187,7 @@ fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
 }
 
 text_rules! {
-    source: "objdict, docs/patches.md";
+    source: "objdict, docs/guides/patches.md";
 
     "patch/invalid-change" = INVALID_CHANGE, Error;
     summary: "a change that cannot be made",

@@ -2,7 +2,7 @@
 //!
 //! The values of a difference are counted before their JSON is created, so malicious files cannot exhaust memory.
 //!
-//! A datum is named by its path in the JSON of the model (docs/json.md), as a JSON pointer (RFC 6901):
+//! A datum is named by its path in the JSON of the model (docs/reference/json.md), as a JSON pointer (RFC 6901):
 //! `/objects/0x1018/subs/0x01/default`. Objects that are equal are never turned into JSON, so that a comparison of
 //! equal devices costs no more than looking at them.
 

@@ -89,7 +89,7 @@ text_rules! {
     why: "The node cannot be configured with it.",
     example: r#"`"1017" = "2 minutes"`"#,
     remedy: "Correct the setting as the help says.",
-    source: "objdict, docs/dcf.md",
+    source: "objdict, docs/guides/dcf.md",
 
     "network/rpdo-without-sender" = RPDO_WITHOUT_SENDER, Warning;
     summary: "no node sends what another one receives",

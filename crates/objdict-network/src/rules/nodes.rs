@@ -42,7 +42,7 @@ text_rules! {
     why: "One of the two is not what the node does.",
     example: r#"`heartbeat = "200ms"` and `set = { "1017" = 0 }`"#,
     remedy: "Remove one of the two.",
-    source: "objdict, docs/network.md",
+    source: "objdict, docs/guides/network.md",
 
     "network/read-only-entry" = READ_ONLY_ENTRY, Error;
     summary: "an entry is written that cannot be written",

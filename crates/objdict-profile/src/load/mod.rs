@@ -1,5 +1,5 @@
 //! Profiles from TOML. Built-in documents and custom profiles use the same format, described in
-//! `docs/profiles.md`.
+//! `docs/guides/profiles.md`.
 
 mod fields;
 mod pack;

@@ -86,7 +86,7 @@ impl Config {
         &self.settings.profiles
     }
 
-    /// Patterns of the patches of descriptions (docs/patches.md), relative to [`folder`](Self::folder).
+    /// Patterns of the patches of descriptions (docs/guides/patches.md), relative to [`folder`](Self::folder).
     pub fn patches(&self) -> &[WantedFiles] {
         &self.settings.patches
     }

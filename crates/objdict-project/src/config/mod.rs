@@ -1,4 +1,4 @@
-//! The configuration `objdict.toml`: what a project says of all its descriptions (docs/config.md).
+//! The configuration `objdict.toml`: what a project says of all its descriptions (docs/reference/config.md).
 //!
 //! Errors in it are findings with spans, as in a description; an invalid setting is ignored, and the others
 //! hold.

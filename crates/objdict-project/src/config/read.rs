@@ -18,7 +18,7 @@ use objdict_model::diagnostic::{
 };
 use objdict_model::source::Span;
 
-/// The settings with their meanings, in the order of docs/config.md.
+/// The settings with their meanings, in the order of docs/reference/config.md.
 pub const SETTINGS: [(&str, &str); 8] = [
     ("profiles", "Profiles that all files are checked against: numbers, or files."),
     ("patches", "Patches that are applied to the files that they are for."),

@@ -6,7 +6,7 @@ use objdict_model::diagnostic::{Diagnostic, Text, say, text_rules};
 use objdict_model::source::Span;
 
 text_rules! {
-    source: "objdict, docs/config.md";
+    source: "objdict, docs/reference/config.md";
 
     "objdict/invalid-toml" = INVALID_TOML, Error;
     summary: "the configuration is not valid TOML",
@@ -14,7 +14,7 @@ text_rules! {
     why: "A check without its configuration reports unwanted findings and misses those that were requested.",
     example: r#"`cia306/file-name = "off"`: the id of a rule contains a `/` and must be quoted"#,
     remedy: "Correct the reported line.",
-    source: "objdict, docs/config.md; TOML 1.1",
+    source: "objdict, docs/reference/config.md; TOML 1.1",
 
     "objdict/unknown-setting" = UNKNOWN_SETTING, Warning;
     summary: "the configuration contains an unknown setting",

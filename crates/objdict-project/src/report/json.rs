@@ -1,4 +1,4 @@
-//! One JSON document for all files; `docs/json.md` describes it.
+//! One JSON document for all files; `docs/reference/json.md` describes it.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

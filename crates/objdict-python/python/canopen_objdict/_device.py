@@ -387,7 +387,7 @@ class Device(Mapping[int, Object]):
         return pandas.DataFrame(rows, columns=["index", "sub", "object", *COLUMNS]).set_index(["index", "sub"])
 
     def to_dict(self) -> dict[str, Any]:
-        """The whole model, as docs/json.md describes it."""
+        """The whole model, as docs/reference/json.md describes it."""
         return dict(json.loads(self._native.json()))
 
     def to_canopen(self, node_id: int | None = None) -> canopen.ObjectDictionary:

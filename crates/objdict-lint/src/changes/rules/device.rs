@@ -79,7 +79,7 @@ changes! {
     checks: "Whether any other datum is another one, or is stated in only one of the descriptions. It is named by its key in an EDS, else by its path in JSON. Comments, names, authors, dates and versions of files, order, and other forms of the same (compact objects, numbers) do not count.",
     example: "`;CO_countLabel=TPDO` of 1800h, then none; `Denotation=Pump`, then `Denotation=Fan`",
     remedy: "Compare both places.",
-    source: "objdict, docs/json.md",
+    source: "objdict, docs/reference/json.md",
 
     "change/bit-rate-removed" = BIT_RATE_REMOVED {
         Configurations: Breaking, "a network with the bit rate cannot have the device";

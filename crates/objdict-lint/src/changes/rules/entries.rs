@@ -15,7 +15,7 @@ changes! {
     checks: "Whether the new description has an object at an index that the old one does not have, and that no object has moved to.",
     example: "`[2001]` is only in the new description",
     remedy: "Raise the major part of the revision number, if the device already has users.",
-    source: "CiA 301 §7.5.2.21 (revision number); objdict, docs/storage.md (images)",
+    source: "CiA 301 §7.5.2.21 (revision number); objdict, docs/guides/storage.md (images)",
 
     "change/object-removed" = OBJECT_REMOVED {
         Configurations: Breaking, "the device refuses the download with abort code 06020000h";
@@ -52,7 +52,7 @@ changes! {
     checks: "Whether the name of an object is another one, apart from case, blanks and punctuation.",
     example: "`ParameterName=Brightness`, then `ParameterName=Luminance`",
     remedy: "Keep the name, or keep the identifier with `objdict generate --rename`.",
-    source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
+    source: "CiA 306-1 §4.6.3.2; objdict, docs/reference/generate.md (names)",
 
     "change/object-type-changed" = OBJECT_TYPE_CHANGED {
         Configurations: Breaking, "values are at other sub-indexes, or a domain takes what was a value";
@@ -124,7 +124,7 @@ changes! {
     checks: "Whether the name of a sub-index is another one, apart from case, blanks and punctuation.",
     example: "`ParameterName=Gain`, then `ParameterName=Factor`",
     remedy: "Keep the name, or keep the identifier with `objdict generate --rename`.",
-    source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
+    source: "CiA 306-1 §4.6.3.2; objdict, docs/reference/generate.md (names)",
 
     "change/name-respelled" = NAME_RESPELLED {
         SdoClients: Compatible, "clients address entries by index and sub-index";
@@ -134,7 +134,7 @@ changes! {
     checks: "Whether a name differs in case, blanks or punctuation only. If identifiers of generated code change with it, `change/identifier-changed` reports that.",
     example: "`Device Type`, then `Device type`",
     remedy: "Keep the spelling, unless it was wrong.",
-    source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
+    source: "CiA 306-1 §4.6.3.2; objdict, docs/reference/generate.md (names)",
 
     "change/identifier-changed" = IDENTIFIER_CHANGED {
         Firmware: Risky, "sources that use the old identifier no longer compile, or mean another entry";
@@ -143,7 +143,7 @@ changes! {
     checks: "Whether the identifier of an object or entry in the targets `c` and `rust` is another one although its name stays, or differs in its spelling only: a new entry of the same name gives both a number.",
     example: "`OD_GAIN` becomes `OD_GAIN_2001`, because 2005h is called `Gain` too",
     remedy: "Give the new entry another name, or keep the identifier with `objdict generate --rename`.",
-    source: "objdict, docs/generate.md (names)",
+    source: "objdict, docs/reference/generate.md (names)",
 
     "change/data-type-changed" = DATA_TYPE_CHANGED {
         Configurations: Breaking, "the stored value has another length or meaning: the device refuses it (06070010h) or misreads it";
@@ -400,5 +400,5 @@ changes! {
     checks: "Whether the storage group of an object, or whether its value survives power-off (`persistent`), is another one. The groups `RAM` and `ROM` are not stored.",
     example: "`;StorageLocation=RAM`, then `;StorageLocation=PERSIST_COMM`",
     remedy: "Keep the group, or let the firmware load images of the old layout.",
-    source: "objdict, docs/storage.md; CiA 311 §6.4.5 (`persistent`)",
+    source: "objdict, docs/guides/storage.md; CiA 311 §6.4.5 (`persistent`)",
 }
