@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-MAX_BYTES = 8_500_000
+MAX_BYTES = 8_000_000
 # the sidebar without scripts, whose links start at the folder of the page that shows it
 FRAMES = {"toc.html"}
 
@@ -42,20 +42,22 @@ def is_dead(page, link, pages):
 
 def main(site):
     root = Path(site).resolve()
-    pages = {path: Page(path) for path in sorted(root.rglob("*.html")) if path.name not in FRAMES}
+    # `web/site.mjs` adds the workbench, which has tests of its own
+    files = [path for path in sorted(root.rglob("*")) if path.is_file() and root / "workbench" not in path.parents]
+    pages = {path: Page(path) for path in files if path.suffix == ".html" and path.name not in FRAMES}
     dead = [
         f"{path.relative_to(root)}: {link}"
         for path, page in pages.items()
         for link in page.links
         if path.name != "404.html" and is_dead(path, link, pages)
     ]
-    size = sum(path.stat().st_size for path in root.rglob("*") if path.is_file())
+    size = sum(path.stat().st_size for path in files)
     links = sum(len(page.links) for page in pages.values())
     print(*dead, f"{len(pages)} pages, {links} links, {len(dead)} dead, {size / 1e6:.1f} MB", sep="\n")
     if dead or not links:
         sys.exit("dead links, or a site without links")
     if size > MAX_BYTES:
-        sys.exit(f"the site exceeds {MAX_BYTES / 1e6} MB")
+        sys.exit(f"the site exceeds {MAX_BYTES / 1e6:.0f} MB")
 
 
 main(*sys.argv[1:])

@@ -1,4 +1,4 @@
-//! The promise of the README for every command and every option of `check`: memory and time grow with the file, whatever repeats in it.
+//! The promise of docs/reference/limits.md for every command and every option of `check`: memory and time grow with the file, whatever repeats in it.
 //! tests/memory has more files, for what the library does with them.
 
 use std::fs;
@@ -93,7 +93,7 @@ const FIXING: [&str; 3] =
 /// What a process takes for nothing but as many findings as are kept, and the fixes that are offered.
 const PROCESS: usize = 26 << 20;
 
-/// What the README allows it for parts that are shorter than what is made of them.
+/// What docs/reference/limits.md allows it for parts that are shorter than what is made of them.
 const ALLOWANCE: usize = 50_000_000;
 
 fn write(folder: &Path, rest: impl IntoIterator<Item = u8>) -> usize {

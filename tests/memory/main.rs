@@ -1,4 +1,4 @@
-//! The promise of the README: reading, `check` and `convert` take at most 20 times the file and 50 MB, in time in proportion to the
+//! The promise of docs/reference/limits.md: reading, `check` and `convert` take at most 20 times the file and 50 MB, in time in proportion to the
 //! file. The files here are made to break it. Each runs in a process of its own, whose allocator counts.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
