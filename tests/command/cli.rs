@@ -83,8 +83,15 @@ fn prepare(input: &Path) {
 
 /// The pages for users, which may have sessions.
 fn markdown_pages() -> Vec<PathBuf> {
-    let folders =
-        ["docs", "docs/tutorials", "docs/guides", "docs/reference", "docs/explanation", "docs/targets"];
+    let folders = [
+        "docs",
+        "docs/tutorials",
+        "docs/guides",
+        "docs/reference",
+        "docs/reference/commands",
+        "docs/explanation",
+        "docs/targets",
+    ];
     let files = folders.into_iter().flat_map(|folder| fs::read_dir(folder).unwrap());
     let docs = files.map(|entry| entry.unwrap().path());
     let mut pages: Vec<PathBuf> = docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use objdict::cli::{CommandReference, Reference};
 use objdict::compat::{MESSAGES, REACTIONS};
 use objdict::diagnostic::RuleInfo;
 use objdict::format::input::FileKind;
@@ -22,8 +23,9 @@ pub(crate) fn run(check: bool) -> Result<(), String> {
     let generated =
         [("guides/diff.md", "verdicts", verdicts()), ("reference/formats.md", "formats", FileKind::table())];
     for (page, mark, table) in generated {
-        pages.insert(page.to_owned(), with_table(&folder, page, mark, &table)?);
+        pages.insert(page.to_owned(), with_table(&text_of(&folder, page)?, page, mark, &table)?);
     }
+    command_pages(&folder, &mut pages)?;
     for (name, text) in &pages {
         let (path, shown) = (folder.join(name), format!("docs/{name}"));
         if check {
@@ -56,10 +58,32 @@ fn remove_leftovers(folder: &Path, pages: &BTreeMap<String, String>, check: bool
     Ok(())
 }
 
+/// The reference of each command above what its page explains, and the tables of all commands.
+fn command_pages(folder: &Path, pages: &mut BTreeMap<String, String>) -> Result<(), String> {
+    let Reference { commands, input, common } = objdict::cli::reference();
+    let mut table = String::from("| Command | |\n|---|---|\n");
+    for CommandReference { name, summary, text } in &commands {
+        let _ = writeln!(table, "| [`{name}`](commands/{name}.md) | {summary} |");
+        let page = format!("reference/commands/{name}.md");
+        let written =
+            with_table(&text_of(folder, &page)?, &page, "reference", &format!("{summary}.\n\n{text}"))?;
+        pages.insert(page, written);
+    }
+    let page = "reference/cli.md";
+    let mut text = text_of(folder, page)?;
+    for (mark, table) in [("commands", table), ("common", common), ("input", input)] {
+        text = with_table(&text, page, mark, &table)?;
+    }
+    pages.insert(page.to_owned(), text);
+    Ok(())
+}
+
+fn text_of(folder: &Path, page: &str) -> Result<String, String> {
+    fs::read_to_string(folder.join(page)).map_err(|error| format!("cannot read docs/{page}: {error}"))
+}
+
 /// A page of docs with a table between its marks: `<!-- verdicts -->`.
-fn with_table(folder: &Path, page: &str, mark: &str, table: &str) -> Result<String, String> {
-    let text = fs::read_to_string(folder.join(page));
-    let text = text.map_err(|error| format!("cannot read docs/{page}: {error}"))?;
+fn with_table(text: &str, page: &str, mark: &str, table: &str) -> Result<String, String> {
     let marks = [format!("<!-- {mark} -->\n"), format!("<!-- end of {mark} -->")];
     let parts =
         text.split_once(&marks[0]).and_then(|(before, rest)| Some((before, rest.split_once(&marks[1])?.1)));

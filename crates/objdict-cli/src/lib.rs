@@ -42,6 +42,7 @@ mod probe;
 mod profile;
 mod profile_option;
 mod progress;
+mod reference;
 mod report;
 mod rules;
 mod schema;
@@ -63,6 +64,7 @@ use clap::error::{ContextKind, ContextValue};
 
 use self::args::{Args, Command, OnlyCheck};
 use self::ending::Outcome;
+pub use self::reference::{CommandReference, Reference, reference};
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
 use self::stdout::Output;

@@ -24,13 +24,17 @@ pub(super) fn man(args: &ManArgs) -> Result<Outcome, Failure> {
     let mut command = <Args>::command();
     command.build();
     let mut folder = SaveFolder::open(args.output(), "man", &args.overwrite)?;
-    let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
-    for page in std::iter::once(&command).chain(commands) {
-        let name = page.get_display_name().unwrap_or(page.get_name());
-        folder.save(&format!("{name}.1"), &render(page)?)?;
-    }
+    save_pages(&command, &mut folder)?;
     folder.finish()?;
     Ok(Outcome::Clean)
+}
+
+/// Saves the page of a command and those of its sub-commands, to which it refers.
+fn save_pages(command: &Command, folder: &mut SaveFolder) -> Result<(), Failure> {
+    let name = command.get_display_name().unwrap_or(command.get_name());
+    folder.save(&format!("{name}.1"), &render(command)?)?;
+    let mut commands = command.get_subcommands().filter(|command| !command.is_hide_set());
+    commands.try_for_each(|command| save_pages(command, folder))
 }
 
 fn render(page: &Command) -> Result<Vec<u8>, Failure> {
@@ -57,6 +61,18 @@ mod tests {
         });
         let main = page("objdict.1").unwrap();
         let check = page("objdict-check.1").unwrap();
+        // no reference leads nowhere
+        for file in std::fs::read_dir(folders[0].path()).unwrap().map(|file| file.unwrap().path()) {
+            let text = std::fs::read_to_string(&file).unwrap().replace("\\-", "-");
+            for (before, _) in text.match_indices("(1)").map(|(at, _)| text.split_at(at)) {
+                let name = before.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '-').next().unwrap();
+                assert!(
+                    folders[0].path().join(format!("{name}.1")).exists(),
+                    "{}: {name}(1)",
+                    file.display()
+                );
+            }
+        }
         assert!(main.contains("objdict\\-check(1)"), "{main}");
         assert!(check.contains("\\fB\\-\\-deny\\fR"), "{check}");
         assert!(page("objdict-man.1").is_err());
