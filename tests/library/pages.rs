@@ -320,6 +320,20 @@ fn the_words_are_those_of_engineers() {
     }
 }
 
+/// In the changelog a change is a line of at most 30 words, as Keep a Changelog has them.
+#[test]
+fn a_change_is_a_line() {
+    let text = read(Path::new("CHANGELOG.md"));
+    let (_, changes) = text.split_once("## [").unwrap();
+    let changes: Vec<&str> = changes.lines().skip(1).filter(|line| !line.is_empty()).collect();
+    assert!(changes.len() > 50, "{changes:?}");
+    let is_heading = |line: &str| line.starts_with('#') || line.starts_with("The first release");
+    for change in changes.into_iter().filter(|line| !is_heading(line)) {
+        let words = change.strip_prefix("- ").map(|text| text.split_whitespace().count());
+        assert!(words.is_some_and(|words| words <= 30), "{change}");
+    }
+}
+
 /// The code in the tutorials is a piece of the examples, which are built and run.
 #[test]
 fn tutorials_show_code_of_the_examples() {
