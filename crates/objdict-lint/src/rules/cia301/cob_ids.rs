@@ -9,24 +9,24 @@ use crate::{CobIdService, CobIdUse, Facts, PdoFacts};
 
 rules! {
     "cia301/can-id-in-both-directions" = CAN_ID_IN_BOTH_DIRECTIONS, Error, Facts(can_id_in_both_directions);
-    summary: "a service receives with the CAN-ID with which the device itself transmits",
-    checks: "Whether no active service among SYNC, TIME, EMCY, SDO channels and PDOs receives with the CAN-ID of another one that transmits: a TPDO with the CAN-ID of the SYNC that the device consumes or of its own RPDO, an SDO client with the same COB-ID in both directions, an EMCY consumer with the CAN-ID of a TPDO. In an EDS formulas are compared with formulas and numbers with numbers. Restricted CAN-IDs have their own rule.",
-    why: "A CAN controller does not receive its own frames, and the peer that transmits to the service uses the CAN-ID of the device: two nodes transmit the same identifier, and other nodes take the data of one service for another, such as process data for SYNC.",
+    summary: "a service receives with a CAN-ID that the device itself transmits",
+    checks: "No active SYNC, TIME, EMCY, SDO channel or PDO may receive with the CAN-ID of an active service that transmits. Examples are a TPDO with the CAN-ID of its own RPDO or of the SYNC that the device consumes, an SDO client with the same COB-ID in both directions and an EMCY consumer with the CAN-ID of a TPDO. In an EDS, formulas are compared with formulas and numbers with numbers. Restricted CAN-IDs have their own rule.",
+    why: "A CAN controller does not receive its own frames. The peer that transmits to the service uses a CAN-ID of the device, so two nodes transmit the same identifier. Other nodes mistake the data of one service for a different one, such as process data for SYNC.",
     example: "`[1400sub1]` and `[1800sub1]`, both with `DefaultValue=$NODEID+0x180`",
     remedy: "Give one of the services its own CAN-ID, or set bit 31 to mark it as not valid.",
     source: "CiA 301 §7.3.3, §7.3.5",
 
     "cia301/can-id-of-other-service" = CAN_ID_OF_OTHER_SERVICE, Warning, Facts(can_id_of_other_service);
     summary: "a PDO or SDO channel uses the CAN-ID of SYNC, TIME or EMCY",
-    checks: "Whether the CAN-ID of each active PDO and additional SDO channel is not 80h (SYNC), 81h to FFh (EMCY of the nodes) or 100h (TIME). If a service of the device uses the same CAN-ID, `cia301/cob-id-collision` or `cia301/can-id-in-both-directions` reports it instead.",
-    why: "The predefined connection set gives these CAN-IDs to other services: nodes take the frame for SYNC and transmit their process data, or a master reports an error that does not exist.",
+    checks: "An active PDO or additional SDO channel must not use 80h (SYNC), 81h to FFh (EMCY of the nodes) or 100h (TIME) as its CAN-ID. If a service of the device uses the same CAN-ID, `cia301/cob-id-collision` or `cia301/can-id-in-both-directions` reports it instead.",
+    why: "The predefined connection set gives these CAN-IDs to other services: nodes mistake the frame for SYNC and transmit their process data, or a master reports an error that does not exist.",
     example: "`[1804sub1]` with `DefaultValue=0x80`",
     remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh.",
     source: "CiA 301 §7.3.5",
 
     "cia301/cob-id-collision" = COB_ID_COLLISION, Error, Facts(cob_id_collision);
     summary: "two services of the device use the same CAN-ID",
-    checks: "Whether two active services among SYNC, TIME, EMCY, SDO channels and PDOs transmit with the same CAN-ID or receive with the same CAN-ID. A formula is evaluated for every node-ID in an EDS and for the node of a DCF. Two RPDOs that receive the same frame are a warning, because this can be intended.",
+    checks: "Two active services must not transmit with the same CAN-ID or receive with the same CAN-ID. The rule compares SYNC, TIME, EMCY, SDO channels and PDOs. A formula is evaluated for every node-ID in an EDS and for the node of a DCF. Two RPDOs that receive the same frame are a warning, because this can be intended.",
     why: "A receiver cannot distinguish the frames: data for one service is processed by the other.",
     example: "`[1400sub1]` and `[1401sub1]`, both with `DefaultValue=$NODEID+0x200`",
     remedy: "Give each service its own CAN-ID. The predefined connection set has one for each of the first four PDOs in each direction.",
@@ -34,15 +34,15 @@ rules! {
 
     "cia301/cob-id-not-predefined" = COB_ID_NOT_PREDEFINED, Warning, Pdo(cob_id_not_predefined);
     summary: "the default CAN-ID of one of the first four PDOs differs from the predefined connection set",
-    checks: "Whether the default COB-IDs of RPDO 1 to 4 and TPDO 1 to 4 of a device with a device profile are 200h, 300h, 400h, 500h and 180h, 280h, 380h, 480h plus the node-ID. PDOs that are not valid (bit 31), numbers with a missing node-ID and CAN-IDs that another service of the device uses are not checked. A DCF is not checked either: it holds the configuration of a node.",
-    why: "A simple network works without configuration because all devices use these identifiers. A device that does not may use the CAN-ID of another node.",
+    checks: "In a device with a device profile, the default COB-IDs of RPDO 1 to 4 must be 200h, 300h, 400h and 500h plus the node-ID. For TPDO 1 to 4, they must be 180h, 280h, 380h and 480h plus the node-ID. PDOs that are not valid (bit 31), numbers with a missing node-ID and CAN-IDs that a different service of the device uses are not checked. A DCF is not checked either: it holds the configuration of a node.",
+    why: "A simple network works without configuration because all devices use these identifiers. A device that does not may use a different node's CAN-ID.",
     example: "`[1401sub1]` with `DefaultValue=$NODEID+0x200`",
     remedy: "Write the CAN-ID of the predefined connection set.",
     source: "CiA 301 §7.3.5, §7.5.2.35 table 67, §7.5.2.37 table 71",
 
     "cia301/fixed-node-id" = FIXED_NODE_ID, Warning, Facts(fixed_node_id), fix Unsafe;
     summary: "a COB-ID is a number instead of a formula with the node-ID",
-    checks: "Whether the default COB-IDs of EMCY and of PDO 1 to 4 in an EDS are formulas if they lie in the predefined connection set: 81h to FFh for EMCY, 181h to 1FFh for TPDO 1 and so on, or the bare base such as 180h. COB-IDs that are not valid (bit 31) are not checked. A DCF describes one node and may contain numbers.",
+    checks: "In an EDS, the default COB-IDs of EMCY and of PDO 1 to 4 must be formulas if they lie in the predefined connection set. These are 81h to FFh for EMCY, 181h to 1FFh for TPDO 1 and so on, and the bare bases such as 180h. COB-IDs that are not valid (bit 31) are not checked. A DCF describes one node and may contain numbers.",
     why: "An EDS describes a device type, not a node: two such devices on one network use the same CAN-ID. Tools do not add the node-ID to a number.",
     example: "`[1014]` with `DefaultValue=0x81`",
     remedy: "Write `$NODEID+0x80`.",
@@ -50,16 +50,16 @@ rules! {
 
     "cia301/invalid-cob-id" = INVALID_COB_ID, Error, Facts(invalid_cob_id), fix Unsafe;
     summary: "reserved bits of a COB-ID are set",
-    checks: "Whether bits 11 to 28 are clear in each COB-ID with an 11-bit CAN-ID (bit 29 clear), and bit 30 in those of EMCY, where it is reserved. The rule checks SYNC, TIME, EMCY, SDO and PDO and evaluates a formula for the highest node-ID.",
-    why: "Some devices reject such a value, others truncate it, so the service uses another CAN-ID. Often a digit is missing: `0x8000000` was meant to be `0x80000000`.",
+    checks: "Bits 11 to 28 must be clear in each COB-ID with an 11-bit CAN-ID (bit 29 clear). Bit 30 must be clear in COB-IDs of EMCY, where it is reserved. The rule checks SYNC, TIME, EMCY, SDO and PDO and evaluates a formula for the highest node-ID.",
+    why: "Some devices reject such a value, others truncate it, so the service uses a different CAN-ID. Often a digit is missing: `0x8000000` was meant to be `0x80000000`.",
     example: "`[1804sub1]` with `DefaultValue=0x8000000`",
     remedy: "Check the number of digits: bit 31 is `0x80000000`, and the CAN-ID is in the three lowest digits.",
     source: "CiA 301 §7.5.2.5, §7.5.2.17, §7.5.2.33, §7.5.2.35",
 
     "cia301/restricted-can-id" = RESTRICTED_CAN_ID, Error, Facts(restricted_can_id);
     summary: "a service uses a restricted CAN-ID",
-    checks: "Whether the CAN-ID of each active SYNC, TIME, EMCY, PDO and additional SDO channel is outside 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh and 701h to 7FFh, which CiA 301 reserves for NMT, the default SDOs, error control and future use. An SDO channel may use the CAN-IDs of a default SDO; a channel with COB-ID 0 is not active. A formula is evaluated for every node-ID in an EDS and for the node of a DCF; if only high node-IDs lead to a restricted CAN-ID, the finding is a warning; so is COB-ID 0 of an EMCY consumer, which is an unused entry of 1028h.",
-    why: "Another node answers an SDO or sends its heartbeat with this CAN-ID: two nodes transmit the same identifier and disturb each other.",
+    checks: "An active SYNC, TIME, EMCY, PDO or additional SDO channel must not use a CAN-ID from 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh or 701h to 7FFh. CiA 301 reserves these for NMT, the default SDOs, error control and future use. An SDO channel may use the CAN-IDs of a default SDO; a channel with COB-ID 0 is not active. A formula is evaluated for every node-ID in an EDS and for the node of a DCF. If only high node-IDs lead to a restricted CAN-ID, the finding is a warning. COB-ID 0 of an EMCY consumer, an unused entry of 1028h, is a warning too.",
+    why: "A different node answers an SDO or sends its heartbeat with this CAN-ID: two nodes transmit the same identifier and disturb each other.",
     example: "`[1804sub1]` with `DefaultValue=$NODEID+0x580`",
     remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or set bit 31 to mark the service as not valid.",
     source: "CiA 301 §7.3.5, table 40",
@@ -67,8 +67,8 @@ rules! {
     "cia301/service-cob-id-not-predefined" = SERVICE_COB_ID_NOT_PREDEFINED, Warning,
         Facts(service_cob_id_not_predefined), fix Unsafe;
     summary: "the CAN-ID of SYNC, TIME or EMCY differs from the predefined connection set",
-    checks: "Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. In a DCF, SYNC and EMCY must not have the CAN-ID of the EMCY of another node (81h to FFh). Flags are ignored. COB-IDs that another rule reports are not checked.",
-    why: "With the predefined connection set, devices of all vendors work together without configuration. A device that expects SYNC on another CAN-ID does not receive it.",
+    checks: "In an EDS, the default must be 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. In a DCF, SYNC and EMCY must not use the CAN-ID of a different node's EMCY (81h to FFh). Flags are ignored. COB-IDs that another rule reports are not checked.",
+    why: "With the predefined connection set, devices of all vendors work together without configuration. A device that expects SYNC on a different CAN-ID does not receive it.",
     example: "`[1005]` with `DefaultValue=$NODEID+0x80`",
     remedy: "Write `0x80`, `0x100` or `$NODEID+0x80`.",
     source: "CiA 301 §7.3.5, tables 38 and 39",
@@ -76,15 +76,15 @@ rules! {
     "cia301/short-can-id-in-extended-frame" = SHORT_CAN_ID_IN_EXTENDED_FRAME, Warning,
         Facts(short_can_id_in_extended_frame);
     summary: "a COB-ID is marked as 29 bits long but has only 11",
-    checks: "Whether each active COB-ID with bit 29 set (extended frame) has more than 11 bits.",
-    why: "Extended frames are rare, and a base frame with the same number is another identifier. Often bit 29 was set instead of bit 30 or 31.",
+    checks: "Each active COB-ID with bit 29 set (extended frame) must have more than 11 bits.",
+    why: "Extended frames are rare, and a base frame with the same number is a different identifier. Often bit 29 was set instead of bit 30 or 31.",
     example: "`[1800sub1]` with `DefaultValue=$NODEID+0x20000180`",
     remedy: "Clear bit 29.",
     source: "CiA 301 §7.5.2.5, §7.5.2.35, figures 53 to 71",
 
     "cia301/tpdo-of-other-node" = TPDO_OF_OTHER_NODE, Warning, Facts(tpdo_of_other_node);
-    summary: "a node sends a PDO with the CAN-ID of another node",
-    checks: "Whether each valid TPDO of a DCF with a CAN-ID of the TPDOs of the predefined connection set uses that of its own node. CAN-IDs of RPDOs are not checked, because they link the TPDO to another node.",
+    summary: "a node sends a PDO with a CAN-ID of a different node",
+    checks: "If a valid TPDO of a DCF uses a TPDO CAN-ID of the predefined connection set, it must be the CAN-ID of its own node. CAN-IDs of RPDOs are not checked, because they link the TPDO to another node.",
     why: "The other node sends its TPDO with the same CAN-ID unless it was reconfigured: two transmitters of one identifier disturb each other.",
     example: "`NodeID=5` and `[1800sub1]` with `ParameterValue=0x186`",
     remedy: "Use the CAN-ID of this node, and configure the RPDO of the other node to receive it.",

@@ -7,8 +7,8 @@ use crate::{CobIdService, Facts, stated};
 
 rules! {
     "cia301/default-error-register" = DEFAULT_ERROR_REGISTER, Warning, Device(default_error_register);
-    summary: "the description states an error as default",
-    checks: "Whether the defaults of 1001h, the error register, and of 1003h sub-index 0, the number of errors in the history, are 0 in an EDS.",
+    summary: "the description specifies an error as default",
+    checks: "In an EDS, the defaults of 1001h (error register) and of 1003h sub-index 0 (number of errors in the history) must be 0.",
     why: "The default is the value after power-on without a fault. A tool that compares the device with its description reports a difference on a healthy device.",
     example: "`[1001]` with `DefaultValue=1`",
     remedy: "Write 0.",
@@ -16,24 +16,24 @@ rules! {
 
     "cia301/emergency-consumer-of-other-node" = EMERGENCY_CONSUMER_OF_OTHER_NODE, Warning,
         Facts(emergency_consumer_of_other_node);
-    summary: "an EMCY consumer entry uses the COB-ID of another node or service",
-    checks: "Whether each valid COB-ID of 1028h between 81h and FFh is 80h plus its sub-index, which is the node-ID of the producer, whether no entry has a CAN-ID of the PDOs of the predefined connection set, and whether no entry of a DCF refers to the node itself.",
-    why: "The device attributes the error of one node to another.",
+    summary: "an EMCY consumer entry uses the COB-ID of a different node or service",
+    checks: "Each valid COB-ID of 1028h between 81h and FFh must be 80h plus its sub-index, which is the node-ID of the producer. No entry may use a PDO CAN-ID of the predefined connection set. No entry of a DCF may refer to the node itself.",
+    why: "The device attributes an error to the wrong node.",
     example: "`[1028sub5]` with `DefaultValue=0x86`",
     remedy: "Write 80h plus the sub-index, or set bit 31 to disable the entry.",
     source: "CiA 301 §7.5.2.31",
 
     "cia301/emergency-disabled" = EMERGENCY_DISABLED, Warning, Facts(emergency_disabled), fix Unsafe;
     summary: "the EMCY object is not valid by default although the device supports it",
-    checks: "Whether bit 31 of 1014h is clear in an EDS with 1015h, the inhibit time of EMCY.",
-    why: "Bit 31 marks EMCY as not valid. It has another meaning for SYNC and TIME, so it is easily set by mistake; no error of the device then reaches the network.",
+    checks: "In an EDS with 1015h (inhibit time EMCY), bit 31 of 1014h must be clear.",
+    why: "Bit 31 marks EMCY as not valid, so no error of the device reaches the network. For SYNC and TIME the bit has a different meaning, so it is easily set by mistake.",
     example: "`[1014]` with `DefaultValue=$NODEID+0x80000080`",
     remedy: "Clear bit 31: `$NODEID+0x80`.",
     source: "CiA 301 §7.5.2.17",
 
     "cia301/emergency-without-cob-id" = EMERGENCY_WITHOUT_COB_ID, Warning, Device(emergency_without_cob_id);
     summary: "the device has an EMCY object but no COB-ID for EMCY",
-    checks: "Whether a device with 1015h (inhibit time EMCY) has 1014h, the COB-ID of EMCY. With only 1003h (pre-defined error field) it is a note, because a device may record errors without sending EMCY.",
+    checks: "A device with 1015h (inhibit time EMCY) must have 1014h, the COB-ID of EMCY. With only 1003h (pre-defined error field) the finding is a note, because a device may record errors without sending EMCY.",
     why: "The description shows that the device sends EMCY, but not with which CAN-ID.",
     example: "`[1015]` without `[1014]`",
     remedy: "Add 1014h with the default `$NODEID+0x80`.",
@@ -41,7 +41,7 @@ rules! {
 
     "cia301/invalid-error-behavior" = INVALID_ERROR_BEHAVIOR, Error, Device(invalid_error_behavior);
     summary: "an error behavior has a reserved value",
-    checks: "Whether each value of 1029h is 0 (change to pre-operational), 1 (no change), 2 (change to stopped), or manufacturer-specific from 128 on.",
+    checks: "Each value of 1029h must be 0 (change to pre-operational), 1 (no change), 2 (change to stopped) or manufacturer-specific, from 128 on.",
     why: "A device rejects the value, and a manager does not know how the device reacts to a communication error.",
     example: "`[1029sub1]` with `DefaultValue=3`",
     remedy: "Write the behavior of the device.",

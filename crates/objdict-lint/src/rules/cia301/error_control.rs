@@ -10,15 +10,15 @@ use crate::{Facts, stated};
 rules! {
     "cia301/heartbeat-beside-guarding" = HEARTBEAT_BESIDE_GUARDING, Warning, Facts(heartbeat_beside_guarding);
     summary: "heartbeat and life guarding are both enabled",
-    checks: "Whether 1017h, the heartbeat time, is 0 if 100Ch, the guard time, and 100Dh, the life time factor, are not.",
-    why: "A node supports only one of them at a time. With a heartbeat time it sends heartbeats and does not answer guarding requests, so life guarding reports a lost master.",
+    checks: "If 100Ch (guard time) and 100Dh (life time factor) are not 0, 1017h (heartbeat time) must be 0.",
+    why: "A node supports only one of them at a time. If the heartbeat time is set, the node sends heartbeats and does not answer guarding requests, so life guarding reports a lost master.",
     example: "`[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`",
     remedy: "Write 0 to 100Ch and 100Dh.",
     source: "CiA 301 §7.2.8.2, §7.5.2.20",
 
     "cia301/heartbeat-switched-off" = HEARTBEAT_SWITCHED_OFF, Warning, Device(heartbeat_switched_off);
     summary: "no other node can detect the loss of the device",
-    checks: "Whether a device without node guarding (100Ch and 100Dh not both greater than 0) has a heartbeat: 1017h must not be constantly 0, and a configuration must not set it from another default to 0.",
+    checks: "A device without node guarding (100Ch and 100Dh not both greater than 0) must have a heartbeat. 1017h must not be constantly 0, and a configuration must not change it from a different default to 0.",
     why: "With a heartbeat time of 0 the device sends no heartbeat, and a master never notices that it has failed.",
     example: "`[1017]` with `AccessType=ro` and `DefaultValue=0`",
     remedy: "Write a heartbeat time, or make 1017h writable.",
@@ -26,7 +26,7 @@ rules! {
 
     "cia301/incomplete-life-guarding" = INCOMPLETE_LIFE_GUARDING, Warning, Facts(incomplete_life_guarding);
     summary: "life guarding has only one of its two values",
-    checks: "Whether 100Ch, the guard time, and 100Dh, the life time factor, are both 0 or both greater than 0. With a heartbeat time they have no effect and are not checked.",
+    checks: "100Ch (guard time) and 100Dh (life time factor) must be both 0 or both greater than 0. If a heartbeat time is set, they have no effect and are not checked.",
     why: "The node life time is the product of the two. If one is 0, the node does not monitor its master although the other value suggests it.",
     example: "`[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=0`",
     remedy: "Write both values, or 0 to both.",
@@ -34,7 +34,7 @@ rules! {
 
     "cia301/incomplete-node-guarding" = INCOMPLETE_NODE_GUARDING, Error, Device(incomplete_node_guarding);
     summary: "one of the two node guarding objects is missing",
-    checks: "Whether 100Ch (guard time) and 100Dh (life time factor) are both described or both absent.",
+    checks: "100Ch (guard time) and 100Dh (life time factor) must be both described or both absent.",
     why: "The node life time is the product of the two. A device with only one of them cannot detect the loss of its master.",
     example: "`[100C]` without `[100D]`",
     remedy: "Add the missing object, or remove both and use the heartbeat.",
@@ -43,15 +43,15 @@ rules! {
     "cia301/invalid-consumer-heartbeat" = INVALID_CONSUMER_HEARTBEAT, Error,
         Device(invalid_consumer_heartbeat);
     summary: "a heartbeat consumer entry cannot monitor a node",
-    checks: "Whether each value of 1016h with a time has a node-ID from 1 to 127, has its upper byte clear, does not monitor the node of the DCF itself, and does not monitor a node of an earlier entry. A node-ID without a time is a warning.",
-    why: "A device rejects such a value with an abort, or monitors no node. Often the node-ID is missing and the value is only the time.",
+    checks: "Each value of 1016h with a time must have a node-ID from 1 to 127 and a clear upper byte. It must not monitor the node of the DCF itself or a node of an earlier entry. A node-ID without a time is a warning.",
+    why: "A device rejects such a value with an abort or monitors no node. Often the node-ID is missing and the value is only the time.",
     example: "`[1016sub1]` with `DefaultValue=750`",
     remedy: "Write the node-ID to bits 16 to 23: `0x000702EE` monitors node 7 with 750 ms.",
     source: "CiA 301 §7.5.2.19",
 
     "cia301/no-error-control" = NO_ERROR_CONTROL, Error, Device(no_error_control);
     summary: "the device has neither a heartbeat nor node guarding",
-    checks: "Whether the device has 1017h (producer heartbeat time), or one of 100Ch and 100Dh (node guarding).",
+    checks: "The device must have 1017h (producer heartbeat time) or one of 100Ch and 100Dh (node guarding).",
     why: "CiA 301 requires one of the two. Without it, the loss of the device is not detected.",
     example: "a device with only 1000h, 1001h and 1018h",
     remedy: "Add 1017h, a writable UNSIGNED16; CiA recommends the heartbeat.",
@@ -59,8 +59,8 @@ rules! {
 
     "cia301/short-heartbeat-time" = SHORT_HEARTBEAT_TIME, Warning, Device(short_heartbeat_time);
     summary: "a heartbeat time is shorter than 10 ms",
-    checks: "Whether 1017h, the heartbeat time, and the times in 1016h, those of the consumer, are 0 or at least 10 ms, configured or by default.",
-    why: "The unit is a millisecond, and such a value was mostly meant in seconds: the heartbeats of a few nodes fill the bus, and a consumer reports a lost node with the first delay.",
+    checks: "The heartbeat time 1017h and the consumer times in 1016h must be 0 or at least 10 ms, configured or by default.",
+    why: "The unit is a millisecond, but such values are mostly meant in seconds. The heartbeats of a few nodes fill the bus, and a consumer reports a lost node with the first delay.",
     example: "`[1017]` with `DefaultValue=1`",
     remedy: "Write the time in milliseconds, such as 1000 for one second.",
     source: "CiA 301 §7.5.2.19, §7.5.2.20",

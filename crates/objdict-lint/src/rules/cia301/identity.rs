@@ -13,7 +13,7 @@ rules! {
     "cia301/device-type-without-value" = DEVICE_TYPE_WITHOUT_VALUE, Warning,
         Device(device_type_without_value);
     summary: "the device type has no value",
-    checks: "Whether 1000h has a value.",
+    checks: "1000h must have a value.",
     why: "The low word of 1000h is the number of the device profile. Without it a tool does not know the meaning of the objects from 6000h on, and no profile rule applies.",
     example: "`[1000]` without `DefaultValue`",
     remedy: "Write the value that the device returns, or 0 if it follows no device profile.",
@@ -21,7 +21,7 @@ rules! {
 
     "cia301/invalid-device-type" = INVALID_DEVICE_TYPE, Error, Facts(invalid_device_type);
     summary: "the device type is contradictory",
-    checks: "Whether the high word of 1000h is 0 if the low word, the profile number, is 0 (no profile). For `0x00010000`, which tools write for a generic device, the finding is a warning. Warnings are also a profile number in hexadecimal digits that is meant in decimal (0402h, which is 1026), and a device type whose words are exchanged. A note is a device with the controlword, statusword and mode of a drive (6040h, 6041h, 6060h) and profile number 0.",
+    checks: "If the low word of 1000h, the profile number, is 0 (no profile), the high word must be 0 too. For `0x00010000`, which tools write for a generic device, the finding is a warning. Two other warnings are a profile number in hexadecimal digits instead of decimal (0402h, which is 1026) and exchanged words. A note is a device with the controlword, statusword and mode of a drive (6040h, 6041h, 6060h) and profile number 0.",
     why: "The high word has a meaning only within a profile. A master that compares the device type or derives the profile from it reaches the wrong conclusion.",
     example: "`[1000]` with `DefaultValue=0x00030000`",
     remedy: "Write the profile number to the low word, such as `0x00030191` for CiA 401, or write 0.",
@@ -29,15 +29,15 @@ rules! {
 
     "cia301/missing-mandatory-object" = MISSING_MANDATORY_OBJECT, Error, Applied(missing_mandatory_object);
     summary: "a mandatory object is missing",
-    checks: "Whether 1000h (device type), 1001h (error register) and 1018h (identity) are described. Objects that are listed but not described, or are in the wrong list, have their own rules.",
+    checks: "1000h (device type), 1001h (error register) and 1018h (identity) must be described. Objects that are listed but not described, or are in the wrong list, have their own rules.",
     why: "A manager reads 1000h and 1018h when a node boots and rejects a node that answers with an abort. Tools identify devices by 1018h.",
     example: "no section `[1018]`",
-    remedy: "Describe the object, and add it to `MandatoryObjects`.",
+    remedy: "Describe the object and add it to `MandatoryObjects`.",
     source: "CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1",
 
     "cia301/missing-module-list" = MISSING_MODULE_LIST, Warning, Device(missing_module_list);
     summary: "a modular device has no module list",
-    checks: "Whether a device with modules in `[SupportedModules]` has 1027h, the module list.",
+    checks: "A device with modules in `[SupportedModules]` must have 1027h, the module list.",
     why: "A master reads 1027h to identify the modules that are plugged in. Without it, the master cannot compare the station with its configuration.",
     example: "`[SupportedModules]` with `NrOfEntries=2`, without `[1027]`",
     remedy: "Add 1027h, an ARRAY of UNSIGNED16 with an element for each module, or describe it as a fixed object of the modules.",
@@ -45,7 +45,7 @@ rules! {
 
     "cia301/missing-vendor-id" = MISSING_VENDOR_ID, Error, Device(missing_vendor_id);
     summary: "the identity object has no vendor-ID",
-    checks: "Whether 1018h has sub-index 1. The other entries are optional.",
+    checks: "1018h must have sub-index 1. The other entries are optional.",
     why: "The vendor-ID is the only mandatory entry of the identity object. Managers compare it with 1F85h, and product code and revision number have no meaning without it.",
     example: "`[1018]` with only `[1018sub0]` and `[1018sub2]`",
     remedy: "Describe `[1018sub1]`, a read-only UNSIGNED32 with the vendor-ID assigned by CiA as its default.",
@@ -53,27 +53,27 @@ rules! {
 
     "cia301/module-list-without-modules" = MODULE_LIST_WITHOUT_MODULES, Warning,
         Device(module_list_without_modules);
-    summary: "a device has a module list, but supports no modules",
-    checks: "Whether a device with 1027h, the module list, describes the modules that it supports.",
-    why: "The numbers in 1027h are those of the described modules. Without the descriptions, a configuration tool cannot offer the modules and cannot add their objects.",
+    summary: "a device has a module list but supports no modules",
+    checks: "A device with 1027h, the module list, must describe the modules that it supports.",
+    why: "1027h contains the numbers of the described modules. Without the descriptions, a configuration tool cannot offer the modules or add their objects.",
     example: "`[1027]` without `[SupportedModules]`",
     remedy: "Describe the modules, or remove 1027h if the device is not modular.",
     source: "CiA 301 §7.5.2.30, CiA 306-1 §6.2",
 
     "cia301/obsolete-object" = OBSOLETE_OBJECT, Note, ObjectOf(obsolete_object);
-    summary: "an object of an old edition of CiA 301",
-    checks: "Whether the description has 1004h, 100Bh, 100Eh or 100Fh, which are reserved since version 4 of CiA 301. The finding is a warning if 1004h contradicts the description: its upper half was the number of RPDOs, its lower half the number of TPDOs.",
-    why: "The objects are harmless but unused: 1018h, 1200h and the PDO parameters provide the same information. A master that reads wrong numbers in 1004h expects other PDOs.",
+    summary: "the object belongs to an old edition of CiA 301",
+    checks: "Reports 1004h, 100Bh, 100Eh and 100Fh, which are reserved since version 4 of CiA 301. The finding is a warning if 1004h contradicts the description: its upper half was the number of RPDOs, its lower half the number of TPDOs.",
+    why: "The objects are harmless but unused: 1018h, 1200h and the PDO parameters provide the same information. A master that reads wrong numbers in 1004h expects different PDOs.",
     example: "`[100B]`, the node-ID",
     remedy: "Omit the object in new devices; set the node-ID with LSS (CiA 305) or an object from 2000h to 5FFFh instead of 100Bh.",
     source: "CiA 301 annex A, list of objects; CiA 301 version 3.0",
 
     "cia301/vendor-id-zero" = VENDOR_ID_ZERO, Warning, Device(vendor_id_zero);
-    summary: "the vendor-ID is 0 or not stated",
-    checks: "Whether the value of 1018h sub-index 1 is not 0. A missing value is a note. In public files, 30 in 100 have 0 and 12 have no value: demonstrations, tests and software masters without a vendor-ID, where the finding is correct.",
-    why: "CiA assigns vendor-IDs and never assigns 0: two devices with 0 cannot be distinguished, LSS cannot address them, and a conformance test fails.",
+    summary: "the vendor-ID is 0 or missing",
+    checks: "1018h sub-index 1 must not be 0. A missing value is a note. In public files, 30 in 100 have 0 and 12 have no value. These are demonstrations, tests and software masters without a vendor-ID, where the finding is correct.",
+    why: "CiA assigns vendor-IDs and never assigns 0. Two devices with 0 cannot be distinguished, LSS cannot address them, and a conformance test fails.",
     example: "`[1018sub1]` with `DefaultValue=0x00000000`",
-    remedy: "Write the vendor-ID that CiA assigned to the vendor. For a description that never leaves the laboratory, turn the rule off.",
+    remedy: "Write the vendor-ID that CiA assigned to the vendor. Turn the rule off for a description that never leaves the laboratory.",
     source: "CiA 301 §7.5.2.21",
 }
 

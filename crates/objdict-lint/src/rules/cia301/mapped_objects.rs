@@ -12,32 +12,32 @@ rules! {
 
     "cia301/invalid-dummy-mapping" = INVALID_DUMMY_MAPPING, Error, Pdo(invalid_dummy_mapping);
     summary: "a dummy entry of a PDO mapping is not valid",
-    checks: "Whether each mapping entry that refers to a data type instead of an object (below 0020h) is in an RPDO, refers to an integer type or BOOLEAN, has sub-index 0 and the length of the type, and is not disabled in `DummyUsage`.",
-    why: "A dummy entry makes an RPDO skip data for other nodes. A TPDO has no value to send for it, and a device rejects a type that it does not support as dummy entry.",
+    checks: "A mapping entry that refers to a data type instead of an object (below 0020h) must be in an RPDO and refer to an integer type or BOOLEAN. It must have sub-index 0 and the length of the type, and must not be disabled in `DummyUsage`.",
+    why: "A dummy entry makes an RPDO skip data for other nodes. A TPDO has no value to send for it, and a device rejects a type that it does not support as a dummy entry.",
     example: "`[1600sub2]` with `DefaultValue=0x00050010`",
     remedy: "Write `0x00050008` for one byte, `0x00060010` for two, `0x00070020` for four, and enable the type in `DummyUsage`.",
     source: "CiA 301 §7.4.7.1; CiA 306-1 §4.6.2",
 
     "cia301/mapped-object-missing" = MAPPED_OBJECT_MISSING, Error, Pdo(mapped_object_missing);
     summary: "a PDO maps an object that does not exist",
-    checks: "Whether each mapping entry in use refers to a described object and sub-index. Objects that a module or a dynamic channel may provide count as existing; on a modular device any other missing object is a note.",
+    checks: "Each mapping entry in use must refer to a described object and sub-index. Objects that a module or a dynamic channel may provide are treated as existing. On a modular device, any other missing object is a note.",
     why: "The device rejects the mapping with an abort, and the PDO does not work. Tools cannot resolve the contents of the frame.",
     example: "`[1A00sub1]` with `DefaultValue=0x60000108`, without `[6000]`",
-    remedy: "Describe the object, or map another one. The eight digits are index, sub-index and length.",
+    remedy: "Describe the object, or map a different one. The eight digits are index, sub-index and length.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38; CiA 306-1 §6.2.2",
 
     "cia301/mapped-object-not-mappable" = MAPPED_OBJECT_NOT_MAPPABLE, Error,
         Pdo(mapped_object_not_mappable), fix Unsafe;
     summary: "a PDO maps an object that is not mappable",
-    checks: "Whether each mapped entry has `PDOMapping` set.",
+    checks: "Each mapped entry must have `PDOMapping` set.",
     why: "Either the object is mappable and no tool offers it, or it is not and the default mapping is wrong.",
     example: "`[1A00sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `PDOMapping=0`",
-    remedy: "Write `PDOMapping=1` at the object, or map another one.",
+    remedy: "Write `PDOMapping=1` at the object, or map a different one.",
     source: "CiA 301 §7.5.2.36; CiA 306-1 §4.6.3.2",
 
     "cia301/mapping-granularity" = MAPPING_GRANULARITY, Warning, Pdo(mapping_granularity);
     summary: "the length of a mapped object is not a multiple of the granularity",
-    checks: "Whether the length of each object that a PDO maps by default is a multiple of `Granularity`. With 0 the mapping is fixed and not checked.",
+    checks: "The length of each object that a PDO maps by default must be a multiple of `Granularity`. With 0 the mapping is fixed and not checked.",
     why: "A device with a granularity of 8 maps whole bytes and rejects a BOOLEAN. Either the granularity is smaller than stated or the mapping does not work.",
     example: "`Granularity=8`, and `[1A00sub1]` with `DefaultValue=0x60200101`",
     remedy: "Write the granularity of the device, or map objects of whole bytes.",
@@ -45,7 +45,7 @@ rules! {
 
     "cia301/mapping-of-count" = MAPPING_OF_COUNT, Error, Pdo(mapping_of_count);
     summary: "a PDO maps the number of entries instead of an entry",
-    checks: "Whether a mapping entry with sub-index 0 refers to a VAR. Sub-index 0 of an ARRAY or RECORD is the number of entries.",
+    checks: "A mapping entry with sub-index 0 must refer to a VAR. Sub-index 0 of an ARRAY or RECORD is the number of entries.",
     why: "The PDO transmits a constant. Often the sub-indexes were counted from 0, and the last one is not mapped.",
     example: "`[1A01sub1]` with `DefaultValue=0x64010010` for the ARRAY 6401h",
     remedy: "Start with sub-index 1: `0x64010110`.",
@@ -53,30 +53,30 @@ rules! {
 
     "cia301/mapping-of-variable-length" = MAPPING_OF_VARIABLE_LENGTH, Error, Pdo(mapping_of_variable_length);
     summary: "a PDO maps an object without a fixed length",
-    checks: "Whether the data type of each mapped object has a fixed length. An OCTET_STRING of 1 to 8 bytes and a text whose value has the mapped length can be mapped.",
+    checks: "The data type of each mapped object must have a fixed length. An OCTET_STRING of 1 to 8 bytes and a string whose value has the mapped length can be mapped.",
     why: "The position of each object in the frame depends on the lengths of the objects before it. The device rejects the mapping, and tools reserve a wrong number of bytes.",
     example: "`[1600sub1]` with `DefaultValue=0x20000040`, and `DataType=0x0009` (VISIBLE_STRING) in `[2000]`",
-    remedy: "Map another object, or describe the object with a type of fixed length.",
+    remedy: "Map a different object, or describe the object with a type of fixed length.",
     source: "CiA 301 §7.4.7, §7.5.2.36",
 
     "cia301/object-mapped-twice" = OBJECT_MAPPED_TWICE, Warning, Pdo(object_mapped_twice);
     summary: "a PDO maps the same object twice",
-    checks: "Whether the mapping of a PDO contains each object only once. Dummy entries may be repeated. The same object in two PDOs is common, for example in CiA 402, and is not checked.",
-    why: "Often a copied line was not changed: one object is transferred twice, and another one is missing.",
+    checks: "The mapping of a PDO must contain each object only once. Dummy entries may be repeated. The same object in two PDOs is common, for example in CiA 402, and is not checked.",
+    why: "Often a copied line was not changed: one object is transferred twice and a different one is missing.",
     example: "`[1A00sub1]` and `[1A00sub2]`, both with `DefaultValue=0x60000108`",
     remedy: "Map the intended object.",
 
     "cia301/unaligned-mapping" = UNALIGNED_MAPPING, Note, Pdo(unaligned_mapping);
     summary: "a byte-sized object does not start at a byte boundary of its PDO",
-    checks: "Whether each mapped object of 8 bits or more starts at a byte boundary of the frame.",
-    why: "Most devices and masters copy whole bytes, and reject the mapping or read it incorrectly.",
+    checks: "Each mapped object of 8 bits or more must start at a byte boundary of the frame.",
+    why: "Most devices and masters copy whole bytes and reject the mapping or read it incorrectly.",
     example: "`[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`",
     remedy: "Map the single bits last, or fill the byte before.",
 
     "cia301/wrong-mapping-direction" = WRONG_MAPPING_DIRECTION, Error, Pdo(wrong_mapping_direction);
     summary: "a PDO maps an object of the other direction",
-    checks: "Whether the objects of a TPDO are readable and not process outputs (`wo`, `rww`), and those of an RPDO are writable and not process inputs (`ro`, `const`, `rwr`).",
-    why: "An RPDO cannot write a read-only object: the device rejects the mapping, or drops the data silently.",
+    checks: "The objects of a TPDO must be readable and must not be process outputs (`wo`, `rww`). The objects of an RPDO must be writable and must not be process inputs (`ro`, `const`, `rwr`).",
+    why: "An RPDO cannot write a read-only object: the device rejects the mapping or drops the data silently.",
     example: "`[1600sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `AccessType=ro`",
     remedy: "Map the object to a PDO of its direction, or correct its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.",
     source: "CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2",
@@ -85,7 +85,7 @@ rules! {
     "cia301/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error,
         Pdo(wrong_mapping_length), fix Unsafe, stops "canopen-stack";
     summary: "the length in a PDO mapping differs from the length of the object",
-    checks: "Whether the last two digits of each mapping entry, the length in bits, match the data type of the object. Objects of variable length are not checked. A BOOLEAN with 8 bits is a warning: devices that map only whole bytes do this, such as those with CANopenNode.",
+    checks: "The last two digits of each mapping entry, the length in bits, must match the data type of the object. Objects of variable length are not checked. A BOOLEAN with 8 bits is a warning: devices that map only whole bytes do this, such as those with CANopenNode.",
     why: "The device rejects the mapping with an abort; a receiver reads the following objects from the wrong position of the frame.",
     example: "`[1A00sub1]` with `DefaultValue=0x60000110`, where `[6000sub1]` is UNSIGNED8",
     remedy: "Write the length of the data type in hexadecimal: 08, 10, 20, 40 for 8, 16, 32 and 64 bits.",

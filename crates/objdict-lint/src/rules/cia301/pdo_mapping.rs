@@ -13,47 +13,47 @@ rules! {
 
     "cia301/gap-in-mapping" = GAP_IN_MAPPING, Note, Pdo(gap_in_mapping);
     summary: "the sub-indexes of a PDO mapping have a gap",
-    checks: "Whether the described sub-indexes of each PDO mapping beyond those in use are consecutive. A gap among those in use has its own rule.",
+    checks: "The described sub-indexes of each PDO mapping beyond those in use must be consecutive. A gap in the sub-indexes in use has its own rule.",
     why: "Objects are mapped in consecutive sub-indexes, so the sub-indexes after a gap cannot be used.",
     example: "`[1A00sub1]` and `[1A00sub3]` without `[1A00sub2]`",
-    remedy: "Describe the missing sub-index, or remove those after the gap.",
+    remedy: "Describe the missing sub-index, or remove the sub-indexes after the gap.",
     source: "CiA 301 §7.5.2.36, table 69",
 
     "cia301/granularity-against-access" = GRANULARITY_AGAINST_ACCESS, Warning,
         Facts(granularity_against_access), fix Unsafe;
     summary: "`Granularity` contradicts the access types of the PDO mappings",
-    checks: "Whether `Granularity` is 0 if no PDO mapping is writable, and not 0 if one is. A partly writable mapping has its own rule.",
-    why: "Tools read `Granularity` to decide whether the mapping can be changed. With 0 they do not offer the change; with another value they offer a change that the device rejects.",
+    checks: "`Granularity` must be 0 if no PDO mapping is writable. It must not be 0 if a mapping is writable. A partly writable mapping has its own rule.",
+    why: "Tools read `Granularity` to decide whether the mapping can be changed. With 0 they do not offer the change. With any other value they offer a change that the device rejects.",
     example: "`Granularity=0`, and `[1A00sub0]` and `[1A00sub1]` with `AccessType=rw`",
     remedy: "Write 0 for a fixed mapping, 8 for a mapping of whole bytes, 1 for a mapping of single bits.",
     source: "CiA 306-1 §4.5",
 
     "cia301/listed-entry-missing" = LISTED_ENTRY_MISSING, Error, ObjectOf(listed_entry_missing);
-    summary: "a list of multiplexed PDOs names an entry that does not exist",
-    checks: "Whether each value of an object scanner list (1FA0h to 1FCFh) and the local entry of each value of an object dispatching list (1FD0h to 1FFFh) is described, with all sub-indexes of its block. Modular devices are not checked.",
-    why: "The device cannot send the entry, and discards what it receives for it.",
+    summary: "a list for multiplexed PDOs names an entry that does not exist",
+    checks: "Each value of an object scanner list (1FA0h to 1FCFh) must refer to described entries, with all sub-indexes of its block. The same applies to the local entry of each value of an object dispatching list (1FD0h to 1FFFh). Modular devices are not checked.",
+    why: "The device cannot send the entry and discards data received for it.",
     example: "`[1FA0sub1]` with `DefaultValue=0x01200001`, without `[2000sub1]`",
-    remedy: "Describe the entry, or write 0 for an unused place of the list.",
+    remedy: "Describe the entry, or write 0 to an unused element of the list.",
     source: "CiA 301 §7.5.2.39, §7.5.2.40",
 
     "cia301/mappable-without-pdo" = MAPPABLE_WITHOUT_PDO, Warning, Device(mappable_without_pdo);
     summary: "entries are mappable, but the device has no PDO in their direction",
-    checks: "Whether a device with PDOs has a TPDO for its entries with `PDOMapping=1` and access `ro` or `rwr`, and an RPDO for those with `wo` or `rww`, described or implied by `CompactPDO`. Modular devices and objects below 2000h are not checked.",
-    why: "Tools offer the entries for mapping, but there is no PDO for them. Often PDOs are missing in the description.",
+    checks: "A device with PDOs must have a TPDO for entries with `PDOMapping=1` and access `ro` or `rwr`. It must have an RPDO for entries with `PDOMapping=1` and access `wo` or `rww`. PDOs may be described or implied by `CompactPDO`. Modular devices and objects below 2000h are not checked.",
+    why: "Tools offer the entries for mapping, but there is no PDO for them. Often the description lacks PDOs.",
     example: "`AccessType=rww` and `PDOMapping=1` in `[2000]` of a device with only TPDOs",
     remedy: "Describe the PDOs, or write `PDOMapping=0`.",
 
     "cia301/mapping-beyond-count" = MAPPING_BEYOND_COUNT, Note, Pdo(mapping_beyond_count);
-    summary: "a PDO mapping has more entries than its sub-index 0 counts",
-    checks: "Whether the entries of a PDO mapping above the number in sub-index 0 are 0 or empty. A mapping with 0 objects is disabled and may keep its entries.",
-    why: "The entries seem to be mapped but are not. Often sub-index 0 was not increased with a new entry.",
+    summary: "a PDO mapping has more entries than its sub-index 0 specifies",
+    checks: "The entries of a PDO mapping above the number in sub-index 0 must be 0 or empty. A mapping with 0 objects is disabled and may keep its entries.",
+    why: "The entries seem to be mapped but are not. Often sub-index 0 was not increased when an entry was added.",
     example: "`[1A00sub0]` with `DefaultValue=1`, and `[1A00sub2]` with `DefaultValue=0x60000208`",
     remedy: "Increase sub-index 0, or write 0 to the entry.",
     source: "CiA 301 §7.5.2.36 table 69",
 
     "cia301/mapping-without-count" = MAPPING_WITHOUT_COUNT, Warning, Pdo(mapping_without_count);
-    summary: "the number of mapped objects of a PDO is not stated",
-    checks: "Whether sub-index 0 of each read-only PDO mapping has a value.",
+    summary: "the number of mapped objects of a PDO is missing",
+    checks: "Sub-index 0 of each read-only PDO mapping must have a value.",
     why: "Tools take the contents of such a PDO from the description. Without the number of objects they cannot show it.",
     example: "`[1A00sub0]` with `AccessType=const` and no `DefaultValue`",
     remedy: "Write the number of mapped objects.",
@@ -61,16 +61,16 @@ rules! {
 
     "cia301/mapping-without-valid-bit" = MAPPING_WITHOUT_VALID_BIT, Note, Pdo(mapping_without_valid_bit);
     summary: "a PDO mapping is writable, but its COB-ID is not",
-    checks: "Whether the COB-ID of each PDO with a writable mapping is writable too.",
-    why: "A mapping may only be changed while the PDO is not valid (bit 31 of the COB-ID set). If the bit cannot be written, devices reject a change of the mapping, or tools do not attempt it.",
+    checks: "If the mapping of a PDO is writable, its COB-ID must be writable too.",
+    why: "A mapping may only be changed while the PDO is not valid (bit 31 of the COB-ID set). If the bit cannot be written, devices reject a changed mapping, or tools do not attempt the change.",
     example: "`[1800sub1]` with `AccessType=const` and `[1A00sub0]` with `AccessType=rw`",
     remedy: "Make the COB-ID `rw`, or the mapping `const`.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
 
     "cia301/mixed-mapping-access" = MIXED_MAPPING_ACCESS, Warning, Pdo(mixed_mapping_access);
     summary: "a PDO mapping is only partly writable",
-    checks: "Whether sub-index 0 and the entries of a PDO mapping are all writable or all read-only.",
-    why: "To change an entry, a tool first writes 0 to sub-index 0 and finally the new number. If sub-index 0 is constant, the entries cannot be changed in spite of their access type; if the entries are constant, the number has no use.",
+    checks: "Sub-index 0 and the entries of a PDO mapping must be all writable or all read-only.",
+    why: "To change an entry, a tool first writes 0 to sub-index 0 and finally the new number. If sub-index 0 is constant, the entries cannot be changed in spite of their access type. If the entries are constant, changing the number is useless.",
     example: "`[1A00sub0]` with `AccessType=ro`, and `[1A00sub1]` with `AccessType=rw`",
     remedy: "Use the access of the device for all sub-indexes: `rw` for a changeable mapping, otherwise `const` or `ro`.",
     source: "CiA 301 §7.5.2.36",
@@ -78,7 +78,7 @@ rules! {
     "cia301/multiplexed-pdo-transmission-type" = MULTIPLEXED_PDO_TRANSMISSION_TYPE, Warning,
         Pdo(multiplexed_pdo_transmission_type);
     summary: "a multiplexed PDO has a synchronous transmission type",
-    checks: "Whether the transmission type of each multiplexed PDO (sub-index 0 of the mapping is 254 or 255) is 254 or 255.",
+    checks: "The transmission type of each multiplexed PDO (sub-index 0 of the mapping is 254 or 255) must be 254 or 255.",
     why: "A multiplexed PDO transmits one entry per frame when that entry changes. SYNC cannot trigger it.",
     example: "`[1A00sub0]` with `DefaultValue=255` and `[1800sub2]` with `DefaultValue=1`",
     remedy: "Write 254 or 255.",
@@ -87,37 +87,37 @@ rules! {
     "cia301/multiplexed-pdo-without-list" = MULTIPLEXED_PDO_WITHOUT_LIST, Error,
         Facts(multiplexed_pdo_without_list);
     summary: "a multiplexed PDO in source address mode has no list",
-    checks: "Whether a device with a TPDO whose mapping has 254 in sub-index 0 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).",
-    why: "In source address mode, the lists define which entries are sent and where received entries are written. Without them nothing is sent, and received data are discarded.",
+    checks: "If a TPDO mapping has 254 in sub-index 0, the device must have an object scanner list (1FA0h to 1FCFh). If an RPDO mapping has 254, the device must have an object dispatching list (1FD0h to 1FFFh).",
+    why: "In source address mode, the lists define the entries to send and the destinations of received entries. Without them nothing is sent, and received data are discarded.",
     example: "`[1600sub0]` with `DefaultValue=254`, without `[1FD0]`",
-    remedy: "Add the list, or write 255 to sub-index 0 for destination address mode, which needs no list.",
+    remedy: "Add the list, or write 255 to sub-index 0. This selects destination address mode, which needs no list.",
     source: "CiA 301 §7.2.2.6, §7.5.2.39, §7.5.2.40",
 
     "cia301/pdo-length-exceeded" = PDO_LENGTH_EXCEEDED, Error, Pdo(pdo_length_exceeded);
     summary: "a PDO is longer than 64 bits",
-    checks: "Whether the lengths of the mapped objects of a PDO add up to at most 64 bits. Missing objects and wrong lengths have their own rules.",
+    checks: "The total length of the mapped objects of a PDO must be at most 64 bits. Missing objects and wrong lengths have their own rules.",
     why: "A CAN frame has eight data bytes. The device rejects the mapping with abort 0604 0042h when sub-index 0 is written.",
     example: "five UNSIGNED16 in `[1A00]`",
-    remedy: "Move objects to another PDO.",
+    remedy: "Move objects to a different PDO.",
     source: "CiA 301 §7.5.2.36",
 
     "cia301/same-mapping" = SAME_MAPPING, Warning, Facts(same_mapping);
     summary: "two PDOs map the same objects",
-    checks: "Whether two valid PDOs of the same direction and transmission type map different objects, or the same in another order. Encoders (CiA 406) send their position in two PDOs and are not checked.",
-    why: "A second TPDO sends the data of the first one again, a second RPDO overwrites them. Mostly the mapping was copied and not adapted, so the objects that it should have are in no PDO.",
+    checks: "Two valid PDOs of the same direction and transmission type must not map the same objects in the same order. Encoders (CiA 406) send their position in two PDOs and are not checked.",
+    why: "A second TPDO sends the data of the first one again, and a second RPDO overwrites them. Mostly the mapping was copied and not adapted, so the intended objects are in no PDO.",
     example: "`DefaultValue=0x64010110` in `[1A00sub1]` and `[1A01sub1]`, which are the only objects of TPDO 1 and 2",
-    remedy: "Map the missing objects, or set bit 31 of the COB-ID of one of the PDOs.",
+    remedy: "Map the missing objects, or set bit 31 of one PDO's COB-ID.",
 
     "cia301/valid-pdo-without-mapping" = VALID_PDO_WITHOUT_MAPPING, Warning, Pdo(valid_pdo_without_mapping);
     summary: "a valid PDO maps no objects",
-    checks: "Whether each PDO that maps 0 objects is not valid (bit 31 of its COB-ID set).",
+    checks: "A PDO that maps 0 objects must not be valid: bit 31 of its COB-ID must be set.",
     why: "A TPDO without objects sends empty frames, or the device rejects it; an RPDO occupies a CAN-ID without use.",
     example: "`[1801sub1]` with `DefaultValue=$NODEID+0x280`, and `[1A01sub0]` with `DefaultValue=0`",
     remedy: "Set bit 31 of the COB-ID, or map an object.",
 
     "cia301/wrong-mapping-count" = WRONG_MAPPING_COUNT, Error, Pdo(wrong_mapping_count), fix Unsafe;
     summary: "the number of mapped objects is out of range or greater than the number of entries",
-    checks: "Whether sub-index 0 of each PDO mapping is 0 to 64, or 254 or 255 for a multiplexed PDO, and whether each counted entry is described and contains an object.",
+    checks: "Sub-index 0 of each PDO mapping must be 0 to 64, or 254 or 255 for a multiplexed PDO. Each entry within this number must be described and must contain an object.",
     why: "A device rejects a number greater than its entries. Tools show a frame with gaps.",
     example: "`[1A00sub0]` with `DefaultValue=3`, without `[1A00sub3]`",
     remedy: "Write the number of entries in use, counted from sub-index 1 without gaps.",

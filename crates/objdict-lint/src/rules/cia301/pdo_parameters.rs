@@ -10,14 +10,14 @@ rules! {
 
     "cia301/incomplete-pdo-parameter" = INCOMPLETE_PDO_PARAMETER, Error, Pdo(incomplete_pdo_parameter);
     summary: "a PDO communication parameter lacks the COB-ID or the transmission type",
-    checks: "Whether each object from 1400h to 15FFh and from 1800h to 19FFh has sub-indexes 1 and 2.",
+    checks: "Each object from 1400h to 15FFh and from 1800h to 19FFh must have sub-indexes 1 and 2.",
     why: "A manager cannot configure the PDO, and a tool cannot show when it is sent.",
     example: "`[1801]` with only `[1801sub0]` and `[1801sub1]`",
     remedy: "Describe the missing sub-index.",
 
     "cia301/inhibit-above-event-timer" = INHIBIT_ABOVE_EVENT_TIMER, Warning, Pdo(inhibit_above_event_timer);
     summary: "the inhibit time of a TPDO is longer than its event timer",
-    checks: "Whether the inhibit time of each event-driven TPDO (types 254 and 255), in units of 100 µs, is not longer than its event timer, in milliseconds. A value of 0 disables the timer.",
+    checks: "For each event-driven TPDO (types 254 and 255), the inhibit time in units of 100 µs must not be longer than the event timer in milliseconds. A value of 0 disables the timer.",
     why: "The event timer expires before the inhibit time allows a transmission. Often the inhibit time was written in milliseconds.",
     example: "`[1800sub3]` with `DefaultValue=5000` (500 ms) and `[1800sub5]` with `DefaultValue=100`",
     remedy: "Shorten the inhibit time, or extend the event timer.",
@@ -26,23 +26,23 @@ rules! {
     "cia301/pdo-parameter-without-value" = PDO_PARAMETER_WITHOUT_VALUE, Note,
         Pdo(pdo_parameter_without_value);
     summary: "the COB-ID or transmission type of a PDO has no value",
-    checks: "Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.",
+    checks: "Sub-indexes 1 and 2 of each PDO communication parameter must have a value.",
     why: "The CAN-ID and the trigger of the PDO in a new device are unknown. A tool that restores the defaults omits this entry.",
     example: "`[1800sub2]` without `DefaultValue`",
     remedy: "Write the value that the device has after its defaults are restored.",
 
     "cia301/pdo-valid-by-default" = PDO_VALID_BY_DEFAULT, Warning, Facts(pdo_valid_by_default);
     summary: "a PDO without a predefined CAN-ID is valid by default",
-    checks: "Whether the default COB-ID of PDO 5 and above has bit 31 set. The rule reports one finding for the device, with every such PDO. A DCF is not checked: it holds the configuration of a node, and tools write that as default.",
-    why: "The predefined connection set has no CAN-ID for these PDOs. A PDO that is valid after a reset may use the CAN-ID of another device before a manager can configure it.",
+    checks: "Bit 31 must be set in the default COB-ID of PDO 5 and above. The rule reports one finding for the device, with every such PDO. A DCF is not checked: it holds the configuration of a node, and tools write the configured value as default.",
+    why: "The predefined connection set has no CAN-ID for these PDOs. A PDO that is valid after a reset may use a different device's CAN-ID before a manager can configure it.",
     example: "`[1804sub1]` with `DefaultValue=$NODEID+0x1C0`",
     remedy: "Set bit 31: `$NODEID+0x800001C0`, or `0x80000000`.",
     source: "CiA 301 §7.5.2.35 table 67, §7.5.2.37 table 71",
 
     "cia301/pdo-without-mapping" = PDO_WITHOUT_MAPPING, Error, Pdo(pdo_without_mapping);
     summary: "a PDO has only one of its two objects",
-    checks: "Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may provide the other object.",
-    why: "Without the mapping, the contents of the PDO are unknown; without the communication parameter, its CAN-ID and trigger. `CompactPDO` allows both objects to be omitted, not only one.",
+    checks: "Each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) must have a mapping parameter 200h above it, and the reverse. A module may provide the other object.",
+    why: "Without the mapping, the contents of the PDO are unknown. Without the communication parameter, its CAN-ID and trigger are unknown. `CompactPDO` allows both objects to be omitted, but not only one.",
     example: "`[1802]` without `[1A02]`",
     remedy: "Describe the other object, or remove this one.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1",
@@ -50,15 +50,15 @@ rules! {
     "cia301/reserved-pdo-sub-index" = RESERVED_PDO_SUB_INDEX, Warning,
         Facts(reserved_pdo_sub_index), fix Unsafe;
     summary: "a PDO communication parameter has the reserved sub-index 4",
-    checks: "Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. The rule reports one finding for the device, with every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. Another data type is a warning, because the entry is probably meant for another sub-index.",
-    why: "CiA 301 reserves the sub-index; a device answers with an abort. An event timer that is written there instead of to sub-index 5 has no effect.",
+    checks: "Reports objects from 1400h to 15FFh and from 1800h to 19FFh with sub-index 4. The rule reports one finding for the device, with every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. A different data type is a warning, because the entry is probably meant for a different sub-index.",
+    why: "CiA 301 reserves the sub-index; a device answers with an abort. An event timer in sub-index 4 instead of 5 has no effect.",
     example: "`[1800sub4]`",
     remedy: "Remove the section. The gap between 3 and 5 is correct, and sub-index 0 remains the highest sub-index.",
     source: "CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37",
 
     "cia301/reserved-transmission-type" = RESERVED_TRANSMISSION_TYPE, Error, Pdo(reserved_transmission_type);
     summary: "a PDO has a reserved transmission type",
-    checks: "Whether the transmission type of an RPDO is outside 241 to 253, and that of a TPDO outside 241 to 251.",
+    checks: "The transmission type must not be 241 to 253 for an RPDO or 241 to 251 for a TPDO.",
     why: "A device rejects the value. 252 and 253 mean transmission on request, which does not apply to an RPDO.",
     example: "`[1400sub2]` with `DefaultValue=253`",
     remedy: "Write 255 or 254 for event-driven, 1 to 240 for every n-th SYNC, 0 for acyclic with SYNC.",
@@ -66,15 +66,15 @@ rules! {
 
     "cia301/rtr-only-pdo" = RTR_ONLY_PDO, Note, Pdo(rtr_only_pdo);
     summary: "a TPDO is sent only on request",
-    checks: "Whether a valid TPDO has transmission type 252 or 253, with which it waits for a remote frame. A TPDO that also forbids remote frames has its own rule.",
-    why: "CiA advises against remote frames: controllers of different vendors answer them differently or not at all, and CAN FD has none.",
+    checks: "Reports a valid TPDO that waits for a remote frame because of transmission type 252 or 253. A TPDO that also forbids remote frames has its own rule.",
+    why: "CiA advises against remote frames: controllers of different vendors answer them differently or not at all, and CAN FD does not support them.",
     example: "`[1800sub2]` with `DefaultValue=253`",
     remedy: "Use 254 or 255 with an event timer, or a synchronous type.",
     source: "CiA 301 §7.5.2.37, table 72; CiA 801",
 
     "cia301/rtr-pdo-without-rtr" = RTR_PDO_WITHOUT_RTR, Warning, Pdo(rtr_pdo_without_rtr), fix Unsafe;
     summary: "a TPDO is sent only on request but forbids remote frames",
-    checks: "Whether the COB-ID of each TPDO with transmission type 252 or 253 has bit 30 clear.",
+    checks: "The COB-ID of each TPDO with transmission type 252 or 253 must have bit 30 clear.",
     why: "Bit 30 forbids remote frames for the PDO, but these transmission types send it only on a remote frame: the PDO is never sent.",
     example: "`[1800sub1]` with `DefaultValue=$NODEID+0x40000180` and `[1800sub2]` with `DefaultValue=253`",
     remedy: "Use an event-driven or a synchronous type; CiA advises against remote frames.",
@@ -82,7 +82,7 @@ rules! {
 
     "cia301/timer-without-effect" = TIMER_WITHOUT_EFFECT, Note, Pdo(timer_without_effect);
     summary: "a PDO has a timer without effect",
-    checks: "Whether the inhibit time and the event timer of each synchronous TPDO (types 0 to 240) and the inhibit time of each RPDO are 0. SYNC alone triggers a synchronous TPDO, and reception cannot be inhibited.",
+    checks: "The inhibit time and event timer of each synchronous TPDO (types 0 to 240) must be 0. The inhibit time of each RPDO must be 0 too. Only SYNC triggers a synchronous TPDO, and reception cannot be inhibited.",
     why: "The author expects the timer to work. Often the transmission type is wrong.",
     example: "`[1800sub2]` with `DefaultValue=1` and `[1800sub5]` with `DefaultValue=100`",
     remedy: "Write 0, or use transmission type 254 or 255.",

@@ -11,59 +11,59 @@ rules! {
 
     "cia301/default-sdo-cob-id" = DEFAULT_SDO_COB_ID, Error, Facts(default_sdo_cob_id), fix Unsafe;
     summary: "the CAN-ID of the default SDO differs from CiA 301",
-    checks: "Whether 1200h sub-index 1 is 600h plus the node-ID and sub-index 2 is 580h plus the node-ID: as formulas in an EDS, as formulas or as numbers for the node in a DCF.",
-    why: "Every tool reaches the device through the default SDO, and its CAN-IDs cannot be changed. A tool that uses the CAN-IDs of the description gets no answer, or addresses another node.",
+    checks: "1200h sub-index 1 must be 600h plus the node-ID, and sub-index 2 must be 580h plus the node-ID. An EDS must use formulas. A DCF may use formulas or numbers for the node.",
+    why: "Every tool reaches the device through the default SDO, and its CAN-IDs cannot be changed. A tool that uses the CAN-IDs of the description gets no response or addresses a different node.",
     example: "`[1200sub1]` with `DefaultValue=0x600`",
     remedy: "Write `$NODEID+0x600` and `$NODEID+0x580`.",
     source: "CiA 301 §7.5.2.33, §7.3.5",
 
     "cia301/default-sdo-node-id" = DEFAULT_SDO_NODE_ID, Warning, Device(default_sdo_node_id), fix Unsafe;
     summary: "the default SDO specifies a client",
-    checks: "Whether 1200h, the default SDO, has sub-index 3, the node-ID of the client.",
+    checks: "Reports 1200h, the default SDO, if it has sub-index 3, the node-ID of the client.",
     why: "The default SDO is reserved for the network manager and has no specific client. CiA 301 defines the entry for additional channels only, and a conformance test rejects it.",
     example: "`[1200sub3]`",
-    remedy: "Remove the sub-index, and reduce `SubNumber` and sub-index 0 by one.",
+    remedy: "Remove the sub-index and reduce `SubNumber` and sub-index 0 by one.",
     source: "CiA 301 §7.5.2.33",
 
     "cia301/gap-in-sdo-numbers" = GAP_IN_SDO_NUMBERS, Note, Device(gap_in_sdo_numbers);
     summary: "the numbers of the SDO channels have a gap",
-    checks: "Whether each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) follows the previous one. Objects that are not SDO parameters have the rule `cia301/incomplete-sdo-parameter`.",
-    why: "CiA 301 calls 1201h the second server, 1202h the third and so on, and does not forbid gaps. But managers that assign channels stop at the first missing index.",
+    checks: "Each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) must follow the previous one. For objects that are not SDO parameters, see `cia301/incomplete-sdo-parameter`.",
+    why: "CiA 301 calls 1201h the second server, 1202h the third and so on, and does not forbid gaps. However, managers that assign channels stop at the first missing index.",
     example: "`[1281]` without `[1280]`",
     remedy: "Use the next free index, or describe the missing channels.",
 
     "cia301/incomplete-sdo-parameter" = INCOMPLETE_SDO_PARAMETER, Error, Against(incomplete_sdo_parameter);
     summary: "an SDO parameter lacks a sub-index",
-    checks: "Whether each SDO server (1200h to 127Fh) has sub-indexes 1 and 2, the COB-IDs of both directions, and each SDO client (1280h to 12FFh) also has sub-index 3, the node-ID of its server. An object whose types are not those of an SDO parameter, such as a text, is reported once, as a vendor's object in the range of SDOs.",
+    checks: "Each SDO server (1200h to 127Fh) must have sub-indexes 1 and 2, the COB-IDs of both directions. Each SDO client (1280h to 12FFh) must also have sub-index 3, the node-ID of its server. An object whose types are wrong for an SDO parameter, such as a string, is reported once, as a vendor's object in the range of SDOs.",
     why: "An SDO channel needs both identifiers, and a client needs the node-ID of its server.",
     example: "`[1280]` with only sub-indexes 0 to 2",
     remedy: "Describe the missing sub-index; move a vendor-specific object to 2000h to 5FFFh.",
 
     "cia301/partly-valid-sdo" = PARTLY_VALID_SDO, Error, Facts(partly_valid_sdo);
     summary: "only one direction of an SDO channel is valid",
-    checks: "Whether the two COB-IDs of an SDO server or client (1201h to 12FFh) are both valid or both not valid. A COB-ID is not valid if bit 31 is set or if it is 0, which many stacks write to an unconfigured channel.",
+    checks: "The two COB-IDs of an SDO server or client (1201h to 12FFh) must be both valid or both not valid. A COB-ID is not valid if bit 31 is set or if it is 0, which many stacks write to an unconfigured channel.",
     why: "A channel works only if both COB-IDs are valid. One valid COB-ID occupies a CAN-ID without providing an SDO.",
     example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub2]` with `DefaultValue=0x80000585`",
     remedy: "Set bit 31 in both, or clear it in both.",
 
     "cia301/sdo-cob-ids-exchanged" = SDO_COB_IDS_EXCHANGED, Error, Facts(sdo_cob_ids_exchanged), fix Unsafe;
-    summary: "the COB-IDs of an SDO channel are exchanged",
-    checks: "Whether the client of each active SDO client and additional SDO server transmits with a CAN-ID from 600h to 67Fh and receives with one from 580h to 5FFh, not the reverse, if the channel uses the CAN-IDs of default SDOs.",
-    why: "The client sends its requests with the CAN-ID of the server's responses, and waits for a response where the server listens: every transfer times out.",
+    summary: "the COB-IDs of an SDO channel are swapped",
+    checks: "If an active SDO client or additional SDO server uses the CAN-IDs of default SDOs, its client must transmit with 600h to 67Fh and receive with 580h to 5FFh, not the reverse.",
+    why: "The client sends its requests with the CAN-ID of the server's responses and waits for a response with the CAN-ID of its requests. Every transfer times out.",
     example: "`[1280sub1]` with `DefaultValue=0x585` and `[1280sub2]` with `DefaultValue=0x605`",
     remedy: "Write 600h plus the node-ID of the server to sub-index 1 and 580h plus the node-ID to sub-index 2.",
     source: "CiA 301 §7.5.2.33, §7.5.2.34; §7.3.5",
 
     "cia301/sdo-node-id" = SDO_NODE_ID, Warning, Facts(sdo_node_id);
     summary: "an SDO channel has the wrong node-ID",
-    checks: "Whether sub-index 3 of each active SDO channel except the default SDO is a node-ID from 1 to 127 and not that of the DCF itself, and whether a client that uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, uses both of one node and states that node.",
+    checks: "Sub-index 3 of each active SDO channel except the default SDO must be a node-ID from 1 to 127 and must differ from the node-ID of the DCF itself. If a client uses the CAN-IDs of a default SDO, 600h and 580h plus a node-ID, both must belong to one node, and sub-index 3 must specify that node.",
     why: "Tools find the peer of the channel by the node-ID. With a wrong node-ID, the channel reaches no node or is shown for the wrong one.",
     example: "`[1280sub1]` with `DefaultValue=0x605` and `[1280sub3]` with `DefaultValue=6`",
     remedy: "Write the node-ID of the peer.",
 
     "cia301/sdo-valid-by-default" = SDO_VALID_BY_DEFAULT, Warning, Facts(sdo_valid_by_default);
     summary: "an additional SDO channel is valid by default",
-    checks: "Whether the COB-IDs of the additional SDO channels of an EDS (1201h to 12FFh) are not valid (bit 31 set) or 0.",
+    checks: "In an EDS, the COB-IDs of the additional SDO channels (1201h to 12FFh) must be not valid (bit 31 set) or 0.",
     why: "The predefined connection set has no CAN-ID for them: two devices of the type on one network use the same CAN-ID. The default in CiA 301 is 80000000h.",
     example: "`[1201sub1]` with `DefaultValue=0x640`",
     remedy: "Write `0x80000000`.",

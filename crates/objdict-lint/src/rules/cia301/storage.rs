@@ -10,7 +10,7 @@ rules! {
 
     "cia301/incomplete-eds-storage" = INCOMPLETE_EDS_STORAGE, Error, Device(incomplete_eds_storage);
     summary: "one of the two objects that store the EDS is missing",
-    checks: "Whether a device that stores its EDS has both 1021h, the file, and 1022h, its format. CiA 301 requires 1022h with 1021h; 1022h alone is useless, a warning.",
+    checks: "A device that stores its EDS must have both 1021h, the file, and 1022h, its format. CiA 301 requires 1022h with 1021h. 1022h without 1021h is useless and a warning.",
     why: "A tool cannot unpack a file of unknown format, and a format without the file is useless.",
     example: "`[1021]` without `[1022]`",
     remedy: "Add the missing object: 1021h is a DOMAIN, 1022h an UNSIGNED8 or UNSIGNED16 with 0 for an uncompressed file.",
@@ -19,7 +19,7 @@ rules! {
     "cia301/invalid-configuration-date" = INVALID_CONFIGURATION_DATE, Warning,
         Facts(invalid_configuration_date);
     summary: "the configuration date is impossible",
-    checks: "Whether 1020h, verify configuration, is 0 in an EDS, and in a DCF contains a time below 86400000 ms and a date with it. The times that a manager expects of its nodes, 1F27h, are below 86400000 ms too.",
+    checks: "In an EDS, 1020h (verify configuration) must be 0. In a DCF, it must contain a time below 86400000 ms and a date with it. The expected times in a manager's 1F27h must be below 86400000 ms too.",
     why: "A manager that reads its own date from 1020h assumes that the device is configured and writes nothing. A new device with a date, or one with an impossible time, is never configured or is configured at every start.",
     example: "`[1020sub2]` with `ParameterValue=90000000`",
     remedy: "Write the days since 1984-01-01 to sub-index 1 and the milliseconds since midnight to sub-index 2; 0 to both in an EDS.",
@@ -28,22 +28,22 @@ rules! {
     "cia301/storage-signature-as-default" = STORAGE_SIGNATURE_AS_DEFAULT, Warning,
         Device(storage_signature_as_default), fix Unsafe;
     summary: "a default of 1010h or 1011h is not a value that the device returns",
-    checks: "Whether the defaults of 1010h are 0 to 3 and those of 1011h 0 or 1: the values that the device returns when the entry is read. Bit 0 means that it stores or restores on command, bit 1 of 1010h that it stores autonomously.",
-    why: "The signatures `save` and `load` are written to the entries, not read from them. A tool that compares the device with its description finds a difference, and one that writes the defaults stores or restores by accident.",
+    checks: "The defaults of 1010h must be 0 to 3 and the defaults of 1011h must be 0 or 1: the values that the device returns when the entry is read. Bit 0 means that it stores or restores on command, bit 1 of 1010h that it stores autonomously.",
+    why: "The signatures `save` and `load` are written to the entries, not read from them. A tool that compares the device with its description finds a difference. A tool that writes the defaults stores or restores by accident.",
     example: "`[1010sub1]` with `DefaultValue=0x65766173`",
     remedy: "Write 1, or the value that the device returns.",
 
     "cia301/storage-without-function" = STORAGE_WITHOUT_FUNCTION, Warning, Device(storage_without_function);
     summary: "1010h or 1011h states that the device cannot store or restore anything",
-    checks: "Whether a value of 1010h has bit 0 (stores on command) or bit 1 (stores by itself), and one of 1011h bit 0 (restores on command), if all of them are stated.",
+    checks: "At least one value of 1010h must have bit 0 (stores on command) or bit 1 (stores by itself) set. At least one value of 1011h must have bit 0 (restores on command) set. The rule applies if all values are given.",
     why: "A tool reads the entries before it writes the signatures. With 0 it does not store the configuration, which is lost when the power is switched off.",
     example: "`[1010sub1]` with `DefaultValue=0` and no other sub-index",
     remedy: "Write the value that the device returns, 1 if it stores or restores on command; or remove the object.",
 
     "cia301/store-without-restore" = STORE_WITHOUT_RESTORE, Note, Device(store_without_restore);
     summary: "the device has only one of 1010h and 1011h",
-    checks: "Whether a device with 1010h, store parameters, has 1011h, restore default parameters, and the reverse.",
-    why: "After storing a wrong bit rate or COB-ID, users need the delivered state back; and a restore has no use on a device that stores nothing.",
+    checks: "A device with 1010h (store parameters) must have 1011h (restore default parameters), and the reverse.",
+    why: "After storing a wrong bit rate or COB-ID, users need the factory settings back. On a device that stores nothing, restoring is useless.",
     example: "`[1010]` without `[1011]`",
     remedy: "Add the other object.",
 }

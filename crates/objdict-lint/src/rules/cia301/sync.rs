@@ -8,7 +8,7 @@ use crate::{CobIdService, Facts, PdoFacts, stated};
 rules! {
     "cia301/invalid-sync-counter" = INVALID_SYNC_COUNTER, Error, Facts(invalid_sync_counter);
     summary: "the overflow value of the SYNC counter is reserved or does not match the PDOs",
-    checks: "Whether 1019h is 0 or 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.",
+    checks: "1019h must be 0 or 2 to 240. As a warning: it must be a multiple of n for each valid TPDO that is sent with every n-th SYNC.",
     why: "The device rejects 1 and values above 240. If the overflow value is not a multiple of n, the counter restarts within a cycle and the PDO is sent early once per counter period.",
     example: "`[1019]` with `DefaultValue=1`",
     remedy: "Write 0 to send SYNC without a counter, otherwise the least common multiple of the transmission types.",
@@ -16,15 +16,15 @@ rules! {
 
     "cia301/invalid-sync-start-value" = INVALID_SYNC_START_VALUE, Error, Pdo(invalid_sync_start_value);
     summary: "a TPDO waits for a SYNC counter value that never occurs",
-    checks: "Whether the SYNC start value of each TPDO is at most 240 and at most the overflow value of the SYNC counter, 1019h. A start value on a device without a counter has no effect and is a warning.",
+    checks: "The SYNC start value of each TPDO must be at most 240 and at most the overflow value of the SYNC counter, 1019h. A start value on a device without a counter has no effect and is a warning.",
     why: "The TPDO starts with the SYNC whose counter has the start value. The counter runs from 1 to the overflow value and never reaches a higher start value.",
     example: "`[1800sub6]` with `DefaultValue=12` and `[1019]` with `DefaultValue=10`",
-    remedy: "Write 0 to start with any SYNC, or a value up to that of 1019h.",
+    remedy: "Write 0 to start with any SYNC, or a value up to 1019h.",
     source: "CiA 301 §7.5.2.22, §7.5.2.37",
 
     "cia301/sync-object-without-sync" = SYNC_OBJECT_WITHOUT_SYNC, Warning, ObjectOf(sync_object_without_sync);
     summary: "the device has a SYNC object but no COB-ID for SYNC",
-    checks: "Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.",
+    checks: "A device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) must have 1005h, the COB-ID of SYNC.",
     why: "Period, window and counter belong to a SYNC message that the device does not support.",
     example: "`[1006]` without `[1005]`",
     remedy: "Add 1005h, or remove the object.",
@@ -32,8 +32,8 @@ rules! {
 
     "cia301/sync-period-too-short" = SYNC_PERIOD_TOO_SHORT, Warning, Facts(sync_period_too_short);
     summary: "the SYNC period is shorter than a bus allows",
-    checks: "Whether 1006h, the communication cycle period, is 0 or at least 100 µs, configured or default.",
-    why: "At 1 Mbit/s a SYNC message alone takes about 50 µs, and each PDO of the cycle up to 135 µs. Such a value is usually a time in milliseconds, where the object has microseconds.",
+    checks: "1006h, the communication cycle period, must be 0 or at least 100 µs, configured or by default.",
+    why: "At 1 Mbit/s, a SYNC message takes about 50 µs and each PDO of the cycle up to 135 µs. Such a value is usually a time in milliseconds, but the unit of the object is microseconds.",
     example: "`[1006]` with `DefaultValue=10`, for 10 ms",
     remedy: "Write the period in microseconds: 10000 for 10 ms.",
     source: "CiA 301 §7.5.2.6",
@@ -41,15 +41,15 @@ rules! {
     "cia301/sync-producer-without-period" = SYNC_PRODUCER_WITHOUT_PERIOD, Warning,
         Facts(sync_producer_without_period);
     summary: "the device produces SYNC but has no communication cycle period",
-    checks: "Whether a device whose 1005h has bit 30 set (SYNC producer) has 1006h, the communication cycle period, and whether its value is not 0. The value 0 switches SYNC off, which is a warning if a valid PDO of the device is synchronous, otherwise a note.",
-    why: "The period of SYNC is unknown, or SYNC is switched off by a period of 0: synchronous PDOs are never sent.",
+    checks: "If bit 30 of 1005h is set (SYNC producer), the device must have 1006h (communication cycle period) with a value other than 0. The value 0 switches SYNC off. This is a warning if a valid PDO of the device is synchronous, otherwise a note.",
+    why: "The period of SYNC is unknown, or a period of 0 switches SYNC off: synchronous PDOs are never sent.",
     example: "`[1005]` with `DefaultValue=0x40000080`, without `[1006]`",
-    remedy: "Add 1006h, an UNSIGNED32 in microseconds, and write the period (in a `bus.yml` of dcfgen, `sync_period`); or clear bit 30.",
+    remedy: "Add 1006h, an UNSIGNED32 in microseconds, and write the period (in a `bus.yml` of dcfgen, `sync_period`). Alternatively, clear bit 30.",
     source: "CiA 301 §7.5.2.5, §7.5.2.6",
 
     "cia301/sync-window-above-period" = SYNC_WINDOW_ABOVE_PERIOD, Error, Facts(sync_window_above_period);
     summary: "the synchronous window is longer than the SYNC period",
-    checks: "Whether 1007h, the synchronous window length, is at most 1006h, the communication cycle period. Both are in microseconds; 0 disables them.",
+    checks: "1007h (synchronous window length) must be at most 1006h (communication cycle period). Both are in microseconds; 0 disables them.",
     why: "Synchronous PDOs are sent within the window after SYNC. A window longer than the period never ends, and a device rejects it.",
     example: "`[1006]` with `DefaultValue=1000` and `[1007]` with `DefaultValue=5000`",
     remedy: "Shorten the window, or extend the period.",
@@ -57,8 +57,8 @@ rules! {
 
     "cia301/synchronous-pdo-without-sync" = SYNCHRONOUS_PDO_WITHOUT_SYNC, Error,
         Facts(synchronous_pdo_without_sync);
-    summary: "a synchronous PDO on a device without SYNC",
-    checks: "Whether a device with a valid PDO of a synchronous transmission type (0 to 240, for a TPDO also 252) has 1005h, the COB-ID of SYNC. The rule reports one finding for the device, with every such PDO.",
+    summary: "a device has a synchronous PDO but no SYNC",
+    checks: "A device with a valid PDO of a synchronous transmission type (0 to 240, for a TPDO also 252) must have 1005h, the COB-ID of SYNC. The rule reports one finding for the device, with every such PDO.",
     why: "Without 1005h the device does not process SYNC, so the PDO is never sent or never applied.",
     example: "`[1801sub2]` with `DefaultValue=1`, without `[1005]`",
     remedy: "Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.",
@@ -67,8 +67,8 @@ rules! {
     "cia301/time-producer-and-consumer" = TIME_PRODUCER_AND_CONSUMER, Warning,
         Facts(time_producer_and_consumer);
     summary: "the device is both producer and consumer of TIME",
-    checks: "Whether 1012h has both bit 31 (TIME consumer) and bit 30 (TIME producer) set.",
-    why: "One device of a network produces the time, and the others consume it. A device that does both sets its clock from its own message.",
+    checks: "1012h must not have both bit 31 (TIME consumer) and bit 30 (TIME producer) set.",
+    why: "One device on a network produces the time for all others. A device that does both sets its clock from its own message.",
     example: "`[1012]` with `DefaultValue=0xC0000100`",
     remedy: "Clear one of the bits.",
     source: "CiA 301 §7.5.2.15",

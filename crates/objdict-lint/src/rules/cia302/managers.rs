@@ -9,23 +9,23 @@ use crate::rule::rules;
 rules! {
     "cia302/contradictory-startup" = CONTRADICTORY_STARTUP, Warning, Against(contradictory_startup);
     summary: "bits of 1F80h contradict each other or the slave assignment",
-    checks: "Whether 1F80h has both bits 4 and 6 set, where bit 6 takes precedence, or both bits 1 and 3, where bit 1 has no effect because of bit 3, and whether bit 0 (NMT master) is set in a configuration that assigns slaves (1F81h, bit 0).",
-    why: "The device performs one of the two actions, and the user of the other bit expects the other one.",
+    checks: "1F80h must not have both bits 4 and 6 set, because bit 6 takes precedence. It must not have both bits 1 and 3 set, because bit 1 has no effect with bit 3. In a configuration that assigns slaves (1F81h, bit 0), bit 0 of 1F80h (NMT master) must be set.",
+    why: "The device performs one of the two actions, but the author may expect the other one.",
     example: "`[1F80]` with `DefaultValue=0x00000051`: on an error of a mandatory slave all nodes are reset (bit 4) and all are stopped (bit 6)",
     remedy: "Clear bit 4 to stop all nodes or bit 6 to reset them; clear bit 1 when slaves are not started (bit 3).",
     source: "CiA 302-2 (1F80h)",
 
     "cia302/flying-master-time-slots" = FLYING_MASTER_TIME_SLOTS, Error, Against(flying_master_time_slots);
     summary: "the time slots of a flying master overlap",
-    checks: "Whether the priority time slot of 1F90h (sub-index 4) is longer than 127 times the device time slot (sub-index 5).",
-    why: "A device waits for the priority time slot times its priority plus the device time slot times its node-ID before it claims the master role. If the slots overlap, a device of low priority claims it before one of high priority.",
+    checks: "The priority time slot of 1F90h (sub-index 4) must be longer than 127 times the device time slot (sub-index 5).",
+    why: "Before a device claims the master role, it waits for the priority time slot times its priority plus the device time slot times its node-ID. If the slots overlap, a device of low priority claims the role before one of high priority.",
     example: "`[1F90sub4]` with `DefaultValue=1000` and `[1F90sub5]` with `DefaultValue=10`: 127 times 10 is 1270",
     remedy: "Increase the priority time slot or reduce the device time slot. The defaults of the document are 1500 and 10.",
     source: "CiA 302-2 (1F90h)",
 
     "cia302/incomplete-guarding" = INCOMPLETE_GUARDING, Warning, Against(incomplete_guarding);
     summary: "the guarding of a slave has only one of guard time and retry factor",
-    checks: "Whether each entry of 1F81h for a slave of this master (bit 0) has both a guard time (bits 16 to 31) and a retry factor (bits 8 to 15), or neither.",
+    checks: "Each entry of 1F81h for a slave of this master (bit 0) must have both a guard time (bits 16 to 31) and a retry factor (bits 8 to 15), or neither.",
     why: "With only one of the two, guarding is off and the loss of a node is not detected.",
     example: "`[1F81sub5]` with `DefaultValue=0x01F40001`: 500 ms and no retries",
     remedy: "Set both, or clear both and use heartbeat.",
@@ -33,7 +33,7 @@ rules! {
 
     "cia302/manager-not-marked" = MANAGER_NOT_MARKED, Note, Applied(manager_not_marked), fix Unsafe;
     summary: "the device has objects of a network manager but is not marked as one",
-    checks: "Whether a device with lists of nodes (1F20h, 1F22h, 1F23h, 1F25h, 1F81h to 1F88h) has `SimpleBootUpMaster=0`.",
+    checks: "Reports a device with lists of nodes (1F20h, 1F22h, 1F23h, 1F25h, 1F81h to 1F88h) and `SimpleBootUpMaster=0`.",
     why: "A tool that searches for the network manager ignores the device.",
     example: "`[1F81]` with `SimpleBootUpMaster=0`",
     remedy: "Write `SimpleBootUpMaster=1` if the device can boot a network.",
@@ -41,7 +41,7 @@ rules! {
 
     "cia302/master-without-slaves" = MASTER_WITHOUT_SLAVES, Warning, Against(master_without_slaves);
     summary: "an NMT master has no list of slaves",
-    checks: "Whether a device whose 1F80h makes it NMT master (bit 0) has the slave assignment, 1F81h. Modular devices are not checked, because a module may provide the object.",
+    checks: "If bit 0 of 1F80h makes the device NMT master, it must have the slave assignment, 1F81h. Modular devices are not checked, because a module may provide the object.",
     why: "The master does not know which nodes to expect: it boots none of them and detects no missing node.",
     example: "`[1F80]` with `DefaultValue=0x00000001`, without `[1F81]`",
     remedy: "Describe 1F81h, or clear bit 0 of 1F80h if the device is not a master.",
@@ -50,16 +50,16 @@ rules! {
     "cia302/self-starting-not-marked" = SELF_STARTING_NOT_MARKED, Note,
         Against(self_starting_not_marked), fix Unsafe;
     summary: "the device starts by itself but is not marked as a simple boot-up slave",
-    checks: "Whether a device that enters operational without a master (bits 0 and 2 of 1F80h are clear) has `SimpleBootUpSlave=0`.",
-    why: "A master that relies on the description configures the node while it already transmits. Some drives have 0 in 1F80h and still wait for their master, so it is a note.",
+    checks: "Reports `SimpleBootUpSlave=0` in a device that enters operational without a master (bits 0 and 2 of 1F80h are clear).",
+    why: "A master that relies on the description configures the node while it already transmits. Some drives have 0 in 1F80h and still wait for their master, so the finding is a note.",
     example: "`[1F80]` with `DefaultValue=0x00000000`, and `SimpleBootUpSlave=0`",
     remedy: "Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h if the device waits for its master.",
     source: "CiA 302-2 (1F80h); CiA 306-1 §4.4",
 
     "cia302/slave-not-assigned" = SLAVE_NOT_ASSIGNED, Warning, Against(slave_not_assigned);
     summary: "an entry of 1F81h configures a node that is not a slave",
-    checks: "Whether bit 0 (slave of this master) is set in each entry of 1F81h that is not 0, and whether no entry makes the node of a DCF its own slave. One finding, with every such entry.",
-    why: "Without bit 0 the manager ignores all other bits: it does not boot a node that is marked as mandatory, and does not guard it.",
+    checks: "Bit 0 (slave of this master) must be set in each entry of 1F81h that is not 0. In a DCF, no entry may make the node its own slave. The rule reports one finding, with every such entry.",
+    why: "Without bit 0 the manager ignores all other bits. It does not boot a node that is marked as mandatory and does not guard it.",
     example: "`[1F81sub5]` with `DefaultValue=0x00000008`, a mandatory node that is not a slave",
     remedy: "Set bit 0, or write 0 if the node is not a slave of this master.",
     source: "CiA 302-2 (1F81h)",

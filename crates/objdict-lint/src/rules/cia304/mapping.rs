@@ -10,52 +10,52 @@ rules! {
 
     "cia304/invalid-inverted-object" = INVALID_INVERTED_OBJECT, Error, Device(invalid_inverted_object);
     summary: "the inverted entry of a safety entry is missing or not suitable",
-    checks: "Whether `InvertedSRAD` refers to a described entry, other than itself, of the same data type.",
-    why: "A tool that creates an SRDO maps the entry together with its `InvertedSRAD`. With a wrong one, the receiver compares unrelated values.",
+    checks: "`InvertedSRAD` must refer to a described entry, other than itself, of the same data type.",
+    why: "A tool that creates an SRDO maps the entry together with its `InvertedSRAD`. If it is wrong, the receiver compares unrelated values.",
     example: "`InvertedSRAD=0x610101` without `[6101sub1]`",
     remedy: "Write index and sub-index of the inverted entry as six hex digits.",
     source: "CiA 306-1 annex A",
 
     "cia304/mapped-object-missing" = MAPPED_OBJECT_MISSING, Error, Facts(mapped_object_missing);
     summary: "an SRDO maps an object that does not exist",
-    checks: "Whether each object that an SRDO maps is described. Dummy entries and objects that modules may provide are not checked.",
+    checks: "Each object that an SRDO maps must be described. Dummy entries and objects that modules may provide are not checked.",
     why: "The device rejects the mapping, or the description lacks a part of the safety function.",
     example: "`[1381sub1]` with `DefaultValue=0x61000108`, without `[6100]`",
     remedy: "Describe the object, or map the intended one.",
 
     "cia304/object-not-safe" = OBJECT_NOT_SAFE, Warning, Facts(object_not_safe);
     summary: "an SRDO maps an entry that is not mappable to SRDOs",
-    checks: "Whether each entry that an SRDO maps has `SRDOMapping=1`, in a description that uses `SRDOMapping` at all.",
-    why: "A tool that configures the SRDO does not offer the entry, and rejects the existing mapping.",
+    checks: "In a description that uses `SRDOMapping` at all, each entry that an SRDO maps must have `SRDOMapping=1`.",
+    why: "A tool that configures the SRDO does not offer the entry and rejects the existing mapping.",
     example: "`[1381sub1]` maps an entry with `SRDOMapping=0`",
-    remedy: "Write `SRDOMapping=1`, or map another entry.",
+    remedy: "Write `SRDOMapping=1`, or map a different entry.",
     source: "CiA 306-1 annex A, EN 50325-5 (CiA 304)",
 
     "cia304/srdo-length-exceeded" = SRDO_LENGTH_EXCEEDED, Error, Facts(srdo_length_exceeded);
     summary: "an SRDO is longer than 64 bits",
-    checks: "Whether the plain objects of an SRDO, and the inverted ones, are each at most 64 bits long in total.",
+    checks: "The total length of an SRDO's plain objects must be at most 64 bits. The same applies to its inverted objects.",
     why: "A CAN frame has eight data bytes.",
     example: "nine pairs of 8 bits in `[1381]`",
-    remedy: "Remove objects, or move them to another SRDO.",
+    remedy: "Remove objects, or move them to a different SRDO.",
 
     "cia304/unequal-pair" = UNEQUAL_PAIR, Error, Facts(unequal_pair);
     summary: "the two objects of a pair in an SRDO have different lengths",
-    checks: "Whether the inverted object of each mapped pair (even sub-index) has the length of the plain one (odd sub-index).",
+    checks: "The inverted object of each mapped pair (even sub-index) must have the length of the plain object (odd sub-index).",
     why: "The receiver compares the two frames bit by bit. After objects of different lengths it compares unrelated bits, and the device enters its safe state.",
     example: "`[1381sub1]` with `DefaultValue=0x61000108` and `[1381sub2]` with `DefaultValue=0x61010110`",
     remedy: "Map the matching inverted object.",
 
     "cia304/wrong-mapping-count" = WRONG_MAPPING_COUNT, Error, Facts(wrong_mapping_count);
     summary: "the number of mapped objects of an SRDO is not valid",
-    checks: "Whether sub-index 0 of each SRDO mapping is an even number from 0 to 16, and whether each counted entry is described and contains an object.",
+    checks: "Sub-index 0 of each SRDO mapping must be an even number from 0 to 16. Each entry within this number must be described and must contain an object.",
     why: "Entries are pairs of a plain and an inverted object. A device rejects an odd number and an entry without an object.",
     example: "`[1381sub0]` with `DefaultValue=3`",
     remedy: "Map the inverted object of each plain one, and count both.",
 
     "cia304/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error, Facts(wrong_mapping_length);
     summary: "the length in an SRDO mapping differs from the length of the object",
-    checks: "Whether the length in each SRDO mapping entry matches the data type of the object.",
-    why: "The device rejects the mapping, or reads the following objects from the wrong position of the frame.",
+    checks: "The length in each SRDO mapping entry must match the data type of the object.",
+    why: "The device rejects the mapping or reads the following objects from the wrong position of the frame.",
     example: "`[1381sub1]` with `DefaultValue=0x61000110`, where 6100h sub-index 1 is UNSIGNED8",
     remedy: "Write the length of the data type in bits as the last two digits.",
 }

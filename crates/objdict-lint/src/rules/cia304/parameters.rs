@@ -10,56 +10,56 @@ rules! {
 
     "cia304/checksum-missing" = CHECKSUM_MISSING, Error, Facts(checksum_missing);
     summary: "13FFh has no checksum for an SRDO",
-    checks: "Whether 13FFh has a sub-index for each SRDO of the device: sub-index 1 for 1301h, and so on.",
+    checks: "13FFh must have a sub-index for each SRDO of the device: sub-index 1 for 1301h, and so on.",
     why: "The configuration of an SRDO without a checksum can never become valid.",
     example: "`[1302]` and a 13FFh with one element",
     remedy: "Describe an element for each SRDO.",
 
     "cia304/cob-id-collision" = COB_ID_COLLISION, Error, Facts(cob_id_collision);
     summary: "two SRDOs of the device have the same COB-ID",
-    checks: "Whether the COB-IDs of all active SRDOs (information direction 1 or 2) differ.",
+    checks: "The COB-IDs of all active SRDOs (information direction 1 or 2) must differ.",
     why: "The device cannot distinguish the two SRDOs; one that is sent disturbs one that is received.",
     example: "`[1301sub5]` and `[1302sub5]`, both with `DefaultValue=0x101`",
     remedy: "Give each SRDO its own pair of COB-IDs.",
 
     "cia304/incomplete-srdo-parameter" = INCOMPLETE_SRDO_PARAMETER, Error, Facts(incomplete_srdo_parameter);
     summary: "an SRDO communication parameter lacks a sub-index",
-    checks: "Whether each object from 1301h to 1340h has the sub-indexes 1 to 6.",
+    checks: "Each object from 1301h to 1340h must have the sub-indexes 1 to 6.",
     why: "All of them are part of the safety configuration and its checksum, and none has an implicit value.",
     example: "`[1301]` with only sub-indexes 0 to 4",
     remedy: "Describe the missing sub-index.",
 
     "cia304/invalid-cob-id-pair" = INVALID_COB_ID_PAIR, Error, Facts(invalid_cob_id_pair);
     summary: "the two COB-IDs of an SRDO are not a valid pair",
-    checks: "Whether COB-ID 1 of each active SRDO is an odd CAN-ID from 101h to 17Fh, and COB-ID 2 the next one. A formula is evaluated for the node of a DCF. The defaults FFh and 100h, to which stacks add twice the node-ID, are accepted in an EDS.",
+    checks: "COB-ID 1 of each active SRDO must be an odd CAN-ID from 101h to 17Fh, and COB-ID 2 must be the next one. A formula is evaluated for the node of a DCF. In an EDS, the defaults FFh and 100h are accepted, because stacks add twice the node-ID to them.",
     why: "The data are sent twice, plain and inverted, with identifiers that differ in at least two bits, so that a corrupted frame is never accepted as its counterpart. A device rejects any other pair.",
     example: "`[1301sub5]` with `DefaultValue=0x101` and `[1301sub6]` with `DefaultValue=0x103`",
     remedy: "Write an odd CAN-ID and the next one; the default of the standard is FFh and 100h plus twice the node-ID.",
 
     "cia304/invalid-direction" = INVALID_DIRECTION, Error, Facts(invalid_direction);
     summary: "the information direction of an SRDO is not valid",
-    checks: "Whether the information direction of each SRDO is 0 (not valid), 1 (transmit) or 2 (receive).",
+    checks: "The information direction of each SRDO must be 0 (not valid), 1 (transmit) or 2 (receive).",
     why: "The device rejects any other value, and tools do not know whether it transmits the SRDO.",
     example: "`[1301sub1]` with `DefaultValue=3`",
     remedy: "Write 0, 1 or 2.",
 
     "cia304/invalid-time" = INVALID_TIME, Error, Facts(invalid_time);
     summary: "the times of an SRDO cannot be met",
-    checks: "Whether the refresh time (SCT for a received SRDO) and the validation time (SRVT) of each active SRDO are not 0, and whether the validation time is not longer than the refresh time.",
-    why: "The two frames of an SRDO must arrive within the validation time, and the next pair within the cycle time. A time of 0 can never be met; with a validation time longer than the cycle, frames of two cycles are accepted as one pair.",
+    checks: "The refresh time (SCT for a received SRDO) and the validation time (SRVT) of each active SRDO must not be 0. The validation time must not be longer than the refresh time.",
+    why: "The two frames of an SRDO must arrive within the validation time, and the next pair within the cycle time. A time of 0 can never be met. If the validation time is longer than the cycle, frames of two cycles are accepted as one pair.",
     example: "`[1301sub2]` with `DefaultValue=20` and `[1301sub3]` with `DefaultValue=50`",
     remedy: "Write times in milliseconds, with the validation time not longer than the refresh time.",
 
     "cia304/missing-safety-object" = MISSING_SAFETY_OBJECT, Error, Facts(missing_safety_object);
     summary: "a device with SRDOs lacks the objects that protect their configuration",
-    checks: "Whether a device with SRDOs has 13FEh, the validity of the configuration, and 13FFh, its checksums.",
+    checks: "A device with SRDOs must have 13FEh (validity of the configuration) and 13FFh (checksums).",
     why: "A configuration tool writes the checksums and then marks the configuration valid. Without these objects the device can never transmit or accept an SRDO.",
     example: "`[1301]` and `[1381]` without `[13FF]`",
     remedy: "Add 13FEh, an UNSIGNED8, and 13FFh, an ARRAY of UNSIGNED16 with an element for each SRDO.",
 
     "cia304/safety-flag" = SAFETY_FLAG, Warning, Facts(safety_flag);
     summary: "`CANopenSafetySupported` contradicts the objects",
-    checks: "Whether a device with `CANopenSafetySupported=1` has SRDOs, and one with `CANopenSafetySupported=0` has none.",
+    checks: "A device with `CANopenSafetySupported=1` must have SRDOs. A device with `CANopenSafetySupported=0` must have none.",
     why: "A safety tool evaluates the flag: it finds nothing to configure, or ignores SRDOs that it must configure.",
     example: "`CANopenSafetySupported=1` without an object from 1301h to 1340h",
     remedy: "Correct the flag, or the objects.",
@@ -67,14 +67,14 @@ rules! {
 
     "cia304/srdo-without-mapping" = SRDO_WITHOUT_MAPPING, Error, Facts(srdo_without_mapping);
     summary: "an SRDO has only one of its two objects",
-    checks: "Whether each communication parameter of an SRDO (1301h to 1340h) has a mapping parameter (1381h to 13C0h), and the reverse.",
-    why: "The communication parameter defines when and with which identifiers the SRDO is sent, the mapping its contents. The checksum of the safety configuration covers both.",
+    checks: "Each SRDO communication parameter (1301h to 1340h) must have a mapping parameter (1381h to 13C0h), and the reverse.",
+    why: "The communication parameter defines when the SRDO is sent and with which identifiers. The mapping defines its contents. The checksum of the safety configuration covers both.",
     example: "`[1301]` without `[1381]`",
     remedy: "Add the missing object.",
 
     "cia304/wrong-checksum" = WRONG_CHECKSUM, Warning, Facts(wrong_checksum);
     summary: "the checksum of a valid configuration is wrong",
-    checks: "Whether the checksum in 13FFh of each active SRDO matches its parameters if 13FEh marks the configuration as valid (A5h): a 16-bit CRC with the polynomial 1021h and start value 0 over direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each mapping entry. SRDOs with missing values are not checked.",
+    checks: "If 13FEh marks the configuration as valid (A5h), the checksum in 13FFh of each active SRDO must match its parameters. It is a 16-bit CRC with the polynomial 1021h and start value 0. It covers direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each mapping entry. SRDOs with missing values are not checked.",
     why: "At power-up the device calculates the checksum, detects the difference and sends no safety data.",
     example: "`[13FE]` with `DefaultValue=0xA5` and `[13FFsub1]` with `DefaultValue=0`",
     remedy: "Verify the configuration and write the reported checksum; or write 0 to 13FEh.",
@@ -82,7 +82,7 @@ rules! {
     "cia304/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Error,
         Facts(wrong_transmission_type), fix Unsafe;
     summary: "the transmission type of an SRDO is not 254",
-    checks: "Whether the transmission type of each SRDO is 254. The standard allows no other value.",
+    checks: "The transmission type of each SRDO must be 254. The standard allows no other value.",
     why: "SRDOs are always sent cyclically, and their safety depends on their timing. SYNC or a remote frame must not trigger them.",
     example: "`[1301sub4]` with `DefaultValue=255`",
     remedy: "Write `0xFE` and `AccessType=const`.",

@@ -8,7 +8,7 @@ use crate::rule::rules;
 rules! {
     "cia305/incomplete-address" = INCOMPLETE_ADDRESS, Warning, Device(incomplete_address);
     summary: "the LSS address of the device is incomplete",
-    checks: "Whether 1018h sub-indexes 2 and 3, product code and revision number, have a value on a device with `LSS_Supported=1`. The vendor-ID has its own rule; the serial number is specific to the single device.",
+    checks: "On a device with `LSS_Supported=1`, 1018h sub-indexes 2 and 3 (product code and revision number) must have a value. The vendor-ID has its own rule. The serial number is specific to the single device.",
     why: "An LSS manager selects the device by vendor-ID, product code, revision number and serial number. The first three must come from the description.",
     example: "`LSS_Supported=1` without `DefaultValue` in `[1018sub2]`",
     remedy: "Write the values.",
@@ -16,8 +16,8 @@ rules! {
 
     "cia305/serial-number-in-eds" = SERIAL_NUMBER_IN_EDS, Warning, Device(serial_number_in_eds);
     summary: "the description assigns one serial number to all devices of the type",
-    checks: "Whether the default of 1018h sub-index 4, the serial number, is 0 or missing in an EDS of a device with `LSS_Supported=1`.",
-    why: "LSS distinguishes devices of a type by their serial numbers. A number in the EDS belongs to a single device; a tool that uses it for the other devices does not find them.",
+    checks: "In an EDS with `LSS_Supported=1`, the default of 1018h sub-index 4 (serial number) must be 0 or missing.",
+    why: "LSS distinguishes devices of a type by their serial numbers. A number in the EDS belongs to a single device. A tool that uses it for the other devices does not find them.",
     example: "`LSS_Supported=1` with `DefaultValue=123456` in `[1018sub4]`",
     remedy: "Remove the value, or write 0; the serial number of a node belongs in its DCF.",
     source: "CiA 305, CiA 301 §7.5.2.21",
@@ -25,7 +25,7 @@ rules! {
     "cia305/serial-number-without-lss" = SERIAL_NUMBER_WITHOUT_LSS, Warning,
         Device(serial_number_without_lss);
     summary: "a node without LSS has a serial number for LSS",
-    checks: "Whether a DCF with an `LSS_SerialNumber` other than 0 has `LSS_Supported=0`.",
+    checks: "Reports a DCF with an `LSS_SerialNumber` other than 0 and `LSS_Supported=0`.",
     why: "A manager tries to select the node by LSS at every start and waits for an answer that never comes.",
     example: "`LSS_SerialNumber=1234` with `LSS_Supported=0`",
     remedy: "Write `LSS_Supported=1` if the device supports it, otherwise remove the number.",
@@ -34,15 +34,15 @@ rules! {
     "cia305/unconfigured-without-address" = UNCONFIGURED_WITHOUT_ADDRESS, Warning,
         Device(unconfigured_without_address);
     summary: "a node gets its node-ID by LSS, but its LSS address is incomplete",
-    checks: "Whether a DCF with `NodeID=255` states the four numbers of the LSS address: vendor-ID, product code, revision number and serial number, the last one in 1018h sub-index 4 or as `LSS_SerialNumber`. A 0 counts as not stated, except for product code and revision number.",
-    why: "A manager without the numbers must search for the node and may find another device of the same type.",
+    checks: "A DCF with `NodeID=255` must specify the four numbers of the LSS address: vendor-ID, product code, revision number and serial number. The serial number may be in 1018h sub-index 4 or `LSS_SerialNumber`. A 0 is treated as missing, except for product code and revision number.",
+    why: "A manager without the numbers must search for the node and may find a different device of the same type.",
     example: "`NodeID=255` and `LSS_SerialNumber=0`, without a value in `[1018sub4]`",
     remedy: "Write the serial number from the label of the device as `LSS_SerialNumber`.",
     source: "CiA 305, CiA 306-1 §5.4",
 
     "cia305/unconfigured-without-lss" = UNCONFIGURED_WITHOUT_LSS, Error, Device(unconfigured_without_lss);
     summary: "a node waits for a node-ID by LSS but does not support LSS",
-    checks: "Whether a DCF with `NodeID=255` (node-ID assigned by LSS) has `LSS_Supported=0`.",
+    checks: "Reports a DCF with `NodeID=255` (node-ID assigned by LSS) and `LSS_Supported=0`.",
     why: "The node is never accessible: without a node-ID it has no SDO, and without LSS it gets no node-ID.",
     example: "`NodeID=255` with `LSS_Supported=0`",
     remedy: "Write the node-ID, or `LSS_Supported=1` if the device supports it.",
