@@ -13,8 +13,8 @@ rules! {
     source: "CiA 306-1 §5.3.1";
 
     "cia306/configuration-in-eds" = CONFIGURATION_IN_EDS, Note, Device(configuration_in_eds);
-    summary: "an EDS has keys of a DCF",
-    checks: "Whether an EDS uses keys of a DCF: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. Only the first one is shown.",
+    summary: "an EDS contains DCF keys",
+    checks: "Reports DCF keys in an EDS: `ParameterValue`, `Denotation`, `UploadFile`, `DownloadFile`, `ParamRefd`, `[xxxxValue]`, `[xxxxDenotation]`, `LastEDS` and `[ConnectedModules]`. Only the first one is shown.",
     why: "Tools that read the file as an EDS ignore them. The file may be a DCF without its `[DeviceComissioning]`.",
     example: "`ParameterValue=500` in an EDS",
     remedy: "Remove the keys, write the value as `DefaultValue`, or convert the file to a DCF.",
@@ -22,22 +22,22 @@ rules! {
 
     "cia306/misplaced-file" = MISPLACED_FILE, Error, Entry(misplaced_file);
     summary: "a file is given for an entry without file transfer",
-    checks: "Whether `UploadFile` and `DownloadFile` belong to a DOMAIN, whether only one of them is given, and whether `UploadFile` belongs to a readable and `DownloadFile` to a writable DOMAIN.",
+    checks: "`UploadFile` and `DownloadFile` must belong to a DOMAIN, and only one of them may be given. `UploadFile` requires a readable DOMAIN, `DownloadFile` a writable one.",
     why: "The file holds the data of a DOMAIN. For other entries, or in the wrong direction, tools do not transfer the file.",
     example: "`DownloadFile=program.bin` of an UNSIGNED32",
-    remedy: "Remove the key, and write `ParameterValue` unless it is there or the entry is read-only; or correct the object type or access.",
+    remedy: "Remove the key, and write `ParameterValue` if it is missing and the entry is not read-only. Alternatively, correct the object type or access.",
 
     "cia306/read-only-value" = READ_ONLY_VALUE, Warning, EntryOf(read_only_value), fix Unsafe;
     summary: "a DCF configures an entry that is not writable",
-    checks: "Whether each `ParameterValue` that differs from the default belongs to a writable entry. For `ro` entries the finding is a note: a tool may have stored a value read from the node, as in the example of the standard. Sub-index 0 and the identity object are not checked.",
+    checks: "Each `ParameterValue` that differs from the default must belong to a writable entry. For `ro` entries the finding is a note: a tool may have stored a value read from the node, as in the example of the standard. Sub-index 0 and the identity object are not checked.",
     why: "Tools cannot download the value to the node, although the author expects it.",
     example: "`AccessType=const`, `DefaultValue=8` and `ParameterValue=9`",
     remedy: "Remove the `ParameterValue`, or correct `AccessType`; where CiA 301 requires `ro`, as for 1000h, correct the default.",
 
     "cia306/value-of-no-download" = VALUE_OF_NO_DOWNLOAD, Note, Entry(value_of_no_download), fix Unsafe;
     summary: "a DCF configures an entry that `ObjFlags` excludes from downloads",
-    checks: "Whether a writable entry with bit 0 of `ObjFlags` (no download) has a `ParameterValue` other than its default.",
-    why: "Tools skip such entries in a download, so the value never reaches the node; a tool that does not know the flag stores, restores or erases something.",
+    checks: "Reports a `ParameterValue` other than the default in a writable entry with bit 0 of `ObjFlags` (no download).",
+    why: "Tools skip such entries in a download, so the value never reaches the node. A tool that does not know the flag stores, restores or erases something.",
     example: "`ObjFlags=0x1` and `ParameterValue=0x65766173` in `[1010sub1]`",
     remedy: "Remove the `ParameterValue`.",
     source: "CiA 306-1 §4.6.3.3",

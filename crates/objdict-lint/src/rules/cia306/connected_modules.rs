@@ -18,23 +18,23 @@ rules! {
     "cia306/described-network-variable" = DESCRIBED_NETWORK_VARIABLE, Error,
         Device(described_network_variable);
     summary: "network variables of dynamic channels are described as objects",
-    checks: "Whether the EDS of a device with dynamic channels describes objects A000h to AFFFh.",
-    why: "The application program of such a device defines these objects; the EDS only describes their segments. Objects described in addition conflict with the program.",
+    checks: "The EDS of a device with dynamic channels must not describe objects A000h to AFFFh.",
+    why: "The application program of such a device defines these objects. The EDS describes only their segments. Objects described in addition conflict with the program.",
     example: "`DynamicChannelsSupported=1` and `[A040]`",
     remedy: "Remove the objects, or write `DynamicChannelsSupported=0` if they never change.",
     source: "CiA 306-1 §4.6.3.4.3",
 
     "cia306/dynamic-channels-flag" = DYNAMIC_CHANNELS_FLAG, Error, Device(dynamic_channels_flag), fix Unsafe;
     summary: "`DynamicChannelsSupported` and `[DynamicChannels]` disagree",
-    checks: "Whether a device with dynamic channels describes their segments, and whether a device with described segments sets `DynamicChannelsSupported`.",
-    why: "A programming tool places network variables in the segments. Without segments there is no place for them, and without the flag the tool does not look for segments.",
+    checks: "A device with dynamic channels must describe their segments. A device with described segments must set `DynamicChannelsSupported`.",
+    why: "A programming tool places network variables in the segments. Without segments it cannot place them, and without the flag it does not look for segments.",
     example: "`DynamicChannelsSupported=1` without `[DynamicChannels]`",
     remedy: "Add the section with `NrOfSeg` and the segments, or write 0.",
     source: "CiA 306-1 §4.5, CiA 302-4",
 
     "cia306/invalid-segment" = INVALID_SEGMENT, Error, Device(invalid_segment);
     summary: "a segment of the dynamic channels is not valid",
-    checks: "Whether each segment has type, direction and range, whether the range is within A000h to BFFFh in ascending order, and whether ranges overlap.",
+    checks: "Each segment must have type, direction and range. The range must be within A000h to BFFFh in ascending order, and ranges must not overlap.",
     why: "A programming tool takes the indexes of network variables from these ranges.",
     example: "`Range1=0xA0BF-0xA080`",
     remedy: "Write the first and last index: `Range1=0xA080-0xA0BF`.",
@@ -42,14 +42,14 @@ rules! {
 
     "cia306/missing-module-object" = MISSING_MODULE_OBJECT, Warning, Device(missing_module_object);
     summary: "the DCF does not describe the objects of a connected module",
-    checks: "Whether a DCF describes the fixed and extended objects of the modules in `[ConnectedModules]`: each sub-index of a fixed object, and at least as many elements of an extended object as the modules add to it; modules that share an element fill it with their bits.",
+    checks: "A DCF must describe the fixed and extended objects of the modules in `[ConnectedModules]`. It needs each sub-index of a fixed object and at least as many elements of an extended object as the modules add to it. Modules that share an element fill it with their bits.",
     why: "The DCF describes the complete station including its modules. Objects of modules that are not described are not configured.",
     example: "`1=2` in `[ConnectedModules]` and `1=0x6423` in `[M2FixedObjects]` without `[6423]`",
     remedy: "Describe the objects as defined by the modules.",
 
     "cia306/module-numbering" = MODULE_NUMBERING, Error, Device(module_numbering), fix Safe;
     summary: "the modules are not numbered consecutively from 1",
-    checks: "Whether the sections of the modules (`[MxModuleInfo]` and others) have the numbers 1 to `NrOfEntries` of `[SupportedModules]`.",
+    checks: "The module sections (`[MxModuleInfo]` and others) must have the numbers 1 to `NrOfEntries` of `[SupportedModules]`.",
     why: "Tools count from 1. They ignore modules above the count and stop at a gap.",
     example: "`NrOfEntries=2`, `[M1ModuleInfo]` and `[M3ModuleInfo]`",
     remedy: "Renumber the modules in all their sections and in `[ConnectedModules]`.",
@@ -57,8 +57,8 @@ rules! {
 
     "cia306/unknown-connected-module" = UNKNOWN_CONNECTED_MODULE, Error,
         Device(unknown_connected_module), fix Unsafe;
-    summary: "a connected module is not described, or not the one of the module list",
-    checks: "Whether each number in `[ConnectedModules]` is the number of a described module, and in a DCF the value of 1027h (module list) at its position, if that is not 0. The second is a warning.",
+    summary: "a connected module is not described or does not match the module list",
+    checks: "Each number in `[ConnectedModules]` must be the number of a described module. In a DCF, it must also equal the value of 1027h (module list) at its position if that value is not 0. A deviation from 1027h is a warning.",
     why: "The objects of such a module are unknown.",
     example: "`2=7` in `[ConnectedModules]` of a coupler with five modules",
     remedy: "Write the number of a described module, or copy the module description from the EDS.",

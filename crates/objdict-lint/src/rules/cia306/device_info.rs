@@ -12,7 +12,7 @@ rules! {
     "cia306/boot-up-master-without-startup" = BOOT_UP_MASTER_WITHOUT_STARTUP, Note,
         Device(boot_up_master_without_startup);
     summary: "a boot-up master lacks 1F80h, NMT startup",
-    checks: "Whether a device with `SimpleBootUpMaster=1` has 1F80h, NMT startup.",
+    checks: "A device with `SimpleBootUpMaster=1` must have 1F80h, NMT startup.",
     why: "A configuration tool uses 1F80h to make the device the NMT master. Without 1F80h, a tool can neither configure how the device starts the network nor turn the master off.",
     example: "`SimpleBootUpMaster=1` without `[1F80]`",
     remedy: "Add 1F80h, an UNSIGNED32, or write `SimpleBootUpMaster=0`.",
@@ -20,7 +20,7 @@ rules! {
 
     "cia306/group-messaging-flag" = GROUP_MESSAGING_FLAG, Warning, Facts(group_messaging_flag);
     summary: "`GroupMessaging` and the PDOs disagree",
-    checks: "Whether a device with multiplexed PDOs (mapping count 254 or 255) or with their lists (1FA0h to 1FFFh) has `GroupMessaging=1`, and whether a device with `GroupMessaging=1` has such a list or such a PDO. A device with a writable mapping, which can make a PDO multiplexed, is a note.",
+    checks: "A device with multiplexed PDOs (mapping count 254 or 255) or their lists (1FA0h to 1FFFh) must have `GroupMessaging=1`. A device with `GroupMessaging=1` must have such a list or such a PDO. A device with a writable mapping, which can make a PDO multiplexed, is a note.",
     why: "Tools offer multiplexed PDOs only for devices with the flag. With a wrong flag they configure PDOs that the device does not support.",
     example: "`[1A00sub0]` with `DefaultValue=255` and `GroupMessaging=0`",
     remedy: "Correct the flag.",
@@ -28,14 +28,14 @@ rules! {
 
     "cia306/identity-mismatch" = IDENTITY_MISMATCH, Error, Device(identity_mismatch), fix Unsafe;
     summary: "`[DeviceInfo]` and the identity object disagree",
-    checks: "Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` equal 1018h sub-indexes 1, 2 and 3, where both values are given. In a DCF, the configured value counts before the default. The finding is a warning if one of the two is 0, because it was probably never filled in, and if only the configured value differs.",
+    checks: "`VendorNumber`, `ProductNumber` and `RevisionNumber` must equal 1018h sub-indexes 1, 2 and 3, where both values are given. In a DCF, the configured value takes precedence over the default. The finding is a warning if one of the two is 0, because it was probably never filled in, or if only the configured value differs.",
     why: "A tool looks up the EDS by the values read from 1018h. With different numbers in `[DeviceInfo]`, the tool finds no EDS or the wrong one.",
     example: "`VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`",
     remedy: "Write the number that the device reports in both places.",
 
     "cia306/lss-serial-number" = LSS_SERIAL_NUMBER, Warning, Device(lss_serial_number);
     summary: "the serial number for LSS differs from 1018h",
-    checks: "Whether `LSS_SerialNumber` equals 1018h sub-index 4, where both are given and not 0.",
+    checks: "`LSS_SerialNumber` must equal 1018h sub-index 4, where both are given and not 0.",
     why: "LSS selects the node by its serial number; with a wrong number the node does not answer.",
     example: "`LSS_SerialNumber=1234` and `ParameterValue=1235` in `[1018sub4]`",
     remedy: "Write the number from the device label in both places.",
@@ -43,7 +43,7 @@ rules! {
 
     "cia306/lss-without-identity" = LSS_WITHOUT_IDENTITY, Warning, Device(lss_without_identity);
     summary: "the device supports LSS, but its identity is incomplete",
-    checks: "Whether 1018h of a device with `LSS_Supported=1` has vendor-ID, product code, revision number and serial number.",
+    checks: "On a device with `LSS_Supported=1`, 1018h must have vendor-ID, product code, revision number and serial number.",
     why: "LSS addresses a device by these four numbers. A device without one of them cannot be selected.",
     example: "`LSS_Supported=1` and a 1018h that ends with sub-index 1",
     remedy: "Describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`.",
@@ -52,8 +52,8 @@ rules! {
     "cia306/manager-without-nmt-master" = MANAGER_WITHOUT_NMT_MASTER, Warning,
         Device(manager_without_nmt_master);
     summary: "the network manager is not an NMT master",
-    checks: "Whether a DCF with `CANopenManager=1` has `SimpleBootUpMaster=1` or 1F80h, NMT startup.",
-    why: "The manager starts and monitors the other nodes. Without an NMT master they stay in the state after power-on.",
+    checks: "A DCF with `CANopenManager=1` must have `SimpleBootUpMaster=1` or 1F80h, NMT startup.",
+    why: "The manager starts and monitors the other nodes. Without an NMT master they keep their state after power-on.",
     example: "`CANopenManager=1`, `SimpleBootUpMaster=0`, and no `[1F80]`",
     remedy: "Write `CANopenManager=0`, or correct `SimpleBootUpMaster`.",
     source: "CiA 306-1 §5.4, CiA 302-2",
@@ -61,21 +61,21 @@ rules! {
     "cia306/missing-device-info-key" = MISSING_DEVICE_INFO_KEY, Warning,
         Device(missing_device_info_key), fix Unsafe;
     summary: "`[DeviceInfo]` lacks mandatory keys",
-    checks: "Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, PDO counts and LSS are given. Names may be empty, numbers may not. `BaudRate_x` of unsupported bit rates may be missing. The finding is a note in a DCF, which is for one known device, and if only the order code is missing. In real files, mostly the order code is missing, or the numbers of products that were never sold; nearly all files without granularity, boot-up or group messaging are DCFs written by a tool, so two of three findings are notes.",
-    why: "A configuration tool looks up the description by its numbers and uses the other keys to enable its functions. A conformance test refuses the file.",
+    checks: "Vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, PDO counts and LSS must be given. Names may be empty, but numbers may not. `BaudRate_x` of unsupported bit rates may be missing. The finding is a note in a DCF, which is for one known device, and if only the order code is missing. In real files, mostly the order code is missing, or the numbers of products that were never sold. Nearly all files without granularity, boot-up or group messaging are DCFs written by a tool, so two of three findings are notes.",
+    why: "A configuration tool looks up the description by its numbers and uses the other keys to enable its functions. A conformance test rejects the file.",
     example: "`[DeviceInfo]` without `NrOfRXPDO`",
     remedy: "Add the keys. Write 0 for unsupported features.",
 
     "cia306/no-baud-rate" = NO_BAUD_RATE, Warning, Device(no_baud_rate);
     summary: "no supported bit rate is given",
-    checks: "Whether at least one `BaudRate_x` is 1, unless the device detects the bit rate (`BaudRate_auto=1`).",
+    checks: "At least one `BaudRate_x` must be 1, unless the device detects the bit rate (`BaudRate_auto=1`).",
     why: "Configuration tools offer only the bit rates given here, so they offer none.",
     example: "`[DeviceInfo]` without any `BaudRate_x`",
     remedy: "Add `BaudRate_125=1` and the other supported bit rates.",
 
     "cia306/reserved-key" = RESERVED_KEY, Note, Device(reserved_key), fix Safe;
     summary: "`[DeviceInfo]` has a key of EDS version 3.0",
-    checks: "Whether `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` or `ExtendedBootUpSlave` is used.",
+    checks: "Reports `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` and `ExtendedBootUpSlave`.",
     why: "Version 4.0 reserves these keys and readers ignore them, so their values have no effect.",
     example: "`ExtendedBootUpMaster=0`",
     remedy: "Remove the keys.",

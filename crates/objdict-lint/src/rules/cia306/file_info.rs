@@ -11,21 +11,21 @@ rules! {
 
     "cia306/eds-version" = EDS_VERSION, Warning, Device(eds_version), fix Unsafe;
     summary: "`EDSVersion` is not a valid version",
-    checks: "Whether `EDSVersion` has the form digit, dot, digit. A missing version means 3.0; a missing version and versions before 4.0 are notes.",
+    checks: "`EDSVersion` must have the format digit, dot, digit. A missing version means 3.0. A missing version and versions before 4.0 are notes.",
     why: "Tools use the version to decide which keys to expect: files of version 3.0 have no `ObjFlags`, no compact storage and no modules. `404` and `4.04` are numbers of other documents.",
     example: "`EDSVersion=404`",
     remedy: "Write `EDSVersion=4.0`.",
 
     "cia306/implausible-date" = IMPLAUSIBLE_DATE, Note, Device(implausible_date);
     summary: "the date is before the first EDS files",
-    checks: "Whether `CreationDate` and `ModificationDate` are in 1995 or later. CANopen device descriptions exist since 1995.",
+    checks: "`CreationDate` and `ModificationDate` must be in 1995 or later. CANopen device descriptions have existed since 1995.",
     why: "The computer's clock was not set, or month and day digits ended up in the year. Tools that look for the newer of two files choose the wrong one.",
     example: "`CreationDate=01-01-1980`",
     remedy: "Correct the date.",
 
     "cia306/invalid-baud-rate" = INVALID_BAUD_RATE, Error, Device(invalid_baud_rate);
     summary: "the bit rate of a DCF is not valid",
-    checks: "Whether `Baudrate` is a CiA 301 bit rate (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) and the device supports it according to `BaudRate_x`. 0, which tools write when no bit rate is selected, is a warning.",
+    checks: "`Baudrate` must be a CiA 301 bit rate (10, 20, 50, 125, 250, 500, 800, 1000 kbit/s) that the device supports according to `BaudRate_x`. 0, which tools write when no bit rate is selected, is a warning.",
     why: "A node with a wrong bit rate disturbs the network or cannot communicate.",
     example: "`Baudrate=500000`",
     remedy: "Write the bit rate in kbit/s.",
@@ -33,7 +33,7 @@ rules! {
 
     "cia306/invalid-node-id" = INVALID_NODE_ID, Error, Device(invalid_node_id);
     summary: "the node-ID of a DCF is not valid",
-    checks: "Whether `NodeID` is 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, formulas with `$NODEID` are not allowed. An XDD without configured values has no node: there, 0 is a note.",
+    checks: "`NodeID` must be 1 to 127, or 255 for a node that gets its node-ID by LSS. With 255, formulas with `$NODEID` are not allowed. An XDD without configured values describes no node, so 0 is a note.",
     why: "Other nodes cannot address the node, and its COB-IDs are unknown.",
     example: "`NodeID=0`",
     remedy: "Write the node-ID of the node.",
@@ -41,7 +41,7 @@ rules! {
 
     "cia306/missing-commissioning" = MISSING_COMMISSIONING, Error, Device(missing_commissioning);
     summary: "a DCF has no node-ID and bit rate",
-    checks: "Whether a DCF has a section `[DeviceComissioning]` (the standard spells the name with one m). The finding is a warning if no value is a formula with `$NODEID`: some masters get their node-ID from the application program.",
+    checks: "A DCF must have a section `[DeviceComissioning]` (the standard spells the name with one m). The finding is a warning if no value is a formula with `$NODEID`: some masters get their node-ID from the application program.",
     why: "Without node-ID and bit rate, the node cannot be addressed, and formulas with `$NODEID` have no value.",
     example: "An EDS that was renamed to .dcf",
     remedy: "Add the section with `NodeID` and `Baudrate`.",
@@ -50,14 +50,14 @@ rules! {
     "cia306/missing-file-info-key" = MISSING_FILE_INFO_KEY, Warning,
         Device(missing_file_info_key), fix Unsafe;
     summary: "`[FileInfo]` lacks mandatory keys",
-    checks: "Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are given. A missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note: the file may be unmodified. `Description` may be empty.",
-    why: "Configuration tools distinguish files of one device by version and date. A conformance test refuses the file.",
+    checks: "`FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` must be given. A missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note: the file may be unmodified. `Description` may be empty.",
+    why: "Configuration tools distinguish files of one device by version and date. A conformance test rejects the file.",
     example: "`[FileInfo]` without `FileRevision`",
     remedy: "Add the keys. Write `FileRevision=0` if revisions are not counted.",
 
     "cia306/missing-last-eds" = MISSING_LAST_EDS, Note, Device(missing_last_eds);
     summary: "a DCF does not name its EDS",
-    checks: "Whether a DCF with more than a file name in `[FileInfo]` has `LastEDS`.",
+    checks: "A DCF with more than a file name in `[FileInfo]` must have `LastEDS`.",
     why: "Tools cannot check whether the configuration matches the device, or update it to a newer EDS.",
     example: "A DCF without `LastEDS`",
     remedy: "Write the file name of the EDS.",
@@ -65,16 +65,16 @@ rules! {
 
     "cia306/missing-node-name" = MISSING_NODE_NAME, Note, Device(missing_node_name), fix Unsafe;
     summary: "a configured node has no name",
-    checks: "Whether `[DeviceComissioning]` has `NodeName`.",
-    why: "Network tools show nodes by their names. A tool that expects the key may refuse the file.",
+    checks: "`[DeviceComissioning]` must have `NodeName`.",
+    why: "Network tools show nodes by their names. A tool that expects the key may reject the file.",
     example: "`[DeviceComissioning]` without `NodeName`",
     remedy: "Add `NodeName`.",
     source: "CiA 306-1 §5.4",
 
     "cia306/modified-before-created" = MODIFIED_BEFORE_CREATED, Note, Device(modified_before_created);
     summary: "the modification date is before the creation date",
-    checks: "Whether date and time of the last modification are not before the creation.",
-    why: "One of the dates is wrong, perhaps with day and month swapped, so tools cannot decide which of two files is newer.",
+    checks: "Date and time of the last modification must not be before the creation.",
+    why: "One of the dates is wrong, perhaps with day and month swapped. Tools cannot decide which of two files is newer.",
     example: "`CreationDate=11-18-2024` and `ModificationDate=03-04-2024`",
     remedy: "Correct the date. The order is month, day, year.",
 }

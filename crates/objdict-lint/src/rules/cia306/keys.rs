@@ -10,7 +10,7 @@ use crate::{EntryAt, profile, stated};
 rules! {
     "cia306/command-without-flag" = COMMAND_WITHOUT_FLAG, Note, Object(command_without_flag), fix Unsafe;
     summary: "`ObjFlags` does not stop tools from writing a command",
-    checks: "Whether the writable entries of command objects (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) have bit 0 of `ObjFlags`, in the entry or in the object. Few real files set the flag: nearly half of them describe 1010h or 1011h, none with the flag. The finding is a note because tools that check the signature (`save`, `load`) before they write are safe without the flag.",
+    checks: "The writable entries of command objects (1010h store, 1011h restore, 1023h command, 1F25h, 1F50h and 1F51h program download) must have bit 0 of `ObjFlags` set, in the entry or in the object. Few real files set the flag: nearly half of them describe 1010h or 1011h, none with the flag. The finding is a note because tools that check the signature (`save`, `load`) before they write are safe without the flag.",
     why: "A tool that downloads a configuration writes every entry that has a value. The flag excludes entries that would store, restore or erase something.",
     example: "`[1010sub1]` without `ObjFlags=0x1`",
     remedy: "Write `ObjFlags=0x1` in the writable sub-indexes.",
@@ -18,7 +18,7 @@ rules! {
 
     "cia306/duplicate-name" = DUPLICATE_NAME, Note, Object(duplicate_name);
     summary: "two sub-indexes of an object have the same name",
-    checks: "Whether the names of an object's sub-indexes differ. Objects below 2000h are not checked because CiA 301 itself repeats names there. Only the first repetition in an object is shown.",
+    checks: "The names of an object's sub-indexes must differ. Objects below 2000h are not checked because CiA 301 itself repeats names there. Only the first repetition in an object is shown.",
     why: "Users cannot distinguish the entries, libraries that look up entries by name return the first one, and code generators have to add numbers.",
     example: "`ParameterName=Gain` in `[2000sub1]` and in `[2000sub2]`",
     remedy: "Add a number or a word to the names.",
@@ -26,8 +26,8 @@ rules! {
 
     "cia306/invalid-object-flags" = INVALID_OBJECT_FLAGS, Warning, Entry(invalid_object_flags), fix Unsafe;
     summary: "`ObjFlags` has reserved bits",
-    checks: "Whether only bits 0 (no download), 1 (no upload) and 2 (effective after a reset, added by CiA 311) are set.",
-    why: "The other bits are reserved: a later version may define them. The value may belong to another key.",
+    checks: "Only bits 0 (no download), 1 (no upload) and 2 (effective after a reset, added by CiA 311) may be set.",
+    why: "The other bits are reserved: a later version may define them. The value may belong to a different key.",
     example: "`ObjFlags=0x8`",
     remedy: "Write the sum of 1 and 2, or remove the key.",
     source: "CiA 306-1 §4.6.3.3",
@@ -35,23 +35,23 @@ rules! {
     "cia306/missing-key" = MISSING_KEY, Error,
         EntryOf(missing_key), fix Mixed, stops "*" at [DataType, AccessType];
     summary: "a key required by the object type is missing",
-    checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
-    why: "Without data type and access, the value cannot be read or written. Tools guess differently or refuse the file.",
+    checks: "A VAR, DEFTYPE or sub-index must have `DataType` and `AccessType`, and so must an ARRAY or RECORD with `CompactSubObj`. Any other ARRAY, RECORD or DEFSTRUCT must have `SubNumber`. An object with sub-indexes must have `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
+    why: "Without data type and access, the value cannot be read or written. Tools make different assumptions or reject the file.",
     example: "A VAR without `AccessType`",
     remedy: "Add the key.",
     source: "CiA 306-1 §4.6.3.2, obligation table",
 
     "cia306/missing-name" = MISSING_NAME, Warning, Entry(missing_name);
     summary: "an object or sub-index has no name",
-    checks: "Whether each section of an object or sub-index has a non-empty `ParameterName`.",
-    why: "Tools show the name. python-canopen and others refuse a file without it; code generators have to invent one.",
+    checks: "Each section of an object or sub-index must have a non-empty `ParameterName`.",
+    why: "Tools show the name. python-canopen and others reject a file without it; code generators have to invent one.",
     example: "`ParameterName=`",
     remedy: "Write the name from the standard or the manual.",
     source: "CiA 306-1 §4.6.3.2",
 
     "cia306/unsupported-key" = UNSUPPORTED_KEY, Warning, EntryOf(unsupported_key), fix Mixed;
     summary: "the object type does not support a key",
-    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` has keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits), a DOMAIN has limits or `PDOMapping=1`, or a VAR, DEFTYPE or DOMAIN has `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error. CiA 311 allows `dataType` and `accessType` for every object.",
+    checks: "An ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` must not have keys of a value (`DataType`, `AccessType`, `DefaultValue`, `PDOMapping=1`, limits). A DOMAIN must not have limits or `PDOMapping=1`. A VAR, DEFTYPE or DOMAIN must not have `SubNumber`. `SubNumber=0` and `PDOMapping=0` are accepted. `CompactSubObj` of a VAR or DOMAIN is an error. CiA 311 allows `dataType` and `accessType` for every object.",
     why: "The key describes a value that does not exist. The object type may be wrong, or the key is in the wrong section.",
     example: "`[1018]` with `ObjectType=0x9` and `DataType=0x0023`",
     remedy: "Remove the key, move it to the sub-indexes, or correct `ObjectType`.",

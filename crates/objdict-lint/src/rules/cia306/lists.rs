@@ -12,8 +12,8 @@ rules! {
     source: "CiA 306-1 §4.6.3.1";
 
     "cia306/disabled-object" = DISABLED_OBJECT, Note, Described(disabled_object);
-    summary: "objects are marked as disabled, and are not checked",
-    checks: "Whether objects are marked as disabled, by the property `CO_disabled` of an XDD or the comment `;CO_disabled=true` of an EDS, as CANopenEditor writes them.",
+    summary: "objects are marked as disabled and are not checked",
+    checks: "Reports objects that are marked as disabled by the property `CO_disabled` of an XDD or the comment `;CO_disabled=true` of an EDS. CANopenEditor writes these marks.",
     why: "The generators of CANopenNode omit these objects, so the device does not have them. Other tools read them as objects of the device.",
     example: "`;CO_disabled=true` in `[1F80]`",
     remedy: "Remove objects that the device does not have before you publish the description, or remove the mark.",
@@ -22,8 +22,8 @@ rules! {
     "cia306/link-to-missing-object" = LINK_TO_MISSING_OBJECT, Warning,
         ObjectOf(link_to_missing_object), fix Unsafe;
     summary: "a link refers to a missing object",
-    checks: "Whether each index in `[xxxxObjectLinks]` is described, and object xxxx as well.",
-    why: "Tools show linked objects as a group; the group is incomplete.",
+    checks: "Each index in `[xxxxObjectLinks]` must be described, and so must object xxxx.",
+    why: "Tools show linked objects as a group, which is then incomplete.",
     example: "`1=0x6999` in `[2000ObjectLinks]`, and no `[6999]`",
     remedy: "Correct the index, or remove the link and update the count.",
     source: "CiA 306-1 §4.6.4",
@@ -31,37 +31,37 @@ rules! {
     "cia306/listed-object-missing" = LISTED_OBJECT_MISSING, Error,
         Device(listed_object_missing), fix Mixed, explains Section ["unknown-key"];
     summary: "a list contains an object that is not described",
-    checks: "Whether each index of the three lists has its section. `CompactPDO` makes no exception: implied PDOs are not listed.",
-    why: "Most readers stop at such a list entry, or show an object without name and type.",
+    checks: "Each index of the three lists must have its section. `CompactPDO` makes no exception: implied PDOs are not listed.",
+    why: "Most readers stop at such a list entry or show an object without name and type.",
     example: "`4=0x2000` in a list, and no `[2000]`",
     remedy: "Describe the object, or remove its list entry and update the count.",
 
     "cia306/missing-section" = MISSING_SECTION, Error,
         Device(missing_section), fix Safe, explains Keys ["unknown-key"];
     summary: "a standard section is missing",
-    checks: "Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are in the file. A missing `[FileInfo]` or `[DeviceInfo]` of an EDS is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note; the errors are fragments and lists whose absence hides whole ranges of objects. An empty file has its own finding.",
-    why: "Objects of a missing list are not listed at all, so most tools do not see them. Without `[DeviceInfo]` the device is unknown. The other sections may be empty, but some readers refuse a file without them.",
+    checks: "The file must contain `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists. In an EDS, a missing `[FileInfo]` or `[DeviceInfo]` is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note. The errors are fragments and lists whose absence hides whole ranges of objects. An empty file has its own finding.",
+    why: "Objects of a missing list are not listed at all, so most tools do not see them. Without `[DeviceInfo]` the device is unknown. The other sections may be empty, but some readers reject a file without them.",
     example: "A file that starts with `[1000]`",
     remedy: "Add the section. Write `SupportedObjects=0` for an empty list, `Lines=0` for empty comments.",
     source: "CiA 306-1 §4.2",
 
     "cia306/object-listed-twice" = OBJECT_LISTED_TWICE, Error, Device(object_listed_twice), fix Mixed;
     summary: "an object is listed twice",
-    checks: "Whether each index is in one list only, and once.",
-    why: "Some tools create two objects, others refuse the file.",
+    checks: "Each index must be in one list only, and only once.",
+    why: "Some tools create two objects, others reject the file.",
     example: "`0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`",
     remedy: "Remove it from the list that it does not belong to, renumber the following entries and update the count.",
 
     "cia306/object-not-listed" = OBJECT_NOT_LISTED, Error, Device(object_not_listed), fix Safe;
-    summary: "an object is described, but not listed",
-    checks: "Whether each object from 1000h on is in one of the lists. Data type definitions need not be. A missing list has its own finding.",
+    summary: "an object is described but not listed",
+    checks: "Each object from 1000h on must be in one of the lists, except data type definitions. A missing list has its own finding.",
     why: "Readers that rely on the lists, such as Lely and most C tools, do not see the object.",
     example: "`[2000]`, and `SupportedObjects=0` in `[ManufacturerObjects]`",
     remedy: "Add the index to the list of its range and update the count, or remove the section.",
 
     "cia306/repeated-link" = REPEATED_LINK, Warning, Object(repeated_link);
     summary: "an object is linked twice",
-    checks: "Whether each object is linked once.",
+    checks: "Each object must be linked only once.",
     why: "Tools that show linked objects as a group show the object twice.",
     example: "`1=0x6005` and `2=0x6005` in `[6000ObjectLinks]`",
     remedy: "Remove the link and decrease the count by one.",
@@ -69,7 +69,7 @@ rules! {
 
     "cia306/unsorted-list" = UNSORTED_LIST, Note, Device(unsorted_list), fix Safe;
     summary: "an object list is not in ascending order",
-    checks: "Whether the indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` are in ascending order. An index that is listed twice has its own finding.",
+    checks: "The indexes of `[MandatoryObjects]`, `[OptionalObjects]` and `[ManufacturerObjects]` must be in ascending order. An index that is listed twice has its own finding.",
     why: "Readers look up objects in the list, and line-by-line comparisons show moved objects as changes.",
     example: "`1=0x1017` and `2=0x1005` in `[OptionalObjects]`",
     remedy: "Sort the list, for example with `objdict fmt`.",
@@ -77,10 +77,10 @@ rules! {
 
     "cia306/wrong-object-list" = WRONG_OBJECT_LIST, Warning, Device(wrong_object_list), fix Safe;
     summary: "an object is in the wrong list",
-    checks: "Whether 1000h, 1001h and 1018h are in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and all other objects in neither. Objects from 6000h on may be mandatory, depending on the device profile. A mandatory object in another list is an error.",
-    why: "Tools derive the category of an object from its list: they refuse a device whose mandatory objects are optional, and require optional objects that are listed as mandatory.",
+    checks: "1000h, 1001h and 1018h must be in `[MandatoryObjects]`, 2000h to 5FFFh in `[ManufacturerObjects]`, and all other objects in neither. Objects from 6000h on may be mandatory, depending on the device profile. A mandatory object in a different list is an error.",
+    why: "Tools derive the category of an object from its list. They reject a device whose mandatory objects are optional and require optional objects that are listed as mandatory.",
     example: "`0x2001` in `[OptionalObjects]`",
-    remedy: "Move the entry, and update the count of both lists.",
+    remedy: "Move the entry and update the count of both lists.",
 }
 
 fn disabled_object(described: &Device, findings: &mut Findings) {

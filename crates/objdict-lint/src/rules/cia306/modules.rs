@@ -15,50 +15,50 @@ rules! {
 
     "cia306/invalid-extension-limit" = INVALID_EXTENSION_LIMIT, Error, Device(invalid_extension_limit);
     summary: "a module extends an object beyond its highest sub-index",
-    checks: "Whether `ObjExtend` of each extension is at most 254, the highest sub-index of an element, and not below the number of sub-indexes in `Count`.",
+    checks: "`ObjExtend` of each extension must be at most 254, the highest sub-index of an element, and not below the number of sub-indexes in `Count`.",
     why: "`ObjExtend` is the sub-index after which the next object starts. With an invalid value, sub-indexes of the modules overlap or do not fit.",
     example: "`ObjExtend=4` and `Count=8` in `[M1SubExt6000]`",
     remedy: "Write 254, or 128 for CiA 401 objects with one bit per entry.",
 
     "cia306/missing-module-info" = MISSING_MODULE_INFO, Error, Device(missing_module_info);
     summary: "a module lacks its product information",
-    checks: "Whether each module has `[MxModuleInfo]` with `ProductName`, `ProductVersion`, `ProductRevision` and `OrderCode`.",
+    checks: "Each module must have `[MxModuleInfo]` with `ProductName`, `ProductVersion`, `ProductRevision` and `OrderCode`.",
     why: "Configuration tools show these values to users who assemble modules.",
     example: "`[M1FixedObjects]` without `[M1ModuleInfo]`",
     remedy: "Add the section or the missing keys.",
 
     "cia306/missing-obj-extend" = MISSING_OBJ_EXTEND, Warning, Device(missing_obj_extend), fix Unsafe;
     summary: "modules add bits to an object that cannot continue in the next one",
-    checks: "Whether extensions of the CiA 401 objects with one bit per sub-index (6020h to 603Fh, 6220h to 6267h) have `ObjExtend`.",
-    why: "Each of these objects has 128 bits, and the next index has the next 128. Without `ObjExtend` all bits go to the first object, up to sub-index 254.",
+    checks: "Extensions of the CiA 401 objects with one bit per sub-index (6020h to 603Fh, 6220h to 6267h) must have `ObjExtend`.",
+    why: "Each of these objects has 128 bits, and the next 128 bits are at the next index. Without `ObjExtend` all bits go to the first object, up to sub-index 254.",
     example: "`[M1SubExt6020]` with `Count=8` and without `ObjExtend`",
     remedy: "Write `ObjExtend=128`.",
     source: "CiA 306-1 §6.3, CiA 401-1 §7.3",
 
     "cia306/module-conflict" = MODULE_CONFLICT, Error, Device(module_conflict);
     summary: "two modules describe the same object differently",
-    checks: "Whether a fixed object or extension of several modules is identical in all of them: object type, data type, access, mapping, default, limits and flags, including sub-indexes. Names and `Count` may differ. An extension of an ARRAY of the coupler also has the data type of its elements. Defaults of extensions of 1027h (module list) may differ too: they are the module numbers.",
+    checks: "A fixed object or extension of several modules must be identical in all of them: object type, data type, access, mapping, default, limits and flags, including sub-indexes. Names and `Count` may differ. An extension of an ARRAY of the coupler must also have the data type of its elements. Defaults of extensions of 1027h (module list) may differ too: they are the module numbers.",
     why: "The assembled device has the object only once, so only one description can be correct.",
     example: "`[M1SubExt6000]` with UNSIGNED8 and `[M2SubExt6000]` with UNSIGNED16",
     remedy: "Use the same description in all modules.",
 
     "cia306/module-list-mismatch" = MODULE_LIST_MISMATCH, Error, Device(module_list_mismatch), fix Mixed;
     summary: "the lists of a module do not match its objects",
-    checks: "Whether each index of `[MxFixedObjects]` and `[MxSubExtends]` is described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, each described index is listed, and each sub-index of a fixed object has its object.",
+    checks: "Each index of `[MxFixedObjects]` and `[MxSubExtends]` must be described in `[MxFixedxxxx]` or `[MxSubExtxxxx]`, and each described index must be listed. Each sub-index of a fixed object must have its object.",
     why: "Tools that assemble modules use the lists and ignore objects that are not listed.",
     example: "`1=0x6423` in `[M1FixedObjects]`, and no `[M1Fixed6423]`",
     remedy: "Describe the object, or correct the list and its `NrOfEntries`.",
 
     "cia306/module-overlap" = MODULE_OVERLAP, Error, Device(module_overlap);
     summary: "an object is defined by a module and elsewhere",
-    checks: "Whether a fixed object of a module is not also a device object of an EDS, and whether no index is both a fixed object and an extension. A DCF contains the objects of the connected modules in addition to the modules.",
+    checks: "In an EDS, a fixed object of a module must not be a device object too. No index may be both a fixed object and an extension. A DCF contains the objects of the connected modules in addition to the modules.",
     why: "The object of the coupler and the object of the module share an index.",
     example: "`[6423]` and `[M1Fixed6423]`",
     remedy: "Keep only one definition.",
 
     "cia306/module-without-objects" = MODULE_WITHOUT_OBJECTS, Warning, Device(module_without_objects);
     summary: "a module adds no objects",
-    checks: "Whether each supported module has objects of its own (`[MxFixedObjects]`) or extends those of the device (`[MxSubExtends]`).",
+    checks: "Each supported module must have its own objects (`[MxFixedObjects]`) or extend the device's objects (`[MxSubExtends]`).",
     why: "A configuration tool offers the module, but nothing changes when it is plugged in. Most likely its sections were forgotten or are misspelt.",
     example: "`[M2ModuleInfo]` without `[M2FixedObjects]` and `[M2SubExtends]`",
     remedy: "Describe the objects of the module, or remove the module if it has none, such as a power supply.",

@@ -11,8 +11,8 @@ use crate::{EntryAt, Facts, stated};
 rules! {
     "cia306/access-without-mapping" = ACCESS_WITHOUT_MAPPING, Warning,
         Entry(access_without_mapping), fix Unsafe;
-    summary: "the access type names a PDO direction, but the entry is not mappable",
-    checks: "Whether entries with access `rwr` or `rww` have `PDOMapping=1`.",
+    summary: "the access type specifies a PDO direction, but the entry is not mappable",
+    checks: "Entries with access `rwr` or `rww` must have `PDOMapping=1`.",
     why: "`rwr` and `rww` are `rw` with the PDO direction that the entry can be mapped to. One of the two keys is wrong, and tools may not offer the entry for mapping.",
     example: "`AccessType=rww` and `PDOMapping=0`",
     remedy: "Write `PDOMapping=1`, or `AccessType=rw`.",
@@ -21,7 +21,7 @@ rules! {
     "cia306/dummy-below-granularity" = DUMMY_BELOW_GRANULARITY, Warning,
         Facts(dummy_below_granularity), fix Unsafe;
     summary: "a dummy type is smaller than the granularity",
-    checks: "Whether the length of each type that `[DummyUsage]` enables is a multiple of `Granularity`. With 0 the mapping is fixed and not checked, and neither is a device whose default mapping contradicts the granularity, which `cia301/mapping-granularity` reports.",
+    checks: "The length of each type that `[DummyUsage]` enables must be a multiple of `Granularity`. With 0 the mapping is fixed and not checked. A device whose default mapping contradicts the granularity is not checked either; see `cia301/mapping-granularity`.",
     why: "A device with a granularity of 8 maps whole bytes: it rejects a dummy entry of one bit, although tools offer it.",
     example: "`Granularity=8` and `Dummy0001=1`, which is BOOLEAN",
     remedy: "Write 0 for the type, or the granularity of the device.",
@@ -29,31 +29,31 @@ rules! {
 
     "cia306/dummy-type" = DUMMY_TYPE, Warning, Device(dummy_type), fix Safe;
     summary: "a data type is not allowed as a dummy",
-    checks: "Whether the types allowed in `[DummyUsage]` are BOOLEAN, an INTEGER or an UNSIGNED of any width.",
+    checks: "The types allowed in `[DummyUsage]` must be BOOLEAN, an INTEGER or an UNSIGNED of any width.",
     why: "A dummy fills unused bits of an RPDO. Only these types may be mapped as dummies; the device aborts the mapping of any other type.",
     example: "`Dummy0008=1`, which is REAL32",
     remedy: "Write 0 or remove the line. Use UNSIGNED32 for a gap of 32 bits.",
     source: "CiA 301 §7.4.7.1, CiA 306-1 §4.6.2",
 
     "cia306/mapping-not-possible" = MAPPING_NOT_POSSIBLE, Warning, EntryOf(mapping_not_possible), fix Unsafe;
-    summary: "an entry is marked mappable, but cannot be mapped",
-    checks: "Whether entries with `PDOMapping=1` are at most 64 bits long and are not `const`. A text or OCTET_STRING can be mapped if its value has at most 8 bytes; without a value its length is open, and it is reported.",
-    why: "Tools offer the entry for mapping, but the device refuses the mapping.",
+    summary: "an entry is marked as mappable but cannot be mapped",
+    checks: "Entries with `PDOMapping=1` must be at most 64 bits long and must not be `const`. A string or OCTET_STRING can be mapped if its value has at most 8 bytes. Without a value its length is undefined, and it is reported.",
+    why: "Tools offer the entry for mapping, but the device rejects the mapping.",
     example: "`PDOMapping=1` of a VISIBLE_STRING with 12 characters",
     remedy: "Write `PDOMapping=0`, or correct `DataType` or `AccessType`.",
     source: "CiA 301 §7.5.2.36",
 
     "cia306/wrong-compact-pdo" = WRONG_COMPACT_PDO, Warning, Device(wrong_compact_pdo), fix Mixed;
     summary: "`CompactPDO` has an invalid mask",
-    checks: "Whether `CompactPDO` has bits 0 and 1 (COB-ID and transmission type, present in every PDO), no bits 6 and 7 (sub-indexes 7 and 8 do not exist) and no bit 3 (sub-index 4 is reserved; used by many masters, so a note), and whether the device has PDOs.",
+    checks: "`CompactPDO` must have bits 0 and 1 set (COB-ID and transmission type, present in every PDO). Bits 6 and 7 must be clear, because sub-indexes 7 and 8 do not exist. Bit 3 must be clear, because sub-index 4 is reserved; many masters use it, so the finding is a note. The device must have PDOs.",
     why: "Tools create the communication records of all implied PDOs from this mask.",
     example: "`CompactPDO=0x1`",
-    remedy: "Add 01h and 02h, 04h for an inhibit time, 10h for an event timer, 20h for a SYNC start value. Write 0 for a device without implied PDOs.",
+    remedy: "Add 01h and 02h, and if needed 04h for an inhibit time, 10h for an event timer and 20h for a SYNC start value. Write 0 for a device without implied PDOs.",
     source: "CiA 306-1 §4.6.3.4.1, CiA 301 §7.4.8.1",
 
     "cia306/wrong-pdo-count" = WRONG_PDO_COUNT, Error, Device(wrong_pdo_count), fix Mixed;
     summary: "`NrOfRXPDO` or `NrOfTXPDO` does not match the described PDOs",
-    checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` the number of objects 1800h to 19FFh. With `CompactPDO` the number may be higher: the other PDOs are implied. Objects that are marked as disabled (`CO_disabled`) do not count.",
+    checks: "`NrOfRXPDO` must be the number of objects 1400h to 15FFh, and `NrOfTXPDO` the number of objects 1800h to 19FFh. With `CompactPDO` the number may be higher: the other PDOs are implied. Objects that are marked as disabled (`CO_disabled`) are ignored.",
     why: "Configuration tools offer the given number of PDOs. PDOs above it are never configured, and writing missing ones fails.",
     example: "`NrOfRXPDO=2` where only 1400h is described",
     remedy: "Write the number of communication parameter objects, or describe the missing ones.",

@@ -14,15 +14,15 @@ rules! {
 
     "cia306/array-of-mixed-access" = ARRAY_OF_MIXED_ACCESS, Note, Device(array_of_mixed_access);
     summary: "the entries of an ARRAY have different access types",
-    checks: "Whether sub-indexes 1 to FEh of each ARRAY can all be read, and all be written, or none. `const` counts as `ro`, `rwr` and `rww` as `rw`. The rule reports one finding for the device, with every such ARRAY. Objects below 2000h are not checked, because CiA 301 and CiA 302 define their access types.",
-    why: "Code generators and configuration tools treat the elements of an ARRAY alike, and often use the access type of the first one for all.",
+    checks: "Sub-indexes 1 to FEh of an ARRAY must not differ in read or write access. `const` is treated as `ro`, `rwr` and `rww` as `rw`. The rule reports one finding for the device, with every such ARRAY. Objects below 2000h are not checked, because CiA 301 and CiA 302 define their access types.",
+    why: "Code generators and configuration tools treat the elements of an ARRAY alike and often use the access type of the first one for all.",
     example: "An ARRAY with `AccessType=rw` at sub-index 1 and `AccessType=ro` at sub-index 2",
     remedy: "Correct the access type, or write `ObjectType=0x9` (RECORD) where the device profile allows it.",
     source: "Not in a standard; CiA 301 §7.4.3 demands one data type only",
 
     "cia306/array-of-mixed-types" = ARRAY_OF_MIXED_TYPES, Error, Object(array_of_mixed_types), fix Unsafe;
     summary: "the entries of an ARRAY have different data types",
-    checks: "Whether sub-indexes 1 to FEh of an ARRAY all have the same `DataType`.",
+    checks: "Sub-indexes 1 to FEh of an ARRAY must all have the same `DataType`.",
     why: "Code generators use one element type for the whole array and truncate or misread the other elements.",
     example: "An ARRAY with an UNSIGNED8 at sub-index 1 and an UNSIGNED32 at sub-index 2",
     remedy: "Write `ObjectType=0x9` (RECORD), or correct the data type.",
@@ -30,15 +30,15 @@ rules! {
 
     "cia306/compact-and-sub-number" = COMPACT_AND_SUB_NUMBER, Error, Object(compact_and_sub_number), fix Safe;
     summary: "an object has both `CompactSubObj` and `SubNumber`",
-    checks: "Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. Sub-indexes described in addition to the compact ones may be counted.",
+    checks: "`SubNumber` of an object with `CompactSubObj` must be 0, empty or missing. It may include sub-indexes that are described in addition to the compact ones.",
     why: "Both keys describe the sub-indexes. Some readers use one, some the other.",
     example: "`CompactSubObj=8` and `SubNumber=9`",
     remedy: "Remove `SubNumber`.",
     source: "CiA 306-1 §4.6.3.4.2",
 
     "cia306/contradictory-sub-0" = CONTRADICTORY_SUB_0, Warning, Object(contradictory_sub_0);
-    summary: "the section of a VAR and that of its sub-index 0 disagree",
-    checks: "Whether a VAR that also has a section for sub-index 0 has the same data type, access, mapping, default and limits in both. Keys that only one of them has are not compared.",
+    summary: "the sections of a VAR and of its sub-index 0 disagree",
+    checks: "A VAR that also has a section for sub-index 0 must have the same data type, access, mapping, default and limits in both. Keys that are in only one of them are not compared.",
     why: "Both sections describe the same value. Some tools read the first one, others the second one.",
     example: "`DataType=0x0006` in `[6040]` and `DataType=0x0007` in `[6040sub0]`",
     remedy: "Remove the section of the sub-index.",
@@ -46,22 +46,22 @@ rules! {
 
     "cia306/gap-in-array" = GAP_IN_ARRAY, Note, Object(gap_in_array);
     summary: "the sub-indexes of an ARRAY have a gap",
-    checks: "Whether the described sub-indexes of each ARRAY from 2000h to 5FFFh are consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps. Sub-indexes in decimal have the rule `cia306/wrong-highest-sub-index`.",
-    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap, and generated code has unused elements.",
+    checks: "The described sub-indexes of each ARRAY from 2000h to 5FFFh must be consecutive, except FFh. Other ranges are not checked: the standards define objects with gaps. For sub-indexes in decimal, see `cia306/wrong-highest-sub-index`.",
+    why: "A gap is allowed, but programs iterate over an ARRAY from 1 to sub-index 0 and get an abort at the gap. Generated code has unused elements.",
     example: "`[2000sub1]` and `[2000sub3]`, and no `[2000sub2]`",
     remedy: "Describe the missing elements, or change the object to a RECORD.",
     source: "CiA 306-1 §4.6.3.2, CiA 301 §7.4.3",
 
     "cia306/missing-sub-0" = MISSING_SUB_0, Error, Object(missing_sub_0), fix Unsafe;
     summary: "an ARRAY or RECORD has no sub-index 0",
-    checks: "Whether each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` describes sub-index 0.",
+    checks: "Each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` must describe sub-index 0.",
     why: "Managers first read sub-index 0 to get the number of entries.",
     example: "`[1003]` with `[1003sub1]` only",
     remedy: "Describe sub-index 0: UNSIGNED8, with the highest sub-index as its default.",
 
     "cia306/object-without-entries" = OBJECT_WITHOUT_ENTRIES, Warning, Facts(object_without_entries);
-    summary: "an ARRAY or RECORD has no entry besides sub-index 0",
-    checks: "Whether each ARRAY and RECORD without `CompactSubObj` describes a further sub-index. PDO mappings, objects of modular devices, and objects whose sub-index 0 counts more entries are not checked; missing sub-indexes that a document requires have their own rules.",
+    summary: "an ARRAY or RECORD has no entry except sub-index 0",
+    checks: "Each ARRAY and RECORD without `CompactSubObj` must describe a sub-index in addition to sub-index 0. PDO mappings, objects of modular devices and objects whose sub-index 0 specifies more entries are not checked. Missing sub-indexes that a document requires have their own rules.",
     why: "The object holds no data. The descriptions of its entries were probably lost.",
     example: "`[2000]` with `ObjectType=0x8` and `SubNumber=1`, and only `[2000sub0]`",
     remedy: "Describe the entries, or remove the object.",
@@ -69,7 +69,7 @@ rules! {
 
     "cia306/sub-0-type" = SUB_0_TYPE, Error, Entry(sub_0_type), fix Unsafe;
     summary: "sub-index 0 is not an UNSIGNED8",
-    checks: "Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8, except in the obsolete 1004h, where it is a number of PDOs.",
+    checks: "Sub-index 0 of an ARRAY, RECORD or DEFSTRUCT must have the data type UNSIGNED8. An exception is the obsolete 1004h, where it is a number of PDOs.",
     why: "Sub-index 0 is the highest sub-index, and managers read one byte.",
     example: "`[1A00sub0]` with `DataType=0x0007`",
     remedy: "Write `DataType=0x0005`.",
@@ -81,15 +81,15 @@ rules! {
             "incomplete-pdo-parameter", "incomplete-sdo-parameter"
         ];
     summary: "`SubNumber` does not match the described sub-indexes",
-    checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT equals the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
-    why: "Readers that count do not see the last sub-indexes, or look for missing ones.",
+    checks: "`SubNumber` of an ARRAY, RECORD or DEFSTRUCT must equal the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
+    why: "Readers that count do not see the last sub-indexes or look for missing ones.",
     example: "`SubNumber=3` where sub-indexes 0 to 3 are described",
     remedy: "Write the number of sections.",
     source: "CiA 306-1 §4.6.3.2",
 
     "cia306/sub-of-var" = SUB_OF_VAR, Error, Object(sub_of_var);
     summary: "a VAR or DOMAIN has sub-indexes",
-    checks: "Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is accepted: it may describe the value of a VAR.",
+    checks: "An object of type VAR, DOMAIN, DEFTYPE or NULL must not describe sub-indexes. Only sub-index 0 is accepted: it may describe the value of a VAR.",
     why: "Some tools treat the object as a single value and drop its sub-indexes, others treat it as a RECORD.",
     example: "`ObjectType=0x7` in `[2000]`, and `[2000sub1]`",
     remedy: "Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.",
@@ -97,8 +97,8 @@ rules! {
 
     "cia306/sub-without-object" = SUB_WITHOUT_OBJECT, Error, Device(sub_without_object), fix Unsafe;
     summary: "a sub-index has no object",
-    checks: "Whether the object of each sub-index has a section.",
-    why: "Object type and name are missing; many tools refuse the file.",
+    checks: "The object of each sub-index must have a section.",
+    why: "Object type and name are missing; many tools reject the file.",
     example: "`[2001sub1]` without `[2001]`",
     remedy: "Describe the object, or remove its sub-indexes.",
     source: "CiA 306-1 §4.6.3.2",
@@ -106,14 +106,14 @@ rules! {
     "cia306/wrong-highest-sub-index" = WRONG_HIGHEST_SUB_INDEX, Error,
         Object(wrong_highest_sub_index), fix Unsafe;
     summary: "sub-index 0 is not the highest sub-index",
-    checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Sub-indexes that are evidently decimal, `[2000sub10]` after `[2000sub9]` with the name or the count 10, are an error: they are read as hexadecimal, and those from 100 on are lost. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
-    why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",
+    checks: "The value of sub-index 0 must be the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Sub-indexes that are evidently decimal, `[2000sub10]` after `[2000sub9]` with the name or the count 10, are an error: they are read as hexadecimal, and those from 100 on are lost. Objects with a writable sub-index 0 are not checked. Neither are objects whose sub-index 0 is the number of used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
+    why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it and get an abort for missing ones.",
     example: "`[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`",
     remedy: "Write the highest sub-index, or describe the missing entries.",
 
     "cia306/wrong-structure-entry" = WRONG_STRUCTURE_ENTRY, Error, Object(wrong_structure_entry);
     summary: "sub-index FFh does not match the object",
-    checks: "Whether each sub-index FFh, which describes the structure of its object, is an UNSIGNED32 with the object code in the lowest byte and the data type above. A missing value is accepted, and DEFSTRUCTs are not checked.",
+    checks: "Each sub-index FFh, which describes the structure of its object, must be an UNSIGNED32 with the object code in the lowest byte and the data type above. A missing value is accepted, and DEFSTRUCTs are not checked.",
     why: "A master that reads FFh gets a wrong object type or data type.",
     example: "`[2000subFF]` with `DefaultValue=0x00000509` in an ARRAY",
     remedy: "Write `0x00`, four digits of the data type and two digits of the object code: `0x00000508` is an ARRAY of UNSIGNED8.",

@@ -8,39 +8,39 @@ use crate::{EntryAt, profile};
 rules! {
     "cia306/described-standard-type" = DESCRIBED_STANDARD_TYPE, Note, Device(described_standard_type);
     summary: "the file describes a data type of CiA 301",
-    checks: "Whether the file describes objects 0001h to 0025h, the data types and structures that CiA 301 defines.",
-    why: "Every tool knows these types. Some refuse a file with objects below 1000h, and the others learn nothing new. Only the first one is shown.",
+    checks: "Reports objects 0001h to 0025h, the data types and structures that CiA 301 defines. Only the first one is shown.",
+    why: "Every tool knows these types. Some reject a file with objects below 1000h, and the others learn nothing new.",
     example: "`[0005]`",
     remedy: "Remove the sections and their lines in the lists. Custom types start at 0040h.",
     source: "CiA 301 §7.4.7, table 44; CiA 306-1 §4.6.3",
 
     "cia306/domain-mismatch" = DOMAIN_MISMATCH, Warning, Entry(domain_mismatch), fix Unsafe;
     summary: "object type and data type disagree about a DOMAIN",
-    checks: "Whether an object or sub-index of object type DOMAIN has the data type DOMAIN, and whether an object with data type DOMAIN has an object type other than VAR. A sub-index may have object type VAR.",
-    why: "A DOMAIN is transferred in segments and has no value in memory. Tools that evaluate one of the two keys treat the object differently from tools that evaluate the other.",
+    checks: "An object or sub-index of object type DOMAIN must have the data type DOMAIN. An object with data type DOMAIN must have an object type other than VAR. A sub-index may have object type VAR.",
+    why: "A DOMAIN is transferred in segments and has no value in memory. Some tools evaluate the object type, others the data type, so they treat the object differently.",
     example: "`ObjectType=0x7` and `DataType=0x000F`",
     remedy: "Write `ObjectType=0x2`, or correct the data type.",
     source: "CiA 301 §7.4.3, CiA 306-1 §4.6.3.2",
 
     "cia306/nested-structure" = NESTED_STRUCTURE, Warning, EntryOf(nested_structure), fix Mixed;
     summary: "an entry is a structure",
-    checks: "Whether a sub-index or VAR has an object type with sub-indexes (ARRAY, RECORD, DEFSTRUCT), or a structured data type: 0020h to 0025h, or a DEFSTRUCT of the file.",
+    checks: "Reports a sub-index or VAR whose object type has sub-indexes (ARRAY, RECORD, DEFSTRUCT). A structured data type is reported too: 0020h to 0025h, or a DEFSTRUCT of the file.",
     why: "A sub-index cannot have sub-indexes, so the parts of the structure cannot be accessed.",
     example: "`ObjectType=0x8` in `[2000sub1]`",
-    remedy: "Use a separate sub-index or object for each part; in an object of CiA 301, write the data type of the document.",
+    remedy: "Use a separate sub-index or object for each part. In an object of CiA 301, write the data type of the document.",
     source: "CiA 301 §7.4.4",
 
     "cia306/null-object" = NULL_OBJECT, Warning, Object(null_object);
     summary: "an object of type NULL is described",
-    checks: "Whether an object has object type 0, NULL.",
-    why: "A NULL object has no data to read or write. Tools show an object that does not respond, or refuse the file.",
+    checks: "Reports objects of object type 0, NULL.",
+    why: "A NULL object has no data to read or write. Tools show an object that does not respond or reject the file.",
     example: "`ObjectType=0x0`",
     remedy: "Write the actual object type, or remove the object and its list entry.",
     source: "CiA 301 §7.4.3, table 42",
 
     "cia306/reserved-index" = RESERVED_INDEX, Warning, Object(reserved_index);
     summary: "an object has a reserved index",
-    checks: "Whether an object has index 0000h or is in 0260h to 0FFFh, 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh.",
+    checks: "Reports objects with index 0000h or in 0260h to 0FFFh, 101Ah to 101Fh, 102Bh to 11FFh, 1C00h to 1EFFh or C000h to FFFFh.",
     why: "A later version of the standard may define the index, and tools will then misinterpret the device. A conformance test fails.",
     example: "`[C000]`",
     remedy: "Move vendor-specific objects to 2000h to 5FFFh.",
@@ -48,7 +48,7 @@ rules! {
 
     "cia306/undefined-data-type" = UNDEFINED_DATA_TYPE, Error, EntryOf(undefined_data_type), stops "*";
     summary: "a data type is not defined",
-    checks: "Whether `DataType` is a type of CiA 301, or, from 0040h to 025Fh, a DEFTYPE or DEFSTRUCT of the file.",
+    checks: "`DataType` must be a type of CiA 301 or, from 0040h to 025Fh, a DEFTYPE or DEFSTRUCT of the file.",
     why: "Length and meaning of the value are unknown; the value can be neither read nor written.",
     example: "`DataType=0x0017`",
     remedy: "Write the intended type, such as `0x0007` for UNSIGNED32, or describe a custom type in a section with its index.",

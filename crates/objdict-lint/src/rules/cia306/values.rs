@@ -16,14 +16,14 @@ rules! {
 
     "cia306/fixed-by-limits" = FIXED_BY_LIMITS, Note, EntryOf(fixed_by_limits);
     summary: "the limits of an entry allow only one value",
-    checks: "Whether `LowLimit` and `HighLimit` differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value. So may enumerations of a document, such as 6086h (motion profile type), whose default is that value: the device supports one of the defined choices.",
+    checks: "`LowLimit` and `HighLimit` must differ in writable entries from 2000h on. Entries that `ObjFlags` excludes from downloads are commands and may have a single value. So may enumerations of a document, such as 6086h (motion profile type), whose default is that value: the device supports one of the defined choices.",
     why: "With only one allowed value, the entry is effectively a constant. Often a limit still has its initial value.",
     example: "`LowLimit=0` and `HighLimit=0` of an entry with `AccessType=rw`",
     remedy: "Correct the limits, or remove them.",
 
     "cia306/formula-out-of-range" = FORMULA_OUT_OF_RANGE, Error, EntryOf(formula_out_of_range);
     summary: "a formula exceeds the range of its data type",
-    checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for the node-ID of the node.",
+    checks: "`$NODEID` plus the number must fit the data type for every node-ID from 1 to 127. In a DCF, it must fit for the node-ID of the node.",
     why: "On some nodes the value is truncated, which gives a wrong COB-ID or node-ID.",
     example: "`DefaultValue=$NODEID+0x90` of an UNSIGNED8",
     remedy: "Choose a larger data type, or correct the number.",
@@ -32,43 +32,43 @@ rules! {
     "cia306/invalid-value" = INVALID_VALUE, Error, Device(invalid_value), fix Mixed,
         stops "*" at [ObjectType, DataType, AccessType, DefaultValue, ParameterValue, CompactSubObj];
     summary: "a value is not valid for its key",
-    checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings; those that are only spelled otherwise have the rule `cia306/date-spelling`. In real files most findings are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN or OCTET_STRING: tools read each of them differently.",
-    why: "Tools refuse the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",
+    checks: "Numbers must be valid and within the range of their type or key. Defaults and limits must be valid for their data type. Access types, object types, dates and times must be defined in the standard. Invalid dates and times are only warnings; for dates and times that only differ in spelling, see `cia306/date-spelling`. In real files most findings are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN or OCTET_STRING. Tools read each of them differently.",
+    why: "Tools reject the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",
     example: "`DefaultValue=300` of an UNSIGNED8",
     remedy: "Write a valid value, or correct the data type.",
     source: "CiA 306-1 §4.3, §4.6.3.2",
 
     "cia306/limits-on-text" = LIMITS_ON_TEXT, Warning, Entry(limits_on_text), fix Unsafe;
     summary: "a string has limits",
-    checks: "Whether `LowLimit` and `HighLimit` are used with numbers only, not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
+    checks: "`LowLimit` and `HighLimit` must be used with numbers only, not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
     why: "Strings have no defined order, so limits have no meaning. They may have been meant as lengths, or the data type is wrong.",
     example: "`DataType=0x0009` with `HighLimit=20`",
     remedy: "Remove the limits, or correct the data type.",
 
     "cia306/low-limit-above-high" = LOW_LIMIT_ABOVE_HIGH, Error, EntryOf(low_limit_above_high), fix Unsafe;
     summary: "the low limit is above the high limit",
-    checks: "Whether `LowLimit` is at most `HighLimit`, both interpreted in the data type. Limits with `$NODEID` are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF.",
-    why: "No value is within such limits: tools refuse every value, or skip the check.",
+    checks: "`LowLimit` must be at most `HighLimit`, both interpreted in the data type. Limits with `$NODEID` are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF.",
+    why: "No value is within such limits: tools reject every value or skip the check.",
     example: "`LowLimit=10` and `HighLimit=2`",
     remedy: "Swap the two. Write limits of signed types in decimal: `LowLimit=-128`.",
 
     "cia306/missing-constant" = MISSING_CONSTANT, Note, Entry(missing_constant);
     summary: "a constant has no value",
-    checks: "Whether entries with access `const` have a `DefaultValue`. Not checked: strings 1008h to 100Ah and identity 1018h, which often share one description for several versions of a device, DOMAINs, and sub-index 0, which has its own rule.",
-    why: "Tools know a constant without asking the device. Code generated from the description contains 0 instead.",
+    checks: "Entries with access `const` must have a `DefaultValue`. Strings 1008h to 100Ah and identity 1018h are not checked, because several versions of a device often share one description. DOMAINs are not checked either. Sub-index 0 has its own rule.",
+    why: "Tools know a constant without reading it from the device. Code generated from the description contains 0 instead.",
     example: "`AccessType=const` without `DefaultValue`",
     remedy: "Write the value, or `AccessType=ro` for a value that differs between devices.",
 
     "cia306/single-limit" = SINGLE_LIMIT, Note, Entry(single_limit);
     summary: "an entry has only one of the two limits",
-    checks: "Whether `LowLimit` and `HighLimit` are both given, or neither. A low limit of 0 or above of a signed type, and a high limit of any type, leave the other end open.",
+    checks: "`LowLimit` and `HighLimit` must be both given or both missing. A low limit of 0 or above of a signed type and a high limit of any type leave the other end open.",
     why: "A single limit is allowed, but tools interpret the missing one differently: 0, the end of the type's range, or no limits at all.",
     example: "`HighLimit=100`, and no `LowLimit`",
     remedy: "Add the other limit.",
 
     "cia306/value-outside-limits" = VALUE_OUTSIDE_LIMITS, Error, EntryOf(value_outside_limits);
     summary: "a value is outside its limits",
-    checks: "Whether `DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` are between `LowLimit` and `HighLimit`. Formulas are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF. 1010h and 1011h are not checked: their limits apply to the signature, not to the value that is read.",
+    checks: "`DefaultValue`, `ParameterValue` and the numbers of `[xxxxValue]` must be between `LowLimit` and `HighLimit`. Formulas are evaluated for node-IDs 1 and 127, or for the node-ID of the DCF. 1010h and 1011h are not checked: their limits apply to the signature, not to the value that is read.",
     why: "The device rejects the value; a tool that restores it gets an abort.",
     example: "`DefaultValue=5` and `HighLimit=4`",
     remedy: "Correct the value or the limit.",
@@ -76,8 +76,8 @@ rules! {
 
     "cia306/write-only-default" = WRITE_ONLY_DEFAULT, Note, EntryOf(write_only_default);
     summary: "a write-only entry has a default",
-    checks: "Whether entries with `AccessType=wo` have a `DefaultValue` other than 0. Settings that a device profile defines as `wo`, such as 60C4h sub-index 5 (size of data record), may have one.",
-    why: "The entry cannot be read back, so tools that restore or compare defaults fail at it. Mostly the entry is a command, and writing its default would execute the command.",
+    checks: "Reports entries with `AccessType=wo` and a `DefaultValue` other than 0. Settings that a device profile defines as `wo`, such as 60C4h sub-index 5 (size of data record), may have one.",
+    why: "The entry cannot be read back, so tools fail when they restore or compare defaults. Mostly the entry is a command, and writing its default would execute the command.",
     example: "`AccessType=wo` and `DefaultValue=1`",
     remedy: "Remove the value, or correct the access type.",
 }

@@ -10,16 +10,16 @@ rules! {
     source: "CiA 311 §6.4, annex A";
 
     "cia311/unfitting-type" = UNFITTING_TYPE, Warning, Device(unfitting_type);
-    summary: "a type of the application process does not fit the entry that has it",
-    checks: "Whether the members of a struct that divides a number into bit fields are inside the number and do not share bits, the values of an `enum` are in the range of the data type, and the only `subrange` of an array that begins at 0 or 1 ends at the last sub-index. One finding for each type.",
-    why: "Tools show a bit under two names, or none; generated code reads other bits than the device writes.",
+    summary: "a type of the application process does not fit its entry",
+    checks: "In a struct that divides a number into bit fields, the members must be inside the number and must not share bits. The values of an `enum` must be in the range of the data type. If the only `subrange` of an array begins at 0 or 1, it must end at the last sub-index. The rule reports one finding for each type.",
+    why: "Tools show a bit under two names or under none. Generated code does not read the bits that the device writes.",
     example: r#"`<varDeclaration start="4" size="5" …>` after `<varDeclaration start="2" size="3" …>` in one struct"#,
-    remedy: "Correct `start` and `size` of the members, the values or the subrange, or the entry.",
+    remedy: "Correct `start` and `size` of the members, the values or the subrange, or correct the entry.",
 
     "cia311/value-without-name" = VALUE_WITHOUT_NAME, Warning, Device(value_without_name);
     summary: "a value is not in its enumeration",
-    checks: "Whether the default and the actual value of an entry whose type is an `enum`, or a struct with members of such a type, have a name in it. An enumeration with an invalid value is not compared.",
-    why: "Tools that offer the names cannot show the value, and replace it by another one when they write the device.",
+    checks: "If the type of an entry is an `enum`, or a struct with members of such a type, its default and actual value must have a name in the enumeration. An enumeration with an invalid value is not compared.",
+    why: "Tools that offer the names cannot show the value. When they write the device, they replace the value by a different one.",
     example: r#"`<defaultValue value="9"/>` of a parameter whose `enum` has the values 0 to 2"#,
     remedy: "Add the value to the enumeration, or correct it.",
 }

@@ -13,7 +13,7 @@ rules! {
 
     "cia401/analogue-events-off" = ANALOGUE_EVENTS_OFF, Note, Applied(analogue_events_off);
     summary: "a configuration maps analogue inputs into an event-driven TPDO but leaves their events disabled",
-    checks: "Whether a configuration (DCF or XDC) sets 6423h, and selects an event in 6421h, when a valid, event-driven TPDO (transmission type 254 or 255) without an event timer carries analogue inputs. In a device description this is not a finding: the profile disables the events by default.",
+    checks: "If a valid, event-driven TPDO (transmission type 254 or 255) without an event timer carries analogue inputs, a configuration (DCF or XDC) must set 6423h and select an event in 6421h. In a device description this is not a finding: the profile disables the events by default.",
     why: "The device never sends the TPDO: while 6423h is false or 6421h is 0, a change of an analogue input is not an event. This is the most common reason for missing analogue values.",
     example: "`[1801sub2]` with 255, `[1801sub5]` with 0, and `[6423]` with `DefaultValue=0` and no `ParameterValue`",
     remedy: "Set `ParameterValue=1` at 6423h, select an event in 6421h, set an event timer, or send the TPDO on SYNC.",
@@ -21,15 +21,15 @@ rules! {
 
     "cia401/channels-not-in-device-type" = CHANNELS_NOT_IN_DEVICE_TYPE, Warning,
         Applied(channels_not_in_device_type), fix Unsafe;
-    summary: "the module has channels that its device type does not state",
-    checks: "Whether 1000h states each kind of channel that the description has objects for: bit 16 for digital inputs, bit 17 for digital outputs, bit 18 for analogue inputs, bit 19 for analogue outputs.",
+    summary: "the module has channels that are missing from its device type",
+    checks: "1000h must indicate each kind of channel that the description has objects for: bit 16 for digital inputs, bit 17 for digital outputs, bit 18 for analogue inputs, bit 19 for analogue outputs.",
     why: "A master that relies on the device type does not use these channels.",
     example: "`[6401]`, and `[1000]` with `DefaultValue=0x00030191`",
     remedy: "Set the bit, in the description and in the device.",
 
     "cia401/channels-without-pdo" = CHANNELS_WITHOUT_PDO, Warning, Applied(channels_without_pdo);
     summary: "channels of an I/O module have no PDO",
-    checks: "Whether a module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, maps the last of them or has a PDO above PDO 4. Channels of modules of a modular device are not counted.",
+    checks: "A module with more than 8 bytes of digital inputs or outputs, or more than 12 words of analogue ones, must map the last of them or have a PDO above PDO 4. Channels of modules of a modular device are ignored.",
     why: "The default PDOs are full, so the remaining channels are accessible by SDO only, which is too slow for process data.",
     example: "`[6000sub0]` with `DefaultValue=12`, and no TPDO above TPDO 4",
     remedy: "Add PDOs from PDO 5 on for the remaining channels, not valid by default.",
@@ -37,15 +37,15 @@ rules! {
 
     "cia401/device-type-without-channels" = DEVICE_TYPE_WITHOUT_CHANNELS, Error,
         Applied(device_type_without_channels), fix Unsafe;
-    summary: "the device type states channels that the module does not have",
-    checks: "Whether there is an object of any width for each kind of channel that 1000h states: bit 16 for digital inputs (6000h, 6100h, 6120h or 6020h to 6027h), bit 17 for digital outputs (6200h, 6300h, 6320h, 6220h to 6227h), bit 18 for analogue inputs (6400h to 6404h), bit 19 for analogue outputs (6410h to 6414h). In a device with several logical devices the types are in 67FFh and each object 800h further. Channels that a module of a modular device may add are not reported. The PDOs of channels that the module does not have are not demanded.",
+    summary: "the device type indicates channels that the module does not have",
+    checks: "For each kind of channel that 1000h indicates, an object of any width must be described. Bit 16 is for digital inputs (6000h, 6100h, 6120h or 6020h to 6027h), bit 17 for digital outputs (6200h, 6300h, 6320h, 6220h to 6227h), bit 18 for analogue inputs (6400h to 6404h), bit 19 for analogue outputs (6410h to 6414h). In a device with several logical devices the types are in 67FFh and each object 800h further. Channels that a module of a modular device may add are not reported. PDOs of channels that the module does not have are not required.",
     why: "A master relies on the device type: it uses the channels and the PDOs that carry them. In real files the device type is nearly always copied from a larger device of the same family.",
     example: "`[1000]` with `DefaultValue=0x000F0191`, and no analogue channels",
     remedy: "Clear the bit, or describe the channels.",
 
     "cia401/digital-events-off" = DIGITAL_EVENTS_OFF, Warning, Applied(digital_events_off);
     summary: "the events of digital inputs are switched off",
-    checks: "Whether a configuration (DCF or XDC) does not set 6005h to false, or all masks of 6006h, 6007h and 6008h to 0, when a valid, event-driven TPDO (transmission type 254 or 255) without an event timer carries digital inputs. `cia401/wrong-default` checks the defaults.",
+    checks: "If a valid, event-driven TPDO (transmission type 254 or 255) without an event timer carries digital inputs, a configuration (DCF or XDC) must not disable their events. It must not set 6005h to false, or all masks of 6006h, 6007h and 6008h to 0. `cia401/wrong-default` checks the defaults.",
     why: "The TPDO waits for an event that the inputs never raise: the master sees no change of the inputs.",
     example: "`[6005]` with `ParameterValue=0` and `[1800sub2]` with `ParameterValue=255`",
     remedy: "Write `ParameterValue=1` to 6005h, set the bits of the inputs in a mask, or set the event timer of the TPDO.",
@@ -53,25 +53,25 @@ rules! {
 
     "cia401/error-mode-without-value" = ERROR_MODE_WITHOUT_VALUE, Warning, Against(error_mode_without_value);
     summary: "an error mode has no error value",
-    checks: "Whether outputs with an error mode also have the error value: 6207h for 6206h, 6307h for 6306h, 6327h for 6326h, 6260h to 6267h for 6250h to 6257h, 6444h or 6445h for 6443h. Objects that a module of a modular device may add are not reported.",
-    why: "The error mode makes an output take its error value when the master fails. Without an error value the state of the output is undefined.",
+    checks: "Outputs with an error mode must also have the error value: 6207h for 6206h, 6307h for 6306h, 6327h for 6326h, 6260h to 6267h for 6250h to 6257h, 6444h or 6445h for 6443h. Objects that a module of a modular device may add are not reported.",
+    why: "If the master fails, an output with an error mode assumes its error value. Without an error value the state of the output is undefined.",
     example: "`[6206]` without `[6207]`",
     remedy: "Describe the error value or remove the error mode.",
     source: "CiA 401 (6206h, 6207h, 6443h to 6445h)",
 
     "cia401/interrupt-limits-crossed" = INTERRUPT_LIMITS_CROSSED, Warning, Applied(interrupt_limits_crossed);
     summary: "the lower interrupt limit of an analogue input is above the upper one",
-    checks: "Whether 6425h and 642Bh (lower limits) are not above 6424h and 642Ah (upper limits), channel by channel.",
+    checks: "6425h and 642Bh (lower limits) must not be above 6424h and 642Ah (upper limits), channel by channel.",
     why: "An input raises an event above the upper limit and below the lower one. If the limits are crossed, each value raises an event and the TPDO floods the network.",
     example: "`[6424sub1]` with `DefaultValue=100`, `[6425sub1]` with `DefaultValue=200`",
-    remedy: "Exchange the limits.",
+    remedy: "Swap the limits.",
     source: "CiA 401 (6424h, 6425h, 642Ah, 642Bh)",
 
     "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning,
         Applied(wrong_default_mapping), fix Unsafe;
     summary: "the default mapping of a PDO of an I/O module differs from CiA 401",
-    checks: "Whether the default mapping of PDO 1 to 4 in an EDS is that of the profile, as far as there are channels: RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h), TPDO 1 the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply when bit 23 of 1000h declares a manufacturer-specific mapping, to devices with several logical devices, to PDOs that map nothing, and to PDOs whose entries are invalid.",
-    why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files most PDOs that differ carry fewer channels than available, which affects only the missing ones.",
+    checks: "In an EDS, the default mapping of PDO 1 to 4 must follow the profile, as far as there are channels. RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h). TPDO 1 carries the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply if bit 23 of 1000h declares a manufacturer-specific mapping. It does not apply to devices with several logical devices, to PDOs that map nothing or to PDOs whose entries are invalid.",
+    why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files, most deviating PDOs carry fewer channels than available, which affects only the missing ones.",
     example: "`[1A00sub1]` with `DefaultValue=0x64010110`",
     remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
     source: "CiA 401, default PDOs",
@@ -79,7 +79,7 @@ rules! {
     "cia401/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
         Applied(wrong_transmission_type), fix Unsafe;
     summary: "a default PDO of an I/O module has a transmission type other than 255",
-    checks: "Whether the default transmission type of PDO 1 to 4 of an EDS, as far as there are channels for them, is 255: sent when an input changes, applied immediately. The rule does not apply to TPDOs of analogue inputs that are sent every 1 to 240 SYNCs, to PDOs that are not valid by default, when bit 23 of 1000h declares a manufacturer-specific mapping, and to devices with several logical devices.",
+    checks: "In an EDS, the default transmission type of PDO 1 to 4, as far as there are channels for them, must be 255: sent when an input changes, applied immediately. The rule does not apply to TPDOs of analogue inputs that are sent every 1 to 240 SYNCs or to PDOs that are not valid by default. It does not apply if bit 23 of 1000h declares a manufacturer-specific mapping, or to devices with several logical devices.",
     why: "Without configuration, a master gets no inputs from a module that waits for a SYNC. With 254 the vendor, not the profile, defines when the PDO is sent.",
     example: "`[1800sub2]` with `DefaultValue=254`",
     remedy: "Write `DefaultValue=255`, in the description and in the device.",
@@ -87,7 +87,7 @@ rules! {
 
     "cia401/zero-scaling" = ZERO_SCALING, Error, Expected(zero_scaling);
     summary: "an analogue channel is configured with a scaling of 0",
-    checks: "Whether a configuration (DCF or XDC) sets no element of 642Fh, 6432h, 6442h or 6447h to 0. `cia401/wrong-default` checks the defaults.",
+    checks: "A configuration (DCF or XDC) must not set an element of 642Fh, 6432h, 6442h or 6447h to 0. `cia401/wrong-default` checks the defaults.",
     why: "The value of the channel is multiplied by 0, so an input always reads its offset and an output never changes.",
     example: "`[6432sub1]` with `ParameterValue=0`",
     remedy: "Write 1 for no scaling.",
