@@ -8,8 +8,8 @@ use crate::{Drive, Facts};
 rules! {
     "cia402/incomplete-touch-probe" = INCOMPLETE_TOUCH_PROBE, Warning, Drive(incomplete_touch_probe);
     summary: "the description of a touch probe is incomplete",
-    checks: "Whether 60B8h (touch probe function) and 60B9h (touch probe status) are both described if one of them or 60BAh to 60BDh (positions of touch probes) is.",
-    why: "Without the function the probe cannot be enabled; without the status a master does not know whether the position was sampled.",
+    checks: "If 60B8h (touch probe function), 60B9h (touch probe status) or one of 60BAh to 60BDh (positions of touch probes) is described, both 60B8h and 60B9h must be described.",
+    why: "Without the function the probe cannot be enabled. Without the status a master cannot know that the position was sampled.",
     example: "`[60B8]` and `[60BA]` without `[60B9]`",
     remedy: "Describe the missing object.",
     source: "CiA 402-2, touch probe",
@@ -17,8 +17,8 @@ rules! {
     "cia402/interpolation-without-data" = INTERPOLATION_WITHOUT_DATA, Warning,
         Drive(interpolation_without_data);
     summary: "interpolation is supported without its data record or its time",
-    checks: "Whether a drive whose 6502h states interpolated position mode has 60C1h (interpolation data record) and 60C2h (interpolation time period), and a drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) has 60C1h. A missing 60C0h is named beside the others.",
-    why: "A master writes the set-points to the data record and the time between two of them to 60C2h; without them there is nothing to interpolate.",
+    checks: "If 6502h indicates interpolated position mode, the drive must have 60C1h (interpolation data record) and 60C2h (interpolation time period). A drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) must have 60C1h. A missing 60C0h is named together with the others.",
+    why: "A master writes the set-points to the data record and the time between two of them to 60C2h. Without them the drive cannot interpolate.",
     example: "`DefaultValue=0x00000041` in `[6502]`, without `[60C1]` and `[60C2]`",
     remedy: "Describe the objects, or clear bit 6 of 6502h.",
     source: "CiA 402-2, interpolated position mode",
@@ -26,16 +26,16 @@ rules! {
     "cia402/notation-without-dimension" = NOTATION_WITHOUT_DIMENSION, Warning,
         Drive(notation_without_dimension);
     summary: "only one of notation index and dimension index is described",
-    checks: "Whether both unit objects of version 2 are described: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
-    why: "The notation index is a power of ten, the dimension index a unit: neither has a meaning alone.",
+    checks: "The two unit objects of version 2 must both be described: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
+    why: "The notation index is a power of ten and the dimension index is a unit: neither is meaningful without the other.",
     example: "`[6089]` without `[608A]`",
-    remedy: "Describe the other, or use 60A8h to 60ABh of version 4.",
+    remedy: "Describe the other object, or use 60A8h to 60ABh of version 4.",
     source: "CiA 402 version 2, factor group",
 
     "cia402/target-without-actual-value" = TARGET_WITHOUT_ACTUAL_VALUE, Warning,
         Applied(target_without_actual_value);
     summary: "a target is described without its actual value",
-    checks: "Whether the actual value of each target is described: 6044h for 6042h, 6064h for 607Ah, 606Ch for 60FFh, 6077h for 6071h. If 6502h states a mode that requires the actual value, `cia402/missing-object` reports it instead.",
+    checks: "The actual value of each target must be described: 6044h for 6042h, 6064h for 607Ah, 606Ch for 60FFh, 6077h for 6071h. If 6502h indicates a mode that requires the actual value, `cia402/missing-object` reports it instead.",
     why: "Without the actual value a master cannot monitor the axis or detect that it has reached the target.",
     example: "`[607A]` without `[6064]`",
     remedy: "Describe the actual value.",
@@ -43,8 +43,8 @@ rules! {
 
     "cia402/time-without-window" = TIME_WITHOUT_WINDOW, Note, Drive(time_without_window);
     summary: "a time is described without its window",
-    checks: "Whether 6065h (following error window) is described with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.",
-    why: "The time states how long the value may be outside, or must be inside, a window that cannot be set.",
+    checks: "If a time is described, its window must be described too: 6065h (following error window) with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.",
+    why: "The time limits how long the value may be outside, or must be inside, a window that cannot be set.",
     example: "`[6068]` without `[6067]`",
     remedy: "Describe the window, or remove the time.",
     source: "CiA 402-2, IEC 61800-7-201",

@@ -7,7 +7,7 @@ use crate::rule::rules;
 rules! {
     "cia402/limit-min-above-max" = LIMIT_MIN_ABOVE_MAX, Error, Drive(limit_min_above_max);
     summary: "no position or speed is between the limits of a drive",
-    checks: "Whether sub-index 1 of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount) is not greater than sub-index 2, configured or default. Two equal positions other than 0 are a warning.",
+    checks: "Sub-index 1 of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount) must not be greater than sub-index 2, configured or by default. Two equal positions other than 0 are a warning.",
     why: "No position is between the limits: depending on the vendor, the drive rejects every target or treats the limits as disabled.",
     example: "`DefaultValue=1000` in `[607Dsub1]`, `DefaultValue=-1000` in `[607Dsub2]`",
     remedy: "Swap the values, or write the limits of the machine. If both limits are 0, many drives disable them, so they are not reported.",
@@ -15,7 +15,7 @@ rules! {
 
     "cia402/limit-outside-range" = LIMIT_OUTSIDE_RANGE, Warning, Drive(limit_outside_range);
     summary: "a software limit is outside the position range",
-    checks: "Whether the limits of 607Dh (software position limit) are within 607Bh (position range limit), if both have a lower limit below the upper one.",
+    checks: "The limits of 607Dh (software position limit) must be within 607Bh (position range limit), if both have a lower limit below the upper one.",
     why: "Positions wrap at the end of the range before they reach the limit, so the limit never stops the axis.",
     example: "`DefaultValue=100000` in `[607Dsub2]`, `DefaultValue=36000` in `[607Bsub2]`",
     remedy: "Move the software limit into the range, or widen the range.",
@@ -23,24 +23,24 @@ rules! {
 
     "cia402/set-point-above-limit" = SET_POINT_ABOVE_LIMIT, Warning, Drive(set_point_above_limit);
     summary: "a set-point of a drive is above its limit",
-    checks: "Whether 6081h and 60FFh (profile and target velocity) are not above 607Fh (max profile velocity), 6083h and 609Ah (profile and homing acceleration) not above 60C5h, 6084h and 6085h (profile and quick stop deceleration) not above 60C6h, 6071h, 60E0h and 60E1h (target torque and torque limits) not above 6072h (max torque), and 6042h (vl target velocity) not above sub-index 2 of 6046h, configured or default. A limit of 0 or without a value is ignored.",
-    why: "The drive moves more slowly than configured, or rejects the set-point.",
+    checks: "Set-points must not be above their limits, configured or by default. The limit is 607Fh (max profile velocity) for 6081h and 60FFh (profile and target velocity), 60C5h for 6083h and 609Ah (profile and homing acceleration) and 60C6h for 6084h and 6085h (profile and quick stop deceleration). It is 6072h (max torque) for 6071h, 60E0h and 60E1h (target torque and torque limits), and sub-index 2 of 6046h for 6042h (vl target velocity). A limit of 0 or without a value is ignored.",
+    why: "The drive moves more slowly than configured or rejects the set-point.",
     example: "`DefaultValue=5000` in `[6081]`, `DefaultValue=3000` in `[607F]`",
-    remedy: "Lower the set-point, or raise the limit.",
+    remedy: "Lower the set-point, or increase the limit.",
     source: "CiA 402-2, IEC 61800-7-201",
 
     "cia402/target-outside-limits" = TARGET_OUTSIDE_LIMITS, Warning, Drive(target_outside_limits);
     summary: "a target position is outside the limits of the axis",
-    checks: "Whether the configured or default value of 607Ah (target position) is within 607Dh (software position limit) and 607Bh (position range limit), if the lower limit is below the upper one.",
-    why: "The axis stops at the limit, or rejects the first set-point.",
+    checks: "The configured or default value of 607Ah (target position) must be within 607Dh (software position limit) and 607Bh (position range limit), if the lower limit is below the upper one.",
+    why: "The axis stops at the limit or rejects the first set-point.",
     example: "`DefaultValue=5000` in `[607A]`, `DefaultValue=1000` in `[607Dsub2]`",
     remedy: "Correct the target or the limits.",
     source: "CiA 402-2, target position and software position limit",
 
     "cia402/value-beyond-support" = VALUE_BEYOND_SUPPORT, Warning, Drive(value_beyond_support);
-    summary: "a value exceeds what another sub-index of the object supports",
-    checks: "Whether the actual buffer size of 60C4h (sub-index 2) is at most the maximum (sub-index 1), whether 60A4h has as many jerks as 60A3h says, and whether each digital output that 60FEh switches on (sub-index 1) is enabled in the bit mask (sub-index 2). The mask must not be 0 if it is configured, or if an RPDO maps the outputs without the mask.",
-    why: "The drive rejects the size of the buffer or has no value for a jerk; an output that the mask does not enable stays off.",
+    summary: "a value exceeds the maximum in a different sub-index or object",
+    checks: "The actual buffer size of 60C4h (sub-index 2) must be at most the maximum (sub-index 1). 60A4h must have at least as many jerks as 60A3h specifies. Each digital output that 60FEh switches on (sub-index 1) must be enabled in the bit mask (sub-index 2). The mask must not be 0 if it is configured, or if an RPDO maps the outputs without the mask.",
+    why: "The drive rejects the size of the buffer or has no value for a jerk. An output that the mask does not enable stays off.",
     example: "`DefaultValue=0x00010000` in `[60FEsub1]`, and `DefaultValue=0` in `[60FEsub2]`",
     remedy: "Correct one of the two values.",
     source: "CiA 402-2, interpolation data configuration, profile jerk and digital outputs",

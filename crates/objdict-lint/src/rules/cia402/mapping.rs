@@ -9,15 +9,15 @@ use crate::{Drive, Facts, PdoFacts, profile};
 rules! {
     "cia402/axis-without-device-type" = AXIS_WITHOUT_DEVICE_TYPE, Note, Applied(axis_without_device_type);
     summary: "a further axis has no device type",
-    checks: "Whether each axis after the first, 800h indexes apart, has a device type at the end of its range: 6FFFh, 77FFh and so on.",
-    why: "1000h states the type of the first axis, these objects that of the others: without it a master does not detect the axis or its kind.",
+    checks: "Each axis after the first, 800h indexes apart, must have a device type at the end of its range: 6FFFh, 77FFh and so on.",
+    why: "1000h defines the type of the first axis, and these objects define the types of the others. Without them a master does not detect the axis or its kind.",
     example: "`[6840]` and `[6841]` without `[6FFF]`",
     remedy: "Describe the device type of the axis (UNSIGNED32, `ro`).",
     source: "CiA 301 §7.5.2.1; CiA 402-3, single device type",
 
     "cia402/controlword-not-mappable" = CONTROLWORD_NOT_MAPPABLE, Warning, Applied(controlword_not_mappable);
     summary: "the controlword or the statusword is not mappable",
-    checks: "Whether 6040h and 6041h are marked as mappable in a drive with RPDOs and TPDOs.",
+    checks: "In a drive with RPDOs and TPDOs, 6040h and 6041h must be marked as mappable.",
     why: "Masters control the state machine by PDO. If the objects cannot be mapped, each transition needs an SDO transfer, which most masters do not support.",
     example: "`PDOMapping=0` in `[6040]`",
     remedy: "Write `PDOMapping=1` if the drive supports it.",
@@ -25,33 +25,33 @@ rules! {
 
     "cia402/controlword-not-mapped" = CONTROLWORD_NOT_MAPPED, Note, Applied(controlword_not_mapped);
     summary: "no PDO carries the controlword or the statusword by default",
-    checks: "Whether at least one RPDO maps 6040h and one TPDO maps 6041h by default, in drives whose PDOs have a default mapping. Only the first axis is checked. Drives with an incomplete default mapping, and objects that are not mappable, are skipped.",
+    checks: "In drives whose PDOs have a default mapping, at least one RPDO must map 6040h and one TPDO must map 6041h by default. Only the first axis is checked. Drives with an incomplete default mapping and objects that are not mappable are skipped.",
     why: "The default PDOs of CiA 402-3 begin with these objects, and a master that keeps the default mapping relies on them.",
     example: "`DefaultValue=0x607A0020` in `[1600sub1]`, and no RPDO with 60400010h",
-    remedy: "Map the objects by default, first in RPDO 1 and TPDO 1; or ignore the note if every master configures the mapping. It is a note because the drive works with a master that sets its own mapping.",
+    remedy: "Map the objects by default, first in RPDO 1 and TPDO 1. You can ignore the note if every master configures the mapping, because the drive works with such a master.",
     source: "CiA 402-3, default PDOs",
 
     "cia402/cyclic-target-not-mappable" = CYCLIC_TARGET_NOT_MAPPABLE, Warning,
         Drive(cyclic_target_not_mappable);
     summary: "the target of a cyclic mode is not mappable",
-    checks: "Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable if 6502h states the corresponding cyclic synchronous mode.",
+    checks: "If 6502h indicates a cyclic synchronous mode, its target must be marked as mappable: 607Ah (target position), 60FFh (target velocity) or 6071h (target torque).",
     why: "A cyclic mode needs a new target with every SYNC; SDO transfers are too slow.",
     example: "`DefaultValue=0x00000080` in `[6502]`, and `PDOMapping=0` in `[607A]`",
     remedy: "Write `PDOMapping=1`, or clear the bit of the mode in 6502h.",
     source: "CiA 402-2, cyclic synchronous modes",
 
     "cia402/device-type-without-drive" = DEVICE_TYPE_WITHOUT_DRIVE, Note, Applied(device_type_without_drive);
-    summary: "the device type of a drive does not state the kind of drive",
-    checks: "Whether 1000h, or 67FFh of an axis, has one of the bits 16 (frequency converter), 17 (servo drive) and 18 (stepper motor) set if it states profile 402. Bits 24 to 31 are manufacturer-specific, and FFFFh in the high word means several devices.",
+    summary: "the device type of a drive does not indicate the kind of drive",
+    checks: "If 1000h, or 67FFh of an axis, indicates profile 402, one of the bits 16 (frequency converter), 17 (servo drive) and 18 (stepper motor) must be set. Bits 24 to 31 are manufacturer-specific, and FFFFh in the high word means several devices.",
     why: "Masters select the default PDOs by these bits.",
     example: "`DefaultValue=0x00000192` in `[1000]`",
     remedy: "Set the bit: `0x00020192` for a servo drive.",
     source: "CiA 402-3, device type",
 
     "cia402/different-device-type" = DIFFERENT_DEVICE_TYPE, Warning, Applied(different_device_type);
-    summary: "1000h and 67FFh state different device types",
-    checks: "Whether 67FFh (single device type) of a drive with one axis is 1000h (device type). A device with several logical devices has `0xFFFF` in a half of 1000h and is not checked.",
-    why: "The two objects say which drive it is and which PDOs it has. A master that reads the other one sets the axis up differently.",
+    summary: "1000h and 67FFh have different device types",
+    checks: "In a drive with one axis, 67FFh (single device type) must equal 1000h (device type). A device with several logical devices has `0xFFFF` in a half of 1000h and is not checked.",
+    why: "The two objects define the kind of drive and its PDOs. A master that reads the other object sets the axis up differently.",
     example: "`[1000]` with `DefaultValue=0x00020192`, `[67FF]` with `DefaultValue=0x00040192`",
     remedy: "Write the type of the drive to both.",
     source: "CiA 402-3 (1000h, 67FFh)",

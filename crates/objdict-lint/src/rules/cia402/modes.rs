@@ -11,7 +11,7 @@ rules! {
 
     "cia402/cyclic-mode-without-sync" = CYCLIC_MODE_WITHOUT_SYNC, Warning, Applied(cyclic_mode_without_sync);
     summary: "a drive with cyclic modes has no SYNC",
-    checks: "Whether a drive whose 6502h states a cyclic synchronous mode has 1005h, the COB-ID of SYNC.",
+    checks: "If 6502h of a drive indicates a cyclic synchronous mode, the drive must have 1005h, the COB-ID of SYNC.",
     why: "In these modes SYNC synchronizes the interpolation of drive and master. Without 1005h the drive does not know when a target takes effect.",
     example: "`DefaultValue=0x00000080` in `[6502]`, and no `[1005]`",
     remedy: "Add 1005h with the default 80h, or clear the bits of the modes in 6502h.",
@@ -20,68 +20,68 @@ rules! {
     "cia402/homing-method-not-supported" = HOMING_METHOD_NOT_SUPPORTED, Error,
         Drive(homing_method_not_supported);
     summary: "the homing method of a drive is not in its list of supported methods",
-    checks: "Whether the configured or default value of 6098h (homing method) is in 60E3h (supported homing methods), if all entries of that list have a value. 0 (no homing) is not checked.",
+    checks: "The configured or default value of 6098h (homing method) must be in 60E3h (supported homing methods), if all entries of that list have a value. 0 (no homing) is not checked.",
     why: "The drive rejects homing with its start-up method.",
     example: "`DefaultValue=17` in `[6098]`, and `[60E3]` with the methods 35 and 37",
     remedy: "Choose a supported method, or complete the list.",
     source: "CiA 402-2, homing method and supported homing methods (version 4)",
 
     "cia402/mode-not-stated" = MODE_NOT_STATED, Warning, Drive(mode_not_stated);
-    summary: "a drive has the objects of a mode that 6502h does not state",
-    checks: "Whether 6502h has the bit of a mode set if the objects that only this mode uses are described: 6042h and 6044h of velocity, 6081h and 607Ah of profile position, 6071h and 6087h of torque, 6098h and 6099h of homing, 60C0h and 60C1h of interpolated position; 60FFh and 606Ch belong to profile velocity or cyclic synchronous velocity. One finding per mode; none if 6502h states no mode at all.",
-    why: "A master reads 6502h and does not offer the mode although the drive has it; or the objects are obsolete and have no effect.",
+    summary: "a drive has the objects of a mode that 6502h does not indicate",
+    checks: "If the objects that only one mode uses are described, 6502h must have the bit of that mode set: 6042h and 6044h of velocity, 6081h and 607Ah of profile position, 6071h and 6087h of torque, 6098h and 6099h of homing, 60C0h and 60C1h of interpolated position. 60FFh and 606Ch belong to profile velocity or cyclic synchronous velocity. The rule reports one finding per mode, or none if 6502h indicates no mode at all.",
+    why: "A master reads 6502h and does not offer the mode although the drive supports it. Otherwise the objects are obsolete and have no effect.",
     example: "`[6098]` and `[6099]`, and `DefaultValue=0x00000001` in `[6502]`",
-    remedy: "Set the bit of the mode, or remove its objects. A file for a family of drives may have the objects on purpose; then add an `allow` comment.",
+    remedy: "Set the bit of the mode, or remove its objects. If a file for a family of drives has the objects on purpose, add an `allow` comment.",
 
     "cia402/mode-outside-limits" = MODE_OUTSIDE_LIMITS, Warning, Drive(mode_outside_limits);
     summary: "the limits of modes of operation exclude a mode that the drive supports",
-    checks: "Whether the number of each mode in 6502h (supported drive modes) is between `LowLimit` and `HighLimit` of 6060h (modes of operation), if they are given.",
-    why: "Tools that check values refuse to write the mode to 6060h.",
+    checks: "The number of each mode in 6502h (supported drive modes) must be between `LowLimit` and `HighLimit` of 6060h (modes of operation), if they are given.",
+    why: "Tools that check values do not write the mode to 6060h.",
     example: "`HighLimit=6` in `[6060]`, and `DefaultValue=0x00000080` in `[6502]`, which is mode 8",
     remedy: "Correct the limits, or clear the bit of the mode.",
     source: "CiA 402-2, modes of operation and supported drive modes",
 
     "cia402/mode-without-display" = MODE_WITHOUT_DISPLAY, Warning, Drive(mode_without_display);
     summary: "only one of modes of operation and modes of operation display is described",
-    checks: "Whether 6060h (modes of operation) and 6061h (modes of operation display) are both described. `cia402/no-mode-selection` reports a drive with several modes and without 6060h.",
+    checks: "6060h (modes of operation) and 6061h (modes of operation display) must both be described. `cia402/no-mode-selection` reports a drive with several modes and without 6060h.",
     why: "A drive may change its mode with a delay: a master waits until 6061h shows the mode before it sends targets.",
     example: "`[6060]` without `[6061]`",
     remedy: "Describe the other object.",
     source: "CiA 402-2, modes of operation",
 
     "cia402/no-drive-mode" = NO_DRIVE_MODE, Warning, Drive(no_drive_mode);
-    summary: "6502h states no mode",
-    checks: "Whether at least one bit of 6502h (supported drive modes) is set, manufacturer-specific bits included.",
+    summary: "6502h indicates no mode",
+    checks: "At least one bit of 6502h (supported drive modes) must be set, manufacturer-specific bits included.",
     why: "A master finds no mode that it can use.",
     example: "`DefaultValue=0` in `[6502]`",
-    remedy: "Set the bits of the modes that the drive has.",
+    remedy: "Set the bits of the modes that the drive supports.",
 
     "cia402/no-mode-selection" = NO_MODE_SELECTION, Warning, Drive(no_mode_selection);
     summary: "a drive with several modes has no object to select one",
-    checks: "Whether a drive whose 6502h states more than one mode of operation has 6060h.",
+    checks: "If 6502h of a drive indicates more than one mode of operation, the drive must have 6060h.",
     why: "Without 6060h (modes of operation) a master cannot leave the start-up mode.",
     example: "`DefaultValue=0x00000005` in `[6502]`, and no `[6060]`",
-    remedy: "Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or state only the mode that is always active.",
+    remedy: "Describe 6060h (INTEGER8, `rw`) and 6061h (INTEGER8, `ro`), or indicate only the mode that is always active.",
     source: "CiA 402-2, modes of operation and supported drive modes",
 
     "cia402/no-supported-modes" = NO_SUPPORTED_MODES, Warning, Drive(no_supported_modes);
-    summary: "a drive does not state its modes",
-    checks: "Whether a drive with the controlword 6040h has 6502h (supported drive modes).",
-    why: "Masters read 6502h before they select a mode, and many do not use an axis without it. Version 2 made the object optional, since version 3 it is mandatory: more than a quarter of the real drives examined lack it, so it is a warning.",
+    summary: "a drive does not specify its modes",
+    checks: "A drive with the controlword 6040h must have 6502h (supported drive modes).",
+    why: "Masters read 6502h before they select a mode, and many do not use an axis without it. The object was optional in version 2 and is mandatory since version 3. More than a quarter of the real drives examined lack it, so the finding is a warning.",
     example: "`[6040]` without `[6502]`",
     remedy: "Describe 6502h (UNSIGNED32, `ro`) with the bits of the modes.",
 
     "cia402/reserved-drive-mode" = RESERVED_DRIVE_MODE, Warning, Drive(reserved_drive_mode);
     summary: "6502h has a reserved bit set",
-    checks: "Whether bits 4 and 11 to 15 of 6502h (supported drive modes) are 0.",
+    checks: "Bits 4 and 11 to 15 of 6502h (supported drive modes) must be 0.",
     why: "Bit 4 was never assigned to a mode, and the others are reserved for a later version. Mostly the numbers of modes were used as bit numbers: the bit of homing, mode 6, is 5.",
     example: "`DefaultValue=0x00000010` in `[6502]`",
     remedy: "Set the bits of the modes; the bit number is the mode number minus 1. Manufacturer-specific modes use bits 16 to 31.",
 
     "cia402/unsupported-mode" = UNSUPPORTED_MODE, Warning, Drive(unsupported_mode);
     summary: "a drive starts in a mode that it does not support",
-    checks: "Whether 6502h has the bit of the mode that is the configured or default value of 6060h or 6061h. Manufacturer-specific modes (below 0) and 0 (no mode) are not checked.",
-    why: "One of the two is wrong: a master that relies on 6502h never uses the mode, one that relies on 6060h sends targets that the drive rejects.",
+    checks: "If 6060h or 6061h is configured to a mode or has it as default, the bit of that mode must be set in 6502h. Manufacturer-specific modes (below 0) and 0 (no mode) are not checked.",
+    why: "One of the two is wrong. A master that relies on 6502h never uses the mode. A master that relies on 6060h sends targets that the drive rejects.",
     example: "`DefaultValue=8` in `[6060]`, and `DefaultValue=0x00000005` in `[6502]`",
     remedy: "Correct the mode, or set its bit in 6502h.",
     source: "CiA 402-2, modes of operation and supported drive modes",

@@ -7,42 +7,42 @@ use crate::{Drive, Facts};
 
 rules! {
     "cia402/enabled-by-default" = ENABLED_BY_DEFAULT, Warning, Drive(enabled_by_default);
-    summary: "the controlword of a drive is the command to move from the start",
-    checks: "Whether 6040h, configured or default, is not `Enable operation`: bits 0 to 3 set and bit 7 not.",
-    why: "The axis is powered as soon as its state allows it, before a master has checked anything: after a restart or a repaired fault, it may move.",
+    summary: "the controlword of a drive enables operation from the start",
+    checks: "The configured or default value of 6040h must not be `Enable operation`: bits 0 to 3 set and bit 7 clear.",
+    why: "The axis is powered as soon as its state allows it, before a master has checked anything. It may move after a restart or a repaired fault.",
     example: "`DefaultValue=0x000F` in `[6040]`",
-    remedy: "Write 0, and let the master command the states one after the other.",
+    remedy: "Write 0 and let the master command the states one after the other.",
     source: "CiA 402-2, controlword",
 
     "cia402/interpolation-time-differs" = INTERPOLATION_TIME_DIFFERS, Warning,
         Drive(interpolation_time_differs);
     summary: "the interpolation time does not match the SYNC period",
-    checks: "Whether the time in 60C2h, value times ten to the power of the index in seconds, is a multiple or a divisor of 1006h (communication cycle period), if both are not 0.",
-    why: "The drive interpolates towards the next target for the time in 60C2h, but the next target arrives with SYNC: if the times differ, the axis stutters.",
+    checks: "The time in 60C2h, value times ten to the power of the index in seconds, must be a multiple or a divisor of 1006h (communication cycle period), if both are not 0.",
+    why: "The drive interpolates towards the next target for the time in 60C2h, but the next target arrives with SYNC. If the times differ, the axis stutters.",
     example: "`DefaultValue=3` in `[60C2sub1]` and `-3` in `[60C2sub2]`, which is 3 ms, and `DefaultValue=2000` in `[1006]`",
     remedy: "Set both to the same time.",
     source: "CiA 402-2, interpolation time period; CiA 301 §7.5.2.6",
 
     "cia402/reserved-value" = RESERVED_VALUE, Warning, Drive(reserved_value);
     summary: "an option or bit of a drive is reserved",
-    checks: "Whether 605Dh (halt option code) is not 0, which only version 2 defines, and bits 0 to 5 of 607Eh (polarity) are 0, configured or default.",
-    why: "The drive rejects the value, or reacts to it in an undefined way. In 607Eh, mostly 1 was written to invert the direction, but bit 7 inverts positions and bit 6 velocities.",
+    checks: "605Dh (halt option code) must not be 0, which only version 2 defines. Bits 0 to 5 of 607Eh (polarity) must be 0. Both apply to configured and default values.",
+    why: "The drive rejects the value or reacts in an undefined way. In 607Eh, mostly 1 was written to invert the direction, but bit 7 inverts positions and bit 6 velocities.",
     example: "`DefaultValue=1` in `[607E]`",
     remedy: "Write 1 to 4 to 605Dh, and 0, 64, 128 or 192 to 607Eh.",
     source: "CiA 402-2, halt option code and polarity",
 
     "cia402/zero-factor" = ZERO_FACTOR, Error, Applied(zero_factor);
     summary: "a factor or resolution of a drive is 0",
-    checks: "Whether sub-indexes 1 and 2 of the factors are not 0, configured or default: 604Bh, 604Ch, 608Fh to 6097h, 60A2h.",
-    why: "The drive divides by one and multiplies by the other: with 0 it cannot compute positions.",
+    checks: "Sub-indexes 1 and 2 of the factors 604Bh, 604Ch, 608Fh to 6097h and 60A2h must not be 0, configured or by default.",
+    why: "The drive divides by one sub-index and multiplies by the other. With 0 it cannot compute positions.",
     example: "`DefaultValue=0` in `[6091sub2]`",
     remedy: "Write 1 for no scaling, or remove the default if the value depends on the motor.",
     source: "CiA 402-2, factor group",
 
     "cia402/zero-speed" = ZERO_SPEED, Note, Drive(zero_speed);
     summary: "a speed, a ramp or a torque of a drive is 0",
-    checks: "Whether the speeds, ramps and torques that the modes of 6502h need are not 0: 6048h, 6046h sub-index 2, the speeds of 6049h and 604Ah, 6081h, 6083h, 6084h, 6087h, 6099h, 609Ah and 60C2h, and for all modes 6072h, 6073h, 6075h, 6076h, 6085h, 60E0h and 60E1h, in position modes also 6065h (following error window), and 607Fh (max profile velocity). One finding for each axis. A configured value is a warning; a default is a note, because a master may write another value first. 6065h, 607Fh and 60C2h are always a note, because some drives take 0 for no limit or no interpolation; other limits of speeds and accelerations are not checked.",
-    why: "The axis accepts the command and does not move, or has no torque.",
+    checks: "The speeds, ramps and torques that the modes of 6502h need must not be 0: 6048h, 6046h sub-index 2, the speeds of 6049h and 604Ah, 6081h, 6083h, 6084h, 6087h, 6099h, 609Ah, 60C2h and 607Fh (max profile velocity). Position modes also need 6065h (following error window). For all modes, 6072h, 6073h, 6075h, 6076h, 6085h, 60E0h and 60E1h must not be 0. The rule reports one finding for each axis. A configured value is a warning; a default is a note, because a master may write a different value first. 6065h, 607Fh and 60C2h are always a note, because some drives interpret 0 as no limit or no interpolation. Other limits of speeds and accelerations are not checked.",
+    why: "The axis accepts the command but does not move or has no torque.",
     example: "`[6081]` with `ParameterValue=0`, and profile position mode in 6502h",
     remedy: "Write the value of the machine.",
     source: "CiA 402-2, the object descriptions of the modes",

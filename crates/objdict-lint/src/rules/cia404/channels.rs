@@ -9,7 +9,7 @@ use crate::rule::rules;
 rules! {
     "cia404/incomplete-scaling" = INCOMPLETE_SCALING, Warning, Applied(incomplete_scaling);
     summary: "the scaling of a channel is incomplete",
-    checks: "Whether the four objects that scale a field value to a process value by two points are all described: x120h to x123h for analogue inputs, x320h to x323h for analogue outputs.",
+    checks: "The four objects that scale a field value to a process value by two points must all be described: x120h to x123h for analogue inputs, x320h to x323h for analogue outputs.",
     why: "A linear scaling needs two points of two numbers each. If one is missing, the scaling cannot be changed.",
     example: "`[7120]`, `[7121]` and `[7122]` without `[7123]`",
     remedy: "Describe the missing objects.",
@@ -17,7 +17,7 @@ rules! {
 
     "cia404/limit-min-above-max" = LIMIT_MIN_ABOVE_MAX, Error, Applied(limit_min_above_max);
     summary: "the lower limit of a channel is above the upper limit",
-    checks: "Whether, for each channel, the lower limit of the interrupt (x134h, x144h), the set-point (x404h) and the controller output (6413h) is not greater than the upper limit (x135h, x145h, x405h, 6414h), configured or default.",
+    checks: "For each channel, the lower limit of the interrupt (x134h, x144h), the set-point (x404h) and the controller output (6413h) must not be greater than the upper limit (x135h, x145h, x405h, 6414h), configured or by default.",
     why: "No value is between the limits: the interrupt is always or never active, and the controller cannot follow its set-point.",
     example: "`DefaultValue=1000` in `[7134sub1]`, `DefaultValue=-1000` in `[7135sub1]`",
     remedy: "Swap the values.",

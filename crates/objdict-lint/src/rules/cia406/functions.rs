@@ -10,55 +10,55 @@ use crate::{Facts, MappedTo, PdoFacts};
 rules! {
     "cia406/cam-without-limits" = CAM_WITHOUT_LIMITS, Warning, Applied(cam_without_limits);
     summary: "an encoder enables a CAM that has no limits",
-    checks: "Whether each CAM that 6301h (CAM enable register) enables has a low limit (6310h to 6317h) and a high limit (6320h to 6327h), configured or default.",
+    checks: "Each CAM that 6301h (CAM enable register) enables must have a low limit (6310h to 6317h) and a high limit (6320h to 6327h), configured or by default.",
     why: "The CAM is active between its limits. Without them its state is not defined.",
     example: "`[6301sub1]` with `DefaultValue=0x02`, without `[6311]` and `[6321]`",
     remedy: "Describe the limits, or clear the bit of the CAM.",
     source: "CiA 406 (6301h, 6310h to 6327h)",
 
     "cia406/contradictory-copy" = CONTRADICTORY_COPY, Warning, Applied(contradictory_copy);
-    summary: "two objects of an encoder that have one value differ",
-    checks: "Whether 6500h (operating status) has the value of 6000h (operating parameters), and 650Bh the serial number of 1018h sub-index 4, by their defaults. A serial number of 0 is not compared.",
-    why: "The status is what the parameters switch on, so one of the values is not that of the device: a master that compares them rejects the configuration.",
+    summary: "two objects of an encoder that must have the same value differ",
+    checks: "By default, 6500h (operating status) must have the value of 6000h (operating parameters), and 650Bh must have the serial number of 1018h sub-index 4. A serial number of 0 is not compared.",
+    why: "The parameters determine the status, so one of the two values is wrong for the device. A master that compares them rejects the configuration.",
     example: "`[6000]` with `DefaultValue=0x0004`, `[6500]` with `DefaultValue=0x0000`",
     remedy: "Write the same value to both, in the description and in the device.",
     source: "CiA 406 (6000h, 6500h, 650Bh)",
 
     "cia406/cyclic-timer-mismatch" = CYCLIC_TIMER_MISMATCH, Error, Applied(cyclic_timer_mismatch);
     summary: "the cyclic timer and the event timer of TPDO 1 differ",
-    checks: "Whether 6200h and 1800h sub-index 5 have the same value if both are described.",
+    checks: "If 6200h and 1800h sub-index 5 are both described, they must have the same value.",
     why: "Both objects access one timer, so one of the values is wrong, and the start-up value of the encoder is ambiguous.",
     example: "`[6200]` with `DefaultValue=100`, `[1800sub5]` with `DefaultValue=0`",
     remedy: "Write the same time, in milliseconds.",
     source: "CiA 406 (6200h, 1800h)",
 
     "cia406/incomplete-class-2" = INCOMPLETE_CLASS_2, Warning, Applied(incomplete_class_2);
-    summary: "an encoder has some functions of class C2, but not all",
-    checks: "Whether an encoder with scaling and preset (6002h and 6003h), which only class C2 requires, has the other objects of that class: 6001h if it is rotary or 6005h if it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors or with only one of 6002h and 6003h are not checked.",
-    why: "An encoder of class C1 may have any of these objects, so nothing fails; but a master that expects class C2 gets SDO aborts.",
+    summary: "an encoder has some but not all functions of class C2",
+    checks: "An encoder with scaling and preset (6002h and 6003h), which only class C2 requires, must have the other objects of that class. These are 6001h if it is rotary or 6005h if it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors or with only one of 6002h and 6003h are not checked.",
+    why: "An encoder of class C1 may have any of these objects, so nothing fails. However, a master that expects class C2 gets SDO aborts.",
     example: "`[6002]` and `[6003]` without `[6503]`",
     remedy: "Describe the other objects too, or declare an encoder of class C1 with scaling.",
     source: "CiA 406, class C2; manuals of encoders",
 
     "cia406/scaling-off" = SCALING_OFF, Warning, Applied(scaling_off);
     summary: "a configuration scales the position of an encoder, but scaling is switched off",
-    checks: "Whether bit 2 of 6000h is set when a configuration (DCF or XDC) sets 6001h (measuring units per revolution) or 6002h (measuring range) to another value than the default.",
-    why: "Without the bit, the encoder ignores the values and sends its physical position: the master computes with another resolution.",
+    checks: "If a configuration (DCF or XDC) sets 6001h (measuring units per revolution) or 6002h (measuring range) to a value other than the default, bit 2 of 6000h must be set.",
+    why: "Without the bit, the encoder ignores the values and sends its physical position, so the master computes with the wrong resolution.",
     example: "`[6001]` with `ParameterValue=3600` and `DefaultValue=8192`, `[6000]` with `ParameterValue=0`",
     remedy: "Set bit 2 of 6000h, or remove the values.",
     source: "CiA 406 (6000h to 6002h)",
 
     "cia406/unsupported-alarm" = UNSUPPORTED_ALARM, Warning, Applied(unsupported_alarm);
     summary: "an alarm or a warning is set that the encoder does not support",
-    checks: "Whether the bits of 6503h (alarms) and 6505h (warnings) that are set are also set in 6504h (supported alarms) and 6506h (supported warnings), configured or default.",
-    why: "A master evaluates only the supported bits, so it overlooks the alarm or takes it for an error of the device.",
+    checks: "Each bit that is set in 6503h (alarms) must be set in 6504h (supported alarms). Each bit that is set in 6505h (warnings) must be set in 6506h (supported warnings). The rule checks configured and default values.",
+    why: "A master evaluates only the supported bits, so it overlooks the alarm or mistakes it for an error of the device.",
     example: "`[6503]` with `DefaultValue=0x0002`, `[6504]` with `DefaultValue=0x0001`",
     remedy: "Correct one of the two values. Alarms and warnings are 0 by default.",
     source: "CiA 406 (6503h to 6506h)",
 
     "cia406/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Error, Applied(wrong_default_mapping), fix Unsafe;
     summary: "a TPDO of an encoder does not carry the position",
-    checks: "Whether TPDO 1 and TPDO 2 of an EDS carry the position and nothing else: 6004h with 32 bits, 6008h with 64 bits in encoders of high precision, 6020h sub-index 1 in those with several sensors. Further objects after the position are a warning. TPDO 2 is not checked if there is a TPDO 3, which was the synchronous one before edition 3. PDOs with invalid entries are not checked.",
+    checks: "In an EDS, TPDO 1 and TPDO 2 must carry the position and nothing else: 6004h with 32 bits, 6008h with 64 bits in encoders of high precision, 6020h sub-index 1 in encoders with several sensors. Further objects after the position are a warning. TPDO 2 is not checked if TPDO 3 is present, which was the synchronous one before edition 3. PDOs with invalid entries are not checked.",
     why: "Encoders are interchangeable because the position is in the first four bytes of TPDO 1.",
     example: "`[1A00sub1]` with `DefaultValue=0x65030010`",
     remedy: "Write `0x60040020`, in the description and in the device.",
@@ -66,8 +66,8 @@ rules! {
 
     "cia406/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
         Applied(wrong_transmission_type), fix Unsafe;
-    summary: "a TPDO of an encoder has a transmission type other than that of CiA 406",
-    checks: "Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is accepted) and TPDO 2 on each SYNC (type 1). TPDO 2 is not checked if there is a TPDO 3, which was the synchronous one before edition 3.",
+    summary: "the transmission type of an encoder's TPDO differs from CiA 406",
+    checks: "In an EDS, TPDO 1 must be sent by its timer (transmission type 254; 255 is accepted) and TPDO 2 on each SYNC (type 1). TPDO 2 is not checked if TPDO 3 is present, which was the synchronous one before edition 3.",
     why: "A master that knows the profile expects TPDO 1 asynchronously and TPDO 2 with each SYNC.",
     example: "`[1800sub2]` with `DefaultValue=1`",
     remedy: "Write 254 for TPDO 1 and 1 for TPDO 2.",

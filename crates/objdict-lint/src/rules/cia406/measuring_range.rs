@@ -11,7 +11,7 @@ rules! {
     "cia406/different-measuring-range" = DIFFERENT_MEASURING_RANGE, Warning,
         Applied(different_measuring_range), fix Unsafe;
     summary: "the measuring range is not the product of resolution and revolutions",
-    checks: "Whether the default of 6002h in the EDS of a rotary encoder is the resolution (6501h) times the revolutions (6502h). Products above 32 bits are not compared.",
+    checks: "In the EDS of a rotary encoder, the default of 6002h must be the resolution (6501h) times the revolutions (6502h). Products above 32 bits are not compared.",
     why: "Scaling is off by default, so the measuring range must be the physical one.",
     example: "`[6501]` with `DefaultValue=8192`, `[6502]` with `DefaultValue=4096`, `[6002]` with `DefaultValue=4096`",
     remedy: "Write the product, in the description and in the device.",
@@ -19,15 +19,15 @@ rules! {
 
     "cia406/limit-min-above-max" = LIMIT_MIN_ABOVE_MAX, Warning, Applied(limit_min_above_max);
     summary: "the lower limit of an encoder is above the upper limit",
-    checks: "Whether 6401h (work area low limit) is not above 6402h (high limit), channel by channel, and sub-index 2 of 650Ah (minimum position) not above sub-index 3 (maximum position), configured or default.",
+    checks: "6401h (work area low limit) must not be above 6402h (high limit), channel by channel. Sub-index 2 of 650Ah (minimum position) must not be above sub-index 3 (maximum position). The rule checks configured and default values.",
     why: "The encoder is outside its work area at every position.",
     example: "`[6401sub1]` with `DefaultValue=2000`, `[6402sub1]` with `DefaultValue=1000`",
-    remedy: "Exchange the limits.",
+    remedy: "Swap the limits.",
     source: "CiA 406 (6401h, 6402h, 650Ah)",
 
     "cia406/position-too-long" = POSITION_TOO_LONG, Warning, Applied(position_too_long);
     summary: "the positions of an encoder do not fit into 32 bits",
-    checks: "Whether resolution (6501h) times revolutions (6502h) of a rotary encoder is at most 2^32, unless it has a position of high precision (6008h).",
+    checks: "In a rotary encoder, resolution (6501h) times revolutions (6502h) must be at most 2^32, unless it has a position of high precision (6008h).",
     why: "The position wraps to 0 before the encoder reaches its number of revolutions.",
     example: "`[6501]` with `DefaultValue=0x01000000`, `[6502]` with `DefaultValue=4096`: 36 bits",
     remedy: "Correct resolution or revolutions, or offer 6008h.",
@@ -35,8 +35,8 @@ rules! {
 
     "cia406/preset-outside-range" = PRESET_OUTSIDE_RANGE, Warning, Applied(preset_outside_range);
     summary: "the preset of an encoder is outside the measuring range",
-    checks: "Whether 6003h (preset value) is from 0 to one less than 6002h (measuring range), configured or default. A measuring range of 0 has its own rule.",
-    why: "Positions are smaller than the measuring range, so the encoder rejects the preset or shows another position.",
+    checks: "6003h (preset value) must be from 0 to one less than 6002h (measuring range), configured or by default. A measuring range of 0 has its own rule.",
+    why: "Positions are smaller than the measuring range, so the encoder rejects the preset or shows a different position.",
     example: "`[6002]` with `DefaultValue=4096`, `[6003]` with `DefaultValue=5000`",
     remedy: "Write a preset inside the measuring range.",
     source: "CiA 406 (6002h, 6003h)",
@@ -44,7 +44,7 @@ rules! {
     "cia406/revolutions-of-single-turn" = REVOLUTIONS_OF_SINGLE_TURN, Warning,
         Applied(revolutions_of_single_turn);
     summary: "the number of revolutions contradicts the type of the encoder",
-    checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1, and of type 2 (absolute, multi-turn) above 1. Type 3 is not checked because it counts revolutions.",
+    checks: "6502h must be 1 in an encoder of type 1 (absolute, single-turn) and above 1 in an encoder of type 2 (absolute, multi-turn). Type 3 is not checked because it counts revolutions.",
     why: "Either the type is wrong, or a master that multiplies resolution and revolutions computes a wrong measuring range.",
     example: "`[1000]` with `DefaultValue=0x00010196`, `[6502]` with `DefaultValue=4096`",
     remedy: "Correct the type in 1000h or the revolutions in 6502h.",
@@ -52,16 +52,16 @@ rules! {
 
     "cia406/value-beyond-resolution" = VALUE_BEYOND_RESOLUTION, Warning, Applied(value_beyond_resolution);
     summary: "a setting of an encoder exceeds its resolution",
-    checks: "Whether 6001h (measuring units per revolution) is not above 6501h (resolution), and 6003h (preset value), if there is no 6002h (measuring range), below 6501h times 6502h (revolutions), configured or default. Values of 0 have other rules.",
-    why: "The encoder cannot resolve the units: it rejects the value, or positions are left out.",
+    checks: "6001h (measuring units per revolution) must not be above 6501h (resolution). Without 6002h (measuring range), 6003h (preset value) must be below 6501h times 6502h (revolutions). The rule checks configured and default values. Values of 0 have other rules.",
+    why: "The encoder cannot resolve the units, so it rejects the value or omits positions.",
     example: "`[6501]` with `DefaultValue=8192`, `[6001]` with `ParameterValue=10000`",
     remedy: "Write a value that the encoder can resolve.",
     source: "CiA 406 (6001h, 6003h, 6501h, 6502h)",
 
     "cia406/zero-resolution" = ZERO_RESOLUTION, Error, Applied(zero_resolution);
     summary: "a resolution or a range of an encoder is 0",
-    checks: "Whether 6501h (resolution), 6502h (revolutions) of a rotary encoder, 6001h and 6002h (units per revolution and measuring range), and the measuring steps of 6005h are not 0, configured or default.",
-    why: "A master computes positions with these values and divides by some of them; an encoder without a step or a revolution measures nothing.",
+    checks: "6501h (resolution), 6001h and 6002h (units per revolution and measuring range) and the measuring steps of 6005h must not be 0, configured or by default. In a rotary encoder, the same applies to 6502h (revolutions).",
+    why: "A master computes positions with these values and divides by some of them. An encoder without a step or a revolution measures nothing.",
     example: "`[6501]` with `DefaultValue=0`",
     remedy: "Write the value of the encoder; a single-turn encoder has one revolution.",
     source: "CiA 406 (6001h, 6002h, 6005h, 6501h, 6502h)",
