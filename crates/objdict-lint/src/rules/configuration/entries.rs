@@ -12,53 +12,53 @@ rules! {
     source: "CiA 306-1 §4.6.3.2, §5.3";
 
     "configuration/different-access" = DIFFERENT_ACCESS, Warning, Configured(different_access);
-    summary: "an entry of a configuration has another access type than in its EDS",
-    checks: "Whether each entry of a DCF has the `AccessType` of its EDS, where both state one. `ro` and `const` are the same here: neither is downloaded.",
-    why: "A tool downloads what the device does not let it write, or leaves out what it must write.",
+    summary: "an entry of a configuration has a different access type than in its EDS",
+    checks: "Each entry of a DCF must have the `AccessType` of its EDS, where both specify one. `ro` and `const` are treated as equal: neither is downloaded.",
+    why: "A tool downloads values that the device rejects or omits values that it must write.",
     example: "`AccessType=rw` in the DCF, and `AccessType=ro` in the EDS",
     remedy: "Write the access type of the EDS, or check with the EDS of the device.",
 
     "configuration/different-default" = DIFFERENT_DEFAULT, Warning, Configured(different_default);
-    summary: "an entry of a configuration has another default than in its EDS",
-    checks: "Whether each entry of a DCF has the `DefaultValue` of its EDS, where both state one. Formulas are evaluated for the node-ID of the DCF. The identity (1018h) is checked by other rules; of a coupler, what its modules change is not checked.",
-    why: "Tools download what differs from the default. With another default in the DCF they leave out a value that the device does not have.",
+    summary: "an entry of a configuration has a different default than in its EDS",
+    checks: "Each entry of a DCF must have the `DefaultValue` of its EDS, where both specify one. Formulas are evaluated for the node-ID of the DCF. Other rules check the identity (1018h). In the DCF of a coupler, values that its modules change are not checked.",
+    why: "Tools download only values that differ from the default. If the DCF has a different default, they omit a value that the device does not have.",
     example: "`DefaultValue=100` in the DCF, and `DefaultValue=0` in the EDS",
     remedy: "Write the value as `ParameterValue`, and the default of the EDS as `DefaultValue`.",
     source: "CiA 306-1 §4.6.3.2, §5.3.1",
 
     "configuration/different-limits" = DIFFERENT_LIMITS, Warning, Configured(different_limits);
-    summary: "an entry of a configuration has other limits than in its EDS",
-    checks: "Whether `LowLimit` and `HighLimit` of each entry of a DCF are those of its EDS, where both state them.",
-    why: "A tool that checks values with the DCF accepts what the device rejects, or the reverse.",
+    summary: "an entry of a configuration has different limits than in its EDS",
+    checks: "`LowLimit` and `HighLimit` of each entry of a DCF must equal the limits in its EDS, where both specify them.",
+    why: "A tool that checks values with the DCF accepts values that the device rejects, or the reverse.",
     example: "`HighLimit=200` in the DCF, and `HighLimit=100` in the EDS",
     remedy: "Write the limit of the EDS, or check with the EDS of the device.",
 
     "configuration/different-type" = DIFFERENT_TYPE, Error, Configured(different_type);
-    summary: "an entry of a configuration has another data type than in its EDS",
-    checks: "Whether each entry of a DCF has the `DataType` of its EDS, where both state one.",
-    why: "A download has the length of the wrong type: the device rejects it with abort code 06070010h, or takes other bytes.",
+    summary: "an entry of a configuration has a different data type than in its EDS",
+    checks: "Each entry of a DCF must have the `DataType` of its EDS, where both specify one.",
+    why: "A download has the length of the wrong type: the device rejects it with abort code 06070010h or uses the wrong bytes.",
     example: "`DataType=0x0005` in the DCF, and `DataType=0x0006` in the EDS",
     remedy: "Write the data type of the EDS, or check with the EDS of the device.",
 
     "configuration/other-device" = OTHER_DEVICE, Error, Configured(other_device);
-    summary: "a configuration is for another device than its EDS",
-    checks: "Whether `VendorNumber` and `ProductNumber` of a DCF are those of its EDS, and vendor-ID and product code in 1018h too. If they are not, no other difference is reported.",
-    why: "The configuration belongs to another product: its entries may not exist in the device, or mean something else.",
+    summary: "a configuration and its EDS are for different devices",
+    checks: "`VendorNumber` and `ProductNumber` of a DCF must equal the numbers in its EDS, and so must vendor-ID and product code in 1018h. If they differ, no other difference is reported.",
+    why: "The configuration belongs to a different product: its entries may not exist in the device or may have a different meaning.",
     example: "`ProductNumber=0x11` in the DCF, and `ProductNumber=0x10` in the EDS",
-    remedy: "Name the EDS of the device with `--eds`, or in `LastEDS`; or make the DCF anew.",
+    remedy: "Specify the EDS of the device with `--eds` or in `LastEDS`, or create the DCF from scratch.",
     source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
 
     "configuration/other-revision" = OTHER_REVISION, Warning, Configured(other_revision);
-    summary: "a configuration is for another revision than its EDS",
-    checks: "Whether `RevisionNumber` of a DCF is that of its EDS, and the revision number in 1018h too.",
+    summary: "a configuration and its EDS are for different revisions",
+    checks: "`RevisionNumber` of a DCF must equal the number in its EDS, and so must the revision number in 1018h.",
     why: "A manager that compares the revision does not boot the node, and objects of the other revision can differ.",
     example: "`RevisionNumber=0x00010000` in the DCF, and `RevisionNumber=0x00020000` in the EDS",
-    remedy: "Make the DCF anew from the EDS of the device, or name the EDS that it was made from.",
+    remedy: "Create a new DCF from the EDS of the device, or specify the EDS that it was created from.",
     source: "CiA 306-1 §4.4, §5.3; CiA 301 §7.5.2.21",
 
     "configuration/unknown-entry" = UNKNOWN_ENTRY, Warning, Configured(unknown_entry);
-    summary: "a configuration has an object or a sub-index that its EDS does not have",
-    checks: "Whether each object and sub-index of a DCF is in its EDS, also as one that `CompactPDO` or `CompactSubObj` implies. With a configured value it is an error. A DCF of a coupler is not checked, because its modules bring objects.",
+    summary: "an object or sub-index of a configuration is not in its EDS",
+    checks: "Each object and sub-index of a DCF must be in its EDS, or `CompactPDO` or `CompactSubObj` must imply it. With a configured value the finding is an error. A DCF of a coupler is not checked, because its modules add objects.",
     why: "The device rejects the download with abort code 06020000h or 06090011h, and the configuration stops there.",
     example: "`[2001]` with `ParameterValue=5`, and an EDS without `[2001]`",
     remedy: "Remove the entry, or check with the EDS of the device.",
@@ -66,7 +66,7 @@ rules! {
 
     "configuration/value-outside-limits" = VALUE_OUTSIDE_LIMITS, Error, Configured(value_outside_limits);
     summary: "a configured value is outside the limits of the EDS",
-    checks: "Whether each `ParameterValue` of a DCF is between `LowLimit` and `HighLimit` of its EDS. A value outside the limits of the DCF itself is `cia306/value-outside-limits`.",
+    checks: "Each `ParameterValue` of a DCF must be between `LowLimit` and `HighLimit` of its EDS. For a value outside the limits of the DCF itself, see `cia306/value-outside-limits`.",
     why: "The device rejects the download with abort code 06090031h or 06090032h.",
     example: "`ParameterValue=150` in the DCF, and `HighLimit=100` in the EDS",
     remedy: "Configure a value that the device accepts.",

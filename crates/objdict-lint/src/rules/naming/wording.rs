@@ -14,7 +14,7 @@ rules! {
 
     "naming/duplicate-denotation" = DUPLICATE_DENOTATION, Note, Device(duplicate_denotation);
     summary: "two entries have the same denotation",
-    checks: "Whether the denotations of a DCF, the application's names of entries, differ. The first repetition is shown with the others.",
+    checks: "The denotations of a DCF, the application's names of entries, must differ. The first repetition is shown with the others.",
     why: "An application that looks up variables by denotation gets the first of the two.",
     example: "`Denotation=Door open` in `[6000sub1]` and in `[6000sub2]`",
     remedy: "Give each entry a unique denotation.",
@@ -22,7 +22,7 @@ rules! {
 
     "naming/duplicate-module" = DUPLICATE_MODULE, Note, Device(duplicate_module);
     summary: "two modules have the same name and order code",
-    checks: "Whether two modules have both the same `ProductName` and the same `OrderCode`.",
+    checks: "Two modules must not have both the same `ProductName` and the same `OrderCode`.",
     why: "Users who assemble a station by names cannot distinguish the two modules.",
     example: "`ProductName=DI8` and `OrderCode=750-430` in `[M1ModuleInfo]` and in `[M2ModuleInfo]`",
     remedy: "Add the version to the name, or remove one of the modules.",
@@ -30,7 +30,7 @@ rules! {
 
     "naming/duplicate-object-name" = DUPLICATE_OBJECT_NAME, Note, Device(duplicate_object_name);
     summary: "two objects have the same name",
-    checks: "Whether the names of objects from 2000h on differ. Not checked: objects at a distance of 800h, which are the same object of several axes or channels, and 5800h to 5FFFh, where masters store the PDOs of other nodes. The first repetition is shown with the others.",
+    checks: "The names of objects from 2000h on must differ. Objects that are 800h apart are not checked: they are the same object of several axes or channels. Neither are 5800h to 5FFFh, where masters store the PDOs of other nodes. The first repetition is shown with the others.",
     why: "Users cannot distinguish the objects, libraries that look up objects by name return the first one, and code generators have to add numbers.",
     example: "`ParameterName=Setpoint` in `[2000]` and in `[2001]`",
     remedy: "Add a number or a word to the names.",
@@ -38,73 +38,73 @@ rules! {
 
     "naming/long-name" = LONG_NAME, Note, Entry(long_name);
     summary: "a name is longer than a line of text",
-    checks: "Whether each name has at most 100 characters. The limit of CiA 306-1, 241, applies to the line and has its own rule.",
-    why: "Tools show names in columns and truncate them, identifiers made from them lose their end, and often the text is a description.",
+    checks: "Each name must have at most 100 characters. The limit of CiA 306-1, 241, applies to the line and has its own rule.",
+    why: "Tools show names in columns and truncate them. Identifiers made from them lose their end, and often the text is a description.",
     example: "A `ParameterName` of two sentences",
     remedy: "Shorten the name; move explanations to a comment or the manual.",
 
     "naming/name-of-other-object" = NAME_OF_OTHER_OBJECT, Note,
         Facts(name_of_other_object), explains Around ["duplicate-object-name"];
-    summary: "an object has the name of another object of the standard",
-    checks: "Whether no object has the name that the CiA document gives to another index, and no entry the name of another sub-index of the same object. Only letters and digits are compared, without case; `Reserved` is not a name, and the beginning of the own name is accepted. One finding for each device.",
-    why: "Users and tools that go by names write the deceleration to the acceleration. Either the index or the name is wrong; usually both were exchanged.",
+    summary: "an object has the standard name of a different object",
+    checks: "No object may have the name that the CiA document gives to a different index. No entry may have the name of a different sub-index of the same object. Only letters and digits are compared, ignoring case. `Reserved` is not a name, and the beginning of the own name is accepted. The rule reports one finding for each device.",
+    why: "Users and tools that look up names write the deceleration to the acceleration. Either the index or the name is wrong; usually two names were swapped.",
     example: "`[6083]` with `ParameterName=Profile deceleration`, which is 6084h",
     remedy: "Write the name of the document, or move the object.",
     source: "CiA 301 and the device profiles, names of objects",
 
     "naming/placeholder" = PLACEHOLDER, Note, Entry(placeholder);
     summary: "a name is a placeholder",
-    checks: "Whether a name is a default name of a tool or a reminder of the author: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`; or has a variable of a template, such as `@NAME@`, `${NAME}` and `{{ name }}`.",
+    checks: "Reports default names of tools and reminders of the author: `New object`, `Unnamed`, `Untitled`, `No name`, `TODO`, `TBD`, `FIXME`, `xxx`, `asdf`, `foo`, `bar`. A name with a template variable, such as `@NAME@`, `${NAME}` and `{{ name }}`, is reported too.",
     why: "Users of the device cannot know the purpose of the entry.",
     example: "`ParameterName=New object`",
     remedy: "Write a descriptive name.",
 
     "naming/repeated-blanks" = REPEATED_BLANKS, Note, Entry(repeated_blanks), fix Unsafe;
     summary: "a name has extra spaces",
-    checks: "Whether a name starts or ends with a space, or has two spaces in a row.",
-    why: "Tools that look up an entry by the visible name do not find it, and comparisons show changes that are not visible.",
+    checks: "A name must not start or end with a space or have two spaces in a row.",
+    why: "Tools that look up an entry by the visible name do not find it. Comparisons show changes that are not visible.",
     example: "`ParameterName=Motor  speed`",
     remedy: "Remove the extra spaces.",
 
     "naming/same-identifier" = SAME_IDENTIFIER, Note, Object(same_identifier);
     summary: "two names of an object result in the same identifier",
-    checks: "Whether the names of an object's sub-indexes from 2000h on differ in more than case, spaces and punctuation. Equal names have their own finding. Only the first pair in an object is shown.",
-    why: "Identifiers in generated code consist of letters, digits and `_`: `Gain +` and `gain -` become the same, and the generator has to add numbers, which change when an entry is inserted.",
+    checks: "The names of an object's sub-indexes from 2000h on must differ in more than case, spaces and punctuation. Equal names have their own finding. Only the first pair in an object is shown.",
+    why: "Identifiers in generated code consist of letters, digits and `_`: `Gain +` and `gain -` become the same. The generator has to add numbers, which change when an entry is inserted.",
     example: "`ParameterName=Limit +` in `[2000sub1]` and `ParameterName=Limit -` in `[2000sub2]`",
     remedy: "Express the difference in words: `Limit positive` and `Limit negative`.",
 
     "naming/template-text" = TEMPLATE_TEXT, Warning, Device(template_text);
-    summary: "a field of the header has the text of a template",
-    checks: "Whether names, descriptions and order codes of the file, the device, the node and the modules are not one of the words of `naming/placeholder`, do not begin with `TODO`, `TBD` or `FIXME`, and have no variable of a template, such as `@VENDOR@`, `${VENDOR}`, `{{ vendor }}`, `%VENDOR%` and `<vendor>`.",
-    why: "The file was made from a template, and a value was not filled in. Configuration tools show the text to users and file the device under it.",
+    summary: "a field of the header contains template text",
+    checks: "The rule checks names, descriptions and order codes of the file, the device, the node and the modules. They must not be one of the words of `naming/placeholder` or begin with `TODO`, `TBD` or `FIXME`. They must not have a template variable, such as `@VENDOR@`, `${VENDOR}`, `{{ vendor }}`, `%VENDOR%` and `<vendor>`.",
+    why: "The file was created from a template, and a value was not filled in. Configuration tools show the text to users and file the device under it.",
     example: "`VendorName=@VENDOR@`",
     remedy: "Write the value, or correct the script that fills the template.",
 
     "naming/type-in-name" = TYPE_IN_NAME, Note, Entry(type_in_name);
-    summary: "the name contains another type than the entry has",
-    checks: "Whether a name that ends with a type, such as `_U16`, `INT8` or `(REAL32)`, matches width and kind of the entry.",
-    why: "The type was changed without the name, or vice versa. Programs that rely on the name read the wrong number of bytes.",
+    summary: "the type in the name differs from the type of the entry",
+    checks: "If a name ends with a type, such as `_U16`, `INT8` or `(REAL32)`, the type must match width and kind of the entry.",
+    why: "The type was changed but the name was not, or vice versa. Programs that rely on the name read the wrong number of bytes.",
     example: "`ParameterName=Speed_U16` with `DataType=0x0007`",
     remedy: "Correct the type or the name.",
 
     "naming/unordered-numbering" = UNORDERED_NUMBERING, Note, Object(unordered_numbering);
     summary: "the numbers in element names are not in the order of the sub-indexes",
-    checks: "Whether numbered element names of an object from 2000h on ascend with the sub-indexes, from any start. Checked are objects whose elements share one name followed by consecutive numbers. Numbers with gaps or repetitions have another purpose and are not checked.",
-    why: "Usually lines were swapped: software that sets element 3 by its name sets another element.",
+    checks: "Numbered element names of an object from 2000h on must ascend with the sub-indexes, from any start. Only objects whose elements share a name followed by consecutive numbers are checked. Numbers with gaps or repetitions have a different purpose and are not checked.",
+    why: "Usually lines were swapped: software that sets element 3 by its name sets a different element.",
     example: "`[2000sub1]` to `[2000sub3]` called `Input 1`, `Input 3` and `Input 2`",
     remedy: "Number the names in the order of the sub-indexes.",
 
     "naming/wrong-pdo-direction" = WRONG_PDO_DIRECTION, Warning, Pdo(wrong_pdo_direction);
-    summary: "the name of a PDO has the wrong direction",
-    checks: "Whether names of RPDO objects (14xxh and 16xxh) and their sub-indexes mention only a transmit PDO or TPDO, or names of TPDO objects (18xxh and 1Axxh) only a receive PDO or RPDO.",
+    summary: "the name of a PDO contains the wrong direction",
+    checks: "Names of RPDO objects (14xxh and 16xxh) and their sub-indexes must not mention only a transmit PDO or TPDO. Names of TPDO objects (18xxh and 1Axxh) must not mention only a receive PDO or RPDO.",
     why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
     example: "`ParameterName=Receive PDO 1 parameter` in `[1800]`",
     remedy: "Correct the name or the index.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     "naming/wrong-pdo-number" = WRONG_PDO_NUMBER, Warning, Facts(wrong_pdo_number);
-    summary: "the name of a PDO has the number of another PDO",
-    checks: "Whether the only number in the names of PDO objects (14xxh, 16xxh, 18xxh and 1Axxh) is that of the PDO. Numbers that begin at 0, or again at every 64th PDO, as those of a further axis do, are accepted.",
+    summary: "the name of a PDO contains a different PDO's number",
+    checks: "If the names of PDO objects (14xxh, 16xxh, 18xxh and 1Axxh) contain only one number, it must be the number of the PDO. Numbers that begin at 0 are accepted, and so are numbers that begin again at every 64th PDO, as on a further axis.",
     why: "Users who configure the device by names configure the wrong PDO. Usually the object was copied.",
     example: "`ParameterName=RPDO 1 mapping parameter` in `[1601]`",
     remedy: "Correct the name or the index.",

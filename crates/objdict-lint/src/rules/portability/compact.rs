@@ -12,16 +12,16 @@ rules! {
     source: "python-canopen 2.4.1, CANopenEditor of 2026";
 
     "portability/compact-denotations" = COMPACT_DENOTATIONS, Error, Device(compact_denotations);
-    summary: "a tool does not know the denotations of a compact object",
-    checks: "Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown with the others.",
-    why: "dcf-tools knows `[xxxxName]` and `[xxxxValue]`, but not this section, and refuses the file.",
+    summary: "a tool does not support the denotations of a compact object",
+    checks: "Reports objects with `CompactSubObj` and a section `[xxxxDenotation]`. The first one is shown with the others.",
+    why: "dcf-tools supports `[xxxxName]` and `[xxxxValue]` but not this section and rejects the file.",
     example: "`[2000Denotation]`",
     remedy: "Use `[xxxxName]`, or describe the sub-indexes individually.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/compact-names" = COMPACT_NAMES, Warning, Device(compact_names);
     summary: "a tool ignores the names of a compact object",
-    checks: "Whether an object with `CompactSubObj` has a section `[xxxxName]` without a gap. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` and a section `[xxxxName]` without a gap. The first one is shown with the others.",
     why: "CANopenEditor does not read the section and names the sub-indexes after the object, with a hex number appended.",
     example: "`[2000Name]`",
     remedy: "Describe the sub-indexes individually if their names matter.",
@@ -29,7 +29,7 @@ rules! {
 
     "portability/compact-parameter-value" = COMPACT_PARAMETER_VALUE, Error, Device(compact_parameter_value);
     summary: "a compact object has one configured value for all sub-indexes",
-    checks: "Whether an object with `CompactSubObj` has a `ParameterValue`, but no section `[xxxxValue]`. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` and a `ParameterValue` but without a section `[xxxxValue]`. The first one is shown with the others.",
     why: "dcf-tools does not read the value of the key correctly and crashes.",
     example: "`CompactSubObj=8` and `ParameterValue=1`",
     remedy: "Write the value of each sub-index in `[xxxxValue]`.",
@@ -37,29 +37,29 @@ rules! {
 
     "portability/compact-storage" = COMPACT_STORAGE, Warning, Device(compact_storage);
     summary: "a tool does not support `CompactSubObj` correctly",
-    checks: "Whether an object has `CompactSubObj` without a section of names, values or denotations, which have their own rules. The first one is shown with the others.",
-    why: "CANopenEditor creates the sub-indexes, but drops their default and mapping and uses the low limit as the high limit. python-canopen creates the sub-indexes of an ARRAY on access, without a value in sub-index 0, and none for a RECORD.",
+    checks: "Reports objects with `CompactSubObj` but without a section of names, values or denotations. These sections have their own rules. The first one is shown with the others.",
+    why: "CANopenEditor creates the sub-indexes but drops their default and mapping and uses the low limit as the high limit. python-canopen creates the sub-indexes of an ARRAY on access, without a value in sub-index 0, and none for a RECORD.",
     example: "`CompactSubObj=8`",
     remedy: "Describe the sub-indexes individually.",
 
     "portability/compact-values" = COMPACT_VALUES, Warning, Device(compact_values);
     summary: "a tool ignores the values of a compact object",
-    checks: "Whether an object with `CompactSubObj` has a section `[xxxxValue]`. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` and a section `[xxxxValue]`. The first one is shown with the others.",
     why: "python-canopen and CANopenEditor do not read the section: they use the default instead of the configured values.",
     example: "`[2000Value]`",
     remedy: "Describe the sub-indexes individually, each with its `ParameterValue`.",
 
     "portability/domain-without-type" = DOMAIN_WITHOUT_TYPE, Error, Entry(domain_without_type), fix Safe;
     summary: "a DOMAIN has no data type or access",
-    checks: "Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not require them: the data type is DOMAIN, the access `rw`.",
+    checks: "An object of type DOMAIN must have `DataType` and `AccessType`. The standard does not require them: the data type is DOMAIN, the access `rw`.",
     why: "dcf-tools and python-canopen read both keys of each object with a value and fail if one is missing.",
     example: "`ObjectType=0x2` without `DataType`",
     remedy: "Write `DataType=0x000F` and `AccessType=rw` (the defaults).",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
 
     "portability/empty-text" = EMPTY_TEXT, Error, Device(empty_text);
-    summary: "a tool does not accept an empty text",
-    checks: "Whether `VendorName`, `ProductName` and `OrderCode` of the device and of its modules have a text, if they are there.",
+    summary: "a tool does not accept an empty string",
+    checks: "`VendorName`, `ProductName` and `OrderCode` of the device and of its modules must not be empty if they are present.",
     why: "CANchkEDS reports mandatory keys without a value.",
     example: "`OrderCode=`",
     remedy: "Write the order code.",
@@ -67,21 +67,21 @@ rules! {
 
     "portability/file-reference" = FILE_REFERENCE, Note, Device(file_reference);
     summary: "a tool ignores the file of a DOMAIN",
-    checks: "Whether an entry of a DCF has an `UploadFile` or a `DownloadFile`. The first one is shown with the others.",
+    checks: "Reports entries of a DCF with an `UploadFile` or a `DownloadFile`. The first one is shown with the others.",
     why: "python-canopen and CANopenEditor neither load the file nor write its name back.",
     example: "`DownloadFile=firmware.bin`",
     remedy: "Load the file in the application, or use a tool that supports it.",
 
     "portability/implicit-pdo" = IMPLICIT_PDO, Note, Device(implicit_pdo);
-    summary: "a PDO is only implied by `CompactPDO`",
-    checks: "Whether `CompactPDO` and the PDO counts in `[DeviceInfo]` imply PDOs without objects in the file.",
-    why: "python-canopen and CANopenEditor ignore `CompactPDO` (CANopenEditor unless the file has modules), so they do not know these PDOs.",
+    summary: "only `CompactPDO` implies a PDO",
+    checks: "Reports PDOs that `CompactPDO` and the PDO counts in `[DeviceInfo]` imply without objects in the file.",
+    why: "python-canopen and CANopenEditor ignore `CompactPDO` (CANopenEditor unless the file has modules), so they do not detect these PDOs.",
     example: "`NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`",
     remedy: "Describe the objects of the PDOs, for example with `objdict convert`.",
 
     "portability/long-value" = LONG_VALUE, Note, Device(long_value);
     summary: "a configured value has more than four bytes",
-    checks: "Whether a writable entry with a default or configured value has a type of more than four bytes or of variable length. The first one is shown with the others.",
+    checks: "Reports writable entries with a default or configured value whose type has more than four bytes or a variable length. The first one is shown with the others.",
     why: "CODESYS configures entries of up to four bytes by SDO; the application must write longer ones.",
     example: "A writable UNSIGNED64 with a default",
     remedy: "Write the entry from the application, or split it into entries of four bytes.",
@@ -89,23 +89,23 @@ rules! {
 
     "portability/mapping-of-structure" = MAPPING_OF_STRUCTURE, Error, Entry(mapping_of_structure), fix Safe;
     summary: "an object without a mappable value has `PDOMapping=0`",
-    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj`, or a DOMAIN, has `PDOMapping=0`. The key does not belong there, but its value is right.",
-    why: "node-canopen refuses keys of a value at these object types.",
+    checks: "Reports `PDOMapping=0` in an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj` and in a DOMAIN. The key does not belong there, but its value is right.",
+    why: "node-canopen rejects keys of a value for these object types.",
     example: "`[1018]` with `ObjectType=0x9` and `PDOMapping=0`",
     remedy: "Remove the key.",
     source: "node-canopen 6.2.1",
 
     "portability/time-value" = TIME_VALUE, Warning, Device(time_value);
     summary: "a time of day or a duration has a value",
-    checks: "Whether an entry of type TIME_OF_DAY or TIME_DIFFERENCE has a default or configured value. The first one is shown with the others.",
-    why: "python-canopen does not know these types and reads an integer: the space between days and milliseconds is removed, and `1 2` becomes 12.",
+    checks: "Reports entries of type TIME_OF_DAY or TIME_DIFFERENCE with a default or configured value. The first one is shown with the others.",
+    why: "python-canopen does not support these types and reads an integer: the space between days and milliseconds is removed, and `1 2` becomes 12.",
     example: "`DefaultValue=1 0x36EE80` of a TIME_OF_DAY",
     remedy: "Remove the value if 0 is acceptable.",
     source: "python-canopen 2.4.1",
 
     "portability/unclear-direction" = UNCLEAR_DIRECTION, Warning, Device(unclear_direction);
     summary: "a mappable entry is readable and writable",
-    checks: "Whether entries with `PDOMapping=1` have an access type with a direction: `ro`, `const` and `rwr` for TPDOs, `wo` and `rww` for RPDOs. Only the first one is shown.",
+    checks: "Entries with `PDOMapping=1` must have an access type with a direction: `ro`, `const` and `rwr` for TPDOs, `wo` and `rww` for RPDOs. Only the first one is shown.",
     why: "CANchkEDS cannot decide whether an entry with `rw` belongs to a TPDO or to an RPDO.",
     example: "`AccessType=rw` and `PDOMapping=1`",
     remedy: "Write `rwr` for an entry that TPDOs send, `rww` for one that RPDOs receive.",
@@ -113,7 +113,7 @@ rules! {
 
     "portability/unused-mapping-slot" = UNUSED_MAPPING_SLOT, Warning, Pdo(unused_mapping_slot);
     summary: "a fixed PDO mapping has entries that it does not use",
-    checks: "Whether the default of sub-index 0 of each mapping is its highest sub-index, if `Granularity=0` says that the mapping cannot be changed.",
+    checks: "If `Granularity=0` specifies that the mapping cannot be changed, the default of sub-index 0 of each mapping must be its highest sub-index.",
     why: "CANchkEDS warns because the entries can never be used.",
     example: "`Granularity=0`, `[1A00sub0]` with `DefaultValue=1`, and `[1A00sub2]`",
     remedy: "Remove the unused entries, or write the granularity of a mapping that can be changed.",
