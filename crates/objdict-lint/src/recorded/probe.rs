@@ -14,7 +14,7 @@ text_rules! {
 
     "probe/undescribed" = UNDESCRIBED, Warning;
     summary: "the device has an entry that is not described",
-    checks: "Each entry that responds with a value, or accepts one, must be in the description.",
+    checks: "Each entry that responds with a value or accepts one must be in the description.",
     why: "Tools cannot use the entry, and the description belongs to a different firmware version.",
     example: "1018h has four entries in the description, and sub-index 5 answers",
     remedy: "Describe the entry, or respond with 0602 0000h or 0609 0011h.",
@@ -33,15 +33,15 @@ text_rules! {
     checks: "Each value must have the number of bytes that its `DataType` requires.",
     why: "A client that reads the entry by its description reads a wrong number or rejects the response; a PDO that maps it has a different length.",
     example: "two bytes for an entry that is described as UNSIGNED32",
-    remedy: "Correct `DataType`, or the device's response.",
+    remedy: "Correct `DataType` or the device's response.",
     source: "CiA 301 §7.2.4.3.6",
 
     "probe/invalid-value" = INVALID_VALUE, Error;
     summary: "a value is not valid for its data type",
-    checks: "A BOOLEAN must be 0 or 1, and a VISIBLE_STRING must be ASCII. A UNICODE_STRING must have whole characters, and a REAL must be a number. A string of a bench must be a value of the type.",
+    checks: "A BOOLEAN must be 0 or 1, and a VISIBLE_STRING must be ASCII. A UNICODE_STRING must have whole characters, and a REAL must be a number. A string that a test bench recorded must be a value of the type.",
     why: "The entry's type differs from the description, or the device has no value there.",
     example: "the byte 2 for a BOOLEAN",
-    remedy: "Correct `DataType`, or the value of the device.",
+    remedy: "Correct `DataType` or the device's value.",
     source: "CiA 301 §7.1.4",
 
     "probe/outside-limits" = OUTSIDE_LIMITS, Error;
@@ -49,7 +49,7 @@ text_rules! {
     checks: "Each value read must be within `LowLimit` and `HighLimit`.",
     why: "A tool that reads all values and writes them back gets an abort.",
     example: "120 for an entry with `HighLimit=100`",
-    remedy: "Correct the limits, or the value of the device.",
+    remedy: "Correct the limits or the device's value.",
     source: "CiA 306-1 §4.6.3.2",
 
     "probe/other-value" = OTHER_VALUE, Error;
@@ -73,7 +73,7 @@ text_rules! {
     checks: "Sub-index 0 of an array or record must have the described value if it is not writable.",
     why: "Clients read or configure the sub-indexes up to this number.",
     example: "1018h with a highest sub-index of 3 where 4 is described",
-    remedy: "Correct the description, or the value of the device.",
+    remedy: "Correct the description or the device's value.",
     source: "CiA 301 §7.4.2",
 
     "probe/not-readable" = NOT_READABLE, Error;
@@ -81,7 +81,7 @@ text_rules! {
     checks: "Reading an entry with a readable `AccessType` must not be aborted. 0800 0024h (no data) and 060A 0023h (not available) are accepted if the description has no value, and in the error history (1003h).",
     why: "A tool that reads the device from its description reports an error.",
     example: "`AccessType=rw`, and reading is aborted with 0601 0001h (write-only)",
-    remedy: "Correct `AccessType`, or the device.",
+    remedy: "Correct `AccessType` or the device.",
 
     "probe/readable" = READABLE, Warning;
     summary: "an entry described as write-only is readable",
@@ -137,7 +137,7 @@ text_rules! {
     "probe/other-than-written" = OTHER_THAN_WRITTEN, Warning;
     summary: "an entry's value differs from the value written",
     checks: "Reading an entry must return the value that was last written and accepted. Mappable entries, commands and communication objects are not compared. Neither are values written before a reset of the node (NMT commands 81h and 82h, boot-up).",
-    why: "The device silently rounds or limits the value, or does not store it.",
+    why: "The device silently rounds or limits the value or does not store it.",
     example: "150 is written and accepted, and 100 is read",
     remedy: "Reject values that cannot be stored, or describe the access as write-only.",
     source: "CiA 301 §7.2.4.1",

@@ -104,7 +104,7 @@ text_rules! {
     source: "XML 1.0 §2.5",
 
     "xml/cdata-end-in-text" = CDATA_END_IN_TEXT, Error;
-    summary: "a text contains `]]>`",
+    summary: "text contains `]]>`",
     checks: "`]]>` must not occur outside CDATA sections.",
     why: "XML parsers reject the file.",
     example: r#"`<label lang="en">gain[index[2]]>1</label>`"#,
@@ -140,7 +140,7 @@ text_rules! {
     checks: "Reports a `<!DOCTYPE … >`. Entities that it declares as text are expanded, up to 1 MiB; external files are never read. A malformed document type is an error.",
     why: "No CANopen profile has one. Tools reject it for security: entities can read files of the user and exhaust memory.",
     example: r#"`<!DOCTYPE ISO15745ProfileContainer SYSTEM "canopen.dtd">`"#,
-    remedy: "Remove the document type, and replace its entities with their text.",
+    remedy: "Remove the document type and replace its entities with their text.",
     source: "XML 1.0 §2.8; CiA 311",
 
     "xml/encoding" = ENCODING, Error;

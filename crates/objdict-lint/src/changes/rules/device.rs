@@ -39,7 +39,7 @@ changes! {
     source: "CiA 302-3; CiA 301 §7.2.4.3.17 (abort codes)",
 
     "change/node-changed" = NODE_CHANGED {
-        Configurations: Breaking, "the configuration is for another node-ID, bit rate or network";
+        Configurations: Breaking, "the configuration is for a different node-ID, bit rate or network";
         PdoConsumers: Breaking, "CAN-IDs follow the node-ID, and all nodes need the same bit rate";
         SdoClients: Breaking, "the SDO channel follows the node-ID, and all nodes need the same bit rate";
     }
@@ -121,7 +121,7 @@ changes! {
     source: "CiA 306-1 §4.5, §4.6.2",
 
     "change/granularity-coarser" = GRANULARITY_COARSER {
-        Configurations: Breaking, "the device rejects a mapping with shorter entries, or any mapping (06040041h)";
+        Configurations: Breaking, "the device rejects a mapping with shorter entries or any mapping (06040041h)";
         SdoClients: Compatible, "entries are accessed in the same way";
     }
     summary: "short entries can no longer be mapped",
@@ -134,7 +134,7 @@ changes! {
         SdoClients: Compatible, "entries are accessed in the same way";
     }
     summary: "shorter entries can be mapped",
-    checks: "`Granularity` becomes a smaller number of bits, or is no longer 0.",
+    checks: "`Granularity` becomes a smaller number of bits or is no longer 0.",
     example: "`Granularity=8`, then `Granularity=1`",
     remedy: "Bump the major revision number if the device already has users.",
 

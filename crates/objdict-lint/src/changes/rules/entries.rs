@@ -137,7 +137,7 @@ changes! {
     source: "CiA 306-1 §4.6.3.2; objdict, docs/reference/generate.md (names)",
 
     "change/identifier-changed" = IDENTIFIER_CHANGED {
-        Firmware: Risky, "sources that use the old identifier no longer compile, or refer to a different entry";
+        Firmware: Risky, "sources that use the old identifier no longer compile or refer to a different entry";
     }
     summary: "an entry has the same name but a different identifier in generated code",
     checks: "In the targets `c` and `rust`, the identifier of an object or entry changes although its name is unchanged or differs only in its spelling. For example, a new entry with the same name gives both a number.",
@@ -147,7 +147,7 @@ changes! {
 
     "change/data-type-changed" = DATA_TYPE_CHANGED {
         Configurations: Breaking, "the stored value has a different length or meaning: the device rejects it (06070010h) or misreads it";
-        PdoConsumers: Breaking, "consumers read other bits, or interpret them as a different type";
+        PdoConsumers: Breaking, "consumers read other bits or interpret them as a different type";
         SdoClients: Breaking, "clients read and write a different length or meaning";
         Firmware: Breaking, "variables of generated code have a different type";
         StoredValues: Breaking, "stored bytes have a different length or meaning";
@@ -382,7 +382,7 @@ changes! {
 
     "change/safety-changed" = SAFETY_CHANGED {
         Configurations: Breaking, "the safety configuration and its checksum (13FEh) no longer match";
-        PdoConsumers: Breaking, "SRDOs cannot carry the entry, or carry a different inverted value";
+        PdoConsumers: Breaking, "SRDOs cannot carry the entry or carry a different inverted value";
         SdoClients: Compatible, "the entry is accessed in the same way";
     }
     summary: "the safety mapping of an entry changes",

@@ -38,7 +38,7 @@ changes! {
     summary: "a PDO has a different mapping",
     checks: "After configuration, the mapped entries, their lengths or their order differ. A mapped object that moved is still the same object.",
     example: "TPDO 1: Statusword (16 bits) → Statusword, Position actual value (48 bits)",
-    remedy: "Keep the mapping, and map new entries to a different PDO.",
+    remedy: "Keep the mapping and map new entries to a different PDO.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
 
     "change/pdo-cob-id-changed" = PDO_COB_ID_CHANGED {
