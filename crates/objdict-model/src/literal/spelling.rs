@@ -126,35 +126,35 @@ text_rules! {
 
     "cia306/octal-number" = OCTAL_NUMBER, Warning, fix Safe;
     summary: "a number with a leading zero is octal",
-    checks: "Whether a number starts with `0` and has another value in decimal. The number is read as octal.",
-    why: "The standard defines octal, .NET tools and npm's canopen read decimal, python-canopen refuses the number.",
+    checks: "Reports a number that starts with `0` and has a different value in decimal. The number is read as octal.",
+    why: "The standard defines octal, .NET tools and npm's canopen read decimal, and python-canopen rejects the number.",
     example: "`DefaultValue=010` is 8",
     remedy: "Write the intended number in decimal or hex.",
 
     "cia306/leading-zero" = LEADING_ZERO, Note, fix Safe;
     summary: "a number has a leading zero",
-    checks: "Whether a decimal number starts with `0` and has the same value in octal.",
-    why: "Python's readers refuse the number.",
+    checks: "Reports a decimal number that starts with `0` and has the same value in octal.",
+    why: "Python's readers reject the number.",
     example: "`FileRevision=07`",
     remedy: "Write `7`.",
 
     "cia306/node-id-last" = NODE_ID_LAST, Warning, fix Safe;
     summary: "`$NODEID` does not come first",
-    checks: "Whether a formula starts with `$NODEID`. The other order is also read.",
-    why: "For the standard, such a text is not a formula. dcf-tools refuses the file, Lely's C parser reads the number without the node-ID.",
+    checks: "A formula must start with `$NODEID`. The other order is also read.",
+    why: "For the standard, such a text is not a formula. dcf-tools rejects the file; Lely's C parser reads the number without the node-ID.",
     example: "`DefaultValue=0x180+$NODEID`",
     remedy: "Write `$NODEID+0x180`.",
 
     "cia306/formula-spelling" = FORMULA_SPELLING, Note, fix Safe;
     summary: "a formula has spaces or lower-case letters",
-    checks: "Whether formulas are spelled `$NODEID+number`.",
+    checks: "A formula must be written `$NODEID+number`.",
     why: "Some tools compare case-sensitively and without trimming.",
     example: "`$NodeId + 0x180`",
     remedy: "Write `$NODEID+0x180`.",
 
     "cia306/trailing-comment" = TRAILING_COMMENT, Warning, fix Safe;
     summary: "a comment follows a number or keyword",
-    checks: "Whether a blank and `;`, `#` or `//`, or `;` and a blank, follow a value that cannot contain them. In names and strings they are part of the text. Without a blank, `1;2` and `16#3E8` are not numbers.",
+    checks: "Reports a space and `;`, `#` or `//`, or `;` and a space, after a value that cannot contain them. In names and strings they are part of the text. Without a space, `1;2` and `16#3E8` are not numbers.",
     why: "The standard has no such comments: other tools read the whole text as the value, which is then not a number.",
     example: "`DataType=0x0007 ; UNSIGNED32`",
     remedy: "Put the comment on a separate line.",
@@ -162,52 +162,52 @@ text_rules! {
 
     "cia306/number-suffix" = NUMBER_SUFFIX, Warning, fix Safe;
     summary: "a number has a suffix of the C language",
-    checks: "Whether `L`, `LL`, `U` or `f` follows a number. The suffix is ignored.",
-    why: "An EDS has no suffixes; five of six other tools refuse the file.",
+    checks: "`L`, `LL`, `U` or `f` must not follow a number. The suffix is ignored.",
+    why: "An EDS has no suffixes; five of six other tools reject the file.",
     example: "`DefaultValue=0x1234567890ABCDEFLL`",
     remedy: "Remove the suffix.",
 
     "cia306/real-as-bits" = REAL_AS_BITS, Note, fix Safe;
     summary: "a REAL is written as the hex digits of its bits",
-    checks: "Whether a REAL32 or REAL64 is a hex number. The number is read as the bits of IEEE 754.",
-    why: "The standard does not define the notation of a REAL. Lely reads bits, python-canopen and npm's canopen do not.",
+    checks: "Reports a REAL32 or REAL64 in hex. The number is read as the bits of IEEE 754.",
+    why: "The standard does not define the notation of a REAL. Lely reads bits, but python-canopen and npm's canopen do not.",
     example: "`DefaultValue=0x3F800000`",
     remedy: "Write `1.0`, unless the file is for Lely.",
     source: "CiA 306-1 §4.3 does not define it",
 
     "cia306/twos-complement" = TWOS_COMPLEMENT, Note, fix Safe;
     summary: "a negative number is written as two's complement",
-    checks: "Whether a hex number of a signed type has its sign bit set. The number is read as negative.",
-    why: "Lely reads the largest positive number instead, dcf-tools and npm's canopen refuse it.",
+    checks: "Reports a hex number of a signed type whose sign bit is set. The number is read as negative.",
+    why: "Lely reads the largest positive number instead; dcf-tools and npm's canopen reject it.",
     example: "`LowLimit=0x80000000` of an INTEGER32",
     remedy: "Write `-2147483648`.",
     source: "CiA 306-1 §4.3 does not define it",
 
     "cia306/quoted-string" = QUOTED_STRING, Warning, fix Mixed;
     summary: "a string is in quotes",
-    checks: r#"Whether the value of a string type starts and ends with `"`; the quotes are ignored. Names and other texts of the device are also reported, but read with their quotes."#,
+    checks: r#"Reports a value of a string type that starts and ends with `"`; the quotes are ignored. Names and other texts of the device are also reported, but read with their quotes."#,
     why: "An EDS has strings without quotes. python-canopen and others make the quotes part of the text.",
     example: r#"`DefaultValue="IO block"`"#,
     remedy: "Remove the quotes, unless the file is for Lely's dcfgen.",
 
     "cia306/boolean-word" = BOOLEAN_WORD, Warning, fix Safe;
     summary: "a BOOLEAN is written as a word",
-    checks: "Whether a BOOLEAN is `true` or `false`.",
-    why: "An EDS uses 0 and 1; other tools refuse the words.",
+    checks: "A BOOLEAN must not be `true` or `false`.",
+    why: "An EDS uses 0 and 1; other tools reject the words.",
     example: "`DefaultValue=true`",
     remedy: "Write `1`.",
 
     "cia306/hex-prefix-in-bytes" = HEX_PREFIX_IN_BYTES, Warning, fix Safe;
     summary: "bytes are not written as plain hex digits",
-    checks: "Whether the value of an OCTET_STRING or DOMAIN has a `0x` prefix or spaces between its hex digits.",
+    checks: "The value of an OCTET_STRING or DOMAIN must not have a `0x` prefix or spaces between its hex digits.",
     why: "The standard defines two digits per byte and nothing else; other tools drop the value.",
     example: "`DefaultValue=0x01 A1 05`",
     remedy: "Write `01A105`.",
 
     "cia306/limit-above-type" = LIMIT_ABOVE_TYPE, Warning, fix Mixed;
     summary: "a high limit in hex is above its signed data type",
-    checks: "Whether `HighLimit` of a signed type is a hex number with the sign bit set, which as two's complement is below `LowLimit`, `DefaultValue` or `ParameterValue`, or is -1 without a `LowLimit`. It is read as the largest number of the type, as Lely does.",
-    why: "dcf-tools refuses the file; python-canopen reads a negative limit, which no value is within.",
+    checks: "Reports a `HighLimit` of a signed type in hex with the sign bit set. This applies if, as two's complement, it is below `LowLimit`, `DefaultValue` or `ParameterValue`, or is -1 without a `LowLimit`. It is read as the largest number of the type, as in Lely.",
+    why: "dcf-tools rejects the file; python-canopen reads a negative limit that no value is within.",
     example: "`LowLimit=0` and `HighLimit=0xFFFFFFFF` of an INTEGER32",
     remedy: "Write the largest number, `2147483647`, or correct the data type.",
     source: "CiA 306-1 §4.6.3.2",
