@@ -15,7 +15,7 @@ text_rules! {
 
     "cia311/duplicate-unique-id" = DUPLICATE_UNIQUE_ID, Error;
     summary: "two elements have the same id",
-    checks: "Whether each `uniqueID` is unique among all elements of the file. References lead to the first one.",
+    checks: "Each `uniqueID` must be unique among all elements of the file. References lead to the first one.",
     why: "References are ambiguous, and tools resolve them differently.",
     example: r#"Two parameters with `uniqueID="UID_OBJ_2000"`"#,
     remedy: "Change one of the ids and its references.",
@@ -25,70 +25,70 @@ text_rules! {
     "cia311/dangling-unique-id-ref" = DANGLING_UNIQUE_ID_REF, Error,
         explains Around ["missing-key", "device-type-without-value", "missing-constant"];
     summary: "an object refers to a parameter that does not exist",
-    checks: "Whether the id in `uniqueIDRef` of each object and sub-object exists.",
-    why: "The parameter defines data type, access, limits and default of the object: without it tools lack them, or reject the file.",
+    checks: "The id in `uniqueIDRef` of each object and sub-object must exist.",
+    why: "The parameter defines the object's data type, access, limits and default: without it, tools lack them or reject the file.",
     example: r#"`uniqueIDRef="UID_OBJ_2000"` in a file without a parameter with that id"#,
     remedy: "Correct the id, add the parameter, or write `dataType` and `accessType` for the object instead.",
 
     "cia311/dangling-parameter-ref" = DANGLING_PARAMETER_REF, Error;
     summary: "a group or a condition refers to a parameter that does not exist",
-    checks: "Whether the ids in `parameterRef` and `conditionalSupport` exist.",
+    checks: "The ids in `parameterRef` and `conditionalSupport` must exist.",
     why: "The group does not show the parameter, or the condition is never met.",
     example: r#"`<parameterRef uniqueIDRef="UID_SPEED"/>` in a file without a parameter with that id"#,
     remedy: "Correct the id, or remove the reference.",
 
     "cia311/dangling-data-type-id-ref" = DANGLING_DATA_TYPE_REF, Error;
     summary: "a parameter refers to a data type that does not exist",
-    checks: "Whether the id in each `dataTypeIDRef` exists.",
+    checks: "The id in each `dataTypeIDRef` must exist.",
     why: "The parameter has no data type.",
     example: r#"`<dataTypeIDRef uniqueIDRef="UID_ARR_1003"/>` in a file without an array with that id"#,
     remedy: "Correct the id, or define the type in `dataTypeList`.",
 
     "cia311/dangling-template-id-ref" = DANGLING_TEMPLATE_REF, Error;
     summary: "a parameter refers to a template that does not exist",
-    checks: "Whether the id in each `templateIDRef` exists.",
+    checks: "The id in each `templateIDRef` must exist.",
     why: "The parameter lacks the properties of the template.",
     example: r#"`templateIDRef="UID_PERCENT"` in a file without a template with that id"#,
     remedy: "Correct the id, or add the template to `templateList`.",
 
     "cia311/dangling-led-state-ref" = DANGLING_LED_STATE_REF, Warning;
     summary: "a combined LED state refers to a state that does not exist",
-    checks: "Whether there is an `LEDstate` for the id in each `LEDstateRef`.",
+    checks: "An `LEDstate` must exist for the id in each `LEDstateRef`.",
     why: "The description of the LEDs is incomplete, and schema validation rejects the file.",
     example: r#"`<LEDstateRef stateIDRef="UID_RUN"/>` in a file without a state with that id"#,
     remedy: "Correct the id.",
 
     "cia311/dangling-function-ref" = DANGLING_FUNCTION_REF, Error;
     summary: "a reference leads to a function or variable that does not exist",
-    checks: "Whether the id of the type of each function instance exists, and the ids of instance, variable and member in each `variableRef`.",
+    checks: "The type id of each function instance must exist, and so must the instance, variable and member ids in each `variableRef`.",
     why: "The parameter or the function has no type.",
     example: r#"`typeIDRef="UID_PID"` in a file without a function type with that id"#,
     remedy: "Correct the id, or add the missing element.",
 
     "cia311/dangling-interface-ref" = DANGLING_INTERFACE_REF, Error;
     summary: "ranges refer to a module interface that does not exist",
-    checks: "Whether the device manager has an interface with the id in `interface` of the application layers.",
+    checks: "The device manager needs an interface with the id in `interface` of the application layers.",
     why: "The objects of the modules get no indexes.",
     example: r#"`<interface uniqueIDRef="UID_BUS" addressing="auto">` in a file without `<interface uniqueID="UID_BUS" …>`"#,
     remedy: "Correct the id, or add the interface to the device manager.",
 
     "cia311/reference-to-wrong-kind" = REFERENCE_TO_WRONG_KIND, Error;
     summary: "a reference leads to an element of the wrong kind",
-    checks: "Whether data type references lead to data types, template references to templates, references of groups to parameters and so on. An object may refer to any element of the application process that describes a value.",
+    checks: "Data type references must lead to data types, template references to templates, references of groups to parameters and so on. An object may refer to any element of the application process that describes a value.",
     why: "Schema validation does not detect this, and tools resolve the reference differently.",
     example: r#"`<dataTypeIDRef uniqueIDRef="UID_SPEED"/>` where `UID_SPEED` is a parameter"#,
     remedy: "Write the id of an element of the right kind.",
 
     "cia311/recursive-data-type" = RECURSIVE_DATA_TYPE, Error;
     summary: "a data type contains itself",
-    checks: "Whether arrays, structs and derived types refer to themselves through their `dataTypeIDRef`.",
+    checks: "Arrays, structs and derived types must not refer to themselves through their `dataTypeIDRef`.",
     why: "Such a type has no size, and tools that follow the references loop forever.",
     example: "A struct with a member of its own type",
-    remedy: "Use another type.",
+    remedy: "Use a different type.",
 
     "cia311/recursive-template" = RECURSIVE_TEMPLATE, Error;
     summary: "a parameter template refers to itself",
-    checks: "Whether parameter templates refer to themselves through `templateIDRef`, directly or indirectly.",
+    checks: "Parameter templates must not refer to themselves through `templateIDRef`, directly or indirectly.",
     why: "Tools that follow the references loop forever.",
     example: "Two templates, each with the id of the other in `templateIDRef`",
     remedy: "Remove one of the references.",

@@ -16,70 +16,70 @@ text_rules! {
 
     "cia311/duplicate-object" = DUPLICATE_OBJECT, Error, stops "*";
     summary: "an object is defined twice",
-    checks: "Whether each index occurs once in `CANopenObjectList`. The first object is used.",
+    checks: "Each index must occur only once in `CANopenObjectList`. The first object is used.",
     why: "Some tools use the first one, some the last one, some reject the file: the object dictionary is ambiguous.",
     example: r#"Two `<CANopenObject index="1018" …>`"#,
     remedy: "Keep one of them.",
 
     "cia311/duplicate-sub-object" = DUPLICATE_SUB_OBJECT, Error, stops "*";
     summary: "a sub-object is defined twice",
-    checks: "Whether each sub-index occurs once in its object. The first sub-object is used.",
+    checks: "Each sub-index must occur only once in its object. The first sub-object is used.",
     why: "Some tools use the first one, some the last one, some reject the file.",
     example: r#"Two `<CANopenSubObject subIndex="01" …>` in one object"#,
     remedy: "Keep one of them, or change the sub-index of the other.",
 
     "cia311/contradicting-data-type" = CONTRADICTING_DATA_TYPE, Error, stops "*";
     summary: "an object and its parameter have different data types",
-    checks: "Whether `dataType` of an object matches the simple type of the parameter that it refers to, if there is a simple type for it. Types of 24, 40, 48 and 56 bits, times, DOMAIN and OCTET_STRING have none, so any type is accepted.",
-    why: "Some tools use the data type of the object, some that of the parameter: they read a different number of bytes from the device.",
+    checks: "An object's `dataType` must match the simple type of its parameter, if there is a simple type for it. Types of 24, 40, 48 and 56 bits, times, DOMAIN and OCTET_STRING have none, so any type is accepted.",
+    why: "Some tools use the object's data type, some the parameter's: they read a different number of bytes from the device.",
     example: r#"`dataType="0006"` of an object whose parameter has `<UDINT/>`"#,
     remedy: "Correct one of the two, or remove `dataType`.",
 
     "cia311/contradicting-access" = CONTRADICTING_ACCESS, Warning;
     summary: "an object and its parameter have different access types",
-    checks: "Whether `accessType` of an object matches `access` of the parameter that it refers to, if both are stated. `readWriteInput` and `readWriteOutput` are `rw`; `ro` and `const` are equivalent.",
-    why: "Tools use one or the other: they refuse to write a writable entry, or try to write a read-only one.",
+    checks: "If both are stated, an object's `accessType` must match `access` of its parameter. `readWriteInput` and `readWriteOutput` are `rw`; `ro` and `const` are equivalent.",
+    why: "Some tools use the object's access type, some the parameter's: they do not write a writable entry or try to write a read-only one.",
     example: r#"`accessType="ro"` of an object whose parameter has `access="readWrite"`"#,
     remedy: "Correct one of the two, or remove `accessType`.",
 
     "cia311/contradicting-mapping" = CONTRADICTING_MAPPING, Warning, fix Unsafe;
     summary: "an object and its parameter name different PDO directions",
-    checks: "Whether `PDOmapping=\"RPDO\"` of an object has no `access=\"readWriteInput\"` in the parameter that it refers to, and `TPDO` no `readWriteOutput`. `PDOmapping` is used.",
-    why: "A process input is sent in a TPDO, an output received in an RPDO. Some versions of CANopenEditor confuse the two in `access`; tools that go by it offer the entry for PDOs of the wrong direction.",
+    checks: "If an object has `PDOmapping=\"RPDO\"`, its parameter must not have `access=\"readWriteInput\"`. If it has `TPDO`, the parameter must not have `readWriteOutput`. `PDOmapping` is used.",
+    why: "A process input is sent in a TPDO, an output received in an RPDO. Some versions of CANopenEditor confuse the two in `access`; tools that follow it offer the entry for PDOs of the wrong direction.",
     example: r#"`PDOmapping="RPDO"` of an object whose parameter has `access="readWriteInput"`"#,
     remedy: "Write `readWriteOutput` for an RPDO and `readWriteInput` for a TPDO.",
 
     "cia311/contradicting-value" = CONTRADICTING_VALUE, Warning;
     summary: "an object and its parameter have different values, defaults or limits",
-    checks: "Whether `defaultValue`, `actualValue`, `lowLimit` and `highLimit` of an object match the parameter that it refers to, if both are stated. Numbers are compared as numbers; limits only if the parameter has a single range.",
-    why: "Some tools use one, some the other.",
+    checks: "If both are stated, an object's `defaultValue`, `actualValue`, `lowLimit` and `highLimit` must match its parameter. Numbers are compared as numbers; limits only if the parameter has a single range.",
+    why: "Some tools use the object's value, some the parameter's.",
     example: r#"`defaultValue="1"` of an object whose parameter has `<defaultValue value="2"/>`"#,
-    remedy: "Correct one of the two, or remove that of the object.",
+    remedy: "Correct one of the two, or remove the object's value.",
 
     "cia311/contradicting-name" = CONTRADICTING_NAME, Note;
     summary: "an object and its parameter have different names",
-    checks: "Whether `name` of an object is one of the labels of the parameter that it refers to, if that has labels. Blanks and capital letters are ignored.",
-    why: "Tools show one or the other: users of two tools look for one object under two names. Often the reference leads to the wrong parameter.",
+    checks: "An object's `name` must be one of its parameter's labels, if the parameter has labels. Spaces and capital letters are ignored.",
+    why: "Some tools show the object's name, some the parameter's: users of two tools look for one object under two names. Often the reference leads to the wrong parameter.",
     example: r#"`name="Speed"` of an object whose parameter has `<label lang="en">Torque</label>`"#,
     remedy: "Write the same name, or correct `uniqueIDRef`.",
 
     "cia311/wrong-object-count" = WRONG_OBJECT_COUNT, Warning;
     summary: "the number of objects is wrong",
-    checks: "Whether `manufacturerObjects` is the number of objects from 2000h to 5FFFh, and the sum of `mandatoryObjects` and `optionalObjects` the number of the others, with or without data type definitions below 1000h. Only the sum is checked because the mandatory objects depend on the device.",
+    checks: "`manufacturerObjects` must be the number of objects from 2000h to 5FFFh. The total of `mandatoryObjects` and `optionalObjects` must be the number of the others, with or without data type definitions below 1000h. Only the total is checked because the mandatory objects depend on the device.",
     why: "Objects were added or removed without updating the count; an object may be missing.",
     example: r#"`mandatoryObjects="3" optionalObjects="10"` with twelve objects below 2000h and from 6000h on"#,
     remedy: "Write the right numbers, or remove the attributes.",
 
     "cia311/duplicate-baud-rate" = DUPLICATE_BAUD_RATE, Warning;
     summary: "a bit rate is listed twice",
-    checks: "Whether each `supportedBaudRate` of a `baudRate` occurs once.",
-    why: "Usually the second one should be another bit rate, which tools do not offer.",
+    checks: "Each `supportedBaudRate` of a `baudRate` must occur only once.",
+    why: "Usually the second one should be a different bit rate, which tools do not offer.",
     example: r#"Two `<supportedBaudRate value="250 Kbps"/>`"#,
     remedy: "Remove one of them, or correct it.",
 
     "cia311/default-baud-rate-not-supported" = DEFAULT_BAUD_RATE_NOT_SUPPORTED, Warning;
     summary: "the default bit rate is not supported",
-    checks: "Whether `defaultValue` of `baudRate` is one of its `supportedBaudRate`, if both are stated.",
+    checks: "If both are stated, `defaultValue` of `baudRate` must be one of its `supportedBaudRate`.",
     why: "Tools do not offer the bit rate that the device uses by default.",
     example: r#"`<baudRate defaultValue="1000 Kbps"><supportedBaudRate value="125 Kbps"/></baudRate>`"#,
     remedy: "Add the bit rate, or correct the default.",

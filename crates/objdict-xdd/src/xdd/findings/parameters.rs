@@ -15,63 +15,63 @@ text_rules! {
 
     "cia311/value-not-allowed" = VALUE_NOT_ALLOWED, Warning;
     summary: "a parameter has a value outside its allowed values",
-    checks: "Whether the default and the actual value of a parameter are among its `allowedValues` or those of their template, if these list values or several ranges, and on a `step` of the range. `cia306/value-outside-limits` checks a single range, which defines the limits of the entry.",
+    checks: "A parameter's default and actual value must be among its `allowedValues` or the values of their template, if these list values or several ranges. They must also be on a `step` of the range. `cia306/value-outside-limits` checks a single range, which defines the limits of the entry.",
     why: "Tools that offer the allowed values cannot show the actual one; tools that check reject it.",
     example: r#"`<defaultValue value="3"/>` with the allowed values 0, 1 and 2"#,
-    remedy: "Add the value to the allowed values, or use another one.",
+    remedy: "Add the value to the allowed values, or use a different value.",
 
     "cia311/invalid-parameter-value" = INVALID_PARAMETER_VALUE, Error;
-    summary: "a value of a parameter does not fit its data type",
-    checks: "Whether default, actual and allowed values of a parameter and the ends of its ranges are values of the data type: that of the object that refers to the parameter, otherwise that of the parameter. `cia306/invalid-value` checks values that the object takes from the parameter because it has none of its own. Values with an offset or a multiplier are not checked.",
-    why: "Tools that go by the parameter reject the file, or show and write another value.",
+    summary: "a parameter's value does not match its data type",
+    checks: "A parameter's default, actual and allowed values and the ends of its ranges must be values of the data type. This is the data type of the object that refers to the parameter, otherwise the parameter's own. `cia306/invalid-value` checks values that the object takes from the parameter because it has none of its own. Values with an offset or a multiplier are not checked.",
+    why: "Tools that follow the parameter reject the file or show and write a different value.",
     example: r#"`<defaultValue value="abc"/>` of a parameter with `<UINT/>`"#,
     remedy: "Write a value of the data type.",
 
     "cia311/min-above-max" = MIN_ABOVE_MAX, Error;
     summary: "the lower end of a range is above the upper end",
-    checks: "Whether `minValue` of a range is not greater than `maxValue`, if both are numbers. `cia306/low-limit-above-high` checks the single range of a parameter that one entry refers to, which defines the limits of the entry.",
+    checks: "If both are numbers, `minValue` of a range must not be greater than `maxValue`. `cia306/low-limit-above-high` checks the single range of a parameter that one entry refers to, which defines the limits of the entry.",
     why: "No value is in the range.",
     example: r#"`<range><minValue value="10"/><maxValue value="1"/></range>`"#,
     remedy: "Swap the values.",
 
     "cia311/duplicate-property" = DUPLICATE_PROPERTY, Warning;
     summary: "a property is defined twice",
-    checks: "Whether the properties of a parameter have different names.",
+    checks: "All properties of a parameter must have different names.",
     why: "Some tools use the first value, some the last one.",
     example: r#"`<property name="CO_storageGroup" value="RAM"/>` and `<property name="CO_storageGroup" value="ROM"/>`"#,
     remedy: "Keep one of them.",
 
     "cia311/missing-condition" = MISSING_CONDITION, Note;
     summary: "a parameter has conditional support without a condition",
-    checks: r#"Whether a parameter with `support="conditional"` has `conditionalSupport`."#,
+    checks: r#"A parameter with `support="conditional"` needs `conditionalSupport`."#,
     why: "Tools cannot determine when the device has the parameter.",
     example: r#"`<parameter uniqueID="P" support="conditional">` without `conditionalSupport`"#,
     remedy: "Add `conditionalSupport` with the parameters that it depends on, or write `mandatory` or `optional`.",
 
     "cia311/ambiguous-member" = AMBIGUOUS_MEMBER, Warning;
     summary: "a member of a variable has both an id and an index, or neither",
-    checks: "Whether `memberRef` has either `uniqueIDRef`, for a member of a struct, or `index`, for an element of an array.",
+    checks: "`memberRef` must have either `uniqueIDRef`, for a member of a struct, or `index`, for an element of an array.",
     why: "The referenced part of the variable is ambiguous.",
     example: "`<memberRef/>`",
     remedy: "Write one of the two attributes.",
 
     "cia311/duplicate-enum-value" = DUPLICATE_ENUM_VALUE, Warning;
     summary: "two names of an enumeration have the same value",
-    checks: "Whether the values of an `enum` are different; numbers are compared as numbers.",
+    checks: "The values of an `enum` must be different; numbers are compared as numbers.",
     why: "Some tools show one name for the value, some the other.",
     example: r#"`<enumValue value="1">` and `<enumValue value="0x01">`"#,
     remedy: "Correct one of the values.",
 
     "cia311/wrong-enum-size" = WRONG_ENUM_SIZE, Warning;
     summary: "the size of an enumeration is wrong",
-    checks: "Whether `size` of an `enum` is the number of its `enumValue` elements.",
+    checks: "`size` of an `enum` must be the number of its `enumValue` elements.",
     why: "A value was added or removed without updating the size; a value may be missing.",
     example: r#"`<enum size="2" …>` with three values"#,
     remedy: "Write the right number, or remove `size`.",
 
     "cia311/empty-subrange" = EMPTY_SUBRANGE, Error;
     summary: "an array has no elements",
-    checks: "Whether `lowerLimit` of a `subrange` is not greater than `upperLimit`.",
+    checks: "`lowerLimit` of a `subrange` must not be greater than `upperLimit`.",
     why: "No index is valid.",
     example: r#"`<subrange lowerLimit="8" upperLimit="1"/>`"#,
     remedy: "Swap the limits.",

@@ -13,22 +13,22 @@ text_rules! {
 
     "cia311/missing-body-type" = MISSING_BODY_TYPE, Error;
     summary: "a profile body does not state its type",
-    checks: "Whether `ProfileBody` has `xsi:type`. Without it the type is derived from the content.",
+    checks: "`ProfileBody` must have `xsi:type`. Without it the type is derived from the content.",
     why: "The type is abstract in the schema: tools that rely on `xsi:type` cannot read the body.",
     example: r#"`<ProfileBody fileName="drive.xdd">`"#,
-    remedy: r#"Add `xsi:type="ProfileBody_Device_CANopen"` or `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`, with the prefix of the namespace where it has one."#,
+    remedy: r#"Add `xsi:type="ProfileBody_Device_CANopen"` or `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`, with the prefix of the namespace if it has one."#,
 
     "cia311/unknown-body-type" = UNKNOWN_BODY_TYPE, Error;
     summary: "a profile body has a type that CiA 311 does not define",
-    checks: "Whether `xsi:type` is `ProfileBody_Device_CANopen` or `ProfileBody_CommunicationNetwork_CANopen`, with any prefix. Otherwise the type is derived from the content.",
-    why: "Tools reject the file, or ignore the body.",
+    checks: "`xsi:type` must be `ProfileBody_Device_CANopen` or `ProfileBody_CommunicationNetwork_CANopen`, with any prefix. Otherwise the type is derived from the content.",
+    why: "Tools reject the file or ignore the body.",
     example: r#"`xsi:type="ProfileBody_CANopen"`"#,
     remedy: "Write one of the two types.",
 
     "cia311/missing-profile" = MISSING_PROFILE, Warning,
         explains NoObjects ["missing-mandatory-object", "no-baud-rate"];
     summary: "one of the two profiles is missing",
-    checks: "Whether the container has a device profile and a communication network profile. A missing communication network profile, which contains the object dictionary, is an error, a missing device profile a warning.",
+    checks: "The container needs a device profile and a communication network profile. A missing communication network profile, which contains the object dictionary, is an error. A missing device profile is a warning.",
     why: "Tools read the vendor and the parameters from the device profile, and the objects from the communication network profile.",
     example: "A container with only a body of type `ProfileBody_Device_CANopen`",
     remedy: "Add the other profile.",
@@ -36,36 +36,36 @@ text_rules! {
 
     "cia311/duplicate-profile" = DUPLICATE_PROFILE, Error;
     summary: "a profile is defined twice",
-    checks: "Whether there is one body of each type. The first one is used.",
+    checks: "Only one body of each type is allowed. The first one is used.",
     why: "Some tools use the first one, some the last one.",
     example: r#"Two profiles with `xsi:type="ProfileBody_CommunicationNetwork_CANopen"`"#,
-    remedy: "Keep one of them; describe another device in a file of its own.",
+    remedy: "Keep one of them; describe a different device in a separate file.",
     source: "CiA 311 §5",
 
     "cia311/profile-class-mismatch" = PROFILE_CLASS_MISMATCH, Warning;
-    summary: "the header of a profile states another class than its body",
-    checks: "Whether `ProfileClassID` is `Device` before a device body and `CommunicationNetwork` before a communication network body.",
+    summary: "the header and body of a profile have different classes",
+    checks: "`ProfileClassID` must be `Device` before a device body and `CommunicationNetwork` before a communication network body.",
     why: "Tools that select the profile by its header use the wrong body.",
     example: "`<ProfileClassID>Device</ProfileClassID>` before `ProfileBody_CommunicationNetwork_CANopen`",
     remedy: "Write the class of the body.",
 
     "cia311/contradicting-file-attribute" = CONTRADICTING_FILE_ATTRIBUTE, Warning;
     summary: "the two profiles contradict each other about the file",
-    checks: "Whether `fileName`, `fileVersion`, and the date, time and author of the creation are the same in both bodies, if both have them.",
+    checks: "If both bodies have them, `fileName`, `fileVersion`, and the creation date, time and author must be the same.",
     why: "Both describe the same file. Some tools show one, some the other.",
     example: r#"`fileVersion="2"` in one body and `fileVersion="1"` in the other"#,
     remedy: "Write the same value to both.",
 
     "cia311/file-name-with-path" = FILE_NAME_WITH_PATH, Note;
     summary: "the file name contains a path",
-    checks: "Whether `fileName` is a name with an extension and without folders.",
-    why: "The path is specific to the computer of the author.",
+    checks: "`fileName` must be a name with an extension and without folders.",
+    why: "The path is specific to the author's computer.",
     example: r#"`fileName="C:\xdd\drive.xdd"`"#,
     remedy: "Write `drive.xdd`.",
 
     "cia311/contradicting-identity" = CONTRADICTING_IDENTITY, Warning;
     summary: "the two profiles name different vendors or products",
-    checks: "Whether `vendorID` and `productID` in `DeviceIdentity` and in `identity` of the application layers are the same numbers, if both have them.",
+    checks: "If `DeviceIdentity` and `identity` of the application layers both have `vendorID` or `productID`, the numbers must be the same.",
     why: "Tools compare one or the other with the identity object of the device on the bus.",
     example: "`<vendorID>0x1A3</vendorID>` in one and `<vendorID>0x1A4</vendorID>` in the other",
     remedy: "Write the same number to both.",

@@ -12,7 +12,7 @@ text_rules! {
 
     "cia311/missing-element" = MISSING_ELEMENT, Warning;
     summary: "an element is missing",
-    checks: "Whether each element contains its mandatory child elements of CiA 311. A missing element that the file is useless without, such as `ApplicationLayers` and `CANopenObjectList`, is an error, others are a warning.",
+    checks: "Each element must contain its mandatory child elements of CiA 311. A missing element that makes the file useless, such as `ApplicationLayers` and `CANopenObjectList`, is an error. Others are a warning.",
     why: "Schema validation rejects the file.",
     example: "`<DeviceFunction/>` without `capabilities`",
     remedy: "Add the element.",
@@ -24,70 +24,70 @@ text_rules! {
             "incomplete-pdo-parameter", "missing-name"
         ];
     summary: "an attribute is missing",
-    checks: "Whether each element has its mandatory attributes of CiA 311. A missing attribute that makes the element useless, such as `index` and `name` of an object and `uniqueID` of a parameter, is an error, others are a warning.",
-    why: "Schema validation rejects the file, other tools assume zeros.",
+    checks: "Each element must have its mandatory attributes of CiA 311. A missing attribute that makes the element useless is an error, such as `index` and `name` of an object and `uniqueID` of a parameter. Others are a warning.",
+    why: "Schema validation rejects the file; other tools assume zeros.",
     example: r#"`<CANopenGeneralFeatures nrOfRxPDO="4"/>` without `granularity`"#,
     remedy: "Add the attribute.",
 
     "cia311/unknown-element" = UNKNOWN_ELEMENT, Warning;
     summary: "an element is not defined here in CiA 311",
-    checks: "Whether CiA 311 defines each element in its place. Elements in a namespace of their own are a note. Unknown elements are preserved.",
-    why: "Schema validation rejects the file, other tools ignore the element with its content.",
+    checks: "Reports an element that CiA 311 does not define in this place. Elements in a namespace of their own are a note. Unknown elements are preserved.",
+    why: "Schema validation rejects the file; other tools ignore the element with its content.",
     example: r#"`<defaultvalue value="1"/>` in `allowedValues`"#,
     remedy: "Check the spelling and the place. Use `property` for manufacturer-specific data of a parameter.",
 
     "cia311/unknown-attribute" = UNKNOWN_ATTRIBUTE, Warning;
     summary: "an attribute is not defined for its element",
-    checks: "Whether CiA 311 defines each attribute of an element. Attributes with a prefix are not checked. Unknown attributes are preserved.",
-    why: "Schema validation rejects the file, other tools ignore the attribute.",
+    checks: "Reports an attribute that CiA 311 does not define for its element. Attributes with a prefix are not checked. Unknown attributes are preserved.",
+    why: "Schema validation rejects the file; other tools ignore the attribute.",
     example: r#"`<CANopenObject index="1000" sub="0">`"#,
     remedy: "Check the spelling, or remove the attribute.",
 
     "cia311/misspelt-name" = MISSPELT_NAME, Warning;
     summary: "a name differs from the standard in case",
-    checks: "Whether unknown elements and attributes differ from a name of CiA 311 only in case. They are read as that name.",
+    checks: "Reports an unknown element or attribute that differs from a name of CiA 311 only in case. It is read as that name.",
     why: "XML is case-sensitive: other tools do not find the value. Some versions of CANopenEditor write `NodeID` for `nodeID`.",
     example: r#"`<deviceCommissioning NodeID="5">`"#,
     remedy: "Write the name as in the standard.",
 
     "cia311/wrong-order" = WRONG_ORDER, Warning;
     summary: "elements are in the wrong order",
-    checks: "Whether child elements are in the order of CiA 311. Only the first one out of order is reported.",
+    checks: "Child elements must be in the order of CiA 311. Only the first one out of order is reported.",
     why: "Schema validation rejects the file. Most tools still read it.",
     example: r#"`<defaultValue value="1"/>` before `<UINT/>`"#,
     remedy: "Move the element.",
 
     "cia311/repeated-element" = REPEATED_ELEMENT, Error;
     summary: "an element is defined twice",
-    checks: "Whether elements that may occur once, such as the data type of a parameter, occur once. The first one is used.",
+    checks: "Elements that may occur once, such as the data type of a parameter, must not occur again. The first one is used.",
     why: "Some tools use the first one, some the last one, some reject the file.",
     example: "`<UINT/>` and `<UDINT/>` in one parameter",
     remedy: "Keep one of them.",
 
     "cia311/stray-text" = STRAY_TEXT, Warning;
-    summary: "there is text where only elements are allowed",
-    checks: "Whether an element that takes no text contains text.",
-    why: "Tools ignore the text. A tag around it may be missing, or it was meant as a comment.",
+    summary: "text is present where only elements are allowed",
+    checks: "Reports text in an element that may contain only elements.",
+    why: "Tools ignore the text. A tag around it may be missing, or it was intended as a comment.",
     example: r#"`<parameter uniqueID="P1">Speed<UINT/></parameter>`"#,
     remedy: "Move it into a `label` or `description`, or between `<!--` and `-->`.",
 
     "cia311/newer-version" = NEWER_VERSION, Warning;
     summary: "an element or attribute is not defined in version 1.0",
-    checks: "Whether a file in the namespace of version 1.0 has elements or attributes that were added in version 1.1.",
-    why: "Tools for version 1.0 ignore them, or reject the file.",
+    checks: "A file in the namespace of version 1.0 must not have elements or attributes that were added in version 1.1.",
+    why: "Tools for version 1.0 ignore them or reject the file.",
     example: "`<moduleManagement>` in `http://www.canopen.org/xml/1.0`",
     remedy: "Remove it, or change the namespace of the file to version 1.1.",
 
     "cia311/unknown-namespace" = UNKNOWN_NAMESPACE, Warning;
     summary: "the file is in no namespace of CiA 311",
-    checks: "Whether the container is in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read in any case.",
+    checks: "The container must be in `http://www.canopen.org/xml/1.0` or `http://www.canopen.org/xml/1.1`. The elements are read in any case.",
     why: "Tools that check the namespace, such as CANopenEditor, reject the file.",
     example: "`<ISO15745ProfileContainer>` without `xmlns`",
     remedy: r#"Write `xmlns="http://www.canopen.org/xml/1.0"` in the root element: in version 1.0 all elements are in the namespace. Version 1.1 keeps the local ones, such as `ProfileHeader` and `CANopenObject`, in none; write it with `objdict convert`."#,
 
     "cia311/element-form" = ELEMENT_FORM, Warning;
     summary: "elements are in a namespace where they must be in none, or vice versa",
-    checks: "Whether the local elements of version 1.1, such as `ProfileHeader`, `CANopenObject` and `label`, are in no namespace, and all others in that of the file. In version 1.0 all elements are in the namespace. Only the first element is reported, with the number of others.",
+    checks: "Local elements of version 1.1, such as `ProfileHeader`, `CANopenObject` and `label`, must be in no namespace. All others must be in the file's namespace. In version 1.0 all elements are in the namespace. Only the first element is reported, with the number of others.",
     why: "Tools that check the namespace, such as CANopenEditor, ignore such elements with their content. Others check only the names.",
     example: r#"`<ProfileBody>` in a file of version 1.1 without `xmlns=""`"#,
     remedy: r#"Add `xmlns=""` to `ProfileHeader` and `ProfileBody`, and a prefix to the names of the global elements in them."#,
@@ -95,8 +95,8 @@ text_rules! {
 
     "cia311/mixed-namespaces" = MIXED_NAMESPACES, Warning;
     summary: "an element and its container are in different namespaces",
-    checks: "Whether all elements of CiA 311 are in the namespace of the container or in none. Only the first one is reported, with the number of others.",
-    why: "Part of the file follows another version or standard, and tools that check_namespaces the namespace ignore it.",
+    checks: "All elements of CiA 311 must be in the namespace of the container or in none. Only the first one is reported, with the number of others.",
+    why: "Part of the file follows a different version or standard, and tools that check the namespace ignore it.",
     example: r#"`xmlns:q1="http://www.canopen.org/xml/1.0"` in a file of version 1.1"#,
     remedy: "Declare one namespace in the whole file.",
 }

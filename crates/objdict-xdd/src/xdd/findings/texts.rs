@@ -12,21 +12,21 @@ text_rules! {
 
     "cia311/duplicate-label" = DUPLICATE_LABEL, Warning;
     summary: "a label or description is defined twice in one language",
-    checks: "Whether an element has at most one `label` and one `description` per language.",
+    checks: "An element may have at most one `label` and one `description` per language.",
     why: "Some tools show the first one, some the last one.",
     example: r#"`<label lang="en">Speed</label><label lang="en">Velocity</label>`"#,
     remedy: "Keep one of them, or correct the language of the other.",
 
     "cia311/unlisted-language" = UNLISTED_LANGUAGE, Note;
     summary: "a text is in a language that the file does not list",
-    checks: "Whether the language of each `label` and `description` is in `supportedLanguages` of the profile body, if that attribute is present. Each language is reported once.",
+    checks: "If the profile body has `supportedLanguages`, the language of each `label` and `description` must be in it. Each language is reported once.",
     why: "Tools that offer the listed languages never show the text.",
     example: r#"`<label lang="de">` in a body with `supportedLanguages="en"`"#,
     remedy: "Add the language to `supportedLanguages`.",
 
     "cia311/dangling-dictionary-ref" = DANGLING_DICTIONARY_REF, Warning;
     summary: "a text refers to a dictionary that does not exist",
-    checks: "Whether there is a `dictionary` with the `dictID` of each `labelRef` and `descriptionRef`.",
+    checks: "A `dictionary` must exist with the `dictID` of each `labelRef` and `descriptionRef`.",
     why: "Tools have no text to show.",
     example: r#"`<labelRef dictID="texts" textID="speed"/>` without a `dictionaryList`"#,
     remedy: "Correct the id, or add the dictionary to `DeviceFunction/dictionaryList`.",

@@ -11,79 +11,79 @@ text_rules! {
 
     "cia311/invalid-number" = INVALID_NUMBER, Error;
     summary: "a number is invalid or too large",
-    checks: "Whether numeric attributes, such as `objectType`, `granularity` and `nodeID`, are decimal and in range: 8 bits for most, 16 bits for numbers of PDOs.",
+    checks: "Numeric attributes, such as `objectType`, `granularity` and `nodeID`, must be decimal and in range: 8 bits for most, 16 bits for numbers of PDOs.",
     why: "Tools reject the file, ignore the value, or truncate it. Only `index`, `dataType` and similar attributes are hexadecimal.",
     example: r#"`objectType="0x7"`"#,
     remedy: "Write the number in decimal.",
 
     "cia311/invalid-scaling" = INVALID_SCALING, Warning;
     summary: "an offset or multiplier is invalid",
-    checks: "Whether `offset` and `multiplier` of parameters and values are numbers, with or without a fraction, and no multiplier is 0.",
+    checks: "`offset` and `multiplier` of parameters and values must be numbers, with or without a fraction. No multiplier may be 0.",
     why: "The standard defines (value + offset) * multiplier but declares both as text, so schema validation does not find the error.",
     example: r#"`multiplier="0,1"`"#,
     remedy: "Write a number with a decimal point.",
 
     "cia311/invalid-boolean" = INVALID_BOOLEAN, Error;
     summary: "a Boolean is neither `true` nor `false`",
-    checks: "Whether Boolean attributes are `true`, `false`, `1` or `0`, in lower case.",
-    why: "Tools reject the file, or read the value as false.",
+    checks: "A Boolean attribute must be `true`, `false`, `1` or `0`, in lower case.",
+    why: "Tools reject the file or read the value as false.",
     example: r#"`bootUpSlave="True"`"#,
     remedy: "Write `true` or `false`.",
 
     "cia311/invalid-hex" = INVALID_HEX, Error, fix Safe, stops "*";
     summary: "a hexadecimal number has the wrong form",
-    checks: "Whether `index` has four hexadecimal digits, `subIndex` two, `dataType` two or four, `objFlags` pairs of them, without `0x` and without `h`. Leading zeros more than that are ignored.",
-    why: "Tools reject the file, or do not find the object.",
+    checks: "`index` must have four hexadecimal digits, `subIndex` two, `dataType` two or four, and `objFlags` pairs of them, without `0x` and without `h`. Additional leading zeros are ignored.",
+    why: "Tools reject the file or do not find the object.",
     example: r#"`index="0x1000"`, `subIndex="1"`, `subIndex="0001"`"#,
     remedy: "Write only the digits, such as `1000` or `01`.",
 
     "cia311/invalid-date" = INVALID_DATE, Warning, fix Mixed;
     summary: "a date is not written `yyyy-mm-dd`",
-    checks: "Whether dates exist in the calendar and are written year, month, day, with or without a time zone. Other spellings, such as `01-31-2026` and `31-Jan-2026`, are read and only a note.",
-    why: "Tools reject the file, or ignore the date. An EDS uses month, day, year.",
+    checks: "Dates must exist in the calendar and be written year, month, day, with or without a time zone. Other spellings, such as `01-31-2026` and `31-Jan-2026`, are read and are only a note.",
+    why: "Tools reject the file or ignore the date. An EDS uses month, day, year.",
     example: r#"`fileCreationDate="01-31-2026"`"#,
     remedy: "Write `2026-01-31`.",
 
     "cia311/invalid-time" = INVALID_TIME, Warning, fix Safe;
     summary: "a time of day is not written `hh:mm:ss`",
-    checks: "Whether times have two digits each for hour, minute and second, with or without a fraction and a time zone. Other spellings, such as `9:45` and `09:45AM`, are read and only a note.",
-    why: "Tools reject the file, or ignore the time. An EDS uses `09:45AM`.",
+    checks: "Times must have two digits each for hour, minute and second, with or without a fraction and a time zone. Other spellings, such as `9:45` and `09:45AM`, are read and are only a note.",
+    why: "Tools reject the file or ignore the time. An EDS uses `09:45AM`.",
     example: r#"`fileCreationTime="9:45"`"#,
     remedy: "Write `09:45:00`.",
 
     "cia311/invalid-word" = INVALID_WORD, Error;
     summary: "a keyword is not defined in the standard",
-    checks: "Whether access types, PDO mappings, LED states and all other keywords are those of the standard, in the same case.",
-    why: "Tools reject the file, or use their default.",
+    checks: "Access types, PDO mappings, LED states and all other keywords must be defined in the standard, in the same case.",
+    why: "Tools reject the file or use their default.",
     example: r#"`accessType="rwr"`, which belongs into the parameter as `access="readWriteInput"`"#,
     remedy: "Write one of the keywords of the standard.",
 
     "cia311/invalid-baud-rate" = INVALID_BAUD_RATE, Error;
     summary: "a bit rate is not defined in the standard",
-    checks: "Whether `supportedBaudRate` and the default are `10 Kbps`, `20 Kbps`, `50 Kbps`, `100 Kbps`, `125 Kbps`, `250 Kbps`, `500 Kbps`, `800 Kbps`, `1000 Kbps` or `auto-baudRate`.",
-    why: "Tools reject the file, or do not offer the bit rate.",
+    checks: "`supportedBaudRate` and the default must be `10 Kbps`, `20 Kbps`, `50 Kbps`, `100 Kbps`, `125 Kbps`, `250 Kbps`, `500 Kbps`, `800 Kbps`, `1000 Kbps` or `auto-baudRate`.",
+    why: "Tools reject the file or do not offer the bit rate.",
     example: r#"`<supportedBaudRate value="125"/>`"#,
     remedy: "Write `125 Kbps`.",
 
     "cia311/invalid-dummy" = INVALID_DUMMY, Error;
     summary: "a dummy entry is not of the form `Dummy0001=0`",
-    checks: "Whether `entry` of `dummy` is `Dummy0001` to `Dummy0007` with `=0` or `=1`.",
-    why: "The standard defines no others: tools reject the file, or ignore the dummy entry.",
+    checks: "`entry` of `dummy` must be `Dummy0001` to `Dummy0007` with `=0` or `=1`.",
+    why: "The standard defines no others: tools reject the file or ignore the dummy entry.",
     example: r#"`<dummy entry="0005=1"/>`"#,
     remedy: "Write `Dummy0005=1`.",
 
     "cia311/invalid-id" = INVALID_ID, Warning;
     summary: "an id is not a valid XML name",
-    checks: "Whether ids start with a letter or `_` and contain only letters, digits, `.`, `-` and `_`.",
-    why: "Schema validation rejects the file, other tools do not resolve references to the id.",
+    checks: "An id must start with a letter or `_` and contain only letters, digits, `.`, `-` and `_`.",
+    why: "Schema validation rejects the file; other tools do not resolve references to the id.",
     example: r#"`uniqueID="1000-1"`"#,
-    remedy: "Write a name such as `UID_1000-1`, and update its references.",
+    remedy: "Write a name such as `UID_1000-1` and update its references.",
     source: "CiA 311 annex A, XML Schema (NCName)",
 
     "cia311/invalid-language" = INVALID_LANGUAGE, Warning;
     summary: "a language is not written as `en` or `en-us`",
-    checks: "Whether `lang` and `supportedLanguages` are language codes of up to eight letters, with further parts after a hyphen.",
-    why: "Tools reject the file, or never show the text.",
+    checks: "`lang` and `supportedLanguages` must be language codes of up to eight letters, with further parts after a hyphen.",
+    why: "Tools reject the file or never show the text.",
     example: r#"`lang="en_US"`"#,
     remedy: "Write `en-us`.",
     source: "CiA 311 annex A, XML Schema (language)",
