@@ -32,9 +32,9 @@ pub(super) enum Carrier {
 
 text_rules! {
     "objdict/stale-embedded-data" = STALE_EMBEDDED_DATA, Note;
-    summary: "carried data are of a part that was changed since",
-    checks: "Whether the data that a conversion embedded in comment lines `; objdict-embed: …` or in properties `objdict:…` still belong to the file: each item names the datum that it replaces.",
-    why: "A conversion keeps in such items what the format has no place for. When another tool changes the part that an item belongs to, the item is passed over, so that the change is not undone; converting back does not bring the old datum.",
+    summary: "embedded data belong to a part that has changed since",
+    checks: "A conversion embeds data in comment lines `; objdict-embed: …` or in properties `objdict:…`. These data must still belong to the file: each item identifies the value that it replaces.",
+    why: "A conversion uses such items for content that the format cannot represent. If a tool changes the part that an item belongs to, the item is ignored so that the change is not undone; converting back does not restore the old value.",
     example: "`/objects/0x2000/subs=nothing instead of 1a2b3c4d` after a sub-index of 2000h was edited",
     remedy: "Remove the item, or convert the file again.",
     source: "objdict, docs/reference/formats.md",

@@ -217,8 +217,8 @@ impl DescriptionText for EsiText {
 text_rules! {
     "esi/not-read" = NOT_READ, Warning;
     summary: "a part of the file cannot be read",
-    checks: "Whether each object has an index of its own and types that the file defines; whether what an object says of its entries, and a PDO of what it maps, fits its type; whether the file that `DictionaryFile` names is there; whether there are modules, whose objects are not read.",
-    why: "The part is left out of everything that is made of the device.",
+    checks: "Each object needs an index of its own and types that the file defines. An object's entries and a PDO's mapped entries must match the types. The file that `DictionaryFile` names must exist. Modules are reported because their objects are not read.",
+    why: "The part is omitted from all output generated from the device.",
     example: "`<Type>DT2000</Type>` without a `DataType` of this name",
     remedy: "Correct the file, or ask the vendor for one that has the part.",
     source: "ETG.2000",

@@ -190,30 +190,30 @@ text_rules! {
     source: "objdict, docs/guides/patches.md";
 
     "patch/invalid-change" = INVALID_CHANGE, Error;
-    summary: "a change that cannot be made",
-    checks: "Whether each change says what it is about and what becomes of it: `at` is an address or `file`, `device`, `commissioning`; there is something to set, add, remove or rename; each value is valid for its field and its data type.",
-    why: "The change is not made, so the description keeps its mistake.",
+    summary: "a change cannot be applied",
+    checks: "Each change must specify its target and its effect. `at` must be an address or `file`, `device` or `commissioning`. Something must be set, added, removed or renamed. Each value must be valid for its field and its data type.",
+    why: "The change is not applied, so the description keeps its error.",
     example: "`at = \"20011:3\"`, `set = { default = 300 }` for an UNSIGNED8",
     remedy: "Correct the change.",
 
     "patch/expect-not-met" = EXPECT_NOT_MET, Error;
-    summary: "the file does not say what a patch expects",
-    checks: "Whether the file says what `expect` states, does not state the fields of `absent`, and has the objects and entries that are changed.",
-    why: "The vendor changed the file, or it is another one. The correction may be wrong there, or no longer needed.",
+    summary: "the file does not match a patch's expectation",
+    checks: "The file must contain the values in `expect` and must not contain the fields in `absent`. It must have the objects and entries that are changed.",
+    why: "The vendor changed the file, or it is a different file. The correction may be wrong there, or no longer needed.",
     example: "`expect = { type = \"u8\" }` where the file says UNSIGNED16",
-    remedy: "Compare the patch with the new file, and correct `expect` or remove the change.",
+    remedy: "Compare the patch with the new file and correct `expect`, or remove the change.",
 
     "patch/no-effect" = NO_EFFECT, Warning;
-    summary: "a change without effect",
-    checks: "Whether each change changes the description.",
+    summary: "a change has no effect",
+    checks: "Each change must modify the description.",
     why: "The vendor corrected the file; the change is no longer needed.",
     example: "`set = { type = \"u16\" }` where the file says UNSIGNED16",
     remedy: "Remove the change, or limit the patch to the revisions that need it with `revision`.",
 
     "patch/other-file" = OTHER_FILE, Error;
-    summary: "the file has another hash than the patch states",
-    checks: "Whether the bytes of the file have the hash `sha256` of the patch, if it states one.",
-    why: "The patch was made for another edition of the file.",
+    summary: "the file's hash differs from the patch",
+    checks: "If the patch states a hash in `sha256`, the bytes of the file must have this hash.",
+    why: "The patch was created for a different edition of the file.",
     example: "a new edition of the vendor with the same revision number",
-    remedy: "Check the changes with the new file, and then correct or remove `sha256`.",
+    remedy: "Check the changes with the new file and then correct or remove `sha256`.",
 }
