@@ -30,7 +30,7 @@ text_rules! {
     source: "TOML 1.0; YAML 1.1 §3.2.1.3",
 
     "keys/unknown-key" = UNKNOWN_KEY, Error;
-    summary: "an unknown key",
+    summary: "a key is unknown",
     checks: "Reports a key that objdict does not know in this place. In a `bus.yml`, these are keys that neither dcfgen nor the launch files of ROS know. Other programs may have keys in a `bus.yml`, so an unknown key there is a warning. It is an error if it differs in one or two letters from one that dcfgen reads.",
     why: "The key is misspelled or in the wrong table. Without an error its setting would be lost; dcfgen ignores it, so the node keeps its default.",
     example: "`heartbeat_produce: 500`",
@@ -46,7 +46,7 @@ text_rules! {
 
     "keys/wrong-type" = WRONG_TYPE, Error,
         explains Around ["missing-key"];
-    summary: "a value of the wrong type",
+    summary: "a value has the wrong type",
     checks: "Each value must be a number, a string, true or false, a list or a table, as its key requires. A decimal number in quotes is a warning. In a `bus.yml`, so is a number with a fraction instead of a whole number, because dcfgen cuts off the fraction.",
     why: "The value cannot be used. dcfgen stops with a traceback or uses a different value: a quoted `\"false\"` is true.",
     example: "`cob_id: \"0x205\"`, `mandatory: \"no\"`",

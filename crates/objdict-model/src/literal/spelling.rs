@@ -161,7 +161,7 @@ text_rules! {
     source: "CiA 306-1 §4.2",
 
     "cia306/number-suffix" = NUMBER_SUFFIX, Warning, fix Safe;
-    summary: "a number has a suffix of the C language",
+    summary: "a number has a C suffix",
     checks: "`L`, `LL`, `U` or `f` must not follow a number. The suffix is ignored.",
     why: "An EDS has no suffixes; five of six other tools reject the file.",
     example: "`DefaultValue=0x1234567890ABCDEFLL`",

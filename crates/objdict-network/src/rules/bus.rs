@@ -22,7 +22,7 @@ text_rules! {
     "network/duplicate-can-id" = DUPLICATE_CAN_ID, Error;
     summary: "two nodes send the same CAN-ID",
     checks: "Only one node may send each CAN-ID. This covers PDOs, EMCY, SDO and heartbeats of all nodes, and all frames of the manager. A manager without a description has a PDO for each RPDO that no node sends, so each of these needs a CAN-ID of its own. The manager is the client of each node's default SDO, so no other client (1280h) may use its CAN-IDs.",
-    why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers take the data of both.",
+    why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers use the data of both.",
     example: "TPDO 1 of two nodes on 18Bh, or a TPDO on 585h, where node 5 answers SDOs",
     remedy: "Assign one of them a different CAN-ID. An RPDO selects the frames that a node receives.",
     source: "CiA 301 §7.3.3",

@@ -96,12 +96,12 @@ text_rules! {
     checks: "A node of the network must send the CAN-ID of each valid RPDO that maps something. A manager without a description sends all remaining CAN-IDs. RPDOs that are unchanged from the description's defaults are one finding per node.",
     why: "The outputs of the node never change.",
     example: "an RPDO on 18Ch in a network without node 12",
-    remedy: "Correct the CAN-ID, or switch the RPDO off. `unused-pdos = \"off\"` of a `network.toml` switches off all PDOs that no link and no key uses.",
+    remedy: "Correct the CAN-ID, or switch the RPDO off. In a `network.toml`, `unused-pdos = \"off\"` switches off all PDOs that no link and no key uses.",
 
     "network/tpdo-without-receiver" = TPDO_WITHOUT_RECEIVER, Note;
     summary: "a TPDO is sent that no node receives",
     checks: "A node of the network must receive the CAN-ID of each valid TPDO that maps something. TPDOs that are unchanged from the description's defaults are one finding per node.",
     why: "The PDO uses bus capacity without any benefit.",
     example: "TPDO 2 of a node, which is valid by default",
-    remedy: "Link the entries of the TPDO, or switch it off. `unused-pdos = \"off\"` of a `network.toml` switches off all PDOs that no link and no key uses.",
+    remedy: "Link the entries of the TPDO, or switch it off. In a `network.toml`, `unused-pdos = \"off\"` switches off all PDOs that no link and no key uses.",
 }

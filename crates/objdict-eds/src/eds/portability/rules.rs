@@ -61,7 +61,7 @@ text_rules! {
     "portability/hex-count" = HEX_COUNT, Error, fix Safe;
     summary: "a count is written in hex",
     checks: "`SupportedObjects` of an object list and `NrOfEntries` of `[xxxxName]` and `[xxxxValue]` must be decimal numbers.",
-    why: "CiA 306 allows hex numbers everywhere. dcf-tools parses these counts as decimal and rejects the file, python-canopen fails at the count of `[xxxxName]`.",
+    why: "CiA 306 allows hex numbers everywhere. dcf-tools parses these counts as decimal and rejects the file; python-canopen fails at the count of `[xxxxName]`.",
     example: "`SupportedObjects=0x12`",
     remedy: "Write the number in decimal.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
@@ -77,7 +77,7 @@ text_rules! {
     "portability/key-case" = KEY_CASE, Error, fix Safe;
     summary: "the case of a key differs from the standard",
     checks: "Each key must have the case of the standard. The first one is shown, the others are counted.",
-    why: "CiA 306 ignores case. python-canopen and CANopenEditor compare case-sensitively and do not find the key: python-canopen fails if the key is a name, data type or access, CANopenEditor skips the object.",
+    why: "CiA 306 ignores case. python-canopen and CANopenEditor compare case-sensitively and do not find the key: python-canopen fails if the key is a name, data type or access, and CANopenEditor skips the object.",
     example: "`parametername=Speed`",
     remedy: "Write `ParameterName`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
@@ -131,7 +131,7 @@ text_rules! {
     "portability/sub-before-object" = SUB_BEFORE_OBJECT, Error;
     summary: "a sub-index is before its object",
     checks: "The section of an object must be above the sections of its sub-indexes and above its `[xxxxName]`.",
-    why: "CiA 306 requires no order. python-canopen fails at a sub-index whose object is below it, CANopenEditor skips it.",
+    why: "CiA 306 requires no order. python-canopen fails at a sub-index whose object is below it, and CANopenEditor skips it.",
     example: "`[2000sub0]` above `[2000]`",
     remedy: "Move the object above its sub-indexes.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",

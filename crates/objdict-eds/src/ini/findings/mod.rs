@@ -39,7 +39,7 @@ text_rules! {
     "cia306/mixed-line-ends" = MIXED_LINE_ENDS, Note, fix Mixed;
     summary: "the file mixes line ends",
     checks: "All lines must end with LF, or all with CR LF. A lone CR is also reported.",
-    why: "Tools with different line ends edited the file; version control shows lines as changed that are not.",
+    why: "Tools with different line ends edited the file; version control shows unchanged lines as changed.",
     example: "Lines with CR LF, and one line with LF that a script added.",
     remedy: "Save the file with one kind of line end.",
 
@@ -60,7 +60,7 @@ text_rules! {
         stops "*";
     summary: "a line is not a section, key or comment",
     checks: "Each non-empty line must be `[section]`, `key=value` or a comment. Continuation lines of a wrapped comment are ignored. So is text before the header of a section of the standard or before the first section.",
-    why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions: then only the markers are reported, and nothing is fixed.",
+    why: "Some tools stop here; others append the line to the previous value. Merge conflict markers mean that the file contains two versions: then only the markers are reported and nothing is fixed.",
     example: "`<<<<<<< HEAD`",
     remedy: "Remove the line, or put a `;` before it.",
 

@@ -31,7 +31,7 @@ text_rules! {
     remedy: "Write `true` or `false`.",
 
     "cia311/invalid-hex" = INVALID_HEX, Error, fix Safe, stops "*";
-    summary: "a hexadecimal number has the wrong form",
+    summary: "a hexadecimal number has the wrong format",
     checks: "`index` must have four hexadecimal digits, `subIndex` two, `dataType` two or four, and `objFlags` pairs of them, without `0x` and without `h`. Additional leading zeros are ignored.",
     why: "Tools reject the file or do not find the object.",
     example: r#"`index="0x1000"`, `subIndex="1"`, `subIndex="0001"`"#,
