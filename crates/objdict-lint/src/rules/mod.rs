@@ -47,7 +47,7 @@ const fn count(files: &[&[&Rule]]) -> usize {
     count
 }
 
-/// The rules of a group in the order in which they run and have their pages: the `first` ones as in their file, the
+/// The rules of a group in the order of their checks and pages: the `first` ones as in their file, the
 /// others by name. The compiler sorts them, because sorting takes 3 % of the instructions for a small file.
 const fn in_order<const COUNT: usize>(files: &[&[&'static Rule]], first: usize) -> [&'static Rule; COUNT] {
     let mut rules = [files[0][0]; COUNT];

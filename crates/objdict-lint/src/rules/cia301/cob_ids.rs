@@ -1,4 +1,4 @@
-//! The CAN-IDs of services: collisions, restrictions, and the predefined connection set.
+//! The CAN-IDs of services: collisions, restrictions and the predefined connection set.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -59,7 +59,7 @@ rules! {
     "cia301/restricted-can-id" = RESTRICTED_CAN_ID, Error, Facts(restricted_can_id);
     summary: "a service uses a restricted CAN-ID",
     checks: "An active SYNC, TIME, EMCY, PDO or additional SDO channel must not use a CAN-ID from 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh or 701h to 7FFh. CiA 301 reserves these for NMT, the default SDOs, error control and future use. An SDO channel may use the CAN-IDs of a default SDO; a channel with COB-ID 0 is not active. A formula is evaluated for every node-ID in an EDS and for the node of a DCF. If only high node-IDs lead to a restricted CAN-ID, the finding is a warning. COB-ID 0 of an EMCY consumer, an unused entry of 1028h, is a warning too.",
-    why: "A different node answers an SDO or sends its heartbeat with this CAN-ID: two nodes transmit the same identifier and disturb each other.",
+    why: "A different node responds to SDO requests or sends its heartbeat with this CAN-ID: two nodes transmit the same identifier and disturb each other.",
     example: "`[1804sub1]` with `DefaultValue=$NODEID+0x580`",
     remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or set bit 31 to mark the service as not valid.",
     source: "CiA 301 §7.3.5, table 40",
@@ -83,15 +83,15 @@ rules! {
     source: "CiA 301 §7.5.2.5, §7.5.2.35, figures 53 to 71",
 
     "cia301/tpdo-of-other-node" = TPDO_OF_OTHER_NODE, Warning, Facts(tpdo_of_other_node);
-    summary: "a node sends a PDO with a CAN-ID of a different node",
+    summary: "a node sends a PDO with a different node's CAN-ID",
     checks: "If a valid TPDO of a DCF uses a TPDO CAN-ID of the predefined connection set, it must be the CAN-ID of its own node. CAN-IDs of RPDOs are not checked, because they link the TPDO to another node.",
     why: "The other node sends its TPDO with the same CAN-ID unless it was reconfigured: two transmitters of one identifier disturb each other.",
     example: "`NodeID=5` and `[1800sub1]` with `ParameterValue=0x186`",
-    remedy: "Use the CAN-ID of this node, and configure the RPDO of the other node to receive it.",
+    remedy: "Use the CAN-ID of this node and configure the RPDO of the other node to receive it.",
     source: "CiA 301 §7.3.5",
 }
 
-/// The COB-IDs in use; other rules report those with wrong bits, without node-ID or with a restricted CAN-ID.
+/// The COB-IDs in use, except COB-IDs with wrong bits, without node-ID or with a restricted CAN-ID: other rules report them.
 fn unreported_cob_ids<'a>(facts: &'a Facts<'_>) -> impl Iterator<Item = &'a CobIdUse> {
     facts.cob_ids.iter().filter(|cob_id| {
         let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
@@ -106,7 +106,7 @@ fn can_id_in_both_directions(facts: &Facts<'_>, findings: &mut Findings) {
         let same = |other: &&&CobIdUse| collision_key(facts, other) == collision_key(facts, transmitter);
         for receiver in received.iter().filter(same).filter(|other| !has_peer_rule(facts, transmitter, other))
         {
-            // both directions of a client and a server have one cause
+            // collisions in both directions of a client and a server have one cause
             let objects = [transmitter.index, receiver.index];
             if pairs.insert([objects[0].min(objects[1]), objects[0].max(objects[1])]) {
                 findings.push(both_directions(facts, transmitter, receiver));
@@ -149,7 +149,7 @@ fn both_directions(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUs
         receiver.service,
         transmitter.cob_id.without_flags()
     );
-    // the mistake is probably in the entry for another node
+    // the mistake is probably in the entry for a different node
     let is_at_receiver = receiver.service == CobIdService::EmcyConsumer || receiver.index > transmitter.index;
     let (at, other) = if is_at_receiver { (receiver, transmitter) } else { (transmitter, receiver) };
     CAN_ID_IN_BOTH_DIRECTIONS
@@ -420,7 +420,7 @@ fn predefined_cob_id(facts: &Facts<'_>, cob_id: &CobIdUse, base: u16) -> Option<
     if per_node { CobId::per_node(number) } else { Some(CobId::new(number)) }
 }
 
-/// Reports a node whose EMCY or SYNC has the CAN-ID of the EMCY of another node.
+/// Reports a node whose EMCY or SYNC uses the CAN-ID of a different node's EMCY.
 fn emergency_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(own) = facts.device.node_id() else { return };
     let services = facts

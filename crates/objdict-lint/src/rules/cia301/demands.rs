@@ -25,14 +25,14 @@ rules! {
 
     "cia301/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "a communication object has a sub-index that CiA 301 does not define",
-    checks: "CiA 301 must define each sub-index of 1000h to 1029h, of the SDO and PDO parameters and of the scanner and dispatching lists. FFh, which describes the structure of the object, is always allowed.",
+    checks: "Reports sub-indexes that CiA 301 does not define for 1000h to 1029h, the SDO and PDO parameters and the scanner and dispatching lists. FFh, which describes the structure of the object, is always allowed.",
     why: "CiA defines the meaning of these objects and may assign the sub-index in a later edition. Tools that know the object do not show it.",
     example: "`[1018sub5]`",
     remedy: "Move vendor-specific entries to 2000h to 5FFFh.",
 
     "cia301/wrong-access", Error, Expected(wrong_access), fix Unsafe;
     summary: "a communication object has an access type that CiA 301 does not allow",
-    checks: "The rule compares access types with CiA 301, entry by entry: 1000h to 1029h, the SDO and PDO parameters and the scanner and dispatching lists. `ro` and `const` are equivalent, because editions of CiA 301 exchanged them. `rwr` and `rww` are treated as `rw`. Parameters that a profile can fix may be `const`.",
+    checks: "The rule compares access types with CiA 301, entry by entry: 1000h to 1029h, the SDO and PDO parameters and the scanner and dispatching lists. `ro` and `const` are equivalent, because editions of CiA 301 swapped them. `rwr` and `rww` are treated as `rw`. Parameters that a profile can fix may be `const`.",
     why: "A tool offers to write an entry that the device rejects, or omits one that it must write. A read-only heartbeat time cannot be set, and a writable device type is meaningless.",
     example: "`[1000]` with `AccessType=rw`",
     remedy: "Use an access type of the standard, in the description and in the device.",
@@ -40,7 +40,7 @@ rules! {
     "cia301/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "a communication object has a different data type than in CiA 301",
     checks: "The rule compares data types with CiA 301, entry by entry: 1000h to 1029h, the SDO and PDO parameters and the scanner and dispatching lists. Where editions of CiA 301 differ, both types are accepted: 1022h is UNSIGNED8 or UNSIGNED16. Sub-index 0 has its own rule.",
-    why: "Managers write these objects with the length that CiA 301 defines. A device with a different length answers with an abort, and the boot-up of the node stops.",
+    why: "Managers write these objects with the length that CiA 301 defines. A device with a different length responds with an abort, and the boot-up of the node stops.",
     example: "`[1017]` with `DataType=0x0007`",
     remedy: "Use the data type of the standard, in the description and in the device.",
 

@@ -1,4 +1,4 @@
-//! EMCY, and the reaction of the device to errors.
+//! EMCY and the reaction of the device to errors.
 
 use crate::diagnostic::{Findings, Fix, Severity, say, sub_index};
 use crate::model::{Device, DeviceKind, PdoKind, Place};
@@ -34,7 +34,7 @@ rules! {
     "cia301/emergency-without-cob-id" = EMERGENCY_WITHOUT_COB_ID, Warning, Device(emergency_without_cob_id);
     summary: "the device has an EMCY object but no COB-ID for EMCY",
     checks: "A device with 1015h (inhibit time EMCY) must have 1014h, the COB-ID of EMCY. With only 1003h (pre-defined error field) the finding is a note, because a device may record errors without sending EMCY.",
-    why: "The description shows that the device sends EMCY, but not with which CAN-ID.",
+    why: "The description shows that the device sends EMCY but not its CAN-ID.",
     example: "`[1015]` without `[1014]`",
     remedy: "Add 1014h with the default `$NODEID+0x80`.",
     source: "CiA 301 §7.5.2.17, §7.5.2.18",

@@ -11,7 +11,7 @@ rules! {
     "cia301/heartbeat-beside-guarding" = HEARTBEAT_BESIDE_GUARDING, Warning, Facts(heartbeat_beside_guarding);
     summary: "heartbeat and life guarding are both enabled",
     checks: "If 100Ch (guard time) and 100Dh (life time factor) are not 0, 1017h (heartbeat time) must be 0.",
-    why: "A node supports only one of them at a time. If the heartbeat time is set, the node sends heartbeats and does not answer guarding requests, so life guarding reports a lost master.",
+    why: "A node supports only one of them at a time. If the heartbeat time is set, the node sends heartbeats and does not respond to guarding requests, so life guarding reports a lost master.",
     example: "`[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`",
     remedy: "Write 0 to 100Ch and 100Dh.",
     source: "CiA 301 §7.2.8.2, §7.5.2.20",
@@ -181,7 +181,7 @@ const SHORTEST_HEARTBEAT: i128 = 10;
 
 fn short_heartbeat_time(device: &Device, findings: &mut Findings) {
     for index in [0x1016, 0x1017] {
-        // another rule reports another object type
+        // another rule reports a wrong object type
         let is_right = |object: &&Object| object.object_type().has_subs() == (index == 0x1016);
         let Some(object) = device.object(index).filter(is_right) else { continue };
         for (sub, _) in object.entries().filter(|&(sub, _)| (sub > 0) == (index == 0x1016)) {

@@ -1,4 +1,4 @@
-//! The device type, the identity object, and the objects that a device must or should not have.
+//! The device type, the identity object and the objects that a device must or should not have.
 
 use std::ops::RangeInclusive;
 
@@ -21,7 +21,7 @@ rules! {
 
     "cia301/invalid-device-type" = INVALID_DEVICE_TYPE, Error, Facts(invalid_device_type);
     summary: "the device type is contradictory",
-    checks: "If the low word of 1000h, the profile number, is 0 (no profile), the high word must be 0 too. For `0x00010000`, which tools write for a generic device, the finding is a warning. Two other warnings are a profile number in hexadecimal digits instead of decimal (0402h, which is 1026) and exchanged words. A note is a device with the controlword, statusword and mode of a drive (6040h, 6041h, 6060h) and profile number 0.",
+    checks: "If the low word of 1000h, the profile number, is 0 (no profile), the high word must be 0 too. For `0x00010000`, which tools write for a generic device, the finding is a warning. Two other warnings are a profile number in hexadecimal digits instead of decimal (0402h, which is 1026) and swapped words. A note is a device with the controlword, statusword and mode of a drive (6040h, 6041h, 6060h) and profile number 0.",
     why: "The high word has a meaning only within a profile. A master that compares the device type or derives the profile from it reaches the wrong conclusion.",
     example: "`[1000]` with `DefaultValue=0x00030000`",
     remedy: "Write the profile number to the low word, such as `0x00030191` for CiA 401, or write 0.",
@@ -30,7 +30,7 @@ rules! {
     "cia301/missing-mandatory-object" = MISSING_MANDATORY_OBJECT, Error, Applied(missing_mandatory_object);
     summary: "a mandatory object is missing",
     checks: "1000h (device type), 1001h (error register) and 1018h (identity) must be described. Objects that are listed but not described, or are in the wrong list, have their own rules.",
-    why: "A manager reads 1000h and 1018h when a node boots and rejects a node that answers with an abort. Tools identify devices by 1018h.",
+    why: "A manager reads 1000h and 1018h when a node boots and rejects a node that responds with an abort. Tools identify devices by 1018h.",
     example: "no section `[1018]`",
     remedy: "Describe the object and add it to `MandatoryObjects`.",
     source: "CiA 301 §7.5.2.1, §7.5.2.2, §7.5.2.21; CiA 306-1 §4.6.3.1",
@@ -46,7 +46,7 @@ rules! {
     "cia301/missing-vendor-id" = MISSING_VENDOR_ID, Error, Device(missing_vendor_id);
     summary: "the identity object has no vendor-ID",
     checks: "1018h must have sub-index 1. The other entries are optional.",
-    why: "The vendor-ID is the only mandatory entry of the identity object. Managers compare it with 1F85h, and product code and revision number have no meaning without it.",
+    why: "The vendor-ID is the only mandatory entry of the identity object. Managers compare it with 1F85h, and product code and revision number are meaningless without it.",
     example: "`[1018]` with only `[1018sub0]` and `[1018sub2]`",
     remedy: "Describe `[1018sub1]`, a read-only UNSIGNED32 with the vendor-ID assigned by CiA as its default.",
     source: "CiA 301 §7.5.2.21",
@@ -115,8 +115,8 @@ fn invalid_device_type(facts: &Facts<'_>, findings: &mut Findings) {
     findings.push(if device_type == 0x0001_0000 { finding.severity(Severity::Warning) } else { finding });
 }
 
-/// The mistake in a device type whose profile number is that of a device profile in another place or notation, and
-/// what is meant. CiA numbers device profiles from 401 on; none is from 1025 (401h) to 1177 (499h).
+/// The mistake in a device type whose profile number is a device profile in the wrong word or notation, and the intended
+/// value. CiA numbers device profiles from 401 on; none is from 1025 (401h) to 1177 (499h).
 fn misread_profile(profile: i128, additional: i128) -> Option<(Text, i128)> {
     let is_profile = |number: &i128| (401..=499).contains(number);
     let digits = format!("{profile:X}").parse().ok().filter(|digits| is_profile(digits) && profile > 499);
@@ -206,7 +206,7 @@ fn obsolete_object(device: &Device, index: u16, object: &Object, findings: &mut 
     };
     let main = object.subs.get(0).unwrap_or(&object.main);
     findings.push(finding.help(match main.access.is_some_and(Access::is_writable) {
-        // removed, the device could not be set any more
+        // without the object, the device could no longer be configured
         true if index == 0x100B => {
             "in a new device, set the node-ID with LSS or an object from 2000h to 5FFFh"
         }
@@ -214,7 +214,7 @@ fn obsolete_object(device: &Device, index: u16, object: &Object, findings: &mut 
     }));
 }
 
-/// How the numbers of PDOs in 1004h differ from the description; PDOs that `CompactPDO` implies are not described.
+/// The deviation of the PDO counts in 1004h from the description; PDOs that `CompactPDO` implies are not described.
 fn wrong_pdo_numbers(device: &Device, object: &Object) -> Option<Text> {
     let compact = device.device_info.as_ref().and_then(|info| info.compact_pdo);
     let stated = object.subs.get(0).unwrap_or(&object.main).value()?.as_integer()?;

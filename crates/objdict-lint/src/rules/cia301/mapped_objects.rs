@@ -62,7 +62,7 @@ rules! {
     "cia301/object-mapped-twice" = OBJECT_MAPPED_TWICE, Warning, Pdo(object_mapped_twice);
     summary: "a PDO maps the same object twice",
     checks: "The mapping of a PDO must contain each object only once. Dummy entries may be repeated. The same object in two PDOs is common, for example in CiA 402, and is not checked.",
-    why: "Often a copied line was not changed: one object is transferred twice and a different one is missing.",
+    why: "Often a copied line was not changed: one object is transferred twice and the intended one is missing.",
     example: "`[1A00sub1]` and `[1A00sub2]`, both with `DefaultValue=0x60000108`",
     remedy: "Map the intended object.",
 
@@ -71,17 +71,17 @@ rules! {
     checks: "Each mapped object of 8 bits or more must start at a byte boundary of the frame.",
     why: "Most devices and masters copy whole bytes and reject the mapping or read it incorrectly.",
     example: "`[1A00sub1]` with `DefaultValue=0x60200101` and `[1A00sub2]` with `DefaultValue=0x60000108`",
-    remedy: "Map the single bits last, or fill the byte before.",
+    remedy: "Map the single bits last, or fill the previous byte.",
 
     "cia301/wrong-mapping-direction" = WRONG_MAPPING_DIRECTION, Error, Pdo(wrong_mapping_direction);
-    summary: "a PDO maps an object of the other direction",
+    summary: "a PDO maps an object of the opposite direction",
     checks: "The objects of a TPDO must be readable and must not be process outputs (`wo`, `rww`). The objects of an RPDO must be writable and must not be process inputs (`ro`, `const`, `rwr`).",
     why: "An RPDO cannot write a read-only object: the device rejects the mapping or drops the data silently.",
     example: "`[1600sub1]` with `DefaultValue=0x60000108`, and `[6000sub1]` with `AccessType=ro`",
     remedy: "Map the object to a PDO of its direction, or correct its access type: `rww` for an output, `ro` or `rwr` for an input, `rw` for both.",
     source: "CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2",
 
-    // canopen-stack takes the length of the object, so that what follows is at another place of the frame
+    // canopen-stack uses the length of the object, so the following objects move in the frame
     "cia301/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error,
         Pdo(wrong_mapping_length), fix Unsafe, stops "canopen-stack";
     summary: "the length in a PDO mapping differs from the length of the object",
@@ -127,7 +127,7 @@ fn dummy_defect(kind: PdoKind, dummy: MappedObject) -> Option<(Text, Text)> {
     (bits != dummy.bits).then_some((what, right))
 }
 
-/// The key that disables the type as dummy entry.
+/// The key that disables the type as a dummy entry.
 fn forbidding_key(facts: &Facts<'_>, dummy: MappedObject) -> Option<Field> {
     let usage = facts.device.dummy_usage.as_ref()?;
     let allowed = usage.types.get(&DataType(dummy.index))?;
@@ -254,7 +254,7 @@ fn object_mapped_twice(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
 
 fn unaligned_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity).unwrap_or(0);
-    // with another granularity, `mapping-granularity` reports the object
+    // if the granularity differs, `mapping-granularity` reports the object
     if granularity > 1 || !pdo.lengths_are_right() {
         return;
     }

@@ -29,7 +29,7 @@ rules! {
     source: "CiA 306-1 §4.5",
 
     "cia301/listed-entry-missing" = LISTED_ENTRY_MISSING, Error, ObjectOf(listed_entry_missing);
-    summary: "a list for multiplexed PDOs names an entry that does not exist",
+    summary: "a list for multiplexed PDOs refers to an entry that does not exist",
     checks: "Each value of an object scanner list (1FA0h to 1FCFh) must refer to described entries, with all sub-indexes of its block. The same applies to the local entry of each value of an object dispatching list (1FD0h to 1FFFh). Modular devices are not checked.",
     why: "The device cannot send the entry and discards data received for it.",
     example: "`[1FA0sub1]` with `DefaultValue=0x01200001`, without `[2000sub1]`",
@@ -54,7 +54,7 @@ rules! {
     "cia301/mapping-without-count" = MAPPING_WITHOUT_COUNT, Warning, Pdo(mapping_without_count);
     summary: "the number of mapped objects of a PDO is missing",
     checks: "Sub-index 0 of each read-only PDO mapping must have a value.",
-    why: "Tools take the contents of such a PDO from the description. Without the number of objects they cannot show it.",
+    why: "Tools read the contents of such a PDO from the description. Without the number of objects they cannot show it.",
     example: "`[1A00sub0]` with `AccessType=const` and no `DefaultValue`",
     remedy: "Write the number of mapped objects.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
@@ -178,7 +178,7 @@ fn granularity_against_access(facts: &Facts<'_>, findings: &mut Findings) {
     findings.push(finding.label(Place::object(pdo.mapping_index()), text));
 }
 
-/// Whether the whole mapping is writable; `None` if its access types are not stated or differ.
+/// Whether the whole mapping is writable; `None` if its access types are missing or differ.
 fn is_mapping_writable(object: &Object) -> Option<bool> {
     let mut accesses = object.entries().filter(|(sub, _)| *sub <= 64);
     // sub-index 0 of a compactly stored mapping is read-only by definition
@@ -308,7 +308,7 @@ fn pdo_length_exceeded(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
 }
 
 fn same_mapping(facts: &Facts<'_>, findings: &mut Findings) {
-    // an encoder sends its position in two PDOs, whose transmission types have a rule of CiA 406
+    // an encoder sends its position in two PDOs, and a rule of CiA 406 checks their transmission types
     if facts.device.profile() == Some(406) {
         return;
     }
@@ -409,7 +409,7 @@ fn listed_entry_missing(device: &Device, index: u16, object: &Object, findings: 
         let last = first.saturating_add(block.saturating_sub(1));
         let lacks = |sub: &u8| device.object(target).and_then(|target| target.entry(*sub)).is_none();
         let Some(missing) = (first..=last).find(lacks) else { continue };
-        // an object without a section of its own
+        // an object without its own section
         if stated::is_there(device, target) && device.object(target).is_none_or(|target| target.orphan) {
             continue;
         }

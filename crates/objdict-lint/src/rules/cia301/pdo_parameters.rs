@@ -33,7 +33,7 @@ rules! {
 
     "cia301/pdo-valid-by-default" = PDO_VALID_BY_DEFAULT, Warning, Facts(pdo_valid_by_default);
     summary: "a PDO without a predefined CAN-ID is valid by default",
-    checks: "Bit 31 must be set in the default COB-ID of PDO 5 and above. The rule reports one finding for the device, with every such PDO. A DCF is not checked: it holds the configuration of a node, and tools write the configured value as default.",
+    checks: "Bit 31 must be set in the default COB-ID of PDO 5 and above. The rule reports one finding per device, which lists every such PDO. A DCF is not checked: it holds the configuration of a node, and tools write the configured value as default.",
     why: "The predefined connection set has no CAN-ID for these PDOs. A PDO that is valid after a reset may use a different device's CAN-ID before a manager can configure it.",
     example: "`[1804sub1]` with `DefaultValue=$NODEID+0x1C0`",
     remedy: "Set bit 31: `$NODEID+0x800001C0`, or `0x80000000`.",
@@ -50,8 +50,8 @@ rules! {
     "cia301/reserved-pdo-sub-index" = RESERVED_PDO_SUB_INDEX, Warning,
         Facts(reserved_pdo_sub_index), fix Unsafe;
     summary: "a PDO communication parameter has the reserved sub-index 4",
-    checks: "Reports objects from 1400h to 15FFh and from 1800h to 19FFh with sub-index 4. The rule reports one finding for the device, with every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. A different data type is a warning, because the entry is probably meant for a different sub-index.",
-    why: "CiA 301 reserves the sub-index; a device answers with an abort. An event timer in sub-index 4 instead of 5 has no effect.",
+    checks: "Reports objects from 1400h to 15FFh and from 1800h to 19FFh with sub-index 4. The rule reports one finding per device, which lists every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. A different data type is a warning, because the entry is probably meant for a different sub-index.",
+    why: "CiA 301 reserves the sub-index; a device responds with an abort. An event timer in sub-index 4 instead of 5 has no effect.",
     example: "`[1800sub4]`",
     remedy: "Remove the section. The gap between 3 and 5 is correct, and sub-index 0 remains the highest sub-index.",
     source: "CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37",

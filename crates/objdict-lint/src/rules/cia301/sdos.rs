@@ -28,7 +28,7 @@ rules! {
     "cia301/gap-in-sdo-numbers" = GAP_IN_SDO_NUMBERS, Note, Device(gap_in_sdo_numbers);
     summary: "the numbers of the SDO channels have a gap",
     checks: "Each additional SDO server (1201h to 127Fh) and SDO client (1280h to 12FFh) must follow the previous one. For objects that are not SDO parameters, see `cia301/incomplete-sdo-parameter`.",
-    why: "CiA 301 calls 1201h the second server, 1202h the third and so on, and does not forbid gaps. However, managers that assign channels stop at the first missing index.",
+    why: "CiA 301 calls 1201h the second server, 1202h the third and so on. It does not forbid gaps, but managers that assign channels stop at the first missing index.",
     example: "`[1281]` without `[1280]`",
     remedy: "Use the next free index, or describe the missing channels.",
 

@@ -34,11 +34,11 @@ rules! {
     remedy: "Write 1, or the value that the device returns.",
 
     "cia301/storage-without-function" = STORAGE_WITHOUT_FUNCTION, Warning, Device(storage_without_function);
-    summary: "1010h or 1011h states that the device cannot store or restore anything",
+    summary: "according to 1010h or 1011h, the device cannot store or restore anything",
     checks: "At least one value of 1010h must have bit 0 (stores on command) or bit 1 (stores by itself) set. At least one value of 1011h must have bit 0 (restores on command) set. The rule applies if all values are given.",
     why: "A tool reads the entries before it writes the signatures. With 0 it does not store the configuration, which is lost when the power is switched off.",
     example: "`[1010sub1]` with `DefaultValue=0` and no other sub-index",
-    remedy: "Write the value that the device returns, 1 if it stores or restores on command; or remove the object.",
+    remedy: "Write the value that the device returns, 1 if it stores or restores on command. Alternatively, remove the object.",
 
     "cia301/store-without-restore" = STORE_WITHOUT_RESTORE, Note, Device(store_without_restore);
     summary: "the device has only one of 1010h and 1011h",
@@ -51,7 +51,7 @@ rules! {
 fn incomplete_eds_storage(device: &Device, findings: &mut Findings) {
     let pairs = [
         (0x1021, 0x1022, "format of the EDS", Severity::Error),
-        // required only with 1021h, and useless without it
+        // required only with 1021h and useless without it
         (0x1022, 0x1021, "stored EDS", Severity::Warning),
     ];
     for (there, other, lacks, severity) in pairs {
@@ -63,7 +63,7 @@ fn incomplete_eds_storage(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// Milliseconds of a day.
+/// The milliseconds in a day.
 const MILLISECONDS_OF_DAY: i128 = 86_400_000;
 
 fn invalid_configuration_date(facts: &Facts<'_>, findings: &mut Findings) {

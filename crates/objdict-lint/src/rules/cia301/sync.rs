@@ -58,7 +58,7 @@ rules! {
     "cia301/synchronous-pdo-without-sync" = SYNCHRONOUS_PDO_WITHOUT_SYNC, Error,
         Facts(synchronous_pdo_without_sync);
     summary: "a device has a synchronous PDO but no SYNC",
-    checks: "A device with a valid PDO of a synchronous transmission type (0 to 240, for a TPDO also 252) must have 1005h, the COB-ID of SYNC. The rule reports one finding for the device, with every such PDO.",
+    checks: "A device with a valid PDO of a synchronous transmission type (0 to 240, for a TPDO also 252) must have 1005h, the COB-ID of SYNC. The rule reports one finding per device, which lists every such PDO.",
     why: "Without 1005h the device does not process SYNC, so the PDO is never sent or never applied.",
     example: "`[1801sub2]` with `DefaultValue=1`, without `[1005]`",
     remedy: "Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.",
@@ -186,7 +186,7 @@ fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// In microseconds. A SYNC message has 44 to 52 bits, and one synchronous PDO of 0 bytes as many.
+/// In microseconds. A SYNC message has 44 to 52 bits, and so does a synchronous PDO of 0 bytes.
 const SHORTEST_SYNC_PERIOD: i128 = 100;
 
 fn sync_period_too_short(facts: &Facts<'_>, findings: &mut Findings) {

@@ -49,7 +49,7 @@ rules! {
 
     "cia302/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "an object has a sub-index that CiA 302 does not define",
-    checks: "CiA 302 must define each sub-index of 1F00h to 1F91h: 1 to 127 for lists of nodes (the node-IDs), and 128 for lists with an entry for all nodes.",
+    checks: "Reports sub-indexes of 1F00h to 1F91h that CiA 302 does not define. Lists of nodes may have 1 to 127 (the node-IDs). Lists with an entry for all nodes may also have 128.",
     why: "Node 128 does not exist. A tool that shows a list of nodes does not show the entry.",
     example: "`[1F81sub80]`",
     remedy: "Remove the entry. Vendor-specific entries belong in 2000h to 5FFFh.",

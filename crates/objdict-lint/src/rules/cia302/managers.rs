@@ -1,4 +1,4 @@
-//! Network managers: the start of the network and the slaves they are assigned.
+//! Network managers: the start of the network and the assigned slaves.
 
 use crate::Facts;
 use crate::demands::{self, Against, Applied};
@@ -58,7 +58,7 @@ rules! {
 
     "cia302/slave-not-assigned" = SLAVE_NOT_ASSIGNED, Warning, Against(slave_not_assigned);
     summary: "an entry of 1F81h configures a node that is not a slave",
-    checks: "Bit 0 (slave of this master) must be set in each entry of 1F81h that is not 0. In a DCF, no entry may make the node its own slave. The rule reports one finding, with every such entry.",
+    checks: "Bit 0 (slave of this master) must be set in each entry of 1F81h that is not 0. In a DCF, no entry may make the node its own slave. The rule reports one finding, which lists every such entry.",
     why: "Without bit 0 the manager ignores all other bits. It does not boot a node that is marked as mandatory and does not guard it.",
     example: "`[1F81sub5]` with `DefaultValue=0x00000008`, a mandatory node that is not a slave",
     remedy: "Set bit 0, or write 0 if the node is not a slave of this master.",
@@ -141,7 +141,7 @@ fn incomplete_guarding(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut
     }
 }
 
-/// Lists that only a device needs that boots or configures other nodes.
+/// Lists needed only by a device that boots or configures other nodes.
 const MANAGER_LISTS: [u16; 12] =
     [0x1F20, 0x1F22, 0x1F23, 0x1F25, 0x1F81, 0x1F82, 0x1F83, 0x1F84, 0x1F85, 0x1F86, 0x1F87, 0x1F88];
 

@@ -1,4 +1,4 @@
-//! The mapping of SRDOs, and the safety entries with their inverted copies.
+//! The mapping of SRDOs and the safety entries with their inverted copies.
 
 use crate::diagnostic::{Findings, Text, counted_bits, say, sub_index};
 use crate::model::{DataType, Device, Field, MappedObject, Place};
@@ -50,7 +50,7 @@ rules! {
     checks: "Sub-index 0 of each SRDO mapping must be an even number from 0 to 16. Each entry within this number must be described and must contain an object.",
     why: "Entries are pairs of a plain and an inverted object. A device rejects an odd number and an entry without an object.",
     example: "`[1381sub0]` with `DefaultValue=3`",
-    remedy: "Map the inverted object of each plain one, and count both.",
+    remedy: "Map the inverted object of each plain one and count both.",
 
     "cia304/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error, Facts(wrong_mapping_length);
     summary: "the length in an SRDO mapping differs from the length of the object",

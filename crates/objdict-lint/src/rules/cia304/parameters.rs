@@ -1,4 +1,4 @@
-//! The communication parameters of SRDOs, the protection of their configuration, and the flag for CANopen Safety.
+//! The communication parameters of SRDOs, the protection of their configuration and the flag for CANopen Safety.
 
 use crate::diagnostic::{Findings, Fix, Severity, say};
 use crate::model::{DeviceKind, Field, Part, Place};
@@ -77,7 +77,7 @@ rules! {
     checks: "If 13FEh marks the configuration as valid (A5h), the checksum in 13FFh of each active SRDO must match its parameters. It is a 16-bit CRC with the polynomial 1021h and start value 0. It covers direction, refresh time, validation time, both COB-IDs, the number of mapped objects, and sub-index and value of each mapping entry. SRDOs with missing values are not checked.",
     why: "At power-up the device calculates the checksum, detects the difference and sends no safety data.",
     example: "`[13FE]` with `DefaultValue=0xA5` and `[13FFsub1]` with `DefaultValue=0`",
-    remedy: "Verify the configuration and write the reported checksum; or write 0 to 13FEh.",
+    remedy: "Verify the configuration and write the reported checksum, or write 0 to 13FEh.",
 
     "cia304/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Error,
         Facts(wrong_transmission_type), fix Unsafe;

@@ -8,7 +8,7 @@ use crate::rule::rules;
 rules! {
     "cia305/incomplete-address" = INCOMPLETE_ADDRESS, Warning, Device(incomplete_address);
     summary: "the LSS address of the device is incomplete",
-    checks: "On a device with `LSS_Supported=1`, 1018h sub-indexes 2 and 3 (product code and revision number) must have a value. The vendor-ID has its own rule. The serial number is specific to the single device.",
+    checks: "On a device with `LSS_Supported=1`, 1018h sub-indexes 2 and 3 (product code and revision number) must have a value. The vendor-ID has its own rule. The serial number is specific to each device.",
     why: "An LSS manager selects the device by vendor-ID, product code, revision number and serial number. The first three must come from the description.",
     example: "`LSS_Supported=1` without `DefaultValue` in `[1018sub2]`",
     remedy: "Write the values.",
@@ -26,7 +26,7 @@ rules! {
         Device(serial_number_without_lss);
     summary: "a node without LSS has a serial number for LSS",
     checks: "Reports a DCF with an `LSS_SerialNumber` other than 0 and `LSS_Supported=0`.",
-    why: "A manager tries to select the node by LSS at every start and waits for an answer that never comes.",
+    why: "A manager tries to select the node by LSS at every start and waits for a response that never arrives.",
     example: "`LSS_SerialNumber=1234` with `LSS_Supported=0`",
     remedy: "Write `LSS_Supported=1` if the device supports it, otherwise remove the number.",
     source: "CiA 305, CiA 306-1 §4.5, §5.4",

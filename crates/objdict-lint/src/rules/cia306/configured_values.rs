@@ -80,7 +80,7 @@ fn configuration_in_eds(device: &Device, findings: &mut Findings) {
     )));
 }
 
-/// The keys of a DCF that an object has.
+/// The DCF keys of an object.
 pub(super) fn configured_places(index: u16, object: &Object) -> impl Iterator<Item = Place> {
     let entries = object.described().filter_map(move |(sub, entry)| {
         let field = configured_field(entry)?;

@@ -1,4 +1,4 @@
-//! `[DeviceInfo]`: keys, bit rates, the identity object, and the flags of services: boot-up, network manager, LSS and group
+//! `[DeviceInfo]`: keys, bit rates, the identity object and the flags of services: boot-up, network manager, LSS and group
 //! messaging.
 
 use crate::diagnostic::{Argument, Findings, Fix, Severity, listing, listing_or, say, series_or};
@@ -36,7 +36,7 @@ rules! {
     "cia306/lss-serial-number" = LSS_SERIAL_NUMBER, Warning, Device(lss_serial_number);
     summary: "the serial number for LSS differs from 1018h",
     checks: "`LSS_SerialNumber` must equal 1018h sub-index 4, where both are given and not 0.",
-    why: "LSS selects the node by its serial number; with a wrong number the node does not answer.",
+    why: "LSS selects the node by its serial number. With a wrong number the node does not respond.",
     example: "`LSS_SerialNumber=1234` and `ParameterValue=1235` in `[1018sub4]`",
     remedy: "Write the number from the device label in both places.",
     source: "CiA 306-1 §5.4",
@@ -94,10 +94,10 @@ fn identity_mismatch(device: &Device, findings: &mut Findings) {
         let Some(value) = entry.value().and_then(Value::as_integer).filter(|&value| !is_stated(value)) else {
             continue;
         };
-        // the value of one node, which a tool may have read from it
+        // a value that a tool may have read from one node
         let is_of_node = entry.default.as_ref().and_then(Value::as_integer).is_some_and(is_stated);
         let title = say!("write `{}`", Argument::setting(&field, format_args!("0x{value:X}")));
-        // which of the two is right is the decision of the author
+        // only the author knows which of the two is right
         let fix =
             Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
         let message = say!("`{}` is {:h}, but 1018h sub-index {} is {:h}", field, stated, sub, value);
@@ -122,7 +122,7 @@ fn missing_device_info_key(device: &Device, findings: &mut Findings) {
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };
-    // a text may be empty, so its key is missing; that of a number may be there
+    // a name may be empty, so its key is missing; the key of a number may be present
     let is_text = |field: &Field| matches!(field, Field::VendorName | Field::ProductName | Field::OrderCode);
     let lacks = if missing.iter().all(is_text) { "has no" } else { "has no value for" };
     let message = say!("`{[DeviceInfo]}` {} {}", lacks, listing_or(&missing));

@@ -178,7 +178,7 @@ fn fill_missing_keys(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
     })
 }
 
-/// A key for the help; with the form of its value where that is not plain.
+/// A key for the help, with the format of its value unless that is obvious.
 fn key_with_form(field: &Field) -> Text {
     match field {
         Field::CreationTime | Field::ModificationTime => say!("`{}` (hh:mm, with AM or PM)", field),
@@ -276,7 +276,7 @@ fn invalid_node_id(device: &Device, findings: &mut Findings) {
     findings.push(if is_note { finding.severity(Severity::Note) } else { finding });
 }
 
-/// Whether an XML file describes a type of device, not a node: nothing in it is configured.
+/// Whether an XML file describes a device type, not a node: it has no configured values.
 fn is_type_description(device: &Device) -> bool {
     let mut entries = device.objects.values().flat_map(crate::model::Object::described);
     device.headers.network.is_some() && !entries.any(|(_, entry)| entry.configured_value().is_some())
@@ -308,7 +308,7 @@ fn missing_commissioning(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// Whether a file without a node is an EDS that was named as a DCF: it states the name of an EDS and has no key of a DCF.
+/// Whether a file without a node is an EDS that was named as a DCF: it contains the name of an EDS and has no DCF keys.
 fn is_renamed_eds(device: &Device) -> bool {
     let name = device.file_info.as_ref().and_then(|info| info.file_name.as_deref()).unwrap_or_default();
     let is_eds = name.to_ascii_lowercase().ends_with(".eds") && device.commissioning.is_none();

@@ -283,7 +283,7 @@ fn unsupported_key(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
     let message = say!("{} {} does not support {}", article, object_type, listing_or(&keys));
     let title = if keys.len() == 1 { say!("remove {the key}") } else { say!("remove {the keys}") };
-    // what describes a value may be intended
+    // keys that describe a value may be intended
     let fix = if keys == [Field::SubNumber] { Fix::safe(title) } else { Fix::risky(title) };
     let fix = keys.iter().fold(fix, |fix, field| fix.remove(at.field(field.clone())));
     let compact = keys.contains(&Field::CompactSubObj);

@@ -39,7 +39,7 @@ rules! {
     "cia306/missing-section" = MISSING_SECTION, Error,
         Device(missing_section), fix Safe, explains Keys ["unknown-key"];
     summary: "a standard section is missing",
-    checks: "The file must contain `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists. In an EDS, a missing `[FileInfo]` or `[DeviceInfo]` is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note. The errors are fragments and lists whose absence hides whole ranges of objects. An empty file has its own finding.",
+    checks: "The file must contain `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists. In an EDS, a missing `[FileInfo]` or `[DeviceInfo]` is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note. The errors are fragments and missing lists, which hide whole ranges of objects. An empty file has its own finding.",
     why: "Objects of a missing list are not listed at all, so most tools do not see them. Without `[DeviceInfo]` the device is unknown. The other sections may be empty, but some readers reject a file without them.",
     example: "A file that starts with `[1000]`",
     remedy: "Add the section. Write `SupportedObjects=0` for an empty list, `Lines=0` for empty comments.",
@@ -93,7 +93,7 @@ fn disabled_object(described: &Device, findings: &mut Findings) {
     findings.push(finding.help("remove the objects before you publish the description"));
 }
 
-/// Findings of a reader without those about disabled objects: what a device does not have is not judged.
+/// A reader's findings without findings about disabled objects, which the device does not have.
 pub fn without_disabled(described: &Device, findings: Findings) -> Findings {
     findings.filter_map(|finding| {
         let index = match finding.labels.first().map(|label| &label.at) {
@@ -105,8 +105,8 @@ pub fn without_disabled(described: &Device, findings: Findings) -> Findings {
     })
 }
 
-/// Findings about a device without its disabled objects, with the numbers that items of lists have in its description. A list
-/// that a fix would write has no item of a disabled object, so there is none.
+/// Findings about a device without its disabled objects, with the item numbers of lists as in its description. A list
+/// written by a fix would lack the disabled objects, so these findings have no fix.
 pub(crate) fn renumbered(described: &Device, findings: Findings) -> Findings {
     let number_of = |list: ObjectList, number: u32| {
         let enabled = (1..)
@@ -284,7 +284,7 @@ fn object_listed_twice(device: &Device, findings: &mut Findings) {
             } else {
                 say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
-            // the place is that of the edit
+            // the place of the edit
             let is_first_wrong = other != list && ObjectList::of(index) == Some(list);
             let (wrong, edited, kept) = match is_first_wrong {
                 true => (other, place(other, at), place(list, number)),
@@ -390,7 +390,7 @@ fn wrong_object_list(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// Moves all misplaced objects from one list to another.
+/// Moves all misplaced objects from one list to the other.
 fn move_to_list(
     device: &Device,
     from: ObjectList,
@@ -405,7 +405,7 @@ fn move_to_list(
     fix.with(Change::List(from, right)).with(Change::List(to, members))
 }
 
-/// The list that an index belongs to; the current one if that is also correct.
+/// The list that an index belongs to; the current list if it is also correct.
 fn right_list(index: u16, is: ObjectList) -> ObjectList {
     match index {
         0x1000 | 0x1001 | 0x1018 => ObjectList::Mandatory,

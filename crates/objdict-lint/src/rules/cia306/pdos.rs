@@ -1,4 +1,4 @@
-//! PDO mapping keys, dummy entries, and the numbers of PDOs in `[DeviceInfo]`.
+//! PDO mapping keys, dummy entries and the numbers of PDOs in `[DeviceInfo]`.
 
 use crate::diagnostic::{Argument, Findings, Fix, Severity, Text, listing, say, series};
 use crate::model::{
@@ -37,7 +37,7 @@ rules! {
 
     "cia306/mapping-not-possible" = MAPPING_NOT_POSSIBLE, Warning, EntryOf(mapping_not_possible), fix Unsafe;
     summary: "an entry is marked as mappable but cannot be mapped",
-    checks: "Entries with `PDOMapping=1` must be at most 64 bits long and must not be `const`. A string or OCTET_STRING can be mapped if its value has at most 8 bytes. Without a value its length is undefined, and it is reported.",
+    checks: "Entries with `PDOMapping=1` must be at most 64 bits long and must not be `const`. A string or OCTET_STRING can be mapped if its value has at most 8 bytes. A string without a value is reported, because its length is open.",
     why: "Tools offer the entry for mapping, but the device rejects the mapping.",
     example: "`PDOMapping=1` of a VISIBLE_STRING with 12 characters",
     remedy: "Write `PDOMapping=0`, or correct `DataType` or `AccessType`.",
@@ -235,7 +235,7 @@ fn subs_of_mask(mask: u8) -> Text {
     say!("{} {}", word, series(subs))
 }
 
-/// The PDOs of one direction: their name, the field of their number, and the range of their communication
+/// The PDOs of one direction: their name, the field of their number and the range of their communication
 /// records.
 struct PdoRange {
     name: &'static str,
@@ -279,7 +279,7 @@ fn check_pdo_count(
     let message = say!("`{}` is {}, but {} described ({:04X}h to {:04X}h)", field, stated, count, low, high);
     let place = Place::of(Part::DeviceInfo).field(field.clone());
     let title = say!("write `{}`", Argument::setting(field, described));
-    // a number above it is what is left of PDOs that are missing
+    // a higher number is a remnant of missing PDOs
     let fix = if stated > described { Fix::risky(title.clone()) } else { Fix::safe(title.clone()) };
     let fix = fix.set(place.clone(), described.to_string());
     let finding = WRONG_PDO_COUNT.at(place, message).fix(fix);

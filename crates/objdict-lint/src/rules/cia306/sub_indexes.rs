@@ -1,4 +1,4 @@
-//! Sub-index 0, `SubNumber`, the elements of ARRAYs and RECORDs, and sections of sub-indexes that do not match their object.
+//! Sub-index 0, `SubNumber`, the elements of ARRAYs and RECORDs and sections of sub-indexes that do not match their object.
 
 use crate::diagnostic::{
     Argument, Change, Diagnostic, Findings, Fix, Severity, Text, counted, listing, say, sub_index,
@@ -14,7 +14,7 @@ rules! {
 
     "cia306/array-of-mixed-access" = ARRAY_OF_MIXED_ACCESS, Note, Device(array_of_mixed_access);
     summary: "the entries of an ARRAY have different access types",
-    checks: "Sub-indexes 1 to FEh of an ARRAY must not differ in read or write access. `const` is treated as `ro`, `rwr` and `rww` as `rw`. The rule reports one finding for the device, with every such ARRAY. Objects below 2000h are not checked, because CiA 301 and CiA 302 define their access types.",
+    checks: "Sub-indexes 1 to FEh of an ARRAY must not differ in read or write access. `const` is treated as `ro`, `rwr` and `rww` as `rw`. The rule reports one finding per device, which lists every such ARRAY. Objects below 2000h are not checked, because CiA 301 and CiA 302 define their access types.",
     why: "Code generators and configuration tools treat the elements of an ARRAY alike and often use the access type of the first one for all.",
     example: "An ARRAY with `AccessType=rw` at sub-index 1 and `AccessType=ro` at sub-index 2",
     remedy: "Correct the access type, or write `ObjectType=0x9` (RECORD) where the device profile allows it.",
@@ -82,7 +82,7 @@ rules! {
         ];
     summary: "`SubNumber` does not match the described sub-indexes",
     checks: "`SubNumber` of an ARRAY, RECORD or DEFSTRUCT must equal the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
-    why: "Readers that count do not see the last sub-indexes or look for missing ones.",
+    why: "Readers that use `SubNumber` overlook the last sub-indexes or look for missing ones.",
     example: "`SubNumber=3` where sub-indexes 0 to 3 are described",
     remedy: "Write the number of sections.",
     source: "CiA 306-1 §4.6.3.2",
@@ -151,7 +151,7 @@ fn contradictory_sub_0(index: u16, object: &Object, findings: &mut Findings) {
     findings.push(finding.help(say!("remove the {section} of the sub-index")));
 }
 
-/// The fields that both state differently.
+/// The fields that are in both and differ.
 fn different_fields(object: &Entry, sub_0: &Entry) -> Vec<Field> {
     fn differ<T: PartialEq>(left: &Option<T>, right: &Option<T>) -> bool {
         matches!((left, right), (Some(left), Some(right)) if left != right)
@@ -191,7 +191,7 @@ fn missing_sub_0(index: u16, object: &Object, findings: &mut Findings) {
     )));
 }
 
-/// Adds sub-index 0, and updates `SubNumber`.
+/// Adds sub-index 0 and updates `SubNumber`.
 fn add_sub_0(index: u16, object: &Object) -> Fix {
     let fix = Fix::risky(say!("add `{}`", Part::Entry(index, 0))).with(sub_0(index, object));
     let described = stated::described_subs(object) + 1;
@@ -453,7 +453,7 @@ fn array_of_mixed_access(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// The first element of an ARRAY, and the first whose access type differs from it.
+/// The first element of an ARRAY and the first element with a different access type.
 fn first_other_access(object: &Object) -> Option<((u8, Access), (u8, Access))> {
     let is_array =
         object.main.object_type == Some(ObjectType::Array) && stated::object_type(object).is_some();
@@ -489,7 +489,7 @@ fn array_of_mixed_types(index: u16, object: &Object, findings: &mut Findings) {
     findings.push(finding.help(help).fix(fix));
 }
 
-/// Whether the sub-indexes are numbered in decimal: 10h follows 9, none has a letter, and sub-index 0 or the name says 10 where 10h
+/// Whether the sub-indexes are numbered in decimal: 10h follows 9, none has a letter, and sub-index 0 or the name is 10 where 10h
 /// is 16.
 fn is_decimal(object: &Object) -> bool {
     let decimal = |sub: u8| (sub >> 4 < 10 && sub & 0xF < 10).then_some((sub >> 4) * 10 + (sub & 0xF));

@@ -33,7 +33,7 @@ rules! {
     "cia306/null-object" = NULL_OBJECT, Warning, Object(null_object);
     summary: "an object of type NULL is described",
     checks: "Reports objects of object type 0, NULL.",
-    why: "A NULL object has no data to read or write. Tools show an object that does not respond or reject the file.",
+    why: "A NULL object has no data to read or write. Some tools show an object that does not respond, others reject the file.",
     example: "`ObjectType=0x0`",
     remedy: "Write the actual object type, or remove the object and its list entry.",
     source: "CiA 301 §7.4.3, table 42",
@@ -56,7 +56,7 @@ rules! {
 }
 
 fn described_standard_type(device: &Device, findings: &mut Findings) {
-    // links alone describe no object
+    // links without a section do not describe an object
     let is_described = |(_, object): &(&u16, &Object)| !object.orphan || !object.subs.is_empty();
     let mut types = device.objects.range(0x0001..=0x0025).filter(is_described);
     let Some((&index, _)) = types.next() else { return };
@@ -89,7 +89,7 @@ fn domain_mismatch(at: &EntryAt<'_>, findings: &mut Findings) {
         let finding = DOMAIN_MISMATCH
             .at(at.field(Field::ObjectType), message)
             .label(at.field(Field::DataType), "a DOMAIN");
-        // node-canopen refuses a DOMAIN that states a mapping, even that it has none
+        // node-canopen rejects a DOMAIN with `PDOMapping`, even if it is 0
         let fix = match at.entry.pdo_mapping {
             None => Fix::risky(say!("write `{ObjectType=0x2}`")),
             Some(_) => Fix::risky(say!("write `{ObjectType=0x2}`, and remove `{PDOMapping}`"))
@@ -117,7 +117,7 @@ fn nested_structure(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) 
     let is_of_one_type = nested_type.is_some() && structure.is_none() && entry.data_type.is_some();
     let mut finding = NESTED_STRUCTURE.at(at.field(field.clone()), message);
     if is_of_one_type {
-        // the data type says that it is a single value
+        // according to the data type it is a single value
         let title = say!("write `{ObjectType=0x7}`");
         finding = finding.fix(Fix::risky(title.clone()).set(at.field(field), "0x7")).help(title);
     } else {
@@ -131,7 +131,7 @@ fn nested_structure(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) 
     findings.push(finding);
 }
 
-/// Type definitions may refer to a structure, objects and sub-indexes may not. The type of sub-index 0 has
+/// Type definitions may refer to a structure, but objects and sub-indexes may not. The type of sub-index 0 has
 /// its own rule.
 fn holds_one_value(at: &EntryAt<'_>) -> bool {
     let is_definition = matches!(at.object.object_type(), ObjectType::DefType | ObjectType::DefStruct);

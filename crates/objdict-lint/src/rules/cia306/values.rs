@@ -1,4 +1,4 @@
-//! Defaults and other values, and their limits.
+//! Defaults and other values with their limits.
 
 use std::cmp::Ordering;
 
@@ -23,7 +23,7 @@ rules! {
 
     "cia306/formula-out-of-range" = FORMULA_OUT_OF_RANGE, Error, EntryOf(formula_out_of_range);
     summary: "a formula exceeds the range of its data type",
-    checks: "`$NODEID` plus the number must fit the data type for every node-ID from 1 to 127. In a DCF, it must fit for the node-ID of the node.",
+    checks: "`$NODEID` plus the number must fit the data type for every node-ID from 1 to 127. In a DCF, this must be true of the node-ID of the node.",
     why: "On some nodes the value is truncated, which gives a wrong COB-ID or node-ID.",
     example: "`DefaultValue=$NODEID+0x90` of an UNSIGNED8",
     remedy: "Choose a larger data type, or correct the number.",
@@ -143,7 +143,7 @@ fn invalid_value(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// Whether tables have what the text means.
+/// Whether tables contain the meaning of the text.
 fn is_understood(invalid: &InvalidValue, data_type: Option<DataType>) -> bool {
     match invalid.field {
         Field::AccessType => invalid.intended_access().is_some(),
@@ -290,7 +290,7 @@ fn fixed_by_limits(device: &Device, at: &EntryAt<'_>, findings: &mut Findings) {
     let (Some(low), Some(high)) = (&at.entry.low_limit, &at.entry.high_limit) else { return };
     let is_number = at.entry.data_type.is_some_and(DataType::is_numeric);
     let is_writable = at.entry.access.is_some_and(Access::is_writable);
-    // a command such as `save` takes one value
+    // a command such as `save` accepts one value
     if !is_number || !is_writable || !at.holds_value() || at.entry.flags().refuses_write() {
         return;
     }
@@ -433,7 +433,7 @@ fn value_outside_limits(device: &Device, at: &EntryAt<'_>, findings: &mut Findin
     }
 }
 
-/// A limit that a value exceeds, and the node-ID for which it does.
+/// A limit that a value exceeds and the node-ID for which it does.
 struct ExceededLimit<'a> {
     field: Field,
     limit: &'a Value,
@@ -481,7 +481,7 @@ fn report_exceeded(
     findings.push(finding.help("correct the value or the limit"));
 }
 
-/// The definition of an entry in a document for all devices or in the profile of its device; `None` if the object has another
+/// The definition of an entry in a document for all devices or in its device's profile; `None` if the object has a different
 /// structure there.
 fn facts_of(device: &Device, at: &EntryAt<'_>) -> Option<EntryFacts<'static>> {
     let documents = profile::for_all(device).chain(profile::of_device(device));

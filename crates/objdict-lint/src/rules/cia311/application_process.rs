@@ -11,7 +11,7 @@ rules! {
 
     "cia311/unfitting-type" = UNFITTING_TYPE, Warning, Device(unfitting_type);
     summary: "a type of the application process does not fit its entry",
-    checks: "In a struct that divides a number into bit fields, the members must be inside the number and must not share bits. The values of an `enum` must be in the range of the data type. If the only `subrange` of an array begins at 0 or 1, it must end at the last sub-index. The rule reports one finding for each type.",
+    checks: "In a struct that divides a number into bit fields, the members must be inside the number and must not share bits. The values of an `enum` must be in the range of the data type. If the only `subrange` of an array begins at 0 or 1, it must end at the last sub-index. The rule reports one finding per type.",
     why: "Tools show a bit under two names or under none. Generated code does not read the bits that the device writes.",
     example: r#"`<varDeclaration start="4" size="5" …>` after `<varDeclaration start="2" size="3" …>` in one struct"#,
     remedy: "Correct `start` and `size` of the members, the values or the subrange, or correct the entry.",
@@ -57,7 +57,7 @@ fn unfitting_type(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// The first problem of a word of bit fields.
+/// The first problem of a number with bit fields.
 fn bit_field_defect(word: &BitStruct<'_>) -> Option<Text> {
     let of_values = word.fields.iter().filter_map(|field| field.values.as_ref()?.defects.first());
     if let Some(defect) = word.defects.iter().chain(of_values).next() {
@@ -74,7 +74,7 @@ fn bit_field_defect(word: &BitStruct<'_>) -> Option<Text> {
     None
 }
 
-/// How the type of an array ends elsewhere than its object.
+/// The difference between the ends of an array type and of its object.
 fn other_end_of_array(object: &Object, definition: &TypeDefinition) -> Option<Text> {
     let TypeShape::Array { ranges, .. } = &definition.shape else { return None };
     let [range] = &**ranges else { return None };

@@ -69,9 +69,9 @@ rules! {
 
     "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning,
         Applied(wrong_default_mapping), fix Unsafe;
-    summary: "the default mapping of a PDO of an I/O module differs from CiA 401",
+    summary: "the default mapping of an I/O module's PDO differs from CiA 401",
     checks: "In an EDS, the default mapping of PDO 1 to 4 must follow the profile, as far as there are channels. RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h). TPDO 1 carries the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply if bit 23 of 1000h declares a manufacturer-specific mapping. It does not apply to devices with several logical devices, to PDOs that map nothing or to PDOs whose entries are invalid.",
-    why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files, most deviating PDOs carry fewer channels than available, which affects only the missing ones.",
+    why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files, most deviating PDOs carry fewer channels than available, which affects only the missing channels.",
     example: "`[1A00sub1]` with `DefaultValue=0x64010110`",
     remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
     source: "CiA 401, default PDOs",
@@ -206,7 +206,7 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
     }
 }
 
-/// Whether the mapping is stated and not reported by another rule.
+/// Whether the mapping is complete and no other rule reports it.
 fn is_mapping_readable(pdo: &PdoFacts<'_>) -> bool {
     let fits = |target: &MappedTo<'_>| match target {
         MappedTo::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),
@@ -252,7 +252,7 @@ fn shown_mapping(mapped: &[MappedObject]) -> Argument {
 fn wrong_transmission_type(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     for (pdo, mapped) in channels::default_pdos(facts, applied) {
         let pdo = &pdo.pdo;
-        // the profile disables the events of analogue inputs (6423h), so that 255 alone would send nothing
+        // the profile disables the events of analogue inputs (6423h), so 255 without 6423h would send nothing
         let is_sampled = mapped.iter().any(|mapped| mapped.index == 0x6401);
         let is_right = |found: u8| match found {
             255 => true,

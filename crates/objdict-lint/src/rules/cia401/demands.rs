@@ -18,7 +18,7 @@ rules! {
     remedy: "Describe an element for each channel.",
 
     "cia401/missing-object", Error, Demand(missing_object);
-    summary: "an object that CiA 401 requires of an I/O module is missing",
+    summary: "an object that CiA 401 requires in an I/O module is missing",
     checks: "An I/O module must have the PDOs for the channels that 1000h indicates, unless bit 23 declares a manufacturer-specific mapping. It must have the objects that every master can read: 6000h if it has inputs of a different width, 6200h if it has such outputs, 6401h and 6411h if it has analogue channels of a different resolution. `device-type-without-channels` reports channels that have no object at all. Objects that a module of a modular device may add are not reported.",
     why: "A master that knows only CiA 401 accesses the channels through these objects and PDOs.",
     example: "`[6100]` without `[6000]`",
@@ -33,7 +33,7 @@ rules! {
     remedy: "Describe the elements or remove the object.",
 
     "cia401/reserved-bits", Warning, Expected(reserved_bits), fix Unsafe;
-    summary: "a reserved bit of the device type of an I/O module is set",
+    summary: "a reserved bit of an I/O module's device type is set",
     checks: "1000h must set only bits that the profile defines: 16 to 19 for kinds of channels, 23 for a manufacturer-specific mapping, 24 for a joystick. In a device with several logical devices the rule checks 67FFh and each object 800h further.",
     why: "The bits indicate the functions of a device, and a later edition may define the bit.",
     example: "`[1000]` with `DefaultValue=0x00300191`",
@@ -42,7 +42,7 @@ rules! {
 
     "cia401/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "an object of an I/O module has a sub-index that CiA 401 does not define",
-    checks: "The profile must define each sub-index of the objects 6000h to 6450h: 1 to 254, 1 to 128 for single bits (such as 6020h to 6027h), 1 to 8 for 6422h.",
+    checks: "Reports sub-indexes of the objects 6000h to 6450h that the profile does not define. The range is 1 to 254, but 1 to 128 for single bits (such as 6020h to 6027h) and 1 to 8 for 6422h.",
     why: "Masters look for bit 129 at the next index.",
     example: "`[6020sub81]`; line 129 is 6021h sub-index 1",
     remedy: "Continue at the next index after 128 lines.",
@@ -62,7 +62,7 @@ rules! {
     remedy: "Use the data type of the profile, in the description and in the device.",
 
     "cia401/wrong-default", Warning, Expected(wrong_default), fix Unsafe;
-    summary: "the default of a parameter of an I/O module differs from CiA 401",
+    summary: "the default of an I/O module's parameter differs from CiA 401",
     checks: "Interrupt masks, error modes and values, filters, limits and scaling must have the defaults of the profile: 6005h true, 6006h, 6206h and 6208h FFh, 6421h 07h, 6423h false, 6443h 1, scaling 1, all others 0. Limits are not checked because they depend on the sensor.",
     why: "After a module is replaced, the new one behaves differently until it is configured. In real files the vendor has mostly changed the trigger of analogue inputs. Outputs matter most: with an error mode of 0 they keep their state when the master fails.",
     example: "`[6206sub1]` with `DefaultValue=0x00`",

@@ -26,7 +26,7 @@ rules! {
     "cia402/notation-without-dimension" = NOTATION_WITHOUT_DIMENSION, Warning,
         Drive(notation_without_dimension);
     summary: "only one of notation index and dimension index is described",
-    checks: "The two unit objects of version 2 must both be described: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
+    checks: "If one of the two unit objects of version 2 is described, the other must be described too: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
     why: "The notation index is a power of ten and the dimension index is a unit: neither is meaningful without the other.",
     example: "`[6089]` without `[608A]`",
     remedy: "Describe the other object, or use 60A8h to 60ABh of version 4.",

@@ -18,7 +18,7 @@ rules! {
     source: "CiA 402-2, the object descriptions of the modes; IEC 61800-7-201",
 
     "cia402/missing-sub-index", Error, Against(missing_entry);
-    summary: "a sub-index that CiA 402 requires is missing from an object of a drive",
+    summary: "a sub-index that CiA 402 requires is missing from a drive's object",
     checks: "The records and arrays of a drive must have the sub-indexes that CiA 402 makes mandatory: both limits of 607Bh and 607Dh, both speeds of 6099h, numerator and divisor of the factors, value and index of 60C2h.",
     why: "A factor without its divisor or a range with one limit is meaningless.",
     example: "`[6099]` with `[6099sub0]` and `[6099sub1]` only",
@@ -26,7 +26,7 @@ rules! {
 
     "cia402/undefined-sub-index", Warning, Against(undefined_sub_index);
     summary: "an object of a drive has a sub-index that CiA 402 does not define",
-    checks: "The objects that CiA 402 defines must not have any other sub-indexes. Manufacturer-specific parameter sets (60F6h, 60F7h, 60F9h, 60FBh, 6410h, 6510h) may have any.",
+    checks: "Reports sub-indexes that CiA 402 does not define, in objects that it defines. Manufacturer-specific parameter sets (60F6h, 60F7h, 60F9h, 60FBh, 6410h, 6510h) may have any.",
     why: "A later version may define the sub-index. A master that relies on sub-index 0 reads one value too many.",
     example: "`[607Dsub3]`",
     remedy: "Move manufacturer-specific values to an object from 2000h on.",
@@ -61,7 +61,7 @@ rules! {
 
     "cia402/wrong-value", Error, Expected(wrong_value);
     summary: "an entry of a drive has a value that CiA 402 reserves",
-    checks: "CiA 402 must define the configured or default value of an entry, or the value must be manufacturer-specific. The rule checks option codes 6007h and 605Ah to 605Eh, modes 6060h and 6061h, profile types 6086h and 6088h, homing method 6098h, jerk use 60A3h, index of the interpolation time 60C2h, buffer organization 60C4h.",
+    checks: "Reports a configured or default value that CiA 402 does not define, unless it is manufacturer-specific. The rule checks option codes 6007h and 605Ah to 605Eh, modes 6060h and 6061h, profile types 6086h and 6088h, homing method 6098h, jerk use 60A3h, index of the interpolation time 60C2h, buffer organization 60C4h.",
     why: "The drive rejects the value or reacts in an undefined way, such as a quick stop that does not stop.",
     example: "`DefaultValue=9` in `[605A]`, where 8 is the last defined value",
     remedy: "Use a defined value or a negative one, which is manufacturer-specific.",

@@ -38,7 +38,7 @@ rules! {
     source: "CiA 402-2, target position and software position limit",
 
     "cia402/value-beyond-support" = VALUE_BEYOND_SUPPORT, Warning, Drive(value_beyond_support);
-    summary: "a value exceeds the maximum in a different sub-index or object",
+    summary: "a value exceeds the limit in a related sub-index or object",
     checks: "The actual buffer size of 60C4h (sub-index 2) must be at most the maximum (sub-index 1). 60A4h must have at least as many jerks as 60A3h specifies. Each digital output that 60FEh switches on (sub-index 1) must be enabled in the bit mask (sub-index 2). The mask must not be 0 if it is configured, or if an RPDO maps the outputs without the mask.",
     why: "The drive rejects the size of the buffer or has no value for a jerk. An output that the mask does not enable stays off.",
     example: "`DefaultValue=0x00010000` in `[60FEsub1]`, and `DefaultValue=0` in `[60FEsub2]`",
@@ -91,7 +91,7 @@ fn limit_outside_range(drive: Drive<'_>, findings: &mut Findings) {
     findings.push(finding.help("move the limit into the range or widen the range"));
 }
 
-/// A set-point, its limit with the sub-index, and the name of the set-point.
+/// A set-point, its limit with the sub-index and the name of the set-point.
 const SET_POINT_LIMITS: [(u16, (u16, u8), &str); 10] = [
     (0x6042, (0x6046, 2), "vl target velocity"),
     (0x6081, (0x607F, 0), "profile velocity"),
@@ -177,7 +177,7 @@ fn value_beyond_support(drive: Drive<'_>, findings: &mut Findings) {
     }
 }
 
-/// Whether the bit mask of the digital outputs is configured, or PDOs set the outputs and not the mask.
+/// Whether the bit mask of the digital outputs is configured, or PDOs set the outputs but not the mask.
 fn is_mask_in_use(drive: Drive<'_>) -> bool {
     let mask = drive.object(0x60FE).and_then(|object| object.entry(2));
     mask.is_some_and(|mask| mask.configured_value().is_some())

@@ -1,4 +1,4 @@
-//! The device types of a drive and of its further axes, and the objects that its PDOs must carry.
+//! The device types of a drive and its further axes and the objects that its PDOs must carry.
 
 use crate::demands::Applied;
 use crate::diagnostic::{Findings, say};
@@ -125,7 +125,7 @@ fn axis_without_device_type(facts: &Facts<'_>, applied: &Applied<'_>, findings: 
 
 fn device_type_without_drive(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let index = profile::device_type_index(facts.device, applied.block);
-    // axes without their own device type have that of 1000h
+    // axes without their own device type use 1000h
     if applied.block > 0 && index == 0x1000 {
         return;
     }

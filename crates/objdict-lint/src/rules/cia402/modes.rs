@@ -43,7 +43,7 @@ rules! {
 
     "cia402/mode-without-display" = MODE_WITHOUT_DISPLAY, Warning, Drive(mode_without_display);
     summary: "only one of modes of operation and modes of operation display is described",
-    checks: "6060h (modes of operation) and 6061h (modes of operation display) must both be described. `cia402/no-mode-selection` reports a drive with several modes and without 6060h.",
+    checks: "If 6060h (modes of operation) or 6061h (modes of operation display) is described, the other must be described too. `cia402/no-mode-selection` reports a drive with several modes and without 6060h.",
     why: "A drive may change its mode with a delay: a master waits until 6061h shows the mode before it sends targets.",
     example: "`[6060]` without `[6061]`",
     remedy: "Describe the other object.",
@@ -67,7 +67,7 @@ rules! {
     "cia402/no-supported-modes" = NO_SUPPORTED_MODES, Warning, Drive(no_supported_modes);
     summary: "a drive does not specify its modes",
     checks: "A drive with the controlword 6040h must have 6502h (supported drive modes).",
-    why: "Masters read 6502h before they select a mode, and many do not use an axis without it. The object was optional in version 2 and is mandatory since version 3. More than a quarter of the real drives examined lack it, so the finding is a warning.",
+    why: "Masters read 6502h before they select a mode, and many do not use an axis without it. The object was optional in version 2 and has been mandatory since version 3. More than a quarter of the real drives examined lack it, so the finding is a warning.",
     example: "`[6040]` without `[6502]`",
     remedy: "Describe 6502h (UNSIGNED32, `ro`) with the bits of the modes.",
 
@@ -80,7 +80,7 @@ rules! {
 
     "cia402/unsupported-mode" = UNSUPPORTED_MODE, Warning, Drive(unsupported_mode);
     summary: "a drive starts in a mode that it does not support",
-    checks: "If 6060h or 6061h is configured to a mode or has it as default, the bit of that mode must be set in 6502h. Manufacturer-specific modes (below 0) and 0 (no mode) are not checked.",
+    checks: "The bit of the configured or default mode in 6060h or 6061h must be set in 6502h. Manufacturer-specific modes (below 0) and 0 (no mode) are not checked.",
     why: "One of the two is wrong. A master that relies on 6502h never uses the mode. A master that relies on 6060h sends targets that the drive rejects.",
     example: "`DefaultValue=8` in `[6060]`, and `DefaultValue=0x00000005` in `[6502]`",
     remedy: "Correct the mode, or set its bit in 6502h.",
@@ -119,7 +119,7 @@ fn homing_method_not_supported(drive: Drive<'_>, findings: &mut Findings) {
     findings.push(finding.help("choose a supported method or complete the list"));
 }
 
-/// A mode, the objects that only this mode uses, and the bits of 6502h of which one must be set.
+/// A mode, the objects that only this mode uses and the bits of 6502h of which one must be set.
 const OBJECTS_OF_MODES: [(&str, [u16; 2], u32); 6] = [
     ("velocity", [0x6042, 0x6044], 1 << 1),
     ("profile position", [0x607A, 0x6081], 1),

@@ -41,7 +41,7 @@ rules! {
 
     "cia402/zero-speed" = ZERO_SPEED, Note, Drive(zero_speed);
     summary: "a speed, a ramp or a torque of a drive is 0",
-    checks: "The speeds, ramps and torques that the modes of 6502h need must not be 0: 6048h, 6046h sub-index 2, the speeds of 6049h and 604Ah, 6081h, 6083h, 6084h, 6087h, 6099h, 609Ah, 60C2h and 607Fh (max profile velocity). Position modes also need 6065h (following error window). For all modes, 6072h, 6073h, 6075h, 6076h, 6085h, 60E0h and 60E1h must not be 0. The rule reports one finding for each axis. A configured value is a warning; a default is a note, because a master may write a different value first. 6065h, 607Fh and 60C2h are always a note, because some drives interpret 0 as no limit or no interpolation. Other limits of speeds and accelerations are not checked.",
+    checks: "The speeds, ramps and torques that the modes of 6502h need must not be 0: 6048h, 6046h sub-index 2, the speeds of 6049h and 604Ah, 6081h, 6083h, 6084h, 6087h, 6099h, 609Ah, 60C2h and 607Fh (max profile velocity). Position modes also need 6065h (following error window). For all modes, 6072h, 6073h, 6075h, 6076h, 6085h, 60E0h and 60E1h must not be 0. The rule reports one finding per axis. A configured value is a warning; a default is a note, because a master may write a different value first. 6065h, 607Fh and 60C2h are always a note, because some drives interpret 0 as no limit or no interpolation. Other limits of speeds and accelerations are not checked.",
     why: "The axis accepts the command but does not move or has no torque.",
     example: "`[6081]` with `ParameterValue=0`, and profile position mode in 6502h",
     remedy: "Write the value of the machine.",

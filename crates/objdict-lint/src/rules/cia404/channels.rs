@@ -9,7 +9,7 @@ use crate::rule::rules;
 rules! {
     "cia404/incomplete-scaling" = INCOMPLETE_SCALING, Warning, Applied(incomplete_scaling);
     summary: "the scaling of a channel is incomplete",
-    checks: "The four objects that scale a field value to a process value by two points must all be described: x120h to x123h for analogue inputs, x320h to x323h for analogue outputs.",
+    checks: "Four objects scale a field value to a process value by two points: x120h to x123h for analogue inputs, x320h to x323h for analogue outputs. If one of the four is described, all must be described.",
     why: "A linear scaling needs two points of two numbers each. If one is missing, the scaling cannot be changed.",
     example: "`[7120]`, `[7121]` and `[7122]` without `[7123]`",
     remedy: "Describe the missing objects.",

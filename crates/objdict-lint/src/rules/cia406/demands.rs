@@ -11,7 +11,7 @@ rules! {
     source: "CiA 406, the object descriptions";
 
     "cia406/different-channel-count", Warning, Against(different_channel_count);
-    summary: "an encoder's object has fewer or more elements than sensors or channels",
+    summary: "the number of elements of an encoder's object differs from the number of sensors or channels",
     checks: "6010h and 650Ch must have as many elements as 6020h, 6301h and 6302h as many as 6300h, 6401h and 6402h as many as 6400h.",
     why: "A sensor without an element has no preset, and a work area without an element has no limit.",
     example: "`[6020sub0]` with `DefaultValue=2`, `[6010sub0]` with `DefaultValue=1`",
@@ -33,7 +33,7 @@ rules! {
     source: "CiA 406, class C1",
 
     "cia406/missing-sub-index", Error, Against(missing_entry);
-    summary: "a sub-index that CiA 406 requires is missing from an object of an encoder",
+    summary: "a sub-index that CiA 406 requires is missing from an encoder's object",
     checks: "Each array of 6005h to 650Ch must have its first element. 6005h and 650Ah must have their mandatory sub-indexes.",
     why: "An array without elements is useless.",
     example: "`[6030]` with `[6030sub0]` only",
@@ -49,7 +49,7 @@ rules! {
 
     "cia406/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "an object of an encoder has a sub-index that CiA 406 does not define",
-    checks: "The profile must define each sub-index of the objects 6005h to 650Ch.",
+    checks: "Reports sub-indexes of the objects 6005h to 650Ch that the profile does not define.",
     why: "A later edition may define the sub-index differently. Tools that know the profile do not show it.",
     example: "`[650Asub4]`",
     remedy: "Move manufacturer-specific values to 2000h to 5FFFh.",

@@ -205,7 +205,7 @@ fn cyclic_timer_mismatch(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
     }
 }
 
-/// The object with the position, in its different formats.
+/// The object with the position in its different formats.
 const POSITION_OBJECTS: [MappedObject; 3] = [
     MappedObject { index: 0x6004, sub: 0, bits: 32 },
     MappedObject { index: 0x6008, sub: 0, bits: 64 },
@@ -258,7 +258,7 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
     }
 }
 
-/// Whether the mapping is stated and not reported by another rule.
+/// Whether the mapping is complete and no other rule reports it.
 fn is_mapping_readable(pdo: &PdoFacts<'_>) -> bool {
     let fits = |target: &MappedTo<'_>| match target {
         MappedTo::Entry(entry) => entry.is_mappable() && entry.fits_pdo(pdo.pdo.kind),

@@ -14,7 +14,7 @@ rules! {
     "configuration/different-access" = DIFFERENT_ACCESS, Warning, Configured(different_access);
     summary: "an entry of a configuration has a different access type than in its EDS",
     checks: "Each entry of a DCF must have the `AccessType` of its EDS, where both specify one. `ro` and `const` are treated as equal: neither is downloaded.",
-    why: "A tool downloads values that the device rejects or omits values that it must write.",
+    why: "A tool downloads values that the device rejects, or it omits values that it must write.",
     example: "`AccessType=rw` in the DCF, and `AccessType=ro` in the EDS",
     remedy: "Write the access type of the EDS, or check with the EDS of the device.",
 
@@ -91,7 +91,7 @@ fn different_access(configured: &ConfiguredDevice<'_>, findings: &mut Findings) 
 }
 
 fn different_default(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
-    // the modules of a coupler change the module list, and count in the arrays that they extend
+    // the modules of a coupler change the module list and the size of the arrays that they extend
     let is_of_modules = |pair: &EntryPair<'_>| {
         configured.origin.is_modular() && (pair.index == 0x1027 || pair.sub == Some(0))
     };
@@ -189,7 +189,7 @@ fn value_outside_limits(configured: &ConfiguredDevice<'_>, findings: &mut Findin
         let exceeded = sides
             .into_iter()
             .find(|(_, own, limit, order)| beyond(limit.as_ref(), *order) && !beyond(own.as_ref(), *order));
-        // limits of a signature, not of what is read
+        // the limits apply to the signature, not to the value that is read
         let Some((field, _, Some(limit), _)) = exceeded.filter(|_| !matches!(pair.index, 0x1010 | 0x1011))
         else {
             continue;
@@ -232,7 +232,7 @@ pub(crate) fn is_same(device: &Device, origin: &Device) -> bool {
     IDENTITY.iter().all(|(field, _, number, sub)| difference(device, origin, field, *number, *sub).is_none())
 }
 
-/// Where two devices state different numbers: in the device information, else in a sub-index of 1018h. The place and the number
+/// Different numbers of two devices, in the device information or else in a sub-index of 1018h. The place and the number
 /// of each.
 fn difference(
     device: &Device,

@@ -32,7 +32,7 @@ rules! {
 
     "custom/undefined-sub-index", Error, Against(undefined_sub_index);
     summary: "an object has a sub-index that a custom profile does not define",
-    checks: "A loaded profile must list each sub-index of an object. If it lists none, any sub-index is allowed.",
+    checks: "Reports sub-indexes that a loaded profile does not list. If the profile lists none for an object, any sub-index is allowed.",
     why: "Project tools do not show the sub-index. A later edition of the profile may define it differently.",
     example: "`[2000sub3]` where the profile ends with sub-index 2",
     remedy: "Move it to a separate object, or add it to the profile.",
@@ -74,7 +74,7 @@ rules! {
 
     "custom/wrong-value", Error, Expected(wrong_value);
     summary: "an entry has a value that a custom profile does not allow",
-    checks: "A loaded profile must allow the configured or default value of an entry.",
+    checks: "Reports configured or default values that a loaded profile does not allow.",
     why: "The device rejects the value, or the behaviour of the device is undefined.",
     example: "`DefaultValue=300` where the profile says `values = [[0, 200]]`",
     remedy: "Use a value of the profile.",

@@ -14,7 +14,7 @@ rules! {
 
     "naming/duplicate-denotation" = DUPLICATE_DENOTATION, Note, Device(duplicate_denotation);
     summary: "two entries have the same denotation",
-    checks: "The denotations of a DCF, the application's names of entries, must differ. The first repetition is shown with the others.",
+    checks: "The denotations of a DCF (the application's names for entries) must differ. The finding is at the first repetition and lists the others.",
     why: "An application that looks up variables by denotation gets the first of the two.",
     example: "`Denotation=Door open` in `[6000sub1]` and in `[6000sub2]`",
     remedy: "Give each entry a unique denotation.",
@@ -30,7 +30,7 @@ rules! {
 
     "naming/duplicate-object-name" = DUPLICATE_OBJECT_NAME, Note, Device(duplicate_object_name);
     summary: "two objects have the same name",
-    checks: "The names of objects from 2000h on must differ. Objects that are 800h apart are not checked: they are the same object of several axes or channels. Neither are 5800h to 5FFFh, where masters store the PDOs of other nodes. The first repetition is shown with the others.",
+    checks: "The names of objects from 2000h on must differ. Objects that are 800h apart are not checked: they are the same object of several axes or channels. Neither are 5800h to 5FFFh, where masters store the PDOs of other nodes. The finding is at the first repetition and lists the others.",
     why: "Users cannot distinguish the objects, libraries that look up objects by name return the first one, and code generators have to add numbers.",
     example: "`ParameterName=Setpoint` in `[2000]` and in `[2001]`",
     remedy: "Add a number or a word to the names.",
@@ -46,7 +46,7 @@ rules! {
     "naming/name-of-other-object" = NAME_OF_OTHER_OBJECT, Note,
         Facts(name_of_other_object), explains Around ["duplicate-object-name"];
     summary: "an object has the standard name of a different object",
-    checks: "No object may have the name that the CiA document gives to a different index. No entry may have the name of a different sub-index of the same object. Only letters and digits are compared, ignoring case. `Reserved` is not a name, and the beginning of the own name is accepted. The rule reports one finding for each device.",
+    checks: "No object may have the name that the CiA document gives to a different index. No entry may have the name of a different sub-index of the same object. Only letters and digits are compared, ignoring case. `Reserved` is not a name, and the beginning of the object's own name is accepted. The rule reports one finding per device.",
     why: "Users and tools that look up names write the deceleration to the acceleration. Either the index or the name is wrong; usually two names were swapped.",
     example: "`[6083]` with `ParameterName=Profile deceleration`, which is 6084h",
     remedy: "Write the name of the document, or move the object.",
@@ -155,14 +155,14 @@ fn placeholder(at: &EntryAt<'_>, findings: &mut Findings) {
 }
 
 fn is_placeholder_word(text: &str) -> bool {
-    // the longest one has ten characters
+    // the longest word has ten characters
     text.len() <= 10 && PLACEHOLDERS.iter().any(|placeholder| placeholder.eq_ignore_ascii_case(text))
 }
 
 /// Beginning and end of variables in templates.
 const VARIABLES: [(&str, &str); 5] = [("@", "@"), ("${", "}"), ("{{", "}}"), ("<%", "%>"), ("%", "%")];
 
-/// Whether a text has a variable that a template engine should have replaced.
+/// Whether a string has a variable that a template engine should have replaced.
 fn has_variable(text: &str) -> bool {
     let is_word = |text: &str| {
         let text = text.trim_matches([' ', '=']);
@@ -175,7 +175,7 @@ fn has_variable(text: &str) -> bool {
     text.bytes().any(|byte| matches!(byte, b'@' | b'{' | b'%')) && VARIABLES.iter().any(has)
 }
 
-/// Whether a text of the header still comes from a template.
+/// Whether a header field still contains template text.
 fn is_template(text: &str) -> bool {
     let is_reminder = |word: &&str| text.strip_prefix(*word).is_some_and(|rest| rest.starts_with([':', ' ']));
     let is_row = |digit: u8| text.len() > 2 && text.bytes().all(|byte| byte.eq_ignore_ascii_case(&digit));
@@ -237,7 +237,7 @@ fn repeated_blanks(at: &EntryAt<'_>, findings: &mut Findings) {
 }
 
 fn type_in_name(at: &EntryAt<'_>, findings: &mut Findings) {
-    // some editors give sub-index 0 the name of the object, and a mapping names what it maps
+    // some editors give sub-index 0 the name of the object, and a mapping has the names of its objects
     let is_own = at.sub != Some(0) && PdoKind::of_mapping(at.index).is_none();
     let Some(data_type) = at.entry.data_type.filter(|_| is_own) else { return };
     let Some((named, text)) = named_type(&at.entry.name) else { return };
@@ -325,7 +325,7 @@ fn is_unique(object: &Object, lowest: u64) -> bool {
     })
 }
 
-/// A name that ends with a number: its stem, and the number.
+/// A name that ends with a number: its stem and the number.
 fn numbered(name: &str) -> Option<(&str, u32)> {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let number = name.get(stem.len()..)?;
@@ -362,7 +362,7 @@ fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// Adds the entries of an object that have the name of another one of its entries.
+/// Adds the entries that have the name of a different entry of the same object.
 fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, Text)>) {
     let entries = || against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last)));
     for at in against.entries() {
@@ -376,13 +376,13 @@ fn entries_with_other_names(against: &Against<'_>, wrong: &mut Vec<(Place, Text)
     }
 }
 
-/// The first and the last number of the only one with a name that is not the `own` one.
+/// The first and last number of the only entry with this name, unless the name is the beginning of `own`.
 fn place_of_other<'a, T: PartialEq>(
     named: impl Iterator<Item = (&'a str, (T, T))>,
     name: &str,
     own: &str,
 ) -> Option<(T, T)> {
-    // the beginning of the own name is a short form of it: `Program data` of `Program data of nodes`
+    // the beginning of the object's own name is an abbreviation: `Program data` of `Program data of nodes`
     let mut own = plain(own);
     if plain(name).all(|char| own.next() == Some(char)) {
         return None;
@@ -392,9 +392,9 @@ fn place_of_other<'a, T: PartialEq>(
     (alike.next().is_none() && place.0 == place.1).then_some(place)
 }
 
-/// Whether names are the same but for blanks, case and signs. The asterisk of values in increments counts (CiA 402).
+/// Whether names differ only in spaces, case and signs. The asterisk of values in increments is compared (CiA 402).
 fn is_alike(name: &str, other: &str) -> bool {
-    // most names begin with different letters, which bytes show faster
+    // most names begin with different letters, so comparing bytes is faster
     let letter = |text: &str| text.bytes().next().filter(u8::is_ascii_alphanumeric);
     let first = letter(name).zip(letter(other));
     name == other
@@ -454,7 +454,7 @@ fn wrong_pdo_number(facts: &Facts<'_>, findings: &mut Findings) {
     }
 }
 
-/// The number in a name with the word PDO, if it is the only one and no part of a word.
+/// The number in a name with the word PDO, if it is the only number and not part of a word.
 fn number_of_pdo(name: &str) -> Option<u16> {
     let start = name.find(|c: char| c.is_ascii_digit())?;
     let (before, rest) = name.split_at(start);
@@ -529,7 +529,7 @@ fn duplicate_object_name(device: &Device, findings: &mut Findings) {
             return None;
         }
         let first = *seen.entry(name).or_insert(index);
-        // the same object of another axis is 800h higher
+        // the same object of a further axis is 800h higher
         let is_copy = index >= 0x6000 && (index - first).is_multiple_of(0x800);
         (first != index && !is_copy).then_some((first, index, name))
     });

@@ -1,4 +1,4 @@
-//! Compact objects, PDO mappings and values that not all tools read, or read correctly.
+//! Compact objects, PDO mappings and values that not all tools read correctly or at all.
 
 use crate::diagnostic::{Findings, Fix, counted, listing, listing_or, say};
 use crate::model::{
@@ -13,15 +13,15 @@ rules! {
 
     "portability/compact-denotations" = COMPACT_DENOTATIONS, Error, Device(compact_denotations);
     summary: "a tool does not support the denotations of a compact object",
-    checks: "Reports objects with `CompactSubObj` and a section `[xxxxDenotation]`. The first one is shown with the others.",
-    why: "dcf-tools supports `[xxxxName]` and `[xxxxValue]` but not this section and rejects the file.",
+    checks: "Reports objects with `CompactSubObj` and a section `[xxxxDenotation]`. The finding is at the first one and lists the others.",
+    why: "dcf-tools supports `[xxxxName]` and `[xxxxValue]` but not this section, so it rejects the file.",
     example: "`[2000Denotation]`",
     remedy: "Use `[xxxxName]`, or describe the sub-indexes individually.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
 
     "portability/compact-names" = COMPACT_NAMES, Warning, Device(compact_names);
     summary: "a tool ignores the names of a compact object",
-    checks: "Reports objects with `CompactSubObj` and a section `[xxxxName]` without a gap. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` and a section `[xxxxName]` without a gap. The finding is at the first one and lists the others.",
     why: "CANopenEditor does not read the section and names the sub-indexes after the object, with a hex number appended.",
     example: "`[2000Name]`",
     remedy: "Describe the sub-indexes individually if their names matter.",
@@ -29,7 +29,7 @@ rules! {
 
     "portability/compact-parameter-value" = COMPACT_PARAMETER_VALUE, Error, Device(compact_parameter_value);
     summary: "a compact object has one configured value for all sub-indexes",
-    checks: "Reports objects with `CompactSubObj` and a `ParameterValue` but without a section `[xxxxValue]`. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` and a `ParameterValue` but without a section `[xxxxValue]`. The finding is at the first one and lists the others.",
     why: "dcf-tools does not read the value of the key correctly and crashes.",
     example: "`CompactSubObj=8` and `ParameterValue=1`",
     remedy: "Write the value of each sub-index in `[xxxxValue]`.",
@@ -37,14 +37,14 @@ rules! {
 
     "portability/compact-storage" = COMPACT_STORAGE, Warning, Device(compact_storage);
     summary: "a tool does not support `CompactSubObj` correctly",
-    checks: "Reports objects with `CompactSubObj` but without a section of names, values or denotations. These sections have their own rules. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` but without a section of names, values or denotations. These sections have their own rules. The finding is at the first one and lists the others.",
     why: "CANopenEditor creates the sub-indexes but drops their default and mapping and uses the low limit as the high limit. python-canopen creates the sub-indexes of an ARRAY on access, without a value in sub-index 0, and none for a RECORD.",
     example: "`CompactSubObj=8`",
     remedy: "Describe the sub-indexes individually.",
 
     "portability/compact-values" = COMPACT_VALUES, Warning, Device(compact_values);
     summary: "a tool ignores the values of a compact object",
-    checks: "Reports objects with `CompactSubObj` and a section `[xxxxValue]`. The first one is shown with the others.",
+    checks: "Reports objects with `CompactSubObj` and a section `[xxxxValue]`. The finding is at the first one and lists the others.",
     why: "python-canopen and CANopenEditor do not read the section: they use the default instead of the configured values.",
     example: "`[2000Value]`",
     remedy: "Describe the sub-indexes individually, each with its `ParameterValue`.",
@@ -67,13 +67,13 @@ rules! {
 
     "portability/file-reference" = FILE_REFERENCE, Note, Device(file_reference);
     summary: "a tool ignores the file of a DOMAIN",
-    checks: "Reports entries of a DCF with an `UploadFile` or a `DownloadFile`. The first one is shown with the others.",
+    checks: "Reports entries of a DCF with an `UploadFile` or a `DownloadFile`. The finding is at the first one and lists the others.",
     why: "python-canopen and CANopenEditor neither load the file nor write its name back.",
     example: "`DownloadFile=firmware.bin`",
     remedy: "Load the file in the application, or use a tool that supports it.",
 
     "portability/implicit-pdo" = IMPLICIT_PDO, Note, Device(implicit_pdo);
-    summary: "only `CompactPDO` implies a PDO",
+    summary: "a PDO is implied by `CompactPDO` but not described",
     checks: "Reports PDOs that `CompactPDO` and the PDO counts in `[DeviceInfo]` imply without objects in the file.",
     why: "python-canopen and CANopenEditor ignore `CompactPDO` (CANopenEditor unless the file has modules), so they do not detect these PDOs.",
     example: "`NrOfTXPDO=2` and `CompactPDO=0x13` without `[1800]` and `[1801]`",
@@ -81,7 +81,7 @@ rules! {
 
     "portability/long-value" = LONG_VALUE, Note, Device(long_value);
     summary: "a configured value has more than four bytes",
-    checks: "Reports writable entries with a default or configured value whose type has more than four bytes or a variable length. The first one is shown with the others.",
+    checks: "Reports writable entries with a default or configured value whose type has more than four bytes or a variable length. The finding is at the first one and lists the others.",
     why: "CODESYS configures entries of up to four bytes by SDO; the application must write longer ones.",
     example: "A writable UNSIGNED64 with a default",
     remedy: "Write the entry from the application, or split it into entries of four bytes.",
@@ -97,7 +97,7 @@ rules! {
 
     "portability/time-value" = TIME_VALUE, Warning, Device(time_value);
     summary: "a time of day or a duration has a value",
-    checks: "Reports entries of type TIME_OF_DAY or TIME_DIFFERENCE with a default or configured value. The first one is shown with the others.",
+    checks: "Reports entries of type TIME_OF_DAY or TIME_DIFFERENCE with a default or configured value. The finding is at the first one and lists the others.",
     why: "python-canopen does not support these types and reads an integer: the space between days and milliseconds is removed, and `1 2` becomes 12.",
     example: "`DefaultValue=1 0x36EE80` of a TIME_OF_DAY",
     remedy: "Remove the value if 0 is acceptable.",

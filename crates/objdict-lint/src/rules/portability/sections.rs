@@ -1,4 +1,4 @@
-//! Sections and keys that not all tools know, and services that CANopenNode and other stacks do not support.
+//! Sections and keys that not all tools support, and services that CANopenNode and other stacks do not support.
 
 use crate::diagnostic::{Findings, say};
 use crate::model::{Device, Entry, Field, Part, Place};
@@ -19,7 +19,7 @@ rules! {
 
     "portability/denotation" = DENOTATION, Note, Device(denotation);
     summary: "a tool drops a denotation",
-    checks: "Reports entries of a DCF with a `Denotation`. The first one is shown with the others.",
+    checks: "Reports entries of a DCF with a `Denotation`. The finding is at the first one and lists the others.",
     why: "python-canopen does not read the denotation and writes files without it: the application's name of the entry is lost.",
     example: "`Denotation=Pump 3`",
     remedy: "Repeat important denotations in `ParameterName`.",
@@ -58,7 +58,7 @@ rules! {
 
     "portability/object-flags" = OBJECT_FLAGS, Note, Device(object_flags);
     summary: "a tool ignores `ObjFlags`",
-    checks: "Reports entries with an `ObjFlags` other than 0. The first one is shown with the others.",
+    checks: "Reports entries with an `ObjFlags` other than 0. The finding is at the first one and lists the others.",
     why: "dcf-tools accepts the key and writes the excluded entries. python-canopen does not support the key and writes files without it.",
     example: "`ObjFlags=1`, which forbids the download of the entry",
     remedy: "Check the values that the tool writes to these entries, or remove the values.",
@@ -66,14 +66,14 @@ rules! {
 
     "portability/object-links" = OBJECT_LINKS, Error, Device(object_links);
     summary: "a tool does not support object links",
-    checks: "Reports objects with a section `[xxxxObjectLinks]`. The first one is shown with the others.",
+    checks: "Reports objects with a section `[xxxxObjectLinks]`. The finding is at the first one and lists the others.",
     why: "dcf-tools rejects a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
     example: "`[2000ObjectLinks]`",
     remedy: "Use a copy without the section for the tool: the section only groups objects.",
 
     "portability/parameter-reference" = PARAMETER_REFERENCE, Note, Device(parameter_reference);
     summary: "a tool drops a reference designator",
-    checks: "Reports entries of a DCF with a `ParamRefd`. The first one is shown with the others.",
+    checks: "Reports entries of a DCF with a `ParamRefd`. The finding is at the first one and lists the others.",
     why: "python-canopen and CANopenEditor write files without the key.",
     example: "`ParamRefd=-A1.X3`",
     remedy: "Keep the original file and do not edit it with the tool.",
@@ -81,7 +81,7 @@ rules! {
 
     "portability/safety-key" = SAFETY_KEY, Error, Device(safety_key);
     summary: "a tool does not support the keys of CANopen Safety",
-    checks: "Reports entries with `SRDOMapping` or `InvertedSRAD`, and `CANopenSafetySupported` in `[DeviceInfo]`. The first one is shown with the others.",
+    checks: "Reports entries with `SRDOMapping` or `InvertedSRAD`, and `CANopenSafetySupported` in `[DeviceInfo]`. The finding is at the first one and lists the others.",
     why: "dcf-tools rejects a file with unknown keys; python-canopen and CANopenEditor write files without them.",
     example: "`SRDOMapping=1`",
     remedy: "Use a copy of the file without these keys for the tool.",
@@ -127,7 +127,7 @@ rules! {
 
     "portability/type-definition" = TYPE_DEFINITION, Error, Device(type_definition);
     summary: "the file defines data types",
-    checks: "Reports objects below 1000h, which define types. The first one is shown with the others.",
+    checks: "Reports objects below 1000h, which define types. The finding is at the first one and lists the others.",
     why: "dcf-tools does not support such sections and rejects the file. python-canopen skips them and treats entries of these types as DOMAIN.",
     example: "`[40]` with `ObjectType=0x5`",
     remedy: "Use standard types and remove the definitions.",
