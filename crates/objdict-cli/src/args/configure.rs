@@ -22,102 +22,102 @@ use objdict_node::configure::Setting;
 pub(crate) struct ConfigureArgs {
     /// EDS, XDD or device as JSON, or a DCF or XDC to change; `-` is standard input
     pub file: PathBuf,
-    /// The file to write [default: standard output]
+    /// Output file [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Change the DCF or XDC itself
+    /// Edit the DCF or XDC in place
     #[arg(long, conflicts_with = "output")]
     pub in_place: bool,
-    /// The node-ID
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// The bit rate in kbit/s
+    /// Bit rate in kbit/s [default: from the network or DCF]
     #[arg(long, alias = "baudrate", value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
     pub bit_rate: Option<u16>,
-    /// The node name
+    /// Node name
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
-    /// The number of the network
+    /// Network number
     #[arg(long, value_name = "N")]
     pub net_number: Option<u32>,
-    /// The name of the network
+    /// Network name
     #[arg(long, value_name = "NAME", value_parser = node_name)]
     pub network_name: Option<String>,
-    /// Whether the node is the CANopen manager of the network [values: true (default), false]
+    /// Make the node the CANopen manager of the network [values: true (default), false]
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true", hide_possible_values = true)]
     pub manager: Option<bool>,
-    /// The LSS serial number, which is the serial number in 1018h
+    /// LSS serial number (the serial number in 1018h)
     #[arg(long, value_name = "NUMBER", value_parser = serial_number)]
     pub lss_serial_number: Option<u32>,
-    /// When the node-ID of a DCF changes, also change the CAN-IDs derived from it (default)
+    /// Update the CAN-IDs derived from the node-ID of a DCF when it changes (default)
     #[arg(long, overrides_with = "no_rebase")]
     rebase: bool,
     /// Keep all CAN-IDs when the node-ID changes
     #[arg(long)]
     pub no_rebase: bool,
-    /// Set the value of an entry, by index or name: `1017=250`, `1017=1s`, `Producer heartbeat time=default`; repeatable
+    /// Value of an entry, by index or name: `1017=250`, `1017=1s`, `Producer heartbeat time=default`; repeatable
     #[arg(long, value_name = "ENTRY=VALUE", value_parser = Setting::value)]
     pub set: Vec<Setting>,
-    /// Map entries into a PDO, by index or name: `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; repeatable
+    /// Entries to map into a PDO, by index or name: `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; repeatable
     #[arg(long, value_name = "PDO=ENTRIES", value_parser = Setting::map)]
     pub map: Vec<Setting>,
-    /// Set the CAN-ID of a PDO: `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo2=auto`, `tpdo3=off`; repeatable
+    /// CAN-ID of a PDO: `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo2=auto`, `tpdo3=off`; repeatable
     #[arg(long, value_name = "PDO=ID", value_parser = Setting::cob_id)]
     pub cob_id: Vec<Setting>,
-    /// Set the transmission type of a PDO: `tpdo1=sync/1`, `event`, `event-vendor`, `rtr` or a number; repeatable
+    /// Transmission type of a PDO: `tpdo1=sync/1`, `event`, `event-vendor`, `rtr` or a number; repeatable
     #[arg(long, value_name = "PDO=TYPE", value_parser = Setting::transmission)]
     pub transmission: Vec<Setting>,
-    /// Set the inhibit time of a PDO: `tpdo1=5ms`; repeatable
+    /// Inhibit time of a PDO: `tpdo1=5ms`; repeatable
     #[arg(long, value_name = "PDO=TIME", value_parser = Setting::inhibit)]
     pub inhibit: Vec<Setting>,
-    /// Set the event timer of a PDO: `tpdo1=100ms`; repeatable
+    /// Event timer of a PDO: `tpdo1=100ms`; repeatable
     #[arg(long, value_name = "PDO=TIME", value_parser = Setting::event_timer)]
     pub event_timer: Vec<Setting>,
-    /// Set the SYNC counter value that a PDO starts with: `tpdo1=3`; repeatable
+    /// SYNC counter value at which a PDO starts: `tpdo1=3`; repeatable
     #[arg(long, value_name = "PDO=NUMBER", value_parser = Setting::sync_start)]
     pub sync_start: Vec<Setting>,
-    /// Set up SYNC: CAN-ID, `producer` or `consumer`, period: `producer,33ms`
+    /// SYNC settings: CAN-ID, `producer` or `consumer`, period, such as `producer,33ms`
     #[arg(long, value_name = "SYNC", value_parser = Setting::sync)]
     pub sync: Option<Setting>,
-    /// Set the CAN-ID of EMCY: `$NODEID+0x80`, `auto` or `off`
+    /// CAN-ID of EMCY: `$NODEID+0x80`, `auto` or `off`
     #[arg(long, value_name = "ID", value_parser = Setting::emcy)]
     pub emcy: Option<Setting>,
-    /// Set up TIME: CAN-ID, `producer`, `consumer`, or `off`: `0x100,consumer`
+    /// TIME settings: CAN-ID, `producer`, `consumer` or `off`, such as `0x100,consumer`
     #[arg(long, value_name = "TIME", value_parser = Setting::time)]
     pub time: Option<Setting>,
-    /// Set guard time and life time factor: `100msx3`
+    /// Guard time and life time factor: `100msx3`
     #[arg(long, value_name = "TIMExFACTOR", value_parser = Setting::guard)]
     pub guard: Option<Setting>,
-    /// Monitor the heartbeat of a node: `7=750ms`; repeatable
+    /// Heartbeat consumer time for a node: `7=750ms`; repeatable
     #[arg(long, value_name = "NODE=TIME", value_parser = Setting::heartbeat_consumer)]
     pub heartbeat_consumer: Vec<Setting>,
-    /// Downloads after the values of entries, in this order, even if the node already has the value: `6040=6,7,15`; repeatable
+    /// Downloads to send after the values of entries, in this order, even if the node already has the value: `6040=6,7,15`; repeatable
     #[arg(long, value_name = "ENTRY=VALUES", value_parser = |text: &str| Setting::downloads(Moment::After, text))]
     pub sdo: Vec<Setting>,
-    /// Downloads before the values of entries; repeatable
+    /// Downloads to send before the values of entries; repeatable
     #[arg(long, value_name = "ENTRY=VALUES", value_parser = |text: &str| Setting::downloads(Moment::Before, text))]
     pub sdo_before: Vec<Setting>,
-    /// A file of settings (see `objdict help settings`); options override it
+    /// Settings file (see `objdict help settings`); options override it
     #[arg(long, value_name = "FILE")]
     settings: Option<PathBuf>,
-    /// The modules plugged into a coupler, by number and in order: `1,1,3`
+    /// Numbers of the modules plugged into a coupler, in order: `1,1,3`
     #[arg(long, value_name = "NUMBERS", value_delimiter = ',')]
     pub modules: Vec<u16>,
-    /// Write the DCF even if `check` finds errors in it that the EDS does not have
+    /// Write the output despite errors
     #[arg(long)]
     pub force: bool,
     #[command(flatten)]
     pub dialect: DialectArgs,
-    /// The format of the input, overriding detection: eds, dcf, xdd, xdc or json
+    /// Input format [default: detected]
     #[arg(long, value_name = "FORMAT", value_parser = from, help_heading = "Input")]
     from: Option<From>,
-    /// The device to read from a network file (.nxdd, .nxdc) or ESI, counted from 1
+    /// Number of the device in a network file (.nxdd, .nxdc) or ESI, starting at 1
     #[arg(long, value_name = "NUMBER", help_heading = "Input")]
     device: Option<NonZeroUsize>,
-    /// The variant of a `device.toml` to read [default: the device without its variants]
+    /// Variant of a `device.toml` [default: the device without variants]
     #[arg(long, value_name = "NAME", help_heading = "Input")]
     variant: Option<String>,
-    /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
+    /// Input encoding if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING", help_heading = "Input")]
     encoding: Option<Encoding>,
     #[command(flatten)]
@@ -181,7 +181,7 @@ impl ConfigureArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct ModulesArgs {
-    /// The EDS or DCF of the coupler; `-` is standard input
+    /// EDS or DCF of the coupler; `-` is standard input
     pub file: PathBuf,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
@@ -192,7 +192,7 @@ pub(crate) struct ModulesArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct VariantsArgs {
-    /// The `device.toml`; `-` is standard input
+    /// `device.toml`; `-` is standard input
     pub file: PathBuf,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
@@ -204,10 +204,10 @@ pub(crate) struct VariantsArgs {
 /// How variants are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum VariantsFormat {
-    /// A table
+    /// Plain text
     Text,
-    /// For programs: one JSON document (docs/reference/json.md)
+    /// JSON document (docs/reference/json.md)
     Json,
-    /// A page with the table
+    /// HTML page
     Html,
 }

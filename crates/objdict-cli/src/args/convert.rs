@@ -22,34 +22,34 @@ pub(crate) struct ConvertArgs {
     pub output: Vec<PathBuf>,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
-    /// The format to write [default: by the extension of the output]
+    /// Output format [default: by the extension of the output]
     #[arg(long, value_name = "FORMAT", value_parser = written_kinds())]
     pub to: Option<FileKind>,
-    /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/reference/json.md); `-` is standard output
+    /// JSON file for lost, omitted, invented and embedded data (docs/reference/json.md); `-` is standard output
     #[arg(long, value_name = "FILE")]
     pub loss_report: Option<PathBuf>,
     /// Exit with 1 if data are lost or invented
     #[arg(long)]
     pub deny_loss: bool,
-    /// Do not store data that the format cannot express in properties or comments: such data are lost
+    /// Drop data that the format cannot express instead of storing them in properties or comments
     #[arg(long, alias = "no-carry")]
     pub no_embed: bool,
-    /// Also write disabled objects (`CO_disabled`) of an XDD, XDC or JSON to an EDS or DCF
+    /// Include disabled objects (`CO_disabled`) of an XDD, XDC or JSON in an EDS or DCF
     #[arg(long)]
     pub keep_disabled: bool,
-    /// Version of CiA 311 of a new XDD or XDC
+    /// CiA 311 version of a new XDD or XDC
     #[arg(long, value_parser = one_of(&VERSIONS), value_name = "VERSION")]
     pub xdd_version: Option<XddVersion>,
-    /// Node-ID in the DCF, XDC, concise DCF or DBC
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// Bit rate in kbit/s in the DCF or XDC
+    /// Bit rate in kbit/s [default: from the network or DCF]
     #[arg(long, alias = "baudrate", value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..))]
     pub bit_rate: Option<u16>,
-    /// Node name in the DCF, XDC or DBC
+    /// Node name
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
-    /// Write all values to a concise DCF, not only those that differ from the default
+    /// Write all values to the concise DCF, not only non-default ones
     #[arg(long)]
     pub all: bool,
     #[command(flatten)]
@@ -70,10 +70,10 @@ pub(crate) struct ConvertArgs {
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "DBC")]
 pub(crate) struct DbcArgs {
-    /// Add the SDOs of each node to a DBC, with a multiplexed signal for each entry of at most 4 bytes
+    /// Add the SDOs of each node to a DBC, with a multiplexed signal per entry of up to 4 bytes
     #[arg(long)]
     pub sdo: bool,
-    /// Write one signal to a DBC for each named bit field, instead of one for the whole word
+    /// Write a DBC signal per named bit field instead of one per word
     #[arg(long)]
     pub bits: bool,
 }
@@ -95,18 +95,20 @@ pub(super) fn about() -> String {
     let (read, written) = (names(&mut FileKind::read()), names(&mut FileKind::written()));
     format!(
         "Convert between formats\n\n\
-         Reads {read}, and writes {written}. \
+         Reads {read}. Writes {written}.\n\n\
          EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep \
          comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored \
-         in properties or comment lines of objdict (docs/reference/formats.md). A DBC contains the messages of one node, or of all nodes of a network \
-         (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented."
+         in properties or objdict comment lines (docs/reference/formats.md). A DBC contains the messages of one node, or of all nodes of a network \
+         (`network.toml`, `bus.yml`, node list).\n\n\
+         --node-id applies to DCF, XDC, concise DCF and DBC, --bit-rate to DCF and XDC, --name to DCF, XDC and DBC. \
+         With --deny-loss, exits with 1 if data are lost or invented."
     )
 }
 
 fn output_help() -> String {
     format!(
-        "The file to write: {}; `-` is standard output, the default with --to. Of one file also several: `-o a.dcf -o a.xdd`. \
-         For several files: a folder, with --to, or one DBC for all of them",
+        "Output file: {}; `-` is standard output, the default with --to. Repeatable for one input: `-o a.dcf -o a.xdd`. \
+         For several inputs: a folder, with --to, or one DBC for all of them",
         extensions(FileKind::written())
     )
 }

@@ -21,17 +21,20 @@ pub(crate) struct DcfArgs {
 #[derive(Debug, Subcommand)]
 #[command(defer = true)]
 pub(crate) enum DcfCommand {
-    /// Create a concise DCF from a DCF, XDC or text
+    /// Create a concise DCF
     ///
-    /// Verifies the stream like `verify`. If the node would reject it, nothing is written and the exit code is 1.
+    /// Reads a DCF, XDC, device as JSON, or text. Verifies the stream like `verify`. If the node would reject it, nothing is written and
+    /// the exit code is 1.
     Pack(PackArgs),
-    /// Write a stream as text, one download per line, to review, edit and pack again
-    Unpack(UnpackArgs),
-    /// Compare two streams
+    /// Convert a concise DCF to text
     ///
-    /// Exits with 1 if they differ. `objdict diff` compares the descriptions of devices.
+    /// Writes one download per line, to review, edit and pack again. The usual extension is `.cdcf.txt`, as in `pump.cdcf.txt`.
+    Unpack(UnpackArgs),
+    /// Compare two concise DCFs
+    ///
+    /// Exits with 1 if they differ. To compare device descriptions, use `objdict diff`.
     Diff(DcfDiffArgs),
-    /// Verify a stream against the description of the node
+    /// Verify a concise DCF against a description
     ///
     /// Shows the first write that the node would reject, with its offset, and then all others. Exits with 1 if there are any.
     Verify(VerifyArgs),
@@ -39,38 +42,38 @@ pub(crate) enum DcfCommand {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct PackArgs {
-    /// DCF, XDC or device as JSON with the values of the node, or the text of a stream; `-` is standard input
+    /// DCF, XDC or device as JSON with the values of the node, or the text of a concise DCF; `-` is standard input
     pub file: PathBuf,
-    /// The file to write [default: standard output]
+    /// Output file [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// The format to write [default: by the extension of the output, else bin]
+    /// Output format [default: by the extension of the output, else bin]
     #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
     pub to: Option<BlobFormat>,
-    /// Write values that differ from the defaults (default)
+    /// Write only non-default values (default)
     #[arg(long, conflicts_with_all = ["all", "pdos"])]
     pub changed: bool,
-    /// Write all values
+    /// Write all values to the concise DCF, not only non-default ones
     #[arg(long, conflicts_with = "pdos")]
     pub all: bool,
-    /// Write values that differ from the defaults, and the complete configuration of all PDOs
+    /// Write non-default values and the complete configuration of all PDOs
     #[arg(long)]
     pub pdos: bool,
-    /// Write values of these objects only: `1017,1800,1A00`, `1400-1BFF`
+    /// Objects to write exclusively: `1017,1800,1A00`, `1400-1BFF`
     #[arg(long, value_name = "INDEXES", value_delimiter = ',', value_parser = indexes)]
     pub only: Vec<RangeInclusive<u16>>,
-    /// The order of the downloads: as CiA 301 requires, or as dcfgen of lely-core writes them
+    /// Order of the downloads: as CiA 301 requires, or as lely-core's dcfgen writes them
     #[arg(long, value_parser = one_of(&ORDERS), default_value = "safe", hide_possible_values = true, value_name = "safe|dcfgen")]
     pub order: Order,
-    /// The EDS of the node, which provides the defaults and verifies the stream
+    /// Description of the node (EDS, DCF, XDD, XDC or device as JSON), for names, types, defaults and limits
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
-    /// The node-ID [default: from the DCF]
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     #[command(flatten)]
     pub paths: AllowedPathArgs,
-    /// Write the stream even if the node would reject it
+    /// Write the output despite errors
     #[arg(long)]
     pub force: bool,
     #[command(flatten)]
@@ -81,8 +84,8 @@ pub(crate) struct PackArgs {
 
 /// The orders of downloads.
 const ORDERS: [(Order, &str, &str); 2] = [
-    (Order::Safe, "safe", "The order that a node accepts by CiA 301"),
-    (Order::Dcfgen, "dcfgen", "The order of dcfgen of lely-core"),
+    (Order::Safe, "safe", "The order that a node accepts according to CiA 301"),
+    (Order::Dcfgen, "dcfgen", "The order of lely-core's dcfgen"),
 ];
 
 /// An index, or a range of them: `1400-1BFF`.
@@ -99,10 +102,10 @@ pub(crate) fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct UnpackArgs {
-    /// The stream; `-` is standard input
+    /// Concise DCF; `-` is standard input
     #[arg(value_name = "STREAM")]
     pub blob: PathBuf,
-    /// The file to write, such as pump.cdcf.txt [default: standard output]
+    /// Output file [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -111,9 +114,9 @@ pub(crate) struct UnpackArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct DcfDiffArgs {
-    /// The first stream
+    /// First concise DCF
     pub first: PathBuf,
-    /// The second stream
+    /// Second concise DCF
     pub second: PathBuf,
     #[command(flatten)]
     pub names: NamingArgs,
@@ -121,13 +124,13 @@ pub(crate) struct DcfDiffArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct VerifyArgs {
-    /// The stream; `-` is standard input
+    /// Concise DCF; `-` is standard input
     #[arg(value_name = "STREAM")]
     pub blob: PathBuf,
-    /// The description of the node: EDS, DCF, XDD, XDC or a device as JSON
+    /// Description of the node (EDS, DCF, XDD, XDC or device as JSON), for names, types, defaults and limits
     #[arg(long, value_name = "FILE")]
     pub eds: PathBuf,
-    /// The node-ID [default: from the DCF]
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     /// Output format
@@ -142,10 +145,10 @@ pub(crate) struct VerifyArgs {
 // What gives the entries of a stream their names and types.
 #[derive(Debug, clap::Args)]
 pub(crate) struct NamingArgs {
-    /// The description of the node, for names, data types and meanings
+    /// Description of the node (EDS, DCF, XDD, XDC or device as JSON), for names, types, defaults and limits
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
-    /// The node-ID [default: from the DCF]
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     #[command(flatten)]

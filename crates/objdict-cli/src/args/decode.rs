@@ -19,52 +19,58 @@ use objdict_traffic::log::LogTime;
 #[command(mut_arg("node_id", |node| node.hide(true)))]
 #[command(mut_args(|arg| if ["all", "statistics", "deny"].contains(&arg.get_id().as_str()) { arg.requires("check") } else { arg }))]
 pub(crate) struct DecodeArgs {
-    /// The logs, merged by their times; `-` is standard input, as in `candump -L can0 | objdict decode -`
+    /// Logs, merged by time; `-` is standard input, as in `candump -L can0 | objdict decode -`
     #[arg(required = true, value_name = "LOG")]
     pub logs: Vec<PathBuf>,
-    /// A description of a node, or a network; `5=drive.eds` describes node 5. A description without node-ID is for the node whose answers to
-    /// 1000h and 1018h match, or for the only node of the log; repeatable
+    /// Network or node description, such as `5=drive.eds` for node 5; repeatable
+    ///
+    /// Without a node-ID, a description applies to the node whose responses to 1000h and 1018h match, or to the only node of the log.
     #[arg(long, value_name = "[N=]FILE", value_parser = described)]
     pub with: Vec<WithFile>,
-    /// The same for one channel of the logs, as in `can0=plant.toml`; repeatable
+    /// Network or node description for one channel of the logs, such as `can0=plant.toml`; repeatable
     #[arg(long, value_name = "NAME=[N=]FILE", value_parser = of_channel)]
     pub channel: Vec<ChannelFile>,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: DecodeFormat,
-    /// CSV with a column for each signal, in memory; the default is a row for each signal
+    /// Write a CSV column per signal instead of a row per signal, held in memory
     #[arg(long)]
     pub wide: bool,
-    /// The maximum number of rows of --wide
-    #[arg(long, value_name = "NUMBER", default_value_t = 1_000_000)]
+    /// Maximum rows of --wide
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     pub max_rows: usize,
-    /// Show what went wrong instead of frames: a verdict and a list of incidents, unresolved ones first. Statistics follow: load, measured and
-    /// expected cycle times, aborted transfers, emergencies, and the configuration. With --check, exits with 1 if an incident is unresolved
+    /// Show a verdict, incidents and statistics instead of frames
+    ///
+    /// Lists unresolved incidents first. Statistics cover bus load (at --bit-rate), measured and expected cycle times, aborted transfers,
+    /// emergencies, and the configuration. With --check, exits with 1 if an incident is unresolved.
     #[arg(long, conflicts_with = "wide")]
     pub summary: bool,
-    /// Show one incident of this list: its frames, likely causes, and what to check
+    /// Number of an incident in --summary to show: its frames, likely causes, and what to check
     #[arg(short = 'd', long, value_name = "N", conflicts_with_all = ["summary", "wide"])]
     pub incident: Option<usize>,
-    /// Report deviations from the descriptions and faults instead of frames (rules `traffic/…`), in the formats text, concise, json, sarif, github,
-    /// gitlab and junit. Exits with 1 if there are errors
+    /// Report faults and deviations from the descriptions instead of frames (rules `traffic/…`)
+    ///
+    /// Formats: text, concise, json, sarif, github, gitlab and junit. Exits with 1 if there are errors.
     #[arg(long, conflicts_with = "wide")]
     pub check: bool,
-    /// Write a page with a time line, plots of signals and these sums to this HTML file instead of frames
+    /// HTML file to write instead of frames: timeline, signal plots, and the statistics of --summary
     #[arg(long, value_name = "FILE", conflicts_with = "wide")]
     pub html: Option<PathBuf>,
-    /// Draw this signal on the page: an index in hex with or without a sub-index, or a name, with or without a node, as in `6064`, `drive.6064`,
-    /// `5.Position actual value` or `NMT state`; repeatable [default: the first 8 signals of PDOs that change]
+    /// Signal to plot, by index or name, such as `6064`, `drive.6064` or `NMT state`; repeatable [default: the first 8 PDO signals that
+    /// change]
+    ///
+    /// An index is in hex, with or without a sub-index. An index or name may follow a node, as in `5.Position actual value`.
     #[arg(long, value_name = "[NODE.]SIGNAL", requires = "html")]
     pub plot: Vec<PlotChoice>,
-    /// The maximum number of points of a plot; of more, neighbours become one with their least and greatest value
-    #[arg(long, value_name = "NUMBER", default_value_t = 2000, requires = "html", value_parser = points())]
+    /// Maximum points per plot; larger plots are downsampled and keep minima and maxima
+    #[arg(long, value_name = "N", default_value_t = 2000, requires = "html", value_parser = points())]
     pub points: usize,
     #[command(flatten)]
     pub detail: ReportDetailArgs,
-    /// The bit rate in kbit/s, to find the load [default: that of the network or DCF]
-    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    /// Bit rate in kbit/s [default: from the network or DCF]
+    #[arg(long, value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub bit_rate: Option<u16>,
-    /// The times of a candump log are distances (candump -td) [default: found by the first lines]
+    /// Read the times of a candump log as intervals (candump -td) [default: detected from the first lines]
     #[arg(long)]
     pub distances: bool,
     #[command(flatten)]
@@ -108,19 +114,19 @@ impl DecodeArgs {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Filter")]
 pub(crate) struct FrameFilterArgs {
-    /// Only frames of this node and NMT commands for it; repeatable
+    /// Node to show, including NMT commands for it; repeatable
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub only_node: Vec<u8>,
-    /// Only SDOs and PDOs with this entry, in hex: 6041 or 1018:1; repeatable
+    /// Entry whose SDOs and PDOs to show, in hex: 6041 or 1018:1; repeatable
     #[arg(long, value_name = "INDEX[:SUB]", value_parser = address)]
     pub object: Vec<(u16, Option<u8>)>,
-    /// Only frames of this kind; repeatable
+    /// Kind of frames to show; repeatable
     #[arg(long, value_name = "KIND", value_parser = kind())]
     pub kind: Vec<FrameKind>,
-    /// Only frames from this time on, in seconds as in the log
+    /// Time of the first frames to show, in seconds as in the log
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     pub from: Option<LogTime>,
-    /// Only frames up to this time
+    /// Time of the last frames to show, in seconds as in the log
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     pub to: Option<LogTime>,
 }
@@ -128,19 +134,19 @@ pub(crate) struct FrameFilterArgs {
 /// How frames are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum DecodeFormat {
-    /// A line for each frame
+    /// One line per frame
     Text,
-    /// A JSON object for each frame, on one line (`objdict schema frame`)
+    /// One JSON object per line and frame (`objdict schema frame`)
     Json,
-    /// A row for each signal, SDO or other frame
+    /// One row per signal, SDO or other frame
     Csv,
     /// With --check: one line per finding
     Concise,
     /// With --check: SARIF 2.1.0
     Sarif,
-    /// With --check: annotations of GitHub workflows
+    /// With --check: GitHub workflow annotations
     Github,
-    /// With --check: a code quality report of GitLab
+    /// With --check: GitLab code quality report
     Gitlab,
     /// With --check: JUnit XML
     Junit,

@@ -24,21 +24,23 @@ pub(crate) struct DiffArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: DiffFormat,
-    /// Report only these changes: a rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or
-    /// objects as in `show` or 2000-2FFF; repeatable, or separated by commas
-    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    /// Changes to report exclusively; repeatable or comma-separated
+    ///
+    /// A rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or objects as in `show` or 2000-2FFF.
+    #[arg(long, value_name = "CHANGE", value_delimiter = ',')]
     pub select: Vec<ChangeChoice>,
-    /// Do not report these changes; repeatable, or separated by commas
-    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    /// Changes to ignore; repeatable or comma-separated
+    #[arg(long, value_name = "CHANGE", value_delimiter = ',')]
     pub ignore: Vec<ChangeChoice>,
     /// Lowest verdict that fails the run: compatible, risky or breaking [default: breaking]
     #[arg(long, value_parser = one_of(&VERDICTS), value_name = "VERDICT", hide_possible_values = true)]
     pub deny: Option<Severity>,
-    /// Also report which downloads of this stored configuration the new device refuses: a concise DCF, DCF or XDC, or a network with
-    /// nodes that are the old device
+    /// Stored configuration to check against the new device: a concise DCF, DCF or XDC, or a network with nodes that are the old device
+    ///
+    /// Also reports which of its downloads the new device rejects.
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
-    /// Evaluate formulas of the stored configuration for this node-ID [default: from the DCF]
+    /// Node-ID (`$NODEID`) of the stored configuration [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id, requires = "against")]
     pub node_id: Option<u8>,
     #[command(flatten)]
@@ -52,12 +54,12 @@ pub(crate) struct DiffArgs {
 // Which descriptions are compared.
 #[derive(Debug, clap::Args)]
 pub(crate) struct SidesArgs {
-    /// The old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input; left out with --git
+    /// Old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input; omitted with --git
     pub old: PathBuf,
-    /// The new description, in any of these formats
+    /// New description, in any of these formats
     #[arg(required_unless_present = "git", conflicts_with = "git")]
     pub new: Option<PathBuf>,
-    /// Take the old description from this revision of the git repository that the new one is in, such as origin/main
+    /// Git revision of the old description, such as origin/main, in the repository of the new one
     #[arg(long, value_name = "REV")]
     pub git: Option<String>,
 }
@@ -76,16 +78,16 @@ impl SidesArgs {
 pub(crate) struct ReleaseArgs {
     #[command(flatten)]
     pub sides: SidesArgs,
-    /// Raise what is missing in the new description; the rest of its text stays
+    /// Bump outdated versions in the new description; change nothing else
     #[arg(long)]
     pub fix: bool,
-    /// Print the changes that --fix would make without writing them, and exit with 1 if there are any
+    /// Print the changes without writing them; exit with 1 if there are any
     #[arg(long)]
     pub diff: bool,
-    /// The product code of the new device, if it needs another one, such as 418 or 0x1A2
+    /// Product code of the new device if it must change, such as 418 or 0x1A2
     #[arg(long, value_name = "NUMBER", value_parser = number)]
     pub product_code: Option<u32>,
-    /// Date of the release, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
+    /// Date of the description, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
     #[arg(long, value_name = "DATE", value_parser = date)]
     pub date: Option<Date>,
     #[command(flatten)]
@@ -99,21 +101,21 @@ pub(crate) struct ReleaseArgs {
 /// How changes are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum DiffFormat {
-    /// A line per change, and whom it affects
+    /// One line per change, with the audiences that it affects
     Text,
-    /// For programs: one JSON document (docs/reference/json.md)
+    /// JSON document (docs/reference/json.md)
     Json,
-    /// Tables, for release notes and pull requests
+    /// Tables for release notes and pull requests
     Markdown,
-    /// A page with both sides, PDO diagrams and a filter
+    /// HTML page with both sides, PDO diagrams and a filter
     Html,
-    /// Annotations of GitHub workflows
+    /// GitHub workflow annotations
     Github,
 }
 
 /// The lowest verdict that fails the run, as the severity of a finding about such a change.
 const VERDICTS: [(Severity, &str, &str); 3] = [
     (Severity::Note, "compatible", "Any change"),
-    (Severity::Warning, "risky", "Changes that are risky or breaking"),
-    (Severity::Error, "breaking", "Changes that are breaking"),
+    (Severity::Warning, "risky", "Risky or breaking changes"),
+    (Severity::Error, "breaking", "Breaking changes"),
 ];

@@ -12,25 +12,24 @@ use objdict_document::Form;
 #[derive(Debug, clap::Args)]
 #[command(mut_arg("deny", |deny| deny.help("Lowest severity that fails the run: note, warning or error [default: none]")))]
 pub(crate) struct DocsArgs {
-    /// Files, folders and patterns such as `devices/**/*.eds`; networks (`network.toml`, `bus.yml`, a node list); `-` is
-    /// standard input
+    /// Files, folders, patterns such as `devices/**/*.eds`, or networks (`network.toml`, `bus.yml`, node lists); `-` is standard input
     #[arg(required = true, value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// The file to write, or the folder for a site; `-` is standard output
+    /// Output file, or folder for a site; `-` is standard output
     #[arg(short, long, alias = "out", value_name = "PATH")]
     pub output: PathBuf,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
-    /// The format of the pages [default: by the extension of the output, else html]
+    /// Output format [default: by the extension of the output, else html]
     #[arg(long, alias = "format", value_parser = one_of(&FORMS), value_name = "FORMAT")]
     pub to: Option<Form>,
-    /// The title of the page or site [default: the name of the product or network]
+    /// Title of the page or site [default: name of the product or network]
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
-    /// The language of names and descriptions, if the file has it; headings and sentences are in English or German
+    /// Language of names and descriptions, if the file has it; headings and sentences are English or German
     #[arg(long, value_name = "TAG")]
     pub lang: Option<String>,
-    /// Link each page to the workbench at this address, a URL or a path from the pages (docs/guides/workbench.md)
+    /// Workbench address to which each page links: a URL or a path relative to the pages (docs/guides/workbench.md)
     #[arg(long, value_name = "ADDRESS", value_parser = workbench)]
     pub workbench: Option<String>,
     #[command(flatten)]
@@ -56,7 +55,7 @@ fn workbench(text: &str) -> Result<String, String> {
 
 /// How documentation is written.
 const FORMS: [(Form, &str, &str); 3] = [
-    (Form::Html, "html", "One self-contained page"),
-    (Form::Markdown, "markdown", "One file of tables, as GitHub and GitLab render them"),
-    (Form::Csv, "csv", "One line for each entry, for spreadsheets"),
+    (Form::Html, "html", "One self-contained HTML page"),
+    (Form::Markdown, "markdown", "One file with tables for GitHub and GitLab"),
+    (Form::Csv, "csv", "One line per entry, for spreadsheets"),
 ];

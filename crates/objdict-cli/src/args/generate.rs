@@ -19,37 +19,37 @@ use objdict_model::model::Address;
 
 #[derive(Debug, Args)]
 pub(crate) struct GenerateArgs {
-    /// The description; `-` is standard input
+    /// Device description; `-` is standard input
     pub file: PathBuf,
-    /// What to generate; repeatable, or separated by commas
+    /// Target to generate; repeatable or comma-separated
     #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
     pub targets: Vec<String>,
-    /// The folder to write to
+    /// Output folder
     #[arg(short, long, alias = "out", value_name = "PATH", required_unless_present = "compare")]
     pub output: Option<PathBuf>,
-    /// Compare the tables with a header of the stack that exists, and its source beside it, instead of writing them
+    /// Existing header of the stack to compare with the tables instead of writing them; its source is in the same folder
     #[arg(long, value_name = "FILE", conflicts_with_all = ["output", "list", "stamp", "report"], help_heading = "Output")]
     pub compare: Option<PathBuf>,
-    /// Print the names of the files that would be written, without writing them
+    /// Print the names of the output files without writing them
     #[arg(long, help_heading = "Output")]
     pub list: bool,
-    /// Write this file on every successful run, for make: other files are written only if they change
+    /// Stamp file for make, written on every successful run; other files are written only if they change
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub stamp: Option<PathBuf>,
-    /// Write a make rule with the inputs of the stamp file
+    /// Depfile for make: a rule with the inputs of the stamp file
     #[arg(long, value_name = "FILE", requires = "stamp", help_heading = "Output")]
     pub depfile: Option<PathBuf>,
-    /// Add the objects that CANopenNode needs to compile and start to the description, as CiA 301 describes them
+    /// Complete the description with the CiA 301 objects that CANopenNode needs to compile and start
     #[arg(long, help_heading = "Stacks")]
     pub add_missing: bool,
-    /// Generate even if errors make the tables wrong
+    /// Write the output despite errors
     #[arg(long, help_heading = "Output")]
     pub force: bool,
     #[command(flatten)]
     pub options: OptionArgs,
     #[command(flatten, next_help_heading = "Output")]
     pub overwrite: OverwriteArgs,
-    /// Report the flash and RAM usage of the tables, object by object
+    /// Report on the tables: flash and RAM usage, object by object
     #[arg(long, value_enum, value_name = "WHAT", help_heading = "Size")]
     pub report: Option<ReportArg>,
     /// Output format
@@ -62,10 +62,10 @@ pub(crate) struct GenerateArgs {
         help_heading = "Size"
     )]
     pub format: SizeFormat,
-    /// Fail if the tables of a target take more flash than this, not counting code
+    /// Maximum flash for the tables of a target, without code; exceeding it fails the run
     #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_flash: Option<usize>,
-    /// Fail if the values take more RAM than this
+    /// Maximum RAM for the values; exceeding it fails the run
     #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_ram: Option<usize>,
     #[command(flatten)]
@@ -76,10 +76,10 @@ pub(crate) struct GenerateArgs {
     pub config: ConfigArgs,
     #[command(flatten)]
     pub profiles: ProfileArgs,
-    /// Lowest severity that stops the generation: note, warning or error [default: errors that make a table wrong]
+    /// Lowest severity that stops generation: note, warning or error [default: errors that make a table wrong]
     #[arg(long, value_parser = values::one_of(&SEVERITIES), value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
     pub deny: Option<Severity>,
-    /// Ignore the findings in this file, which `check --write-baseline` writes
+    /// Baseline from `check --write-baseline`; its findings are not reported
     #[arg(long, value_name = "FILE", help_heading = "Settings")]
     pub baseline: Option<PathBuf>,
 }
@@ -154,7 +154,7 @@ fn one_of<T: OptionValue>() -> impl TypedValueParser<Value = T> {
 /// What is reported about the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ReportArg {
-    /// Bytes of flash and RAM
+    /// Flash and RAM in bytes
     Size,
 }
 
@@ -163,7 +163,7 @@ pub(crate) enum ReportArg {
 pub(crate) enum SizeFormat {
     /// Plain text
     Table,
-    /// For programs: one JSON document, instead of the list of files (docs/reference/json.md)
+    /// JSON document instead of the list of files (docs/reference/json.md)
     Json,
 }
 

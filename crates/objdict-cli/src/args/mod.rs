@@ -57,7 +57,7 @@ use objdict_model::model::{Address, NoAddress};
 
 /// The CANopen object-dictionary toolchain
 ///
-/// Checks, converts, documents and configures EDS, DCF, XDD and XDC files, and generates code from them.
+/// Checks, converts, documents and configures EDS, DCF, XDD and XDC files and generates code from them.
 ///
 /// Exit codes: 0 success, 1 findings, 2 failure (see `objdict help exit-codes`).
 #[derive(Debug, Parser)]
@@ -75,7 +75,7 @@ pub(super) struct Args<C: Subcommand = Command> {
 pub(super) enum OnlyCheck {
     /// Check device descriptions
     ///
-    /// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
+    /// Exits with 1 if there are errors (see --deny) or with 2 if a file cannot be read.
     Check(CheckArgs),
 }
 
@@ -97,121 +97,129 @@ impl Args {
 pub(super) enum Command {
     #[command(flatten)]
     Check(OnlyCheck),
-    /// Recognise files by their content
+    /// Detect file formats
     ///
-    /// Recognises CANopen files, and files of other technologies that look similar. Exits with 1 if a file is not a CANopen
-    /// file, and with 2 if a file cannot be read.
+    /// Detects CANopen files and similar files of other technologies. Exits with 1 if a file is not a CANopen file or with 2 if a file
+    /// cannot be read.
     Identify(IdentifyArgs),
-    /// Show the object dictionary, or one object in detail
+    /// Print the object dictionary or one object
     Show(ShowArgs),
     /// Generate code and configuration from a description
     ///
-    /// Checks the description first and generates nothing if an error would make the tables wrong: the type, access or value of
-    /// an entry is unknown, or an entry is described twice. Files are written atomically, and only if they change.
+    /// Checks the description first. Generates nothing if an error would make the tables wrong: the type, access or value of an entry is
+    /// unknown, or an entry is described twice. Files are written atomically and only if they change.
     Generate(Box<GenerateArgs>),
-    /// Document devices and networks as HTML, Markdown or CSV
+    /// Generate documentation
     ///
-    /// Several descriptions become a site with an index page. So does a network: the index shows its topology, links, CAN-IDs and boot
-    /// plan, and each node has a page with its configured description. In a single file, a network is only this index. Pages include the
-    /// findings of `check`, which do not change the exit code unless --deny is given.
+    /// Documents devices and networks as HTML, Markdown or CSV. Several descriptions become a site with an index page. A network becomes
+    /// a site as well: the index shows its topology, links, CAN-IDs and boot plan, and each node has a page with its configured
+    /// description. In a single file, a network is only this index.
+    ///
+    /// Pages include the findings of `check`, which change the exit code only with --deny.
     Docs(Box<DocsArgs>),
-    /// Check the node of a description against CiA 301
+    /// Test a simulated node against CiA 301
     ///
-    /// Runs the node of `objdict-device` with the defaults of the description, without compiling it, and checks its services and every
-    /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/guides/runtime.md).
+    /// Runs an `objdict-device` node with the defaults of the description, without compiling anything, and tests its services and every
+    /// entry by frames and time, as a master does. With --group, only values in storage groups are stored. Exits with 1 if a check fails
+    /// (docs/guides/runtime.md).
     Conformance(ConformanceArgs),
-    /// Put the traffic of a bus into words
+    /// Decode CAN logs with device descriptions
     ///
-    /// Reads logs of candump, ASC of Vector, TRC of PEAK, CSV of python-can, pcap and pcapng, or a pipe of candump, and says what each
-    /// frame means by the descriptions of the nodes: services, entries by name with their values, PDO signals, states. Lines
-    /// that are not understood are reported. Exits with 2 if a log has no frame (docs/guides/decode.md).
+    /// Reads candump, Vector ASC, PEAK TRC, python-can CSV, pcap and pcapng logs, or a candump pipe. Uses the descriptions of the nodes
+    /// to show the meaning of each frame: services, entry names and values, PDO signals and states. Lines that cannot be parsed are
+    /// reported. Exits with 2 if a log contains no frame (docs/guides/decode.md).
     Decode(Box<DecodeArgs>),
     /// Check a device against its description
     ///
-    /// Writes what to ask the device: a script for python-canopen, the same reads as a log for canplayer, and a table. With --answers, judges
-    /// what the device answered: presence, size, type, access, values against defaults and limits, abort codes (docs/guides/probe.md). Exits with 1
-    /// if there is a finding of severity error (see --deny).
+    /// Writes requests for the device: a script for python-canopen, the same reads as a log for canplayer, and a table. With --answers,
+    /// checks the responses: presence, size, type, access, values against defaults and limits, abort codes (docs/guides/probe.md). Exits with 1
+    /// if there are errors (see --deny).
     Probe(Box<ProbeArgs>),
-    /// Compare two descriptions, and say whom each change affects
+    /// Compare descriptions and show what breaks
     ///
-    /// Compares by meaning: objects, entries, PDOs and facts about the device; order and spelling do not count. Each change has a verdict
-    /// for stored configurations, PDO consumers, SDO clients, firmware source and stored values: breaking, risky or compatible
-    /// (docs/guides/diff.md). Exits with 1 if there is a breaking change (see --deny).
+    /// Compares objects, entries, PDOs and device data, regardless of order and spelling. Rates each change as breaking, risky or
+    /// compatible for stored configurations, PDO consumers, SDO clients, firmware source and stored values (docs/guides/diff.md). Exits with 1
+    /// if there is a breaking change (see --deny).
     Diff(DiffArgs),
-    /// Raise the versions of a new description as its changes demand
+    /// Bump versions to match the changes
     ///
-    /// Compares two descriptions as `diff` does, and reports which of revision number, product code, FileVersion, FileRevision and
-    /// ModificationDate do not move with the changes. --fix sets them. Exits with 1 if something is missing (docs/guides/diff.md).
+    /// Compares two descriptions like `diff` and reports which of revision number, product code, FileVersion, FileRevision and
+    /// ModificationDate must change but did not. --fix sets them. Exits with 1 if a version is outdated (docs/guides/diff.md).
     Release(ReleaseArgs),
     /// Convert between formats
     #[command(long_about = convert::about())]
     Convert(ConvertArgs),
-    /// Create the DCF of a node from an EDS
+    /// Create a node's DCF from an EDS
     ///
-    /// Every setting is checked against the dictionary before anything is written: the entry exists and is writable, the value fits
-    /// its type and its limits, mapped entries are mappable, CAN-IDs are free. All problems are reported at once, with exit
-    /// code 1. The text of the EDS is edited in place, so comments, order and spelling are preserved.
+    /// Checks every setting before writing: the entry exists and is writable, the value matches its type and limits, mapped entries are
+    /// mappable, and CAN-IDs are free. Reports all problems at once, with exit code 1. Errors that `check` finds in the DCF but not in
+    /// the EDS also stop it, unless --force is given.
+    ///
+    /// The text of the EDS is edited in place, so comments, order and spelling are preserved.
     Configure(Box<ConfigureArgs>),
-    /// List the modules that a coupler supports
+    /// List a coupler's supported modules
     Modules(ModulesArgs),
     /// List the variants of a `device.toml`
     ///
-    /// The first row is the device without variants. Of a variant, the features that are different are listed, and the objects that it
-    /// has too (+), that it lacks (-), or that are different.
+    /// The first row is the device without variants. The other rows list the features that differ and the objects that are added (+),
+    /// missing (-) or different.
     Variants(VariantsArgs),
-    /// Check networks, and build the configurations of their nodes and managers
+    /// Check, build and simulate networks
     Network(NetworkArgs),
-    /// Pack, unpack, compare and verify concise DCF
+    /// Pack, unpack, compare and verify concise DCFs
     ///
-    /// A concise DCF is the content of 1F22h in a CANopen manager: the SDO downloads that configure a node, as one stream of
-    /// bytes (CiA 302-3). Every command reads it as bytes, hex digits, text (.cdcf.txt) or JSON.
+    /// A concise DCF is the content of 1F22h in a CANopen manager: the SDO downloads that configure a node, as one stream of bytes (CiA
+    /// 302-3). Every command reads it as bytes, hex digits, text (.cdcf.txt) or JSON.
     Dcf(DcfArgs),
-    /// Create the description of a new device
+    /// Create a device description
     ///
-    /// Profiles: 301 (communication objects only), 401 (inputs and outputs), 402 (drive), 404 (measuring device), 406 (encoder). The file has the objects that the profile
-    /// requires and passes `objdict check`; add your own objects from 2000h on.
+    /// Profiles: 301 (communication objects only), 401 (inputs and outputs), 402 (drive), 404 (measuring device), 406 (encoder). The file
+    /// contains the objects that the profile requires and passes `objdict check`. Add your own objects from 2000h on.
     New(NewArgs),
-    /// List device profiles and show their requirements
+    /// List and show device profiles
     Profile(ProfileCommandArgs),
-    /// Correct descriptions that belong to others
+    /// Patch vendor descriptions
     ///
-    /// A patch is a TOML file with changes by address, each with what the file is expected to say (docs/guides/patches.md). `--patch` of other
-    /// commands applies patches too.
+    /// A patch is a TOML file with changes by address, each with the expected original value (docs/guides/patches.md). Other commands also apply
+    /// patches, with `--patch`.
     Patch(PatchCommandArgs),
     /// Format descriptions
     ///
-    /// In EDS and DCF, sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas
-    /// are spelled uniformly. In XDD and XDC, elements and attributes move into the order of CiA 311, one element on each line. The content of
-    /// the file stays the same. Standard input is written to standard output.
+    /// In EDS and DCF, sections and keys move into canonical order with their comments; keys, section names, hex numbers and formulas get
+    /// a uniform spelling. In XDD and XDC, elements and attributes move into the order of CiA 311, one element per line. The content
+    /// stays the same. Formatted standard input is written to standard output.
     Fmt(FmtArgs),
     /// List the rules of `check`
     Rules(RulesArgs),
     /// Explain a rule or a standard object
     Explain(ExplainArgs),
-    /// Print the JSON Schema of a document that objdict writes
+    /// Print JSON Schemas
     ///
-    /// Without a name, lists the documents. The schemas are of draft 2020-12 and have the version of their document.
+    /// Prints the schema of a document that objdict writes; without a name, lists the documents. The schemas use draft 2020-12 and have
+    /// the version of their document.
     Schema(SchemaArgs),
-    /// Open descriptions in the workbench, and save them in place
+    /// Edit descriptions in the browser
     ///
-    /// Serves the page of the workbench on this computer and starts the browser. The page sees the files that are named, and the descriptions
-    /// that a network refers to; it writes a file only after it has asked, and only if the file has not changed since it was read. Ctrl-C ends
-    /// it. The command of the packages has the page; others are built with it (docs/guides/workbench.md).
+    /// Serves the workbench on this computer and starts the browser. The page can access the files that you name and the descriptions
+    /// that a network refers to. It asks before it writes a file, and writes only if the file has not changed since it was read. Press
+    /// Ctrl-C to stop.
+    ///
+    /// The packaged command contains the page; other builds need it built first (docs/guides/workbench.md).
     Open(OpenArgs),
-    /// Serve an editor as a language server
+    /// Run the language server
     ///
-    /// Speaks the Language Server Protocol on standard input and output, for descriptions, networks, `objdict.toml`, profiles and
-    /// patches. The editor starts it (docs/guides/editors.md).
+    /// Uses the Language Server Protocol on standard input and output, for descriptions, networks, `objdict.toml`, profiles and patches.
+    /// Editors start it (docs/guides/editors.md).
     Lsp,
-    /// Print the help of a command, or explain a topic
+    /// Show help for a command or topic
     ///
     /// `objdict help topics` lists the topics.
     Help(HelpArgs),
     /// Generate shell completions
     Completions(CompletionsArgs),
-    /// Generate the manual pages, one for each command
+    /// Generate man pages
     ///
-    /// For packagers. Unchanged pages are not rewritten.
+    /// Writes a page for each command, for packagers. Unchanged pages are not rewritten.
     #[command(hide = true)]
     Man(ManArgs),
 }
@@ -220,26 +228,26 @@ pub(super) enum Command {
 pub(super) struct CheckArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
     ///
-    /// In folders, all descriptions are checked, except hidden files and files that a `.gitignore` excludes.
+    /// In folders, all descriptions are checked except hidden files and files excluded by a `.gitignore`.
     #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
     pub report: ReportArgs,
-    /// Write the most important problems of each file, their effects on tools and a patch for the vendor to this file, in Markdown
+    /// Markdown file for a vendor report: the most important problems of each file, their effects on tools, and a patch
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff", "cache"])]
     pub vendor_report: Option<PathBuf>,
     /// Number of files to check in parallel [default: number of processors]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
-    /// The EDS or XDD that the DCF or XDC were made from [default: the file of `LastEDS`, if it is in the folder of the DCF]
+    /// EDS or XDD from which the DCF or XDC was created [default: the file of `LastEDS`, if it is in the DCF's folder]
     ///
     /// Configured nodes are checked against it: identity, entries, types, access, defaults, limits.
     #[arg(long, value_name = "FILE", conflicts_with = "cache")]
     pub eds: Option<PathBuf>,
-    /// Remember in this file which files have no findings, and skip them as long as they and the settings stay the same
+    /// Cache file: files without findings are skipped until they or the settings change
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
     pub cache: Option<PathBuf>,
-    /// Report only what was not found in git's version of each file at this revision, such as the base of a merge request
+    /// Git revision to compare with, such as the base of a merge request; only new findings are reported
     #[arg(long, value_name = "REV", conflicts_with_all = ["fix", "diff", "write_baseline"])]
     pub since: Option<String>,
     #[command(flatten)]
@@ -269,21 +277,21 @@ pub(super) struct IdentifyArgs {
 pub(super) enum AnswerFormat {
     /// One line per file
     Text,
-    /// For programs: one JSON document, one file per line (docs/reference/json.md)
+    /// JSON document with one file per line (docs/reference/json.md)
     Json,
 }
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ConformanceArgs {
-    /// The description of the node; `-` is standard input
+    /// Device description; `-` is standard input
     pub file: PathBuf,
-    /// The node-ID [default: from the DCF, else 1]
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF, else 1]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// Storage group of the build, as of `generate`; then only values in groups are stored; repeatable
+    /// Storage group of objects, such as `2000-2FFF=PERSIST_APP`; repeatable
     #[arg(long = "group", value_name = "INDEXES=NAME")]
     pub groups: Vec<StorageGroup>,
-    /// Show only checks that fail
+    /// Show only failed checks
     #[arg(long)]
     pub summary: bool,
     /// Output format
@@ -295,16 +303,16 @@ pub(super) struct ConformanceArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ShowArgs {
-    /// The file to show; `-` is standard input
+    /// File to show; `-` is standard input
     pub file: PathBuf,
-    /// Only these objects: an index such as 1018, 0x1018 or 1018:1 (hexadecimal), a name such as statusword, a PDO such as tpdo1, a
-    /// pattern such as 60* or *velocity*, or communication, manufacturer, profile (see `objdict help names`)
+    /// Objects to show: an index such as 1018, 0x1018 or 1018:1 (hexadecimal), a name such as statusword, a PDO such as tpdo1, a pattern
+    /// such as 60* or *velocity*, or communication, manufacturer or profile (see `objdict help names`)
     #[arg(value_name = "OBJECT", value_parser = object)]
     pub object: Option<String>,
-    /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: from the DCF]
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// Only entries that a DCF sets to a value other than the default
+    /// Show only entries that a DCF sets to a non-default value
     #[arg(long)]
     pub changed: bool,
     /// Output format
@@ -327,7 +335,7 @@ pub(super) struct ProfileCommandArgs {
 pub(super) enum ProfileCommand {
     /// List the built-in CiA documents
     List(ProfileListArgs),
-    /// Show the objects of a profile, or one in detail
+    /// Show the objects of a profile or one in detail
     Show(ProfileShowArgs),
 }
 
@@ -340,9 +348,9 @@ pub(super) struct ProfileListArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ProfileShowArgs {
-    /// The number of a CiA document, such as 401, or the file of a custom profile (docs/guides/profiles.md)
+    /// CiA document number such as 401, or a custom profile file (docs/guides/profiles.md)
     pub profile: String,
-    /// Only this object, with its sub-indexes and bits
+    /// Object to show, with its sub-indexes and bits
     #[arg(value_name = "INDEX")]
     pub index: Option<Address>,
     /// Output format
@@ -353,9 +361,9 @@ pub(super) struct ProfileShowArgs {
 /// How profiles are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum ProfileFormat {
-    /// Tables
+    /// Plain text
     Text,
-    /// For programs: one JSON document (docs/reference/json.md)
+    /// JSON document (docs/reference/json.md)
     Json,
 }
 
@@ -365,10 +373,10 @@ pub(super) struct FmtArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
     #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// Print the names of unformatted files without changing them, and exit with 1 if there are any
+    /// List unformatted files without changing them; exit with 1 if there are any
     #[arg(long)]
     pub check: bool,
-    /// Print the changes without writing them, and exit with 1 if there are any
+    /// Print the changes without writing them; exit with 1 if there are any
     #[arg(long, conflicts_with = "check")]
     pub diff: bool,
     #[command(flatten)]
@@ -384,7 +392,7 @@ pub(super) struct RulesArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: RulesFormat,
-    /// Only the rules of this group, such as cia301; repeatable, or separated by commas
+    /// Group of rules to list, such as cia301; repeatable or comma-separated
     #[arg(long, value_name = "GROUP", value_delimiter = ',')]
     pub group: Vec<String>,
 }
@@ -394,43 +402,41 @@ pub(super) struct RulesArgs {
 pub(super) enum RulesFormat {
     /// One line per rule
     Text,
-    /// One JSON document that includes their pages
+    /// JSON document with the rules and their pages
     Json,
 }
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ExplainArgs {
-    /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique. Or an index, such as 1018 or
-    /// 0x6040
+    /// Rule such as cia306/duplicate-key (if unique, the name is enough), or index such as 1018 or 0x6040
     #[arg(value_name = "RULE|INDEX")]
     pub subject: String,
 }
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SchemaArgs {
-    /// The document, such as device, findings or network
+    /// Document, such as device, findings or network
     #[arg(value_name = "DOCUMENT")]
     pub name: Option<String>,
 }
 
 #[derive(Debug, clap::Args)]
 pub(super) struct HelpArgs {
-    /// A command, such as `check` or `dcf pack`, or a topic: exit-codes, severities, names, formats, targets, configuration,
-    /// settings
+    /// Command such as `check` or `dcf pack`, or topic: exit-codes, severities, names, formats, targets, configuration, settings
     #[arg(value_name = "COMMAND|TOPIC")]
     pub subject: Vec<String>,
 }
 
 #[derive(Debug, clap::Args)]
 pub(super) struct CompletionsArgs {
-    /// The shell
+    /// Shell
     #[arg(value_enum)]
     pub shell: Shell,
 }
 
 #[derive(Debug, Default, clap::Args)]
 pub(super) struct ManArgs {
-    /// The folder to write to, such as share/man/man1
+    /// Output folder, such as share/man/man1
     #[arg(short, long, value_name = "DIR", required_unless_present = "folder")]
     pub output: Option<PathBuf>,
     /// The same, in its old place

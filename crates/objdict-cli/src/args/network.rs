@@ -28,44 +28,50 @@ pub(crate) struct NetworkArgs {
 pub(crate) enum NetworkCommand {
     /// Check networks
     ///
-    /// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
+    /// Exits with 1 if there are errors (see --deny) or with 2 if a file cannot be read.
     Check(NetworkCheckArgs),
-    /// Build the configurations of the nodes and the manager of a network
+    /// Build node and manager configurations
     ///
-    /// Checks the network first and builds nothing if there is an error. Files are written atomically, and only if they change.
+    /// Checks the network first and builds nothing if there is an error. Files are written atomically and only if they change.
     Build(NetworkBuildArgs),
-    /// Verify that the files in a folder are unchanged since objdict wrote them
+    /// Verify that built files are unchanged
     ///
-    /// `network build` writes their hashes (SHA-256) to `objdict.sha256`, which `sha256sum -c` checks too. Exits with 1 if a file is
-    /// missing or was changed, or if a build was interrupted.
+    /// `network build` writes SHA-256 hashes to `objdict.sha256`, which `sha256sum -c` also checks. Exits with 1 if a file is missing or
+    /// was changed, or if a build was interrupted.
     Verify(NetworkVerifyArgs),
     /// Boot a network in simulated time
     ///
-    /// The manager boots the nodes with the files of `network build`, which are built in memory or read from a folder. The nodes answer as their
-    /// descriptions state, and frames are arbitrated by CAN-ID. Prints each frame with its meaning, and the time at which each node becomes
-    /// operational. Exits with 1 if a node that the manager must boot does not become operational.
+    /// The manager boots the nodes with the files of `network build`, which are built in memory or read from a folder. The nodes respond
+    /// as described, and frames are arbitrated by CAN-ID. Prints each frame with its meaning, and when each node becomes operational.
+    /// Exits with 1 if a node that the manager must boot does not become operational.
     Boot(NetworkBootArgs),
-    /// Compute the bus load, and how long each message may take in the worst case
+    /// Compute bus load and worst-case delays
     ///
-    /// The longest time from the moment at which a message is due until it is on the bus follows from all messages of higher priority and the
-    /// longest frame of lower priority (Davis, Burns, Bril, Lukkien 2007). Prints it beside the deadline: the period, the event timer,
-    /// the synchronous window, or the time that a receiver waits. Exits with 1 if a message may miss its deadline.
+    /// A message's worst-case delay runs from the moment it is due until it is on the bus. It follows from all messages of higher
+    /// priority and the longest frame of lower priority (Davis, Burns, Bril, Lukkien 2007). It is compared with the deadline: the period,
+    /// the event timer, the synchronous window, or the timeout of a receiver. Exits with 1 if a message may miss its deadline.
     Timing(NetworkTimingArgs),
-    /// Show nodes, links, CAN-IDs, boot plan and bus load of a network
+    /// Show nodes, links and bus load
+    ///
+    /// Prints the nodes, links, CAN-IDs, boot plan and bus load of a network.
     Show(NetworkShowArgs),
-    /// Draw the nodes of a network and their messages, each with its CAN-ID
+    /// Draw a network's nodes and messages
     ///
-    /// SDO transfers are left out.
+    /// Each message is shown with its CAN-ID. SDO transfers are omitted.
     Graph(NetworkGraphArgs),
-    /// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads and dictionary of each node
+    /// Compare two networks
     ///
-    /// Prints nothing and exits with 0 if everything built and shown is the same, apart from file names, comments and dates. Exits with 1 if anything differs.
+    /// Compares nodes, CAN-IDs, the boot plan, and the downloads and dictionary of each node; file names, comments and dates are ignored.
+    /// Prints nothing and exits with 0 if everything built and shown is the same, and exits with 1 if anything differs.
     Diff(NetworkDiffArgs),
-    /// Print a `network.toml` to start from, for nodes with these descriptions
+    /// Create a `network.toml` from descriptions
     ///
-    /// The output contains the node-IDs, bit rate and manager that the descriptions state, and comments on what can be added.
+    /// Prints a file to start from. It contains the node-IDs, bit rate and manager from the descriptions, and comments on what can be
+    /// added.
     Init(NetworkInitArgs),
-    /// Print the JSON Schema of a file format, for completion and validation in editors
+    /// Print JSON Schemas of network files
+    ///
+    /// Editors use them for completion and validation.
     Schema(NetworkSchemaArgs),
 }
 
@@ -73,10 +79,10 @@ pub(crate) enum NetworkCommand {
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct NetworkPathArgs {
-    /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
+    /// Variable to replace in paths, as `@NAME@`, `$NAME` or `${NAME}`; repeatable
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
     pub define: Vec<(String, String)>,
-    /// Use the CAN-IDs and PDO numbers in this file, which `network build` creates and updates
+    /// Lock file with CAN-IDs and PDO numbers, which `network build` creates and updates
     #[arg(long, value_name = "FILE")]
     pub lock: Option<PathBuf>,
     #[command(flatten)]
@@ -128,7 +134,9 @@ impl NetworkPathArgs {
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct AllowedPathArgs {
-    /// Allow files named in the input to be read from this folder, in addition to the project: the nearest parent folder with `objdict.toml` or `.git`, else the folder of the input; repeatable
+    /// Additional folder from which files named in the input may be read; repeatable
+    ///
+    /// Without it, they must be in the project: the nearest parent folder with `objdict.toml` or `.git`, else the folder of the input.
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
 }
@@ -185,7 +193,7 @@ fn variable(text: &str) -> Result<(String, String), &'static str> {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkCheckArgs {
-    /// Networks: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, node lists; all descriptions together form one more
+    /// Networks (`network.toml`, `bus.yml` of dcfgen or ros2_canopen, node lists); all descriptions together form one more
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -202,30 +210,32 @@ pub(crate) struct NetworkCheckArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkBuildArgs {
-    /// The network: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, a node list, or the descriptions of its nodes
+    /// Network (`network.toml`, `bus.yml` of dcfgen or ros2_canopen, node list), or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// The files to build
+    /// Files to build
     #[arg(long, value_enum)]
     pub target: NetworkTarget,
-    /// The folder to write to
+    /// Output folder
     #[arg(short, long, value_name = "PATH")]
     pub output: PathBuf,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
-    /// Date and time of the configuration, such as 2026-11-22T11:30: nodes store it in 1020h, and the manager checks it
+    /// Date and time of the configuration, such as 2026-11-22T11:30, which nodes store in 1020h and the manager checks
     #[arg(long, value_name = "TIME", value_parser = configuration_time)]
     pub configured_at: Option<ConfigurationTime>,
-    /// Build even if there are errors
+    /// Write the output despite errors
     #[arg(long)]
     pub force: bool,
-    /// Replay each configuration against its node, and check the resulting network; exit with 1 if a node refuses a download or a rule finds an error
+    /// Replay each configuration against its node and check the resulting network
+    ///
+    /// Exits with 1 if a node rejects a download or a rule finds an error.
     #[arg(long)]
     pub verify: bool,
-    /// Store the mappings of the nodes' PDOs in the manager, like `dcfgen -r`
+    /// Store the PDO mappings of the nodes in the manager, like `dcfgen -r`
     #[arg(short, long, help_heading = "Lely")]
     pub remote_pdo: bool,
-    /// Write the same bytes as dcfgen 2.4.2, including its errors; refuse only what dcfgen refuses
+    /// Write the same bytes as dcfgen 2.4.2, including its errors; reject only what dcfgen rejects
     #[arg(long, conflicts_with = "lock", help_heading = "Lely")]
     pub strict_dcfgen: bool,
     #[command(flatten)]
@@ -234,36 +244,37 @@ pub(crate) struct NetworkBuildArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkVerifyArgs {
-    /// The folder
+    /// Folder to verify
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkBootArgs {
-    /// The network, the descriptions of its nodes, or a folder that `network build` wrote; if the folder has no descriptions of
-    /// nodes, also the network that names them
+    /// Network, descriptions of its nodes, or a folder from `network build`
+    ///
+    /// If the folder contains no node descriptions, also name the network that refers to them.
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// The files to build and boot [default: lely for bus.yml, dcf for others]
+    /// Files to build and boot [default: lely for bus.yml, dcf for others]
     #[arg(long, value_parser = one_of(&BOOT_FILES), value_name = "TARGET")]
     pub target: Option<BootFiles>,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
-    /// Omit the frames, and show only the result of each node
+    /// Show only the result of each node, without frames
     #[arg(long)]
     pub summary: bool,
-    /// The bit rate in kbit/s [default: that of the network]
-    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Simulation")]
+    /// Bit rate in kbit/s [default: from the network or DCF]
+    #[arg(long, value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Simulation")]
     pub bit_rate: Option<u16>,
-    /// The time that a node needs for an answer or a reset, such as 1ms
+    /// Time that a node needs for a response or a reset, such as 1ms
     #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = duration, help_heading = "Simulation")]
     pub response_time: u64,
-    /// How long to run the network after the boot
+    /// Simulated time after the boot
     #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = duration, help_heading = "Simulation")]
     pub run_time: u64,
-    /// The maximum simulated time, at most an hour
+    /// Maximum simulated time, up to an hour
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = duration, help_heading = "Simulation")]
     pub time_limit: u64,
     #[command(flatten)]
@@ -272,34 +283,34 @@ pub(crate) struct NetworkBootArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkTimingArgs {
-    /// The network, or the descriptions of its nodes
+    /// Network (`network.toml`, `bus.yml` of dcfgen or ros2_canopen, node list), or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
-    /// Also write a picture: what each node sends in a time of at most a second, and its load
+    /// SVG file for a diagram of what each node sends within at most a second, and its load
     #[arg(long, value_name = "PATH")]
     pub svg: Option<PathBuf>,
-    /// The bit rate in kbit/s [default: that of the network]
-    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Assumptions")]
+    /// Bit rate in kbit/s [default: from the network or DCF]
+    #[arg(long, value_name = "KBIT/S", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Assumptions")]
     pub bit_rate: Option<u16>,
-    /// The least time that a node needs for the answer to an SDO or guarding request
+    /// Minimum time that a node needs to respond to an SDO or guarding request
     #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = duration, help_heading = "Assumptions")]
     pub response_time: u64,
-    /// The most time that a node needs after SYNC until it sends
+    /// Maximum delay from SYNC to transmission
     #[arg(long, value_name = "TIME", default_value = "0ms", value_parser = duration, help_heading = "Assumptions")]
     pub node_delay: u64,
-    /// The inhibit time of event-driven PDOs that have none, such as 10ms
+    /// Inhibit time of event-driven PDOs that have none, such as 10ms
     #[arg(long, value_name = "TIME", value_parser = inhibit_time, help_heading = "Assumptions")]
     pub inhibit_time: Option<u64>,
-    /// No SDO transfers, as in a network that is configured
+    /// Assume no SDO transfers, as in a configured network
     #[arg(long, help_heading = "Assumptions")]
     pub no_sdo: bool,
-    /// All nodes send emergencies, as often as their inhibit time (1015h) allows
+    /// Assume that all nodes send emergencies as often as their inhibit time (1015h) allows
     #[arg(long, help_heading = "Assumptions")]
     pub emergencies: bool,
-    /// Exit with 0 although messages have no bound, if those that have one meet their deadlines
+    /// Exit with 0 despite messages without a bound, if all others meet their deadlines
     #[arg(long)]
     pub allow_unbounded: bool,
     #[command(flatten)]
@@ -308,34 +319,34 @@ pub(crate) struct NetworkTimingArgs {
 
 /// The files that boot a network.
 const BOOT_FILES: [(BootFiles, &str, &str); 2] = [
-    (BootFiles::Dcf, "dcf", "The DCF of each node, and of the manager"),
-    (BootFiles::Lely, "lely", "The files of Lely's master; the nodes are their descriptions"),
+    (BootFiles::Dcf, "dcf", "DCF of each node and of the manager"),
+    (BootFiles::Lely, "lely", "Files of Lely's master; the nodes behave as described"),
 ];
 
 /// What is built of a network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum NetworkTarget {
-    /// The files of Lely's master: master.dcf, master.bin and one .bin per node
+    /// Files of Lely's master: master.dcf, master.bin and one .bin per node
     Lely,
-    /// The DCF of each node, and of the manager
+    /// DCF of each node and of the manager
     Dcf,
     /// One concise DCF per node, in an order that nodes accept
     Concise,
-    /// The DCF of the manager, with the concise DCF of each node in 1F22h
+    /// DCF of the manager, with the concise DCF of each node in 1F22h
     Manager,
-    /// bus.yml of dcfgen, with the descriptions of the nodes
+    /// bus.yml of dcfgen, with the node descriptions
     Busyml,
-    /// A node list (CiA 306-3) with the DCF of each node
+    /// Node list (CiA 306-3) with the DCF of each node
     Cpj,
-    /// C tables of the manager for its own firmware
+    /// C tables of the manager for custom firmware
     C,
-    /// Rust tables of the manager for its own firmware
+    /// Rust tables of the manager for custom firmware
     Rust,
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkShowArgs {
-    /// The network, or the descriptions of its nodes
+    /// Network (`network.toml`, `bus.yml` of dcfgen or ros2_canopen, node list), or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Output format
@@ -347,7 +358,7 @@ pub(crate) struct NetworkShowArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkGraphArgs {
-    /// The network, or the descriptions of its nodes
+    /// Network (`network.toml`, `bus.yml` of dcfgen or ros2_canopen, node list), or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Output format
@@ -360,17 +371,17 @@ pub(crate) struct NetworkGraphArgs {
 /// A format of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum GraphFormat {
-    /// A picture for browsers and documents, with a column for each node and a row for each message
+    /// SVG diagram with a column per node and a row per message
     Svg,
-    /// A graph that Graphviz lays out
+    /// Graph for Graphviz
     Dot,
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkDiffArgs {
-    /// The first network
+    /// First network
     pub first: PathBuf,
-    /// The second network
+    /// Second network
     pub second: PathBuf,
     #[command(flatten)]
     pub input: NetworkInputArgs,
@@ -378,7 +389,7 @@ pub(crate) struct NetworkDiffArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkInitArgs {
-    /// Descriptions, files with several (`.nxdd`, `.nxdc`), and node lists
+    /// Descriptions, files with several devices (`.nxdd`, `.nxdc`), and node lists
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -387,7 +398,7 @@ pub(crate) struct NetworkInitArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NetworkSchemaArgs {
-    /// The file format
+    /// File format
     #[arg(value_enum)]
     pub format: NetworkFormat,
 }

@@ -10,30 +10,31 @@ use objdict_model::model::Date;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct NewArgs {
-    #[arg(short, long, value_name = "FILE", help = format!("The file to write: {}; `-` is standard output", outputs()))]
+    /// Output file; `-` is standard output
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// The format to write [default: by the extension of the output, else eds]
+    /// Output format [default: by the extension of the output, else eds]
     #[arg(long, value_parser = one_of(&KINDS), value_name = "FORMAT")]
     pub to: Option<FileKind>,
-    /// A table of the objects as CSV, with the columns that `docs --to csv` writes, instead of the objects of a profile
+    /// CSV table of objects with the columns of `docs --to csv`, instead of the objects of a profile
     #[arg(long, value_name = "FILE", conflicts_with = "profile")]
     pub from: Option<PathBuf>,
-    /// The device profile: 301, 401, 402, 404 or 406 [default: that of the features]
+    /// Device profile: 301, 401, 402, 404 or 406 [default: from the features]
     #[arg(long, value_name = "NUMBER")]
     pub profile: Option<u16>,
-    /// Name of the vendor
+    /// Vendor name
     #[arg(long, value_name = "NAME", default_value = "Vendor", value_parser = text)]
     pub vendor_name: String,
     /// Vendor-ID assigned by CiA, such as 418 or 0x1A2
     #[arg(long, value_name = "NUMBER", value_parser = number)]
     pub vendor_id: Option<u32>,
-    /// Name of the product
+    /// Product name
     #[arg(long, value_name = "NAME", default_value = "Device", value_parser = text)]
     pub product_name: String,
-    /// Product code [default: 1, or 1018h of the table]
+    /// Product code [default: 1, or from 1018h of the table]
     #[arg(long, value_name = "NUMBER", value_parser = number)]
     pub product_code: Option<u32>,
-    /// Revision number, with the major revision in the upper 16 bits [default: 0x00010000, or 1018h of the table]
+    /// Revision number, with the major revision in the upper 16 bits [default: 0x00010000, or from 1018h of the table]
     #[arg(long, value_name = "NUMBER", value_parser = number)]
     pub revision: Option<u32>,
     /// Author of the description [default: the vendor]
@@ -53,7 +54,7 @@ pub(crate) struct NewArgs {
 const KINDS: [(FileKind, &str, &str); 4] = [
     (FileKind::Eds, "eds", ""),
     (FileKind::Xdd, "xdd", ""),
-    (FileKind::Toml, "toml", "The short source of a device (docs/reference/device.md)"),
+    (FileKind::Toml, "toml", "Compact device source (docs/reference/device.md)"),
     (FileKind::Json, "json", ""),
 ];
 

@@ -9,11 +9,11 @@ use crate::settings::ConfigFileArgs;
 pub(crate) struct OpenArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`
     ///
-    /// Files that are named are open when the page is loaded. In folders, all descriptions and networks are listed, except hidden files and
-    /// files that a `.gitignore` excludes.
+    /// The page opens the files that you name. For folders, it lists all descriptions and networks except hidden files and files excluded
+    /// by a `.gitignore`.
     #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// The port of the page on 127.0.0.1 [default: a free one]
+    /// Port of the page on 127.0.0.1 [default: a free one]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub port: u16,
     /// Print the address without starting a browser

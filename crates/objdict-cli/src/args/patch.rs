@@ -18,25 +18,25 @@ pub(crate) struct PatchCommandArgs {
 pub(crate) enum PatchCommand {
     /// Write a patched description
     ///
-    /// The text of the vendor is edited: comments, order and spelling stay. What the format has no place for is stored in comment lines of
-    /// objdict (docs/reference/formats.md). Exits with 2 if the file does not say what the patch expects.
+    /// Edits the text of the vendor and keeps comments, order and spelling. Data that the format cannot express are stored in objdict
+    /// comment lines (docs/reference/formats.md). Exits with 2 if the file does not contain what the patch expects.
     Apply(PatchApplyArgs),
-    /// Make a patch of an original and an edited description
+    /// Create a patch from an edited description
     ///
-    /// The patch has the differences of the content, field by field, each with what the original says.
+    /// The patch lists the differences in content, field by field, each with its original value.
     Make(PatchMakeArgs),
-    /// Compare patches with the descriptions that they are for
+    /// Check patches against their descriptions
     ///
-    /// Shows for each patch and file whether it applies, is no longer needed, or expects something else. Exits with 1 if a patch does not
-    /// apply or is for none of the files.
+    /// Shows for each patch and file whether the patch applies, is no longer needed, or expects something else. Exits with 1 if a patch
+    /// does not apply or matches none of the files.
     Check(PatchCheckArgs),
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct PatchApplyArgs {
-    /// The description; `-` is standard input
+    /// Device description; `-` is standard input
     pub file: PathBuf,
-    /// The file to write; `-` is standard output
+    /// Output file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     #[command(flatten)]
@@ -45,11 +45,11 @@ pub(crate) struct PatchApplyArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct PatchMakeArgs {
-    /// The description as it came
+    /// Original description
     pub original: PathBuf,
-    /// The edited description
+    /// Edited description
     pub edited: PathBuf,
-    /// The patch to write; `-` is standard output
+    /// Output file; `-` is standard output
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
     #[command(flatten)]

@@ -10,8 +10,8 @@ pub(crate) struct ReportArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
-    /// Write paths in reports for services (sarif, github, gitlab, junit) relative to FOLDER; by default the repository's
-    /// folder in a job of GitHub or GitLab, otherwise the current folder
+    /// Folder to which paths are relative in sarif, github, gitlab and junit reports [default: the repository in a GitHub or GitLab job,
+    /// else the current folder]
     #[arg(long, value_name = "FOLDER")]
     pub base: Option<PathBuf>,
     #[command(flatten)]
@@ -21,11 +21,12 @@ pub(crate) struct ReportArgs {
 // How much a report says.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ReportDetailArgs {
-    /// Report every finding separately, even if another one explains it: by default, text and concise merge findings with
-    /// the same cause, and text shows 20 findings per file
+    /// Report every finding separately, even if another one explains it
+    ///
+    /// By default, text and concise merge findings with the same cause, and text shows 20 findings per file.
     #[arg(long)]
     pub all: bool,
-    /// Count the findings per rule; `=only` hides the findings themselves. For the formats text, concise and json
+    /// Count the findings per rule; `=only` hides the findings themselves (text, concise and json)
     #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
     pub statistics: Option<Counting>,
 }
@@ -37,15 +38,15 @@ pub(crate) enum ReportFormat {
     Text,
     /// One line per finding: file:line:column: severity rule: message
     Concise,
-    /// For programs: one JSON document (docs/reference/json.md)
+    /// JSON document (docs/reference/json.md)
     Json,
-    /// SARIF 2.1.0, for code scanning services and editors
+    /// SARIF 2.1.0 for code scanning services and editors
     Sarif,
-    /// Annotations of GitHub workflows
+    /// GitHub workflow annotations
     Github,
-    /// A code quality report of GitLab
+    /// GitLab code quality report
     Gitlab,
-    /// JUnit XML, for viewers of test results
+    /// JUnit XML for test report viewers
     Junit,
 }
 
@@ -64,7 +65,7 @@ pub(crate) enum ShowFormat {
     /// Plain text
     #[value(alias = "text")]
     Table,
-    /// For programs: one JSON document, one entry per line (docs/reference/json.md)
+    /// JSON document with one entry per line (docs/reference/json.md)
     Json,
 }
 
@@ -73,6 +74,6 @@ pub(crate) enum ShowFormat {
 pub(crate) enum PlainFormat {
     /// Plain text
     Text,
-    /// For programs: one JSON document (docs/reference/json.md)
+    /// JSON document (docs/reference/json.md)
     Json,
 }
