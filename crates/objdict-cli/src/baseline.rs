@@ -18,10 +18,10 @@ use objdict_project::report::Subject;
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct BaselineArgs {
-    /// Report only findings that are not in this file
+    /// Baseline from `check --write-baseline`; its findings are not reported
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
-    /// Write all findings to this file for a later --baseline, instead of reporting them
+    /// Baseline file for all findings, which are written instead of reported
     #[arg(long, value_name = "FILE", conflicts_with = "baseline")]
     write_baseline: Option<PathBuf>,
 }

@@ -9,7 +9,8 @@ use objdict_model::source::Encoding;
 // Who reads what is written.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct DialectArgs {
-    /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor, codesys, or portable for several at once (docs/reference/formats.md)
+    /// Dialect of EDS and DCF output: cia306 (default), lely, python-canopen, canopeneditor, codesys, or portable for several tools
+    /// (docs/reference/formats.md)
     #[arg(long, value_name = "DIALECT", value_parser = dialect)]
     pub dialect: Option<Dialect>,
 }
@@ -40,7 +41,7 @@ impl DialectArgs {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Canonical EDS and DCF")]
 pub(super) struct CanonicalArgs {
-    /// Write an EDS or DCF anew instead of editing its text, in the order and spelling that most tools read
+    /// Rewrite an EDS or DCF from scratch instead of editing its text, in the order and spelling that most tools read
     #[arg(long)]
     pub canonical: bool,
     #[command(flatten)]
@@ -54,15 +55,15 @@ pub(super) struct CanonicalArgs {
     /// Keep compact storage (CompactSubObj), which many tools do not support; implies --canonical
     #[arg(long)]
     pub compact: bool,
-    /// Encoding of the output; without it ISO 646, as CiA 306 requires, with `ü` written as `ue`; implies --canonical
+    /// Output encoding; implies --canonical [default: ISO 646, as CiA 306 requires, with `ü` written as `ue`]
     #[arg(long, value_name = "ENCODING")]
     pub output_encoding: Option<Encoding>,
 }
 
 /// The spellings of REAL numbers.
 const REALS: [(RealSpelling, &str, &str); 2] = [
-    (RealSpelling::Decimal, "decimal", "As decimal numbers"),
-    (RealSpelling::Hex, "bits", "As the hex digits of their bits, as Lely's tools read them"),
+    (RealSpelling::Decimal, "decimal", "Decimal numbers"),
+    (RealSpelling::Hex, "bits", "Hex digits of their bits, as Lely's tools read them"),
 ];
 
 impl CanonicalArgs {

@@ -22,10 +22,10 @@ pub(super) struct FixArgs {
     /// Apply safe fixes, which keep the meaning of the description, and report the remaining findings
     #[arg(long)]
     pub fix: bool,
-    /// With --fix and --diff, also apply fixes that need review
+    /// Also apply fixes that need review, with --fix or --diff
     #[arg(long)]
     pub unsafe_fixes: bool,
-    /// Print the changes that --fix would make without writing them, and exit with 1 if there are any
+    /// Print the changes without writing them; exit with 1 if there are any
     #[arg(long)]
     pub diff: bool,
     #[command(flatten)]

@@ -37,16 +37,16 @@ const STDIN: &str = "<stdin>";
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct InputArgs {
-    /// The format of the input, overriding detection
+    /// Input format [default: detected]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
-    /// The device to read from a network file (.nxdd, .nxdc) or ESI, counted from 1
+    /// Number of the device in a network file (.nxdd, .nxdc) or ESI, starting at 1
     #[arg(long, value_name = "NUMBER")]
     pub device: Option<std::num::NonZeroUsize>,
-    /// The variant of a `device.toml` to read [default: the device without its variants]
+    /// Variant of a `device.toml` [default: the device without variants]
     #[arg(long, value_name = "NAME")]
     pub variant: Option<String>,
-    /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
+    /// Input encoding if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
     #[command(flatten)]
@@ -61,8 +61,7 @@ pub(super) struct InputArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
-    /// The maximum number of entries in compact storage; other limits grow with it (docs/reference/limits.md)
-    /// [default: 25000]
+    /// Maximum number of entries in compact storage; other limits grow with it (README, limits) [default: 25000]
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
     pub max_entries: usize,
 }
@@ -71,7 +70,7 @@ pub(super) struct EntriesArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct SizeArgs {
-    /// The maximum file size, in bytes or with K, M or G [default: 64M]
+    /// Maximum file size, in bytes or with K, M or G [default: 64M]
     #[arg(long, value_name = "SIZE", default_value_t = DEFAULT_MAX_SIZE, hide_default_value = true, value_parser = parse_size)]
     pub max_size: u64,
 }
@@ -204,7 +203,7 @@ impl SizeArgs {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct ExpandArgs {
-    /// Add the PDO objects that CompactPDO implies, up to NrOfRXPDO and NrOfTXPDO
+    /// Add the PDO objects implied by CompactPDO, up to NrOfRXPDO and NrOfTXPDO
     #[arg(long)]
     pub implicit_pdos: bool,
 }

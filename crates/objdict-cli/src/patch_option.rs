@@ -12,7 +12,7 @@ use objdict_model::diagnostic::one_line;
 #[derive(Clone, Debug, Default, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct PatchArgs {
-    /// Apply this patch to the descriptions that it is for (docs/guides/patches.md); repeatable
+    /// Patch for the descriptions that it matches (docs/guides/patches.md); repeatable
     #[arg(short = 'p', long = "patch", value_name = "FILE", value_parser = open)]
     pub patches: Vec<Arc<Patch>>,
 }

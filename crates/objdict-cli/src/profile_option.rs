@@ -13,7 +13,7 @@ use objdict_project::report::problem;
 // The argument `--profile`.
 #[derive(Debug, Default, clap::Args)]
 pub(super) struct ProfileArgs {
-    /// Also check against this profile: a CiA number such as 401, or the file of a custom profile (docs/guides/profiles.md); repeatable
+    /// Additional profile to check against: a CiA number such as 401, or a custom profile file (docs/guides/profiles.md); repeatable
     #[arg(long = "profile", value_name = "PROFILE")]
     pub profiles: Vec<String>,
 }

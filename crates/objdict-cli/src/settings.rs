@@ -28,7 +28,7 @@ use objdict_project::workspace::{self, Overrides, Workspace};
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct ConfigFileArgs {
-    /// Use this configuration for all files [default: the nearest `objdict.toml` in the folder of each file or above]
+    /// Configuration for all files [default: the nearest `objdict.toml` in the folder of each file or above]
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
     /// Ignore all configuration files
@@ -42,13 +42,13 @@ pub(super) struct ConfigFileArgs {
 pub(super) struct ConfigArgs {
     #[command(flatten)]
     file: ConfigFileArgs,
-    /// Override the severity of a rule or group: cia306/file-name=off, cia302=note; repeatable
+    /// New severity of a rule or group: cia306/file-name=off, cia302=note; repeatable
     #[arg(long = "severity", value_name = "RULE=SEVERITY")]
     severities: Vec<RuleLevel>,
-    /// Report only this rule or group; repeatable, or separated by commas
+    /// Rule or group to report exclusively; repeatable or comma-separated
     #[arg(long, value_name = "RULE", value_delimiter = ',', value_parser = rules)]
     select: Vec<Selection>,
-    /// Do not report this rule or group; repeatable, or separated by commas
+    /// Rule or group to ignore; repeatable or comma-separated
     #[arg(long, value_name = "RULE", value_delimiter = ',', value_parser = rules)]
     ignore: Vec<Selection>,
 }
@@ -62,11 +62,11 @@ pub(super) struct SettingsArgs {
     /// Lowest severity that fails the run: note, warning or error [default: error]
     #[arg(long, value_parser = one_of(&SEVERITIES), value_name = "SEVERITY", hide_possible_values = true)]
     deny: Option<Severity>,
-    /// Evaluate formulas for this node-ID [default: from the DCF]
+    /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     node_id: Option<u8>,
-    /// Also check compatibility with this tool: dcf-tools, lely, canopeneditor, python-canopen, node-canopen, codesys,
-    /// canopennode, canchkeds; repeatable, or separated by commas
+    /// Tool to check compatibility with: dcf-tools, lely, canopeneditor, python-canopen, node-canopen, codesys, canopennode, canchkeds;
+    /// repeatable or comma-separated
     #[arg(long, value_name = "TOOL", value_delimiter = ',', value_parser = tool)]
     compat: Vec<Tool>,
     #[command(flatten)]

@@ -14,7 +14,7 @@ pub(super) struct TerminalArgs {
     /// Do not print notes, summaries or progress
     #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 901)]
     pub quiet: bool,
-    /// Print the name of each file that is read to standard error
+    /// Print the name of each input file to standard error
     #[arg(short, long, global = true, display_order = 902)]
     pub verbose: bool,
 }

@@ -69,7 +69,7 @@ pub(super) fn require_other(path: &Path) -> Result<(), Failure> {
 // What is replaced in a folder.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct OverwriteArgs {
-    /// Also replace files in the folder that objdict did not create, or that differ from their hash in `objdict.sha256`
+    /// Also replace files in the folder that objdict did not create or that differ from their hash in `objdict.sha256`
     #[arg(long)]
     pub overwrite: bool,
 }
