@@ -23,21 +23,21 @@ enum TopicText {
 
 /// The topics, in the order of their list.
 const TOPICS: [(&str, &str, TopicText); 7] = [
-    ("exit-codes", "What the exit codes mean", TopicText::Section(|texts| texts.cli, "Exit codes")),
+    ("exit-codes", "Meaning of the exit codes", TopicText::Section(|texts| texts.cli, "Exit codes")),
     ("severities", "Errors, warnings and notes", TopicText::Section(|texts| texts.cli, "Severities")),
     (
         "names",
-        "How arguments name objects and entries",
+        "Names of objects and entries in arguments",
         TopicText::Section(|texts| texts.cli, "Names of objects"),
     ),
-    ("formats", "Files that are read and written", TopicText::Section(|texts| texts.formats, "Formats")),
-    ("targets", "What `generate` can generate", TopicText::Targets),
+    ("formats", "Input and output formats", TopicText::Section(|texts| texts.formats, "Formats")),
+    ("targets", "Targets of `generate`", TopicText::Targets),
     (
         "configuration",
-        "`objdict.toml`, the settings of a check",
+        "Settings in `objdict.toml`",
         TopicText::Section(|texts| texts.config, "Configuration"),
     ),
-    ("settings", "The settings file of `configure`", TopicText::Section(|texts| texts.dcf, "Settings files")),
+    ("settings", "Settings files for `configure`", TopicText::Section(|texts| texts.dcf, "Settings files")),
 ];
 
 pub(super) fn run(args: &HelpArgs, texts: &Texts, out: &mut Output) -> Result<Outcome, Failure> {
