@@ -78,20 +78,20 @@ file_kinds! {
     /// XML device configuration (CiA 311)
     Xdc "xdc" ["xdc", "nxdc"], "XDC" Some("xdd"), Some(Format::Xdc), Some(EDITED),
         "XML device configuration: one node (CiA 311); networks (`.nxdc`) of CANopenEditor are only read";
-    /// The short source of a device (docs/reference/device.md)
+    /// Compact device source (docs/reference/device.md)
     Toml "toml" ["toml"], "device.toml" Some("toml"), Some(Format::Toml), Some(EDITED),
         "short source of a device ([device.md](device.md))";
-    /// Project of the editors for CANopenNode from before XDD
+    /// Project of the editors for CANopenNode from before XDD (input only)
     // its objects are those of an XDD
     CanopenNode "canopennode" ["xml"], "CANopenNode project" Some("xdd"), Some(Format::Xdd), None,
         "project of the editors for CANopenNode from before XDD, root element `device` ([below](#projects-of-canopennode))";
-    /// Project of objdictgen, the generator of CanFestival, which is only read
+    /// Project of objdictgen, the generator of CanFestival (input only)
     Objdictgen "od" ["od"], "objdictgen project" Some("xdd"), Some(Format::Xdd), None,
         "project of objdictgen, the generator of CanFestival ([below](#projects-of-objdictgen))";
-    /// EtherCAT slave information (ESI), which is only read
+    /// EtherCAT slave information, ESI (input only)
     Esi "esi" ["xml"], "ESI" Some("esi"), Some(Format::Xdd), None,
         "EtherCAT slave information, root element `EtherCATInfo` ([below](#ethercat-esi))";
-    /// The model of a device, or the downloads of a concise DCF, as JSON
+    /// Device model, or downloads of a concise DCF, as JSON
     Json "json" ["json"], "JSON" Some("toml"), None, Some("yes"),
         "the whole model of a device, or the downloads of a concise DCF ([below](#json))";
     /// Project of CANopenEditor as JSON, with the settings for CANopenNode
@@ -100,13 +100,13 @@ file_kinds! {
     /// Concise DCF (CiA 302-3)
     Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
         "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
-    /// Concise DCF as a text of one download a line (docs/guides/dcf.md)
+    /// Concise DCF as text with one download per line (docs/guides/dcf.md)
     CdcfText "cdcf.txt" ["cdcf.txt"], "concise DCF as text" Some("toml"), None, Some("yes"),
-        "concise DCF as a text with one download per line ([dcf.md](../guides/dcf.md))";
+        "concise DCF as a text with one download per line ([dcf.md](dcf.md))";
     /// Node list (CiA 306-3)
     Cpj "cpj" ["cpj"], "node list" Some("full"), None, None,
         "node list of a network (CiA 306-3)";
-    /// The messages of nodes on the CAN bus, which is only written
+    /// Messages of nodes on the CAN bus (output only)
     #[cfg_attr(feature = "clap", value(skip))]
     Dbc "dbc" ["dbc"], "DBC" None, None, Some("[yes](#dbc)"),
         "database of the CAN bus: the messages and signals of nodes";
