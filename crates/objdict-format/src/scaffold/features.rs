@@ -179,72 +179,72 @@ const IO: [u16; 2] = [401, 404];
 features! {
     // the communication objects of CiA 301
     rpdos: u16, "rpdos", number(0, 512), [], Series(0x1400),
-        "Number of RPDOs [default: those of the profile]";
+        "Number of RPDOs [default: from the profile]";
     tpdos: u16, "tpdos", number(0, 512), [], Series(0x1800),
-        "Number of TPDOs [default: those of the profile]";
+        "Number of TPDOs [default: from the profile]";
     mapping_entries: u16, "mapping-entries", number(1, 64), [], Other,
-        "Application objects that the mapping of each PDO has room for [default: those that are mapped, or 8]";
+        "Maximum application objects per PDO mapping [default: those that are mapped, or 8]";
     rpdo_parameters: u16, "rpdo-parameters", number(2, 6), [], Other,
         "Highest sub-index of the RPDO communication parameters: 5 with an event timer [default: 2]";
     tpdo_parameters: u16, "tpdo-parameters", number(2, 6), [], Other,
         "Highest sub-index of the TPDO communication parameters: 6 with a SYNC start value [default: 5]";
     sdo_servers: u16, "sdo-servers", number(0, 128), [], Series(0x1200),
-        "Number of SDO servers that are described, the default one among them [default: 0]";
+        "Number of described SDO servers, including the default one [default: 0]";
     sdo_clients: u16, "sdo-clients", number(0, 128), [], Series(0x1280),
         "Number of SDO clients [default: 0]";
     heartbeat: bool, "heartbeat", Flag, [], Objects(&[0x1017]),
-        "Sends heartbeats [default: true]";
+        "Send heartbeats [default: true]";
     heartbeat_consumers: u16, "heartbeat-consumers", number(0, MAX_NODES), [], Elements(0x1016),
         "Number of nodes whose heartbeat is monitored [default: 0]";
     guarding: bool, "guarding", Flag, [], Objects(&[0x100C, 0x100D]),
-        "Answers node guarding [default: false]";
+        "Respond to node guarding [default: false]";
     emcy: bool, "emcy", Flag, [], Objects(&[0x1014]),
-        "Sends EMCY messages [default: true]";
+        "Send EMCY messages [default: true]";
     emcy_inhibit_time: bool, "emcy-inhibit-time", Flag, [], Objects(&[0x1015]),
-        "Has an inhibit time of EMCY [default: false]";
+        "Include an EMCY inhibit time [default: false]";
     emcy_consumers: u16, "emcy-consumers", number(0, MAX_NODES), [], Elements(0x1028),
         "Number of nodes whose EMCY messages are received [default: 0]";
     error_history: u16, "error-history", number(0, 254), [], Elements(0x1003),
-        "Number of errors that are kept [default: 0]";
+        "Number of stored errors [default: 0]";
     error_behavior: u16, "error-behavior", number(0, 254), [], Elements(0x1029),
-        "Number of kinds of errors with a configurable reaction [default: 0]";
+        "Number of error classes with a configurable reaction [default: 0]";
     status_register: bool, "status-register", Flag, [], Objects(&[0x1002]),
-        "Has a status register of the manufacturer [default: false]";
+        "Include a manufacturer status register [default: false]";
     sync: bool, "sync", Flag, [], Objects(&[0x1005]),
-        "Has a COB-ID of SYNC [default: true if it has PDOs]";
+        "Include a SYNC COB-ID [default: true if there are PDOs]";
     sync_producer: bool, "sync-producer", Flag, [], Bit(0x1005, 30),
-        "Produces SYNC [default: false]";
+        "Produce SYNC [default: false]";
     cycle_period: bool, "cycle-period", Flag, [], Objects(&[0x1006]),
-        "Has a communication cycle period [default: true if it produces SYNC]";
+        "Include a communication cycle period [default: true for SYNC producers]";
     sync_window: bool, "sync-window", Flag, [], Objects(&[0x1007]),
-        "Has a synchronous window length [default: false]";
+        "Include a synchronous window length [default: false]";
     sync_counter: bool, "sync-counter", Flag, [], Objects(&[0x1019]),
-        "Has a counter in SYNC [default: false]";
+        "Include a SYNC counter [default: false]";
     time: bool, "time", Flag, [], Objects(&[0x1012]),
-        "Has a COB-ID of TIME [default: true if it produces TIME]";
+        "Include a TIME COB-ID [default: true for TIME producers]";
     time_producer: bool, "time-producer", Flag, [], Bit(0x1012, 30),
-        "Produces TIME, else consumes it [default: false]";
+        "Produce TIME instead of consuming it [default: false]";
     store: u16, "store", number(0, MAX_NODES), [], Elements(0x1010),
-        "Number of groups of parameters that it stores [default: 0]";
+        "Number of parameter groups that can be stored [default: 0]";
     restore: u16, "restore", number(0, MAX_NODES), [], Elements(0x1011),
-        "Number of groups of parameters whose defaults it restores [default: as many as it stores]";
+        "Number of parameter groups that can be reset to defaults [default: as for `store`]";
     verify_configuration: bool, "verify-configuration", Flag, [], Objects(&[0x1020]),
-        "Keeps date and time of its configuration [default: false]";
+        "Store the date and time of the configuration [default: false]";
     identity_entries: u16, "identity-entries", number(1, 4), [], Elements(0x1018),
-        "Entries of the identity object: 4 with a serial number [default: 4]";
+        "Number of entries in the identity object: 4 with a serial number [default: 4]";
     device_name: bool, "device-name", Flag, [], Objects(&[0x1008]),
-        "Has a device name [default: true]";
+        "Include a device name [default: true]";
     hardware_version: bool, "hardware-version", Flag, [], Objects(&[0x1009]),
-        "Has a hardware version [default: false]";
+        "Include a hardware version [default: false]";
     software_version: bool, "software-version", Flag, [], Objects(&[0x100A]),
-        "Has a software version [default: false]";
+        "Include a software version [default: false]";
     lss: bool, "lss", Flag, [], Other,
-        "Supports LSS [default: false]";
+        "Support LSS [default: false]";
     // device profiles
     digital_inputs: u16, "digital-inputs", number(0, MAX_DIGITAL), IO, Channels(&[(401, 0x6000, 8), (404, 0x6000, 8)]),
-        "Number of digital inputs of one bit [default: 0]";
+        "Number of one-bit digital inputs [default: 0]";
     digital_outputs: u16, "digital-outputs", number(0, MAX_DIGITAL), IO, Channels(&[(401, 0x6200, 8), (404, 0x6200, 8)]),
-        "Number of digital outputs of one bit [default: 0]";
+        "Number of one-bit digital outputs [default: 0]";
     analog_inputs: u16, "analog-inputs", number(0, MAX_ANALOG), IO, Channels(&[(401, 0x6401, 1), (404, 0x6130, 1)]),
         "Number of analogue inputs [default: 0]";
     analog_outputs: u16, "analog-outputs", number(0, MAX_ANALOG), IO, Channels(&[(401, 0x6411, 1), (404, 0x6300, 1)]),
@@ -252,13 +252,13 @@ features! {
     value_type: DataType, "value-type", OneOf(VALUE_TYPE_NAMES), [404], Other,
         "Data type of process values [default: REAL32]";
     drive_types: u32, "drive-types", Bits { document: 402, index: 0x1000 }, [402], Other,
-        "Kinds of the drive [default: servo-drive]";
+        "Drive types [default: servo-drive]";
     modes: u32, "modes", Bits { document: 402, index: 0x6502 }, [402], Other,
-        "Modes of operation, by their names or abbreviations such as `pp`, `hm`, `csv`";
+        "Modes of operation, by name or by an abbreviation such as `pp`, `hm`, `csv`";
     encoder_class: EncoderClass, "encoder-class", OneOf(CLASSES), [406], Other,
-        "Class of the encoder [default: c1]";
+        "Encoder class [default: c1]";
     encoder_type: u16, "encoder-type", number(1, 10), [406], Other,
-        "The encoder type of CiA 406: 1 single-turn absolute rotary, 2 multi-turn absolute rotary, … 10 several sensors [default: 2]";
+        "CiA 406 encoder type: 1 single-turn absolute rotary, 2 multi-turn absolute rotary, … 10 several sensors [default: 2]";
 }
 
 impl Feature {
