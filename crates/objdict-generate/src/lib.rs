@@ -147,7 +147,7 @@ macro_rules! targets {
 targets! {
     #[cfg(feature = "rust")]
     RUST rust "rust"
-        "one Rust file (no_std, no unsafe, no dependency): dictionary, values, SDO access by index and sub-index"
+        "one Rust file (no_std, no unsafe, no dependencies): dictionary, values, SDO access by index and sub-index"
         [Names Renamed Module Groups Hooks StringCapacity DomainCapacity EntryNames FeatureGates Derives Runtime Cell];
     #[cfg(feature = "c")]
     C c "c"
@@ -155,17 +155,17 @@ targets! {
         [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity Table EntryNames PdoMappings];
     #[cfg(feature = "stacks")]
     CONCISE concise "concise"
-        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to its configuration"
+        "one concise DCF (.cdcf): the SDO downloads that configure a node with default values"
         []
         unmeasured "a concise DCF is not part of the firmware, but data for a manager";
     #[cfg(feature = "stacks")]
     CANOPEN_RS canopen_rs "canopen-rs"
-        "one Rust file for the crate canopen-rs 0.6: a function that creates its ObjectDictionary for a node-ID"
+        "one Rust file for the crate canopen-rs 0.6: a function that creates the ObjectDictionary for a node-ID"
         [Names Renamed Module]
         unmeasured "the crate canopen-rs builds the tables while the firmware runs";
     #[cfg(feature = "stacks")]
     CANOPEN_STACK canopen_stack "canopen-stack"
-        "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
+        "`CO_OBJ` table for canopen-stack 4.4 (embedded-office), its values and a node specification"
         [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity]
         compared compare;
     #[cfg(feature = "stacks")]
@@ -175,35 +175,35 @@ targets! {
         unmeasured "the crate zencan-build generates the tables from the file";
     #[cfg(feature = "canopennode")]
     CANOPENNODE canopennode "canopennode"
-        "`OD.h` and `OD.c` of the stack CANopenNode 4"
+        "`OD.h` and `OD.c` for CANopenNode 4"
         [Names Renamed Prefix Groups StringCapacity Hooks Limits Layout]
         compared compare;
     #[cfg(feature = "template")]
     TEMPLATE template "template"
-        "one file, rendered from a custom Jinja template (`--template`)"
+        "one file rendered from a custom Jinja template (`--template`)"
         [Template Names Renamed StringCapacity DomainCapacity]
         unmeasured "the template decides what the file contains";
     #[cfg(feature = "stacks")]
     MICROCANOPEN microcanopen "microcanopen"
-        "the tables of MicroCANopen: SDO replies, process image, calls that initialise PDOs"
+        "tables for MicroCANopen: SDO replies, process image, calls that initialise PDOs"
         [Names Renamed Prefix StringCapacity];
     #[cfg(feature = "stacks")]
     OBJDICT_MACROS objdict_macros "objdict-macros"
-        "`objdict.c` and `mapping.c` with the macros of the book on embedded CANopen (SINGLE_OBJ, MAP_ENTRY)"
+        "`objdict.c` and `mapping.c` with the macros from the embedded CANopen book (SINGLE_OBJ, MAP_ENTRY)"
         [Names Renamed Prefix StringCapacity DomainCapacity];
     #[cfg(feature = "stacks")]
     LELY lely "lely"
-        "the static device (`co_sdev`) of Lely core 2.4"
+        "static device (`co_sdev`) for Lely core 2.4"
         [Prefix Hooks EntryNames]
         unmeasured "the library copies the table, and its configuration decides what a row contains";
     #[cfg(feature = "stacks")]
     CANFESTIVAL canfestival "canfestival"
-        "the dictionary of CanFestival 3, with the layout of objdictgen"
+        "dictionary for CanFestival 3, in the layout of objdictgen"
         [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity]
         compared compare;
     #[cfg(feature = "stacks")]
     CANOPENNODE_V1 canopennode_v1 "canopennode-v1"
-        "`CO_OD.h` and `CO_OD.c` of the stack CANopenNode 1.3"
+        "`CO_OD.h` and `CO_OD.c` for CANopenNode 1.3"
         [Names Renamed Groups Hooks StringCapacity DomainCapacity Layout]
         compared compare;
 }

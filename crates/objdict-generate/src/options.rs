@@ -23,7 +23,7 @@ use crate::model::{Address, Device};
 macro_rules! with_options {
     ($make:ident) => {
         $make! {
-            /// The node-ID [default: from the DCF]
+            /// Node-ID (`$NODEID` in formulas) [default: from the DCF]
             ///
             /// 1 to 127. Formulas are kept; the node-ID is only their default.
             NodeId "node-id" {
@@ -31,7 +31,7 @@ macro_rules! with_options {
                 argument: Option<u8> [value_name = "N", value_parser = node_id],
                 method: node_id(node_id: u8) => Ok(node_id),
             }
-            /// Capacity of writable strings that have a shorter default or none [default: 32]
+            /// Capacity of writable strings with a shorter default or none [default: 32]
             ///
             /// 1 to 65535 bytes for a VISIBLE_STRING, OCTET_STRING or UNICODE_STRING (default: 32).
             StringCapacity "string-capacity" {
@@ -39,10 +39,9 @@ macro_rules! with_options {
                 argument: Option<u16> [help_heading = "Storage", value_name = "BYTES", value_parser = clap::value_parser!(u16).range(1..)],
                 method: string_capacity(bytes: u16) => Ok(bytes),
             }
-            /// Capacity of writable DOMAINs [default: the size of the default value]
+            /// Capacity of writable DOMAINs [default: size of the default value]
             ///
-            /// In bytes. 0 reserves room only for the default value; without a default value the application
-            /// has to provide the data.
+            /// In bytes. 0 reserves space only for the default value; without a default value the application has to provide the data.
             DomainCapacity "domain-capacity" {
                 field: domain_capacity: u16 = 0,
                 argument: Option<u16> [help_heading = "Storage", value_name = "BYTES"],
@@ -53,10 +52,10 @@ macro_rules! with_options {
             /// Default: [`Names::Words`].
             Names "names" {
                 field: names: Names = Names::default(),
-                argument: Option<Names> [help_heading = "Names", value_name = "OF", value_parser = one_of::<Names>(), default_value = "words"],
+                argument: Option<Names> [help_heading = "Names", value_name = "SOURCE", value_parser = one_of::<Names>(), default_value = "words"],
                 method: names(names: Names) => Ok(names),
             }
-            /// A file with other names for identifiers, with lines such as `"2000sub1" = "target speed"`
+            /// File with new names for identifiers, in lines such as `"2000sub1" = "target speed"`
             ///
             /// The caller reads the file; `generate::renames` parses its text.
             Renamed "rename" {
@@ -90,8 +89,8 @@ macro_rules! with_options {
                 argument: Vec<StorageGroup> [help_heading = "Storage", value_name = "INDEXES=NAME"],
                 method: group(objects: RangeInclusive<u16>, name: &str) => StorageGroup::new(objects, name),
             }
-            /// Call the application before reads and after writes of an object or entry, such as `6000` or `6000:1`; repeatable, or
-            /// separated by commas
+            /// Object or entry for which the application is called before reads and after writes, such as `6000` or `6000:1`; repeatable
+            /// or comma-separated
             ///
             /// An object includes all its entries. In a build script `0x6000`, `(0x6000, 1)` or an `Address`.
             Hooks "hook" {
@@ -99,13 +98,13 @@ macro_rules! with_options {
                 argument: Vec<Address> [help_heading = "Stacks", value_name = "ADDRESS", value_delimiter = ','],
                 method: hook(at: impl Into<Address>) => Ok(at.into()),
             }
-            /// Generate checks of `LowLimit` and `HighLimit` if the stack does not check them
+            /// Generate checks of `LowLimit` and `HighLimit` if the stack has none
             Limits "limits" {
                 field: limits: bool = false,
                 argument: bool [help_heading = "Stacks"],
                 method: limits(keep: bool) => Ok(keep),
             }
-            /// Template of the target `template`; the output has its name without `.j2`
+            /// Template for the target `template`; the output has its name without `.j2`
             ///
             /// Requires the feature `template`.
             Template "template" {
@@ -113,7 +112,7 @@ macro_rules! with_options {
                 argument: Option<PathBuf> [help_heading = "Output", value_name = "FILE"],
                 method: template(file: impl AsRef<Path>) => Ok(file.as_ref().to_owned()),
             }
-            /// Layout of the table of the target `c`
+            /// Table layout of the target `c`
             ///
             /// Default: [`CTable::Compact`].
             Table "table" {
@@ -121,7 +120,7 @@ macro_rules! with_options {
                 argument: Option<CTable> [help_heading = "Size", value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
                 method: table(table: CTable) => Ok(table),
             }
-            /// Whether SDOs can write PDO mappings in the target `c`
+            /// Write access to PDO mappings in the target `c`
             ///
             /// Default: [`PdoMappings::Fixed`]. An entry with a hook can be written with either.
             PdoMappings "pdo-mapping" {
@@ -129,15 +128,15 @@ macro_rules! with_options {
                 argument: Option<PdoMappings> [help_heading = "Stacks", value_name = "KIND", value_parser = one_of::<PdoMappings>(), default_value = "fixed"],
                 method: pdo_mappings(kind: PdoMappings) => Ok(kind),
             }
-            /// Which entries have storage in the table of the target `canopennode`, and names of both targets for CANopenNode
+            /// Entries with storage in the target `canopennode`, and names in both CANopenNode targets
             ///
             /// Default: [`StackLayout::Complete`].
             Layout "layout" {
                 field: layout: StackLayout = StackLayout::default(),
-                argument: Option<StackLayout> [help_heading = "Storage", value_name = "OF", value_parser = one_of::<StackLayout>(), default_value = "complete"],
+                argument: Option<StackLayout> [help_heading = "Storage", value_name = "LAYOUT", value_parser = one_of::<StackLayout>(), default_value = "complete"],
                 method: layout(layout: StackLayout) => Ok(layout),
             }
-            /// Omit the names of entries
+            /// Omit entry names
             ///
             /// Names help to read the table on the device. Layouts without room for names ignore this option.
             EntryNames "no-names" {
@@ -145,7 +144,7 @@ macro_rules! with_options {
                 argument: bool [help_heading = "Size"],
                 method: no_names() => Ok(false),
             }
-            /// Put names, PDOs and limits in Rust behind the features `od-names`, `od-pdo` and `od-limits`
+            /// Gate names, PDOs and limits in Rust with the features `od-names`, `od-pdo` and `od-limits`
             ///
             /// These are features of the crate that includes the file.
             FeatureGates "feature-gates" {
@@ -153,16 +152,16 @@ macro_rules! with_options {
                 argument: bool [help_heading = "Size"],
                 method: feature_gates(gates: bool) => Ok(gates),
             }
-            /// Generate Rust that uses the crate `objdict-device`, so that SDOs may change PDO mappings
+            /// Use the crate `objdict-device` in Rust, so that SDOs can change PDO mappings
             ///
-            /// The code of the table is in the crate then, and the values implement its `Dictionary`. Without it the file has no
-            /// dependency, and mappings are read-only, because the structs of PDOs have those of the description.
+            /// The crate then contains the code of the table, and the values implement its `Dictionary`. Without it the file has no
+            /// dependency, and mappings are read-only, because the structs of PDOs have the described mappings.
             Runtime "runtime" {
                 field: runtime: bool = false,
                 argument: bool [help_heading = "Stacks"],
                 method: runtime(is_used: bool) => Ok(is_used),
             }
-            /// Generate a `static` with the values in Rust, for interrupts and the main program; with `--runtime`
+            /// Rust `static` with the values, for interrupts and the main program; requires `--runtime`
             ///
             /// The values start with the defaults of the node-ID, which must be known.
             Cell "cell" {
@@ -170,7 +169,7 @@ macro_rules! with_options {
                 argument: Option<SharedCell> [help_heading = "Stacks", value_name = "KIND", value_parser = one_of::<SharedCell>(), requires = "runtime"],
                 method: cell(kind: SharedCell) => Ok(kind),
             }
-            /// Derive traits of other crates for the Rust types
+            /// Crate whose traits to derive for the Rust types; repeatable or comma-separated
             ///
             /// Can be called several times.
             Derives "derive" {
@@ -344,9 +343,9 @@ choices! {
     CTable {
         /// Short rows with offsets into RAM and flash, and functions that implement the answers of an SDO server.
         #[default]
-        Compact "compact" "Short rows, with functions that answer as an SDO server does"
+        Compact "compact" "Short rows, with functions that respond like an SDO server"
         /// An array of structures with pointers to value, limits and default, for custom stacks.
-        Structs "structs" "An array of structures with pointers, for a stack of one's own"
+        Structs "structs" "Array of structures with pointers, for custom stacks"
     }
 
     /// Whether SDOs can write PDO mappings.
@@ -356,7 +355,7 @@ choices! {
         #[default]
         Fixed "fixed" "As in the description: SDOs cannot write them"
         /// As the description allows it; the application applies them, and the structs of PDOs keep those of the description.
-        Dynamic "dynamic" "SDOs write them as described, and the application applies them"
+        Dynamic "dynamic" "SDOs write them as described; the application applies them"
     }
 
     /// Which entries have storage in the table of the target `canopennode`, and under which names. In `canopennode-v1` only
@@ -365,19 +364,19 @@ choices! {
     StackLayout {
         /// Every value that the stack has a type for.
         #[default]
-        Complete "complete" "Every value that the stack has a type for"
+        Complete "complete" "Every value for which the stack has a type"
         /// As CANopenEditor generates it, so that stored images of devices in the field still fit: only what has a default or a
         /// stated length has storage, and groups are those that the description states.
-        CanOpenEditor "canopeneditor" "As in CANopenEditor: only entries with a default or a stated length"
+        CanOpenEditor "canopeneditor" "As in CANopenEditor: only entries with a default or a specified length"
         /// The same with the names that CANopenEditor made before July 2021: `cell_1_Temp` instead of `cell1Temp`. For CANopenNode 1.3
         /// those of libEDSsharp before November 2019: `OD_1a00_…` instead of `OD_1A00_…`.
-        CanOpenEditor2020 "canopeneditor-2020" "The same, with the names that it used before July 2021: `cell_1_Temp`; canopennode-v1: `OD_1a00_…`"
+        CanOpenEditor2020 "canopeneditor-2020" "The same, with CANopenEditor's names before July 2021: `cell_1_Temp`; canopennode-v1: `OD_1a00_…`"
     }
 
     /// What protects values that interrupts and the main program share.
     SharedCell {
         /// `Shared` of the crate `objdict-device`, with its feature `critical-section`.
-        CriticalSection "critical-section" "`SHARED`, a `Shared<Data>` of `objdict-device` with the feature `critical-section`"
+        CriticalSection "critical-section" "`SHARED`, a `Shared<Data>` of `objdict-device` with its feature `critical-section`"
     }
 
     /// Traits of other crates derived for generated Rust types.
