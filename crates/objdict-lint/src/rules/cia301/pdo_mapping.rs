@@ -39,7 +39,7 @@ rules! {
     "cia301/mappable-without-pdo" = MAPPABLE_WITHOUT_PDO, Warning, Device(mappable_without_pdo);
     summary: "entries are mappable, but the device has no PDO in their direction",
     checks: "A device with PDOs must have a TPDO for entries with `PDOMapping=1` and access `ro` or `rwr`. It must have an RPDO for entries with `PDOMapping=1` and access `wo` or `rww`. PDOs may be described or implied by `CompactPDO`. Modular devices and objects below 2000h are not checked.",
-    why: "Tools offer the entries for mapping, but there is no PDO for them. Often the description lacks PDOs.",
+    why: "Tools offer the entries for mapping, but no PDO can carry them. Often the description lacks PDOs.",
     example: "`AccessType=rww` and `PDOMapping=1` in `[2000]` of a device with only TPDOs",
     remedy: "Describe the PDOs, or write `PDOMapping=0`.",
 

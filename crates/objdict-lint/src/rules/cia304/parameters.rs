@@ -60,7 +60,7 @@ rules! {
     "cia304/safety-flag" = SAFETY_FLAG, Warning, Facts(safety_flag);
     summary: "`CANopenSafetySupported` contradicts the objects",
     checks: "A device with `CANopenSafetySupported=1` must have SRDOs. A device with `CANopenSafetySupported=0` must have none.",
-    why: "A safety tool evaluates the flag: it finds nothing to configure, or ignores SRDOs that it must configure.",
+    why: "A safety tool evaluates the flag: it finds nothing to configure or ignores SRDOs that it must configure.",
     example: "`CANopenSafetySupported=1` without an object from 1301h to 1340h",
     remedy: "Correct the flag, or the objects.",
     source: "CiA 306-1 annex A, EN 50325-5 (CiA 304)",

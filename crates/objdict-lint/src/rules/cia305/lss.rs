@@ -9,7 +9,7 @@ rules! {
     "cia305/incomplete-address" = INCOMPLETE_ADDRESS, Warning, Device(incomplete_address);
     summary: "the LSS address of the device is incomplete",
     checks: "On a device with `LSS_Supported=1`, 1018h sub-indexes 2 and 3 (product code and revision number) must have a value. The vendor-ID has its own rule. The serial number is specific to each device.",
-    why: "An LSS manager selects the device by vendor-ID, product code, revision number and serial number. The first three must come from the description.",
+    why: "An LSS manager selects the device by vendor-ID, product code, revision number and serial number. The description must contain the first three.",
     example: "`LSS_Supported=1` without `DefaultValue` in `[1018sub2]`",
     remedy: "Write the values.",
     source: "CiA 305, CiA 301 §7.5.2.21",

@@ -35,7 +35,7 @@ rules! {
     "cia306/invalid-segment" = INVALID_SEGMENT, Error, Device(invalid_segment);
     summary: "a segment of the dynamic channels is not valid",
     checks: "Each segment must have type, direction and range. The range must be within A000h to BFFFh in ascending order, and ranges must not overlap.",
-    why: "A programming tool takes the indexes of network variables from these ranges.",
+    why: "A programming tool chooses the indexes of network variables from these ranges.",
     example: "`Range1=0xA0BF-0xA080`",
     remedy: "Write the first and last index: `Range1=0xA080-0xA0BF`.",
     source: "CiA 302-4, CiA 306-1 §4.6.3.4.3",

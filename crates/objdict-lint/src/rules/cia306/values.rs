@@ -41,7 +41,7 @@ rules! {
     "cia306/limits-on-text" = LIMITS_ON_TEXT, Warning, Entry(limits_on_text), fix Unsafe;
     summary: "a string has limits",
     checks: "`LowLimit` and `HighLimit` must be used with numbers only, not with VISIBLE_STRING, UNICODE_STRING, OCTET_STRING or DOMAIN.",
-    why: "Strings have no defined order, so limits have no meaning. They may have been meant as lengths, or the data type is wrong.",
+    why: "Strings have no defined order, so limits are meaningless. They may have been meant as lengths, or the data type is wrong.",
     example: "`DataType=0x0009` with `HighLimit=20`",
     remedy: "Remove the limits, or correct the data type.",
 

@@ -70,7 +70,7 @@ rules! {
     "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning,
         Applied(wrong_default_mapping), fix Unsafe;
     summary: "the default mapping of an I/O module's PDO differs from CiA 401",
-    checks: "In an EDS, the default mapping of PDO 1 to 4 must follow the profile, as far as there are channels. RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h). TPDO 1 carries the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply if bit 23 of 1000h declares a manufacturer-specific mapping. It does not apply to devices with several logical devices, to PDOs that map nothing or to PDOs whose entries are invalid.",
+    checks: "In an EDS, the default mapping of PDO 1 to 4 must follow the profile, as far as the module has channels. RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h). TPDO 1 carries the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply if bit 23 of 1000h declares a manufacturer-specific mapping. It does not apply to devices with several logical devices, to PDOs that map nothing or to PDOs whose entries are invalid.",
     why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files, most deviating PDOs carry fewer channels than available, which affects only the missing channels.",
     example: "`[1A00sub1]` with `DefaultValue=0x64010110`",
     remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
@@ -79,7 +79,7 @@ rules! {
     "cia401/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
         Applied(wrong_transmission_type), fix Unsafe;
     summary: "a default PDO of an I/O module has a transmission type other than 255",
-    checks: "In an EDS, the default transmission type of PDO 1 to 4, as far as there are channels for them, must be 255: sent when an input changes, applied immediately. The rule does not apply to TPDOs of analogue inputs that are sent every 1 to 240 SYNCs or to PDOs that are not valid by default. It does not apply if bit 23 of 1000h declares a manufacturer-specific mapping, or to devices with several logical devices.",
+    checks: "In an EDS, the default transmission type of PDO 1 to 4, as far as the module has channels for them, must be 255: sent when an input changes, applied immediately. The rule does not apply to TPDOs of analogue inputs that are sent every 1 to 240 SYNCs or to PDOs that are not valid by default. It does not apply if bit 23 of 1000h declares a manufacturer-specific mapping, or to devices with several logical devices.",
     why: "Without configuration, a master gets no inputs from a module that waits for a SYNC. With 254 the vendor, not the profile, defines when the PDO is sent.",
     example: "`[1800sub2]` with `DefaultValue=254`",
     remedy: "Write `DefaultValue=255`, in the description and in the device.",

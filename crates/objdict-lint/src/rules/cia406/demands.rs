@@ -11,7 +11,7 @@ rules! {
     source: "CiA 406, the object descriptions";
 
     "cia406/different-channel-count", Warning, Against(different_channel_count);
-    summary: "the number of elements of an encoder's object differs from the number of sensors or channels",
+    summary: "the elements of an encoder's object do not match its sensors or channels",
     checks: "6010h and 650Ch must have as many elements as 6020h, 6301h and 6302h as many as 6300h, 6401h and 6402h as many as 6400h.",
     why: "A sensor without an element has no preset, and a work area without an element has no limit.",
     example: "`[6020sub0]` with `DefaultValue=2`, `[6010sub0]` with `DefaultValue=1`",

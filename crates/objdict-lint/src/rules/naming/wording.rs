@@ -39,7 +39,7 @@ rules! {
     "naming/long-name" = LONG_NAME, Note, Entry(long_name);
     summary: "a name is longer than a line of text",
     checks: "Each name must have at most 100 characters. The limit of CiA 306-1, 241, applies to the line and has its own rule.",
-    why: "Tools show names in columns and truncate them. Identifiers made from them lose their end, and often the text is a description.",
+    why: "Tools show names in columns and truncate them. Identifiers generated from them lose their end, and often the text is a description.",
     example: "A `ParameterName` of two sentences",
     remedy: "Shorten the name; move explanations to a comment or the manual.",
 
