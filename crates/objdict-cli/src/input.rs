@@ -61,7 +61,7 @@ pub(super) struct InputArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
-    /// Maximum number of entries in compact storage; other limits grow with it (README, limits) [default: 25000]
+    /// Maximum number of entries in compact storage; other limits grow with it (docs/reference/limits.md) [default: 25000]
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
     pub max_entries: usize,
 }

@@ -33,7 +33,7 @@ pub(crate) struct DecodeArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: DecodeFormat,
-    /// Write a CSV column per signal instead of a row per signal, held in memory
+    /// Write CSV with one column per signal, held in memory, instead of one row per signal
     #[arg(long)]
     pub wide: bool,
     /// Maximum rows of --wide
@@ -48,7 +48,7 @@ pub(crate) struct DecodeArgs {
     /// Number of an incident in --summary to show: its frames, likely causes, and what to check
     #[arg(short = 'd', long, value_name = "N", conflicts_with_all = ["summary", "wide"])]
     pub incident: Option<usize>,
-    /// Report faults and deviations from the descriptions instead of frames (rules `traffic/…`)
+    /// Report faults and deviations from the descriptions (rules `traffic/…`) instead of frames
     ///
     /// Formats: text, concise, json, sarif, github, gitlab and junit. Exits with 1 if there are errors.
     #[arg(long, conflicts_with = "wide")]

@@ -26,7 +26,8 @@ pub(crate) struct DiffArgs {
     pub format: DiffFormat,
     /// Changes to report exclusively; repeatable or comma-separated
     ///
-    /// A rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or objects as in `show` or 2000-2FFF.
+    /// Use a rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or objects as in `show` or
+    /// 2000-2FFF.
     #[arg(long, value_name = "CHANGE", value_delimiter = ',')]
     pub select: Vec<ChangeChoice>,
     /// Changes to ignore; repeatable or comma-separated

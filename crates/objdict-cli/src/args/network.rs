@@ -62,7 +62,7 @@ pub(crate) enum NetworkCommand {
     /// Compare two networks
     ///
     /// Compares nodes, CAN-IDs, the boot plan, and the downloads and dictionary of each node; file names, comments and dates are ignored.
-    /// Prints nothing and exits with 0 if everything built and shown is the same, and exits with 1 if anything differs.
+    /// Exits with 0 and prints nothing if everything built and shown is the same, or with 1 if anything differs.
     Diff(NetworkDiffArgs),
     /// Create a `network.toml` from descriptions
     ///

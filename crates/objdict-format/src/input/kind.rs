@@ -80,7 +80,7 @@ file_kinds! {
         "XML device configuration: one node (CiA 311); networks (`.nxdc`) of CANopenEditor are only read";
     /// Compact device source (docs/reference/device.md)
     Toml "toml" ["toml"], "device.toml" Some("toml"), Some(Format::Toml), Some(EDITED),
-        "short source of a device ([device.md](device.md))";
+        "compact device source ([device.md](device.md))";
     /// Project of the editors for CANopenNode from before XDD (input only)
     // its objects are those of an XDD
     CanopenNode "canopennode" ["xml"], "CANopenNode project" Some("xdd"), Some(Format::Xdd), None,
@@ -102,7 +102,7 @@ file_kinds! {
         "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
     /// Concise DCF as text with one download per line (docs/guides/dcf.md)
     CdcfText "cdcf.txt" ["cdcf.txt"], "concise DCF as text" Some("toml"), None, Some("yes"),
-        "concise DCF as a text with one download per line ([dcf.md](dcf.md))";
+        "concise DCF as a text with one download per line ([dcf.md](../guides/dcf.md))";
     /// Node list (CiA 306-3)
     Cpj "cpj" ["cpj"], "node list" Some("full"), None, None,
         "node list of a network (CiA 306-3)";
