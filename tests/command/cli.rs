@@ -70,6 +70,7 @@ fn prepare(input: &Path) {
         "bases",
         "toml",
         "network",
+        "bus",
         "probe",
         "rules/patch/expect-not-met",
         "rules/network/link-mismatch",

@@ -10,6 +10,7 @@ mod client;
 mod conformance;
 mod dictionary;
 mod frame;
+mod live;
 mod manager;
 mod node;
 mod run;
@@ -18,8 +19,9 @@ mod simulation;
 pub use conformance::{Conformance, ConformanceCheck, Verdict, conformance, conformance_of};
 pub use dictionary::{LiveDictionary, PowerOn};
 pub use frame::{BusFrame, classical_bits};
+pub use live::LiveBus;
 pub use manager::{BootFailure, Configurations, Milestone};
-pub use objdict_device::{Abort, Dictionary, NmtState, crc};
+pub use objdict_device::{Abort, Dictionary, Frame, NmtState, SdoClient, SdoData, SdoStep, crc};
 pub use run::{Cut, Event, EventKind, NodeRun, Run};
 pub use simulation::{Conditions, Plant, PlantNode, boot};
 

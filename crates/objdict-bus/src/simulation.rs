@@ -70,7 +70,7 @@ impl Default for Conditions {
 }
 
 /// The most frames of a node that wait for the bus. A node with all its PDOs has fewer at once.
-const QUEUE: usize = 10_000;
+pub(crate) const QUEUE: usize = 10_000;
 
 /// How long the manager must have waited for boot-up messages alone until no node is expected any more.
 const PATIENCE: u64 = 1500 * MILLISECOND;

@@ -1,6 +1,7 @@
 //! `objdict configure`.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
@@ -11,6 +12,7 @@ use super::args::ConfigureArgs;
 use super::ending::{Failure, Outcome, note, tell};
 use super::input::{FileKind, Input, name_of, source_name};
 use super::node::{commissioning, former_node_id};
+use super::probe::answers;
 use super::settings::{CommandSettings, SettingsArgs};
 use super::stdout::Output;
 use super::written_files::{keep, save, save_in_place};
@@ -27,6 +29,9 @@ use objdict_node::configure::{
     Configuration, Rebased, Setting, SettingProblem, SettingsFile, configuration, configure, rebase,
 };
 use objdict_node::coupler::flatten;
+use objdict_node::download::transferred_type;
+use objdict_node::parameter::{NoParameter, present_values};
+use objdict_traffic::probe::{Exchange, SdoRequest};
 
 pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let of_config = SettingsArgs::from(&args.config);
@@ -46,7 +51,13 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
     let kind = Format::of(description.format().syntax(), DeviceKind::Node);
     other_syntax(args, kind)?;
-    let node = commissioning(own, &wanted(args, &file), kind.name())?;
+    let wanted = wanted(args, &file);
+    let (exchanges, answering) = match &args.answers {
+        Some(path) => answers(&args.size, path, wanted.node_id.or(own.node_id()), Some(own))?,
+        None => (Vec::new(), None),
+    };
+    let wanted = Commissioning { node_id: wanted.node_id.or(own.node_id()).or(answering), ..wanted };
+    let node = commissioning(own, &wanted, kind.name())?;
     let mut base = Cow::Borrowed(plugged.as_ref().unwrap_or(own));
     let followers = if args.no_rebase { Vec::new() } else { followers(&base, &node) };
     if !followers.is_empty() {
@@ -58,7 +69,9 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
             Ok(configuration) => configuration,
             Err(problems) => return Ok(refuse(&problems)),
         };
-    let assignments = [followers, values].concat();
+    let mut present = present(&base, node.node_id.unwrap_or_default(), &exchanges);
+    present.retain(|at| values.iter().all(|value| (value.index, value.sub) != (at.index, at.sub)));
+    let assignments = [followers, present, values].concat();
     let file_name = file_name(args, kind);
     let parts = NodeSettings {
         node: &node,
@@ -99,6 +112,32 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         None => out.raw()?.write_all(&configured.bytes)?,
     }
     Ok(Outcome::Clean)
+}
+
+/// The values that a device has answered last, where they are not as described.
+fn present(device: &Device, node_id: u8, exchanges: &[Exchange]) -> Vec<Assignment> {
+    let mut last: BTreeMap<(u16, u8), Vec<u8>> = BTreeMap::new();
+    for exchange in exchanges.iter().filter(|exchange| exchange.request == SdoRequest::Upload) {
+        let data_type = transferred_type(device, exchange.index, exchange.sub);
+        if let Some(bytes) = exchange.answer.bytes(data_type) {
+            last.insert((exchange.index, exchange.sub), bytes);
+        }
+    }
+    let (present, left_out) = present_values(device, node_id, last);
+    tell_left_out(&left_out);
+    present
+}
+
+/// Lists the entries that are no parameters, by reason.
+pub(super) fn tell_left_out(left_out: &[((u16, u8), NoParameter)]) {
+    for reason in [NoParameter::Command, NoParameter::ProcessData, NoParameter::Domain] {
+        let of_reason = left_out.iter().filter(|(_, own)| *own == reason);
+        let mut indexes: Vec<String> = of_reason.map(|((index, _), _)| format!("{index:04X}h")).collect();
+        indexes.dedup();
+        if !indexes.is_empty() {
+            note(&format!("note: left out ({reason}): {}\n", indexes.join(", ")));
+        }
+    }
 }
 
 /// A file that would have another syntax than its name says.

@@ -7,6 +7,8 @@
 mod annotation;
 mod args;
 mod baseline;
+#[cfg(feature = "bus")]
+mod bus;
 mod cache;
 mod canonical;
 mod changes;
@@ -111,6 +113,8 @@ pub fn run(texts: &Texts) -> ExitCode {
         Command::Network(command) => network::run(&command.command, &mut out),
         Command::Conformance(command) => conformance::run(command, &mut out),
         Command::Decode(command) => decode::run(command, &mut out),
+        #[cfg(feature = "bus")]
+        Command::Bus(command) => bus::run(&command.command, &mut out),
         Command::Probe(command) => probe::run(command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::args::ProbeArgs;
 use super::check::Reporter;
 use super::ending::{Failure, Outcome, note};
-use super::input::{Input, name_of};
+use super::input::{Input, SizeArgs, name_of};
 use super::new::date_and_time;
 use super::settings::CommandSettings;
 use super::stdout::Output;
@@ -31,6 +31,10 @@ const NODE_ID: u8 = 1;
 const SERVERS: std::ops::RangeInclusive<u32> = 0x581..=0x5FF;
 
 pub(super) fn run(args: &ProbeArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    #[cfg(feature = "bus")]
+    if let Some(file) = args.file.as_ref().filter(|_| args.is_on_bus()) {
+        return asked(args, file, out);
+    }
     match (&args.file, &args.answers) {
         (None, Some(answers)) => learned(args, answers, out),
         (Some(file), Some(answers)) => judged(args, file, answers, out),
@@ -80,13 +84,13 @@ fn planned(args: &ProbeArgs, file: &Path, out: &mut Output) -> Result<Outcome, F
 }
 
 /// The answers of a file, and the node that gave them, if the file says so.
-fn answers(
-    args: &ProbeArgs,
+pub(super) fn answers(
+    size: &SizeArgs,
     path: &Path,
     node_id: Option<u8>,
     device: Option<&Device>,
 ) -> Result<(Vec<Exchange>, Option<u8>), Failure> {
-    let bytes = args.input.size.read(path)?;
+    let bytes = size.read(path)?;
     let unreadable = |error: &dyn std::fmt::Display| {
         Failure::new(format_args!("cannot read `{}`: {error}", name_of(path)))
     };
@@ -138,18 +142,41 @@ fn is_table(bytes: &[u8]) -> bool {
 fn judged(args: &ProbeArgs, file: &Path, path: &Path, out: &mut Output) -> Result<Outcome, Failure> {
     let description = description(args, file)?;
     let node_id = args.settings.node_id().or_else(|| description.device().node_id());
-    let (exchanges, node_id) = answers(args, path, node_id, Some(description.device()))?;
+    let (exchanges, node_id) = answers(&args.input.size, path, node_id, Some(description.device()))?;
     let node_id = node_id.unwrap_or(NODE_ID);
     if exchanges.is_empty() {
         let failure = Failure::new(format_args!("`{}` has no SDO transfer of node {node_id}", name_of(path)));
         return Err(failure.help("name the node with `--node-id`"));
     }
-    let judgement = judge(description.device(), node_id, &exchanges);
+    report(args, file, &description, node_id, &exchanges, out)
+}
+
+/// Asks a device on a bus, and judges what it answers.
+#[cfg(feature = "bus")]
+fn asked(args: &ProbeArgs, file: &Path, out: &mut Output) -> Result<Outcome, Failure> {
+    let description = description(args, file)?;
+    let device = description.device();
+    let node_id = args.settings.node_id().or_else(|| device.node_id()).unwrap_or(NODE_ID);
+    let options = ProbeOptions { write: args.write, also: args.write_object.clone() };
+    let plan = ProbePlan::new(device, node_id, &options);
+    let exchanges = super::bus::ask(&args.bus, args.yes, node_id, device, &plan)?;
+    report(args, file, &description, node_id, &exchanges, out)
+}
+
+fn report(
+    args: &ProbeArgs,
+    file: &Path,
+    description: &Description,
+    node_id: u8,
+    exchanges: &[Exchange],
+    out: &mut Output,
+) -> Result<Outcome, Failure> {
+    let judgement = judge(description.device(), node_id, exchanges);
     let mut settings = CommandSettings::new(&args.settings)?;
     let project = settings.project_of(file)?;
     let findings = settings.options(file, project.as_deref()).severities.apply(judgement.findings.clone());
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
-    reporter.report_on(Subject::from(&description), findings, settings.deny(project.as_deref()))?;
+    reporter.report_on(Subject::from(description), findings, settings.deny(project.as_deref()))?;
     for project in settings.projects() {
         reporter.take_project(project, &settings)?;
     }
@@ -193,7 +220,7 @@ fn page<'a>(file: &'a str, judgement: &'a Judgement, node_id: u8) -> ProbePage<'
 fn learned(args: &ProbeArgs, path: &Path, out: &mut Output) -> Result<Outcome, Failure> {
     let output = args.output.as_deref().unwrap_or(Path::new("learned.eds"));
     keep(path);
-    let (exchanges, node_id) = answers(args, path, args.settings.node_id(), None)?;
+    let (exchanges, node_id) = answers(&args.input.size, path, args.settings.node_id(), None)?;
     let (date, time) = date_and_time(None)?;
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let device = learn(&exchanges, node_id, &name, date, time);

@@ -27,9 +27,9 @@ const ANSWERS: &str = "answers";
 
 /// Declares the documents: name, type, and a sentence. A new one begins with an empty file in `schemas`.
 macro_rules! documents {
-    ($($name:literal $Type:ty: $about:literal,)*) => {
+    ($($(#[$when:meta])* $name:literal $Type:ty: $about:literal,)*) => {
         const SCHEMAS: &[DocumentSchema] = &[
-            $(DocumentSchema {
+            $($(#[$when])* DocumentSchema {
                 name: $name,
                 about: $about,
             },)*
@@ -40,7 +40,7 @@ macro_rules! documents {
         /// The schemas of all documents by their names, made of the types that write them.
         #[cfg(feature = "schema")]
         pub fn schemas() -> Vec<(&'static str, serde_json::Value)> {
-            vec![$(($name, made::schema_of::<$Type>($name, $about)),)* (PATCH, objdict_format::patch::schema::patch()), (ANSWERS, objdict_traffic::probe::answers_schema())]
+            vec![$($(#[$when])* ($name, made::schema_of::<$Type>($name, $about)),)* (PATCH, objdict_format::patch::schema::patch()), (ANSWERS, objdict_traffic::probe::answers_schema())]
         }
     };
 }
@@ -66,6 +66,16 @@ documents! {
     "frame" objdict_traffic::FrameDocument<'_>: "A frame, on one line: `objdict decode --format json`.",
     "traffic" super::decode::SummaryDocument: "Sums over logs: `objdict decode --summary --format json`.",
     "verify" super::dcf::VerifyDocument<'_>: "What a node refuses: `objdict dcf verify --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-scan" super::bus::ScanDocument: "The nodes on a bus: `objdict bus scan --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-values" super::bus::ValuesDocument: "Values of a node: `objdict bus read --format json`, `objdict bus save --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-writes" super::bus::WritesDocument: "Downloads to a node: `objdict bus write --format json`, `objdict bus apply --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-comparison" super::bus::ComparisonDocument: "A network and its description: `objdict bus compare --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-lss" super::bus::LssDocument: "A device without a node-ID: `objdict bus lss scan --format json`.",
     "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",
     "profile" super::profile::ProfileDocument<'_>: "The objects of a profile: `objdict profile show --format json`.",
     "rules" super::rules::RulesJson: "The rules of `check`: `objdict rules --format json`.",

@@ -49,7 +49,6 @@ pub(super) fn save_in_place(path: &Path, contents: &[u8]) -> Result<Saved, Failu
 
 /// Leaves no temporary file when the command is interrupted, or reaches the limit of the system for the size of a file.
 fn end_well() {
-    static SIGNALS: Once = Once::new();
     #[cfg(unix)]
     {
         use nix::sys::signal::{SigSet, Signal};
@@ -57,7 +56,26 @@ fn end_well() {
         let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
     }
     SIGNALS.call_once(|| {
-        let _ = ctrlc::set_handler(|| pipeline::abandon(|| std::process::exit(130)));
+        let _ = ctrlc::set_handler(abandon);
+    });
+}
+
+/// Whether the handler of interrupts is set.
+static SIGNALS: Once = Once::new();
+
+fn abandon() {
+    pipeline::abandon(|| std::process::exit(130));
+}
+
+/// Sets a flag at the first interrupt, so that the command ends what it has begun; the second one ends it at once.
+#[cfg(feature = "bus")]
+pub(super) fn end_orderly(is_interrupted: &'static std::sync::atomic::AtomicBool) {
+    SIGNALS.call_once(|| {
+        let _ = ctrlc::set_handler(|| {
+            if is_interrupted.swap(true, std::sync::atomic::Ordering::Relaxed) {
+                abandon();
+            }
+        });
     });
 }
 

@@ -123,6 +123,30 @@ impl NetworkFile {
     }
 }
 
+impl NetworkFile {
+    /// The nodes of the network without its manager, as they are when they are switched on.
+    pub fn plant_nodes(&self) -> Vec<PlantNode> {
+        let Some(network) = self.network() else { return Vec::new() };
+        let node = |node: &Node| {
+            let mut plant = switched_on(network, node, node.node_id?.value);
+            let identity = (1..=4).filter_map(|sub| {
+                let number = answered(&plant.device, sub, plant.node_id)?;
+                Some(Assignment { index: 0x1018, sub, value: Value::Unsigned(number.into()) })
+            });
+            let identity: Vec<Assignment> = identity.collect();
+            plant.device.assign(&identity);
+            Some(plant)
+        };
+        network.slaves().filter_map(|(_, described)| node(described)).collect()
+    }
+
+    /// The bit rate of the network in kbit/s, else 125.
+    pub fn bit_rate(&self) -> u16 {
+        let stated = self.network().and_then(|network| network.bit_rate.as_ref());
+        stated.map(|rate| rate.value).filter(|rate| *rate != 0).unwrap_or(BIT_RATE)
+    }
+}
+
 impl BootFiles {
     fn of(self, build: &Build<'_>) -> Result<Vec<BuiltFile>, BuildError> {
         match self {

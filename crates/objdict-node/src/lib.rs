@@ -5,6 +5,7 @@ pub mod concise;
 pub mod configure;
 pub mod coupler;
 pub mod download;
+pub mod parameter;
 mod resolve;
 
 pub use resolve::{ObjectName, candidates, meant, resolve};

@@ -100,6 +100,11 @@ pub(crate) struct ConfigureArgs {
     /// Settings file (see `objdict help settings`); options override it
     #[arg(long, value_name = "FILE")]
     settings: Option<PathBuf>,
+    /// Log of the bus or table of `probe` with the present values of a device; settings and options override them
+    ///
+    /// Process data, commands and domains are left out.
+    #[arg(long, value_name = "FILE")]
+    pub answers: Option<PathBuf>,
     /// Numbers of the modules plugged into a coupler, in order: `1,1,3`
     #[arg(long, value_name = "NUMBERS", value_delimiter = ',')]
     pub modules: Vec<u16>,

@@ -173,7 +173,7 @@ pub(crate) struct ChannelFile {
     pub file: WithFile,
 }
 
-fn described(text: &str) -> Result<WithFile, String> {
+pub(super) fn described(text: &str) -> Result<WithFile, String> {
     let number = text.split_once('=').filter(|(number, _)| number.bytes().all(|byte| byte.is_ascii_digit()));
     match number {
         Some((number, path)) => Ok(WithFile { node_id: Some(node_id(number)?), path: path.into() }),

@@ -1,5 +1,7 @@
 //! The command line.
 
+#[cfg(feature = "bus")]
+mod bus;
 mod configure;
 mod convert;
 mod dcf;
@@ -22,6 +24,8 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
 
+#[cfg(feature = "bus")]
+pub(super) use self::bus::*;
 pub(super) use self::configure::{ConfigureArgs, ModulesArgs, VariantsArgs, VariantsFormat};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::indexes;
@@ -135,6 +139,13 @@ pub(super) enum Command {
     /// checks the responses: presence, size, type, access, values against defaults and limits, abort codes (docs/guides/probe.md). Exits with 1
     /// if there are errors (see --deny).
     Probe(Box<ProbeArgs>),
+    /// Work with the devices on a CAN bus
+    ///
+    /// Scans, reads, writes, saves, restores and compares. The bus is an adapter (SocketCAN, SLCAN), a log, or a simulated network, on
+    /// which you can try every command without hardware (docs/guides/bus.md). Exits with 1 if something differs or is rejected, and with 2
+    /// if the command could not do its work.
+    #[cfg(feature = "bus")]
+    Bus(Box<BusArgs>),
     /// Compare descriptions and show what breaks
     ///
     /// Compares objects, entries, PDOs and device data, regardless of order and spelling. Rates each change as breaking, risky or

@@ -76,7 +76,7 @@ pub(crate) enum NetworkCommand {
 }
 
 // How the file of a network is read.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct NetworkPathArgs {
     /// Variable to replace in paths, as `@NAME@`, `$NAME` or `${NAME}`; repeatable
@@ -90,7 +90,7 @@ pub(crate) struct NetworkPathArgs {
 }
 
 // How the descriptions that a network names are read.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct NetworkInputArgs {
     #[command(flatten)]
@@ -131,7 +131,7 @@ impl NetworkPathArgs {
 }
 
 // Where the files may be that a file names.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct AllowedPathArgs {
     /// Additional folder from which files named in the input may be read; repeatable
@@ -152,7 +152,7 @@ impl AllowedPathArgs {
     }
 }
 
-fn configuration_time(text: &str) -> Result<ConfigurationTime, &'static str> {
+pub(super) fn configuration_time(text: &str) -> Result<ConfigurationTime, &'static str> {
     let time = || {
         let (date, time) = text.split_once('T')?;
         let days = Date::from_iso(date)?.days_after_1984().filter(|days| *days > 0)?;

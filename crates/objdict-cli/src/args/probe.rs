@@ -12,7 +12,11 @@ pub(crate) struct ProbeArgs {
     #[arg(required_unless_present = "learn")]
     pub file: Option<PathBuf>,
     /// Folder for `probe.py`, `probe.log` and `probe.csv`; with --learn, the file of the new description
-    #[arg(short, long, value_name = "PATH", required_unless_present = "answers")]
+    #[cfg_attr(feature = "bus", arg(short, long, value_name = "PATH", required_unless_present_any = ["answers", "bus"]))]
+    #[cfg_attr(
+        not(feature = "bus"),
+        arg(short, long, value_name = "PATH", required_unless_present = "answers")
+    )]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
@@ -36,6 +40,14 @@ pub(crate) struct ProbeArgs {
     /// HTML file for all responses with their verdicts
     #[arg(long, value_name = "FILE", requires = "answers", conflicts_with = "learn")]
     pub html: Option<PathBuf>,
+    /// With --bus and --write: do not ask
+    #[cfg(feature = "bus")]
+    #[arg(short, long, requires_all = ["bus", "write"])]
+    pub yes: bool,
+    /// Ask the device on a bus, and judge what it answers
+    #[cfg(feature = "bus")]
+    #[command(flatten)]
+    pub bus: super::BusLinkArgs,
     #[command(flatten)]
     pub report: ReportArgs,
     #[command(flatten)]
@@ -44,4 +56,12 @@ pub(crate) struct ProbeArgs {
     pub settings: SettingsArgs,
     #[command(flatten)]
     pub baseline: BaselineArgs,
+}
+
+#[cfg(feature = "bus")]
+impl ProbeArgs {
+    /// Whether the device itself is asked.
+    pub(crate) fn is_on_bus(&self) -> bool {
+        self.bus.bus.is_some() && self.answers.is_none()
+    }
 }

@@ -15,7 +15,7 @@ use self::csv::{LongCsv, WideCsv};
 #[cfg(feature = "schema")]
 pub(super) use self::summary::TrafficSummaryJson as SummaryDocument;
 use self::text::{JsonLines, TextLines};
-use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
+use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, NetworkInputArgs, WithFile};
 use super::ending::{Failure, Outcome, note, tell};
 use super::input::{Input, name_of, source_name};
 use super::network;
@@ -37,13 +37,14 @@ type Logs = MergedLogs<Box<dyn BufRead>>;
 
 pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failure> {
     require_format(args)?;
-    let others = descriptions(args.with.iter(), args)?;
+    let input = args.input();
+    let others = descriptions(args.with.iter(), &input)?;
     let mut by_channel: Vec<(String, Descriptions)> = Vec::new();
     for channel in args.channel.iter().map(|given| &given.channel) {
         if by_channel.iter().all(|(known, _)| known != channel) {
             let files =
                 args.channel.iter().filter(|given| given.channel == *channel).map(|given| &given.file);
-            by_channel.push((channel.clone(), descriptions(files, args)?));
+            by_channel.push((channel.clone(), descriptions(files, &input)?));
         }
     }
     let mut buses = Buses::new(&by_channel, &others);
@@ -222,20 +223,20 @@ fn unreadable(error: &io::Error) -> Failure {
 }
 
 /// The nodes that files describe.
-fn descriptions<'a>(
+pub(super) fn descriptions<'a>(
     files: impl Iterator<Item = &'a WithFile>,
-    args: &DecodeArgs,
+    input: &NetworkInputArgs,
 ) -> Result<Descriptions, Failure> {
-    let (mut found, input) = (Descriptions::default(), args.input());
+    let mut found = Descriptions::default();
     for WithFile { node_id, path } in files {
         keep(path);
         let is_network = node_id.is_none() && NetworkFile::is_network(path).map_err(Failure::new)?;
         if is_network {
-            found.add_network(&network::open_to_use(std::slice::from_ref(path), &input)?);
+            found.add_network(&network::open_to_use(std::slice::from_ref(path), input)?);
             continue;
         }
-        let mut patches = args.patch.patches.clone();
-        patches.extend(args.settings.config_file().patches_of(path)?);
+        let mut patches = input.patch.patches.clone();
+        patches.extend(input.config.patches_of(path)?);
         let reading = Reading { patches, ..reading() };
         let device = match reading.open(path)? {
             (_, Input::Description(description)) => description.device().clone(),

@@ -116,6 +116,11 @@ impl ProbePlan {
         self.steps.is_empty()
     }
 
+    /// Whether values are written.
+    pub fn writes(&self) -> bool {
+        self.steps.iter().any(|step| step.attempt != Attempt::Read)
+    }
+
     /// Asks over the SDO client of the application, as the script does: what was accepted is read, and the value before is written back.
     /// `transfer` makes one transfer.
     pub fn run(&self, transfer: impl FnMut(u16, u8, &SdoRequest) -> SdoAnswer) -> Vec<Exchange> {

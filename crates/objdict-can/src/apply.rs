@@ -1,0 +1,138 @@
+//! Downloads to a node, with what undoes them.
+
+use std::collections::BTreeMap;
+
+use objdict_bus::Abort;
+use objdict_node::download::{ConciseDcf, Download};
+
+use crate::client::{BusClient, ClientError};
+
+/// Index and sub-index.
+type EntryAddress = (u16, u8);
+
+/// What became of a download.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum WriteResult {
+    /// The node has accepted it.
+    Written,
+    /// It has accepted it, and answers another value.
+    Differs(Vec<u8>),
+    /// It has refused it.
+    Refused(Abort),
+    /// It was not sent.
+    Unsent,
+}
+
+/// How downloads are made.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ApplyOptions {
+    /// Reads back the value of each entry after the last download.
+    pub verify: bool,
+    /// Goes on after the node has refused a download.
+    pub go_on: bool,
+    /// The number of downloads to leave out at the beginning.
+    pub skip: usize,
+}
+
+/// The downloads that undo others, and the entries whose values are lost, because they cannot be read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Undo {
+    /// The downloads.
+    pub downloads: ConciseDcf,
+    /// The entries that cannot be undone.
+    pub lost: Vec<EntryAddress>,
+}
+
+impl BusClient {
+    /// Reads the present values of the entries that downloads write. Entries that the node does not let read are left out.
+    ///
+    /// # Errors
+    /// When the node does not answer, another client interferes, the user interrupts or the adapter is lost.
+    pub fn present(
+        &mut self,
+        node_id: u8,
+        downloads: &[Download],
+    ) -> Result<BTreeMap<EntryAddress, Vec<u8>>, ClientError> {
+        let mut present = BTreeMap::new();
+        for Download { index, sub, .. } in downloads {
+            if present.contains_key(&(*index, *sub)) {
+                continue;
+            }
+            match self.upload(node_id, *index, *sub) {
+                Ok(bytes) => _ = present.insert((*index, *sub), bytes),
+                Err(ClientError::Refused { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(present)
+    }
+
+    /// Makes downloads in their order. The results are there after an error too: what follows it is unsent.
+    pub fn apply(
+        &mut self,
+        node_id: u8,
+        downloads: &[Download],
+        options: ApplyOptions,
+    ) -> (Vec<WriteResult>, Option<ClientError>) {
+        let mut results = vec![WriteResult::Unsent; downloads.len()];
+        for (result, Download { index, sub, data }) in results.iter_mut().zip(downloads).skip(options.skip) {
+            match self.download(node_id, *index, *sub, data) {
+                Ok(()) => *result = WriteResult::Written,
+                Err(ClientError::Refused { abort, .. }) => {
+                    *result = WriteResult::Refused(abort);
+                    if !options.go_on {
+                        return (results, None);
+                    }
+                }
+                Err(error) => return (results, Some(error)),
+            }
+        }
+        let error = if options.verify { self.verify(node_id, downloads, &mut results).err() } else { None };
+        (results, error)
+    }
+
+    /// Reads back the last value of each entry.
+    fn verify(
+        &mut self,
+        node_id: u8,
+        downloads: &[Download],
+        results: &mut [WriteResult],
+    ) -> Result<(), ClientError> {
+        for (at, download) in downloads.iter().enumerate() {
+            let is_last = !downloads[at + 1..].iter().any(|later| address(later) == address(download));
+            if !is_last || results[at] != WriteResult::Written {
+                continue;
+            }
+            match self.upload(node_id, download.index, download.sub) {
+                Ok(bytes) if bytes != download.data => results[at] = WriteResult::Differs(bytes),
+                // what cannot be read cannot be compared
+                Ok(_) | Err(ClientError::Refused { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+}
+
+const fn address(download: &Download) -> EntryAddress {
+    (download.index, download.sub)
+}
+
+/// What undoes downloads: the same in their order, the last one of each entry with its present value. So a PDO is disabled while it
+/// is changed, as in the downloads.
+pub fn undo(downloads: &[Download], present: &BTreeMap<EntryAddress, Vec<u8>>) -> Undo {
+    let mut undo = Undo::default();
+    for (at, download) in downloads.iter().enumerate() {
+        let is_last = !downloads[at + 1..].iter().any(|later| address(later) == address(download));
+        match present.get(&address(download)) {
+            None if is_last => undo.lost.push(address(download)),
+            None => {}
+            Some(_) if !is_last => undo.downloads.0.push(download.clone()),
+            Some(value) => {
+                undo.downloads.0.push(Download::new(download.index, download.sub, value.clone()));
+            }
+        }
+    }
+    undo
+}

@@ -1,0 +1,84 @@
+//! When a node must not be changed.
+
+use objdict_model::model::Device;
+
+use crate::client::{BusClient, ClientError};
+
+/// Why a node must not be configured now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Danger {
+    /// It is operational.
+    Operational,
+    /// Its drive is enabled; the index of the statusword and its value.
+    Enabled(u16, u16),
+    /// It has safety-relevant objects (SRDO, EN 50325-5), which are configured by the tool of their vendor. Nothing overrides this.
+    Safety,
+}
+
+objdict_model::messages! { Danger: {
+    Self::Operational => "it is operational";
+    Self::Enabled(index, word) => "its drive is enabled ({index:04X}h is {word:04X}h)";
+    Self::Safety => "it has SRDOs, so it is part of a safety function";
+} }
+
+impl BusClient {
+    /// Reads whether a node may be configured.
+    ///
+    /// # Errors
+    /// When the node does not answer, another client interferes or the adapter is lost.
+    pub fn dangers(&mut self, node_id: u8, device: &Device) -> Result<Vec<Danger>, ClientError> {
+        let mut dangers = Vec::new();
+        if self.states().get(&node_id) == Some(&Some(5)) {
+            dangers.push(Danger::Operational);
+        }
+        let is_stated = device.objects.keys().any(|index| matches!(index, 0x1301..=0x1340 | 0x13FE));
+        if is_stated || self.is_there(node_id, 0x13FE)?.is_some() {
+            dangers.push(Danger::Safety);
+        }
+        for axis in 0..8 {
+            let index = 0x6041 + 0x800 * axis;
+            // without a description the first axis is asked
+            if !device.objects.contains_key(&index) && (axis > 0 || !device.objects.is_empty()) {
+                continue;
+            }
+            let word = self.is_there(node_id, index)?.map(|word| word as u16);
+            // operation enabled, quick stop active: bit 2 without fault and without switch-on disabled
+            dangers.extend(word.filter(|word| word & 0x4C == 4).map(|word| Danger::Enabled(index, word)));
+        }
+        Ok(dangers)
+    }
+
+    fn is_there(&mut self, node_id: u8, index: u16) -> Result<Option<u64>, ClientError> {
+        match self.number(node_id, index, 0) {
+            Ok(number) => Ok(Some(number)),
+            Err(ClientError::Refused { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The entries of the identity (device type, vendor-ID, product code) that differ from what the description states: index,
+    /// sub-index, described and read value.
+    ///
+    /// # Errors
+    /// As [`dangers`](Self::dangers).
+    pub fn other_identity(
+        &mut self,
+        node_id: u8,
+        expected: [(u16, u8, Option<u32>); 3],
+    ) -> Result<Vec<(u16, u8, u32, Option<u32>)>, ClientError> {
+        let mut differences = Vec::new();
+        for (index, sub, expected) in expected {
+            let Some(expected) = expected.filter(|number| *number != 0) else { continue };
+            let found = match self.number(node_id, index, sub) {
+                Ok(number) => u32::try_from(number).ok(),
+                Err(ClientError::Refused { .. }) => None,
+                Err(error) => return Err(error),
+            };
+            if found != Some(expected) {
+                differences.push((index, sub, expected, found));
+            }
+        }
+        Ok(differences)
+    }
+}

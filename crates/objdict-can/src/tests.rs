@@ -1,0 +1,335 @@
+//! What a client does on a simulated bus, and what it says of faults.
+
+use std::path::Path;
+
+use objdict_bus::{Abort, BusFrame, Frame, LiveBus, PlantNode, PowerOn};
+use objdict_format::{self as format, Description};
+use objdict_model::model::Device;
+use objdict_model::source::SourceOptions;
+use objdict_node::download::{ConciseDcf, Download};
+use objdict_node::parameter::present_values;
+use objdict_traffic::log::LoggedFrame;
+
+use crate::sim::logged;
+use crate::{
+    ApplyOptions, BusClient, ClientError, Danger, NodeDifference, SimulatedBus, Transport, TransportError,
+    WantedNode, WriteResult, undo,
+};
+
+fn description(name: &str) -> Description {
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/eds");
+    format::open(&fixtures.join(name), &SourceOptions::default()).unwrap()
+}
+
+fn plant(name: &str, node_id: u8) -> PlantNode {
+    let device = description(name).device().clone();
+    PlantNode { name: name.to_owned(), node_id, device, power_on: PowerOn::Defaults, must_boot: None }
+}
+
+/// A drive as node 5 and an I/O module as node 6.
+fn simulated(new: &[u8]) -> SimulatedBus {
+    SimulatedBus::new(LiveBus::new(vec![plant("drive-402.eds", 5), plant("io-401.eds", 6)], 500, new))
+}
+
+fn client() -> BusClient {
+    BusClient::new(Box::new(simulated(&[])))
+}
+
+/// What goes wrong on a bus.
+#[derive(Clone, Copy, PartialEq)]
+enum Fault {
+    /// After so many frames no node is heard.
+    Vanishes(usize),
+    /// Answers come so many microseconds later.
+    Late(u64),
+    /// Another node sends without a pause.
+    Babbles,
+    /// Another client asks node 5.
+    OtherClient,
+    /// After so many frames the adapter is gone.
+    Unplugged(usize),
+    /// The controller leaves the bus.
+    BusOff,
+}
+
+struct Faulty {
+    bus: SimulatedBus,
+    fault: Fault,
+    received: usize,
+    late: Vec<(u64, LoggedFrame)>,
+}
+
+impl Faulty {
+    fn client(fault: Fault) -> BusClient {
+        BusClient::new(Box::new(Self { bus: simulated(&[]), fault, received: 0, late: Vec::new() }))
+    }
+}
+
+impl Transport for Faulty {
+    fn send(&mut self, frame: &BusFrame) -> Result<(), TransportError> {
+        self.bus.send(frame)
+    }
+
+    fn receive(&mut self, until: u64) -> Result<Option<LoggedFrame>, TransportError> {
+        let extra = |id: u16, data: &[u8]| Ok(Some(logged(&Frame::new(id, data).unwrap().into(), 0)));
+        match self.fault {
+            Fault::Unplugged(count) if self.received >= count => {
+                return Err(TransportError::Lost("no such device".to_owned()));
+            }
+            Fault::Babbles if self.bus.now() < until => {
+                let until = (self.bus.now() + 130).min(until);
+                return self.bus.receive(until).map(|frame| frame.or(extra(0x181, &[0]).unwrap()));
+            }
+            Fault::OtherClient => return extra(0x605, &[0x40, 0, 0x10, 0, 0, 0, 0, 0]),
+            Fault::BusOff => {
+                let mut frame = extra(0, &[0; 8]).unwrap().unwrap();
+                (frame.is_error, frame.can_id) = (true, 0x40);
+                return Ok(Some(frame));
+            }
+            _ => {}
+        }
+        if let Some(at) = self.late.iter().position(|(due, _)| *due <= self.bus.now()) {
+            return Ok(Some(self.late.remove(at).1));
+        }
+        let frame = self.bus.receive(until)?;
+        // heartbeats are not answers
+        self.received += usize::from(frame.as_ref().is_some_and(|frame| frame.can_id == 0x585));
+        match (self.fault, frame) {
+            (Fault::Vanishes(count), Some(_)) if self.received > count => Ok(None),
+            (Fault::Late(by), Some(frame)) => {
+                self.late.push((self.bus.now() + by, frame));
+                Ok(None)
+            }
+            (_, frame) => Ok(frame),
+        }
+    }
+
+    fn now(&self) -> u64 {
+        self.bus.now()
+    }
+}
+
+#[test]
+fn entries_are_read_and_written_in_every_length() {
+    let mut client = client();
+    assert_eq!(client.number(5, 0x1018, 1).unwrap(), 0x3F9);
+    assert_eq!(client.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
+    client.download(5, 0x1017, 0, &[250, 0]).unwrap();
+    assert_eq!(client.number(5, 0x1017, 0).unwrap(), 250);
+    let refused = client.download(5, 0x1018, 1, &[0; 4]).unwrap_err();
+    assert_eq!(refused.abort(), Some(Abort::ReadOnly));
+    assert_eq!(client.download(5, 0x1017, 0, &[0; 200]).unwrap_err().abort(), Some(Abort::TooLong));
+}
+
+#[test]
+fn each_fault_ends_with_its_error() {
+    let read = |fault| Faulty::client(fault).upload(5, 0x1008, 0).unwrap_err();
+    let is_silent = |error: ClientError| matches!(error, ClientError::Silent { node_id: 5, .. });
+    assert!(is_silent(read(Fault::Vanishes(0))));
+    assert!(is_silent(read(Fault::Vanishes(1))), "in the middle of a transfer");
+    assert!(is_silent(read(Fault::Late(700_000))));
+    assert!(matches!(read(Fault::OtherClient), ClientError::OtherClient(5)));
+    assert!(matches!(read(Fault::Unplugged(1)), ClientError::Transport(TransportError::Lost(_))));
+    assert!(matches!(read(Fault::BusOff), ClientError::BusOff));
+    let stopped = client().with_stop(|| true).upload(5, 0x1008, 0).unwrap_err();
+    assert!(matches!(stopped, ClientError::Interrupted));
+    // a node that babbles takes no answer away, and holds up no time-out
+    assert_eq!(Faulty::client(Fault::Babbles).upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
+    let mut babbling = Faulty::client(Fault::Babbles);
+    assert!(matches!(babbling.upload(9, 0x1000, 0), Err(ClientError::Silent { node_id: 9, .. })));
+    assert!(babbling.now() < 700_000, "{}", babbling.now());
+    let mut shared = Faulty::client(Fault::Late(100_000)).shared(true);
+    assert_eq!(shared.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
+}
+
+#[test]
+fn an_interrupted_transfer_is_aborted() {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+    let frames: Rc<RefCell<Vec<String>>> = Rc::default();
+    let seen = Rc::clone(&frames);
+    let mut client = Faulty::client(Fault::OtherClient)
+        .with_observer(Box::new(move |frame| seen.borrow_mut().push(frame.to_string())));
+    assert!(client.upload(5, 0x1008, 0).is_err());
+    assert_eq!(frames.borrow().last().unwrap(), "605#8008100000000008", "general error");
+}
+
+#[test]
+fn nodes_are_found_with_their_identity() {
+    let mut client = client();
+    client.listen(1000).unwrap();
+    let found = client.scan(1..=127, 100).unwrap();
+    let nodes: Vec<_> = found.iter().map(|node| (node.node_id, node.state, node.identity[1])).collect();
+    assert_eq!(nodes, [(5, Some(0x7F), Some(0x402)), (6, None, Some(0x10))]);
+    assert!(client.require_alone(&[5]).is_err() && client.require_alone(&[5, 6]).is_ok());
+}
+
+/// What is saved from a node and applied to another one gives the same values; undoing it restores the values before.
+#[test]
+fn a_node_is_saved_applied_and_undone() {
+    let drive = description("drive-402.eds");
+    let mut source = client();
+    for (index, sub, data) in [(0x1017, 0, &[200, 0][..]), (0x2003, 1, &[44, 1]), (0x1800, 5, &[30, 0])] {
+        source.download(5, index, sub, data).unwrap();
+    }
+    let saved = source.save(5, drive.device()).unwrap();
+    let left_out: Vec<u16> = saved.left_out.iter().map(|((index, _), _)| *index).collect();
+    assert!([0x6040, 0x6060, 0x607A, 0x60FF, 0x1010, 0x1011].iter().all(|index| left_out.contains(index)));
+    let (assignments, _) = present_values(drive.device(), 5, saved.values.clone());
+    // 2033h has no described value
+    let indexes: Vec<u16> = assignments.iter().map(|at| at.index).collect();
+    assert_eq!(indexes, [0x1017, 0x1800, 0x2003, 0x2033]);
+    let mut device: Device = drive.device().clone();
+    device.assign(&assignments);
+    let plan = ConciseDcf::plan(
+        &device,
+        &objdict_node::download::PlanOptions { node_id: Some(5), ..Default::default() },
+    );
+    let downloads = plan.unwrap().without_files().0;
+
+    let mut target = client();
+    let before = target.save(5, drive.device()).unwrap();
+    let present = target.present(5, &downloads).unwrap();
+    let options = ApplyOptions { verify: true, ..ApplyOptions::default() };
+    let (results, error) = target.apply(5, &downloads, options);
+    assert!(error.is_none() && results.iter().all(|result| *result == WriteResult::Written), "{results:?}");
+    assert_eq!(target.save(5, drive.device()).unwrap().values, saved.values);
+    let undo = undo(&downloads, &present);
+    assert_eq!(undo.lost, []);
+    assert!(target.apply(5, &undo.downloads.0, options).1.is_none());
+    assert_eq!(target.save(5, drive.device()).unwrap(), before);
+}
+
+/// Whichever download fails, the results say what was written.
+#[test]
+fn each_refusal_and_each_loss_is_known() {
+    let good = || Download::new(0x1017, 0, [200, 0]);
+    for at in 0..4 {
+        let mut downloads: Vec<Download> = (0..4).map(|_| good()).collect();
+        downloads[at] = Download::new(0x1018, 1, [0; 4]);
+        let (results, error) = client().apply(5, &downloads, ApplyOptions::default());
+        assert!(error.is_none());
+        assert!(results[..at].iter().all(|result| *result == WriteResult::Written));
+        assert_eq!(results[at], WriteResult::Refused(Abort::ReadOnly));
+        assert!(results[at + 1..].iter().all(|result| *result == WriteResult::Unsent));
+        let (all, _) = client().apply(5, &downloads, ApplyOptions { go_on: true, ..ApplyOptions::default() });
+        assert_eq!(all.iter().filter(|result| **result == WriteResult::Written).count(), 3);
+        let lost = Faulty::client(Fault::Unplugged(at)).apply(
+            5,
+            &[good(), good(), good(), good()],
+            ApplyOptions::default(),
+        );
+        assert!(matches!(lost.1, Some(ClientError::Transport(_))));
+        assert_eq!(lost.0.iter().filter(|result| **result == WriteResult::Written).count(), at);
+    }
+}
+
+#[test]
+fn dangers_are_seen() {
+    let drive = description("drive-402.eds");
+    let mut client = client();
+    assert_eq!(client.dangers(5, drive.device()).unwrap(), []);
+    client.command(1, 5).unwrap();
+    assert!(client.wait_for(5, 5, 2000).unwrap());
+    assert_eq!(client.dangers(5, drive.device()).unwrap(), [Danger::Operational]);
+}
+
+#[test]
+fn a_network_is_compared() {
+    let wanted = |node_id, product, values| WantedNode {
+        node_id,
+        identity: [0, 0x3F9, product, 0, 0],
+        values,
+        state: Some(0x7F),
+    };
+    let heartbeat = |time: u8| vec![Download::new(0x1017, 0, [0; 2]), Download::new(0x1017, 0, [time, 1])];
+    let mut client = client();
+    client.listen(1000).unwrap();
+    let found = client.scan(1..=127, 100).unwrap();
+    let nodes = [wanted(5, 0x402, heartbeat(0xF4)), wanted(7, 1, Vec::new())];
+    let expected = [(6, NodeDifference::Extra), (7, NodeDifference::Missing)];
+    assert_eq!(client.compare(&nodes, &found).unwrap(), expected);
+    let nodes = [wanted(5, 0x403, heartbeat(0)), wanted(6, 0x10, vec![Download::new(0x5FFF, 0, [0])])];
+    let expected = [
+        (5, NodeDifference::Identity(0x1018, 2, 0x403, Some(0x402))),
+        (5, NodeDifference::Value(0x1017, 0, vec![0, 1], vec![0xF4, 1])),
+        (6, NodeDifference::Unreadable(0x5FFF, 0, Abort::NoObject)),
+        (6, NodeDifference::State(0x7F, None)),
+    ];
+    assert_eq!(client.compare(&nodes, &found).unwrap(), expected);
+}
+
+#[test]
+fn a_new_device_is_found_and_gets_its_node_id() {
+    let mut client = BusClient::new(Box::new(simulated(&[5])));
+    assert!(client.upload(5, 0x1000, 0).is_err());
+    let identity = client.fastscan().unwrap().unwrap();
+    assert_eq!(identity, [0x3F9, 0x402, 0x10001, 0]);
+    assert_eq!(client.lss_configure(5, Some(250)).unwrap(), Ok(()));
+    client.lss_waiting().unwrap();
+    assert_eq!(client.number(5, 0x1018, 2).unwrap(), 0x402);
+    assert_eq!(client.fastscan().unwrap(), None, "it has a node-ID now");
+    assert!(client.lss_select(identity).unwrap());
+    assert!(!client.lss_select([1, 2, 3, 4]).unwrap());
+}
+
+/// A serial adapter whose other end is a pseudo-terminal with simulated nodes behind it.
+#[cfg(unix)]
+#[test]
+fn a_serial_adapter_works_until_it_is_unplugged() {
+    use std::io::{Read, Write};
+    use std::time::Duration;
+
+    use serialport::{SerialPort, TTYPort};
+
+    use crate::SlcanAdapter;
+
+    let (mut adapter, mut port) = TTYPort::pair().unwrap();
+    adapter.set_timeout(Duration::from_millis(20)).unwrap();
+    port.set_timeout(Duration::from_millis(10)).unwrap();
+    let behind = std::thread::spawn(move || {
+        let mut bus = simulated(&[]);
+        let (mut line, mut commands, mut byte) = (Vec::new(), Vec::new(), [0]);
+        while commands.last().is_none_or(|last| last != "q") {
+            match adapter.read(&mut byte) {
+                Ok(1) if byte[0] != b'\r' => line.push(byte[0]),
+                Ok(1) => {
+                    let text = String::from_utf8(std::mem::take(&mut line)).unwrap();
+                    let mut answer = "\r".to_owned();
+                    if let Some(frame) = text.strip_prefix('t') {
+                        let data: Vec<u8> = (0..frame.len() / 2 - 2)
+                            .map(|at| u8::from_str_radix(&frame[4 + 2 * at..6 + 2 * at], 16).unwrap())
+                            .collect();
+                        let id = u16::from_str_radix(&frame[..3], 16).unwrap();
+                        bus.send(&Frame::new(id, &data).unwrap().into()).unwrap();
+                        answer = "z\r".to_owned();
+                        let until = bus.now() + 4000;
+                        while let Some(frame) = bus.receive(until).unwrap() {
+                            let digits: String = frame.data().iter().map(|byte| format!("{byte:02X}")).collect();
+                            answer += &format!("t{:03X}{}{digits}\r", frame.can_id, frame.data().len());
+                        }
+                    } else {
+                        commands.push(text);
+                    }
+                    if commands.last().is_none_or(|last| last != "q") {
+                        adapter.write_all(answer.as_bytes()).unwrap();
+                    }
+                }
+                _ => {}
+            }
+        }
+        // dropping the other end is pulling the plug
+        commands
+    });
+    let mut client = BusClient::new(Box::new(SlcanAdapter::new(port, 500).unwrap()));
+    assert_eq!(client.bit_rate(), Some(500));
+    assert_eq!(client.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
+    client.download(5, 0x1017, 0, &[100, 0]).unwrap();
+    assert_eq!(client.number(5, 0x1017, 0).unwrap(), 100);
+    assert_eq!(client.upload(5, 0x5FFF, 0).unwrap_err().abort(), Some(Abort::NoObject));
+    let found: Vec<u8> = client.scan(1..=8, 200).unwrap().iter().map(|node| node.node_id).collect();
+    assert_eq!(found, [5, 6]);
+    client.send(&BusFrame::remote(0x705).unwrap()).unwrap();
+    // what is no frame is a command of the test
+    let _ = behind;
+}

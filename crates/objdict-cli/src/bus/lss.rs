@@ -1,0 +1,137 @@
+//! `objdict bus lss`.
+
+use std::io::Write;
+
+use objdict_can::LssIdentity;
+use objdict_model::json::Version;
+use serde::Serialize;
+
+use super::question::agrees;
+use super::session::BusSession;
+use crate::args::{BusLssAssignArgs, BusLssCommand, BusLssScanArgs, ShowFormat};
+use crate::ending::{Failure, Outcome, note};
+use crate::stdout::Output;
+
+/// How long a device may take for its boot-up message with a new node-ID, in milliseconds.
+const BOOT_UP: u64 = 3000;
+
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct LssJson {
+    /// The version of the document.
+    version: Version<1>,
+    /// Vendor-ID, product code, revision number and serial number of a device without a node-ID; absent if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    identity: Option<LssIdentity>,
+}
+
+pub(super) fn run(command: &BusLssCommand, out: &mut Output) -> Result<Outcome, Failure> {
+    match command {
+        BusLssCommand::Scan(args) => scan(args, out),
+        BusLssCommand::Assign(args) => assign(args, out),
+    }
+}
+
+fn scan(args: &BusLssScanArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let mut session = BusSession::open(&args.connect)?;
+    session.listen(None, "looks for a device without a node-ID (LSS fastscan)")?;
+    session.require_alone(args.alone, &[])?;
+    let identity = in_lss(&mut session, |session| Ok(session.client.fastscan()?))?;
+    match (args.format, identity) {
+        (ShowFormat::Json, identity) => out.json(&LssJson { version: Version, identity })?,
+        (ShowFormat::Table, Some(identity)) => writeln!(out, "{}", spelled(identity))?,
+        (ShowFormat::Table, None) => writeln!(out, "no device without a node-ID answers")?,
+    }
+    Ok(Outcome::Clean)
+}
+
+fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let mut session = BusSession::open(&args.connect)?;
+    session.listen(None, &format!("assigns node-ID {} by LSS", args.node))?;
+    session.require_alone(args.alone, &[])?;
+    if session.client.states().contains_key(&args.node) {
+        return Err(Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign another one"));
+    }
+    let identity = in_lss(&mut session, |session| {
+        let identity = selected(session, args.identity)?;
+        writeln!(out, "{}", spelled(identity))?;
+        out.finish()?;
+        if !agrees(&args.change, &format!("assign node-ID {} to this device?", args.node))? {
+            return Ok(None);
+        }
+        if let Some(rate) = args.bit_rate {
+            rescue(session, rate);
+        }
+        configure(session, args.node, args.bit_rate)?;
+        Ok(Some(identity))
+    })?;
+    if identity.is_some() {
+        await_boot_up(&mut session, args.node)?;
+        out.summary(format_args!("node-ID {} is assigned and stored", args.node))?;
+    }
+    Ok(Outcome::Clean)
+}
+
+/// Does something with LSS, and leaves the configuration state in any case.
+pub(super) fn in_lss<T>(
+    session: &mut BusSession,
+    act: impl FnOnce(&mut BusSession) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let result = act(session);
+    let waiting = session.client.lss_waiting();
+    let result = result?;
+    waiting?;
+    Ok(result)
+}
+
+/// Selects the device with an identity, or the one without a node-ID.
+pub(super) fn selected(
+    session: &mut BusSession,
+    identity: Option<LssIdentity>,
+) -> Result<LssIdentity, Failure> {
+    match identity {
+        Some(identity) if session.client.lss_select(identity)? => Ok(identity),
+        Some(identity) => {
+            let failure =
+                Failure::new(format_args!("no device with the identity {} answers", spelled(identity)));
+            Err(failure.help("read 1018h of the device, or leave out `--identity`"))
+        }
+        None => session.client.fastscan()?.ok_or_else(|| {
+            let failure = Failure::new("no device without a node-ID answers");
+            failure.help("switch it on alone; a device that has a node-ID needs `--identity`")
+        }),
+    }
+}
+
+/// Gives the selected device a node-ID.
+pub(super) fn configure(session: &mut BusSession, node_id: u8, bit_rate: Option<u16>) -> Result<(), Failure> {
+    let result = session.client.lss_configure(node_id, bit_rate)?;
+    result.map_err(|place| Failure::new(place).help("the device keeps what it had; see its manual for LSS"))
+}
+
+pub(super) fn await_boot_up(session: &mut BusSession, node_id: u8) -> Result<(), Failure> {
+    // its boot-up message may have come with the answers before
+    let has_booted = session.client.states().get(&node_id) == Some(&Some(0x7F));
+    if !has_booted && !session.client.wait_for(node_id, 0x7F, BOOT_UP)? {
+        note(&format!(
+            "note: node {node_id} sends no boot-up message; a device that had a node-ID needs a reset\n"
+        ));
+    }
+    Ok(())
+}
+
+/// What to do if the device is not found any more.
+fn rescue(session: &BusSession, rate: u16) {
+    let now = session
+        .client
+        .bit_rate()
+        .map_or_else(|| "the present rate".to_owned(), |rate| format!("{rate} kbit/s"));
+    note(&format!(
+        "note: until its next power-on the device works at {now}, then at {rate} kbit/s; if it is lost, connect it alone, set the adapter to {rate} kbit/s, and assign the bit rate again\n"
+    ));
+}
+
+/// `0x3F9:0x402:0x10001:7`, as `--identity` takes it.
+pub(super) fn spelled(identity: LssIdentity) -> String {
+    identity.map(|number| format!("0x{number:X}")).join(":")
+}

@@ -1,0 +1,27 @@
+//! `objdict bus restore`.
+
+use super::question::agrees;
+use super::session::BusSession;
+use crate::args::BusRestoreArgs;
+use crate::ending::{Failure, Outcome, note};
+use crate::stdout::Output;
+
+pub(super) fn run(args: &BusRestoreArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let mut session = BusSession::open(&args.connect)?;
+    let device = session.described(args.node).map(|node| node.device.clone()).unwrap_or_default();
+    session.listen(
+        Some(args.node),
+        &format!("writes \"load\" to 1011h sub-index {} of node {}", args.sub, args.node),
+    )?;
+    session.require_safe(args.node, &device, true, &args.change)?;
+    if !agrees(&args.change, &format!("restore the defaults of node {}?", args.node))? {
+        return Ok(Outcome::Clean);
+    }
+    session.client.download(args.node, 0x1011, args.sub, b"load")?;
+    out.summary(format_args!("node {}: the defaults are valid after its next reset", args.node))?;
+    note(&format!(
+        "note: switch it off and on, or reset it: `objdict bus nmt reset {}`; its node-ID and bit rate may change too\n",
+        args.node
+    ));
+    Ok(Outcome::Clean)
+}
