@@ -194,6 +194,9 @@
 pub use objdict_build::build_script;
 #[cfg(feature = "full")]
 pub use objdict_bus as bus;
+#[cfg(feature = "can")]
+#[doc(hidden)] // for the command and the module of Python
+pub use objdict_can as can;
 #[cfg(feature = "cli")]
 #[doc(hidden)] // for the command alone
 pub use objdict_cli as cli;
@@ -209,6 +212,9 @@ pub use objdict_model::{Language, model, source};
 pub use objdict_network as network;
 #[cfg(feature = "toml")]
 pub use objdict_node::{configure, coupler, download};
+#[cfg(feature = "can")]
+#[doc(hidden)] // for the module of Python
+pub use objdict_node::parameter;
 pub use objdict_profile as profile;
 #[cfg(feature = "toml")]
 pub use objdict_project::baseline;

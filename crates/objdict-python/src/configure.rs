@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use objdict::configure::{Setting, SettingProblem, SettingsFile, configuration, rebase};
+use objdict::configure::{Configuration, Setting, SettingProblem, SettingsFile, configuration, rebase};
 use objdict::format::{self, Description, Format, NodeSettings, Syntax, WriteOptions};
-use objdict::model::{Commissioning, Device, DeviceKind, NoAddress};
+use objdict::model::{Assignment, Commissioning, Device, DeviceKind, NoAddress};
 use objdict::source::{MAX_TOML_SIZE, SourceFile, SourceOptions, read_text};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -90,7 +90,18 @@ fn node(shared: &SharedDescription, file: &SettingsFile, wanted: &Wanted) -> PyR
     })
 }
 
-/// The description with the values.
+/// The description with the values that a node has now.
+pub(crate) fn with_present(
+    shared: &SharedDescription,
+    node_id: u8,
+    assignments: &[Assignment],
+) -> PyResult<SharedDescription> {
+    let node =
+        node(shared, &SettingsFile::default(), &Wanted { node_id: Some(node_id), ..Wanted::default() })?;
+    assigned(shared, &node, &Configuration { values: assignments.to_vec(), ..Configuration::default() })
+}
+
+/// The description with the values of settings.
 fn configured(
     shared: &SharedDescription,
     node: &Commissioning,
@@ -111,6 +122,16 @@ fn configured(
         };
         PyValueError::new_err(problems.iter().map(line).collect::<Vec<_>>().join("\n"))
     })?;
+    let values = [followers, found.values].concat();
+    assigned(shared, node, &Configuration { values, downloads: found.downloads })
+}
+
+/// The description with these values.
+fn assigned(
+    shared: &SharedDescription,
+    node: &Commissioning,
+    configuration: &Configuration,
+) -> PyResult<SharedDescription> {
     let of_model;
     let description = match &shared.described {
         Described::Text(description) => description,
@@ -127,14 +148,14 @@ fn configured(
     };
     let name = Path::new(description.source().name()).with_extension(ending);
     let name = name.to_string_lossy().into_owned();
-    let assignments = [followers, found.values].concat();
-    let parts = NodeSettings { node, plugged: None, assignments: &assignments, downloads: &found.downloads };
+    let Configuration { values: assignments, downloads } = configuration;
+    let parts = NodeSettings { node, plugged: None, assignments, downloads };
     let bytes = description.configured(&name, &parts).map_err(raised)?.bytes;
     let source = SourceFile::from_bytes(&*name, bytes, &SourceOptions::default()).map_err(raised)?;
     Ok(SharedDescription {
         described: Described::Text(Box::new(format::read(source, written))),
         path: shared.path.clone(),
-        node_id: Some(node_id),
+        node_id: node.node_id,
         revision: shared.revision.wrapping_add(1),
         project: shared.project.clone(),
         meanings: OnceLock::new(),

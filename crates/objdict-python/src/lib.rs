@@ -6,6 +6,7 @@
 //! meanings of values are computed at first use, so opening a file costs only reading it. The stable interface
 //! (abi3) needs neither headers nor an interpreter to build.
 
+mod bus;
 mod configure;
 mod dictionary;
 mod entry;
@@ -27,6 +28,13 @@ pyo3::create_exception!(
     ObjdictError,
     pyo3::exceptions::PyException,
     "What cannot be read, written or made, with the report as its text."
+);
+
+pyo3::create_exception!(
+    canopen_objdict,
+    BusError,
+    ObjdictError,
+    "What a bus or a node refuses. `abort` is the abort code of SDO, or `None`."
 );
 
 /// A failure of objdict as an exception.
@@ -53,7 +61,8 @@ fn unreadable(error: SourceError) -> PyErr {
 mod _native {
     #[pymodule_export]
     use super::{
-        ObjdictError,
+        BusError, ObjdictError,
+        bus::NativeBus,
         configure::configure,
         dictionary::{NativeDictionary, NativeObject, open, read},
         entry::PythonEntry,

@@ -6,14 +6,17 @@
 """
 
 from . import concise
+from ._bus import Bus, FoundNode, Written
 from ._device import Change, Device, Object, load
 from ._findings import Edit, Finding, Fix, Related, check
-from ._native import Entry, Formula, ObjdictError, __version__
+from ._native import BusError, Entry, Formula, ObjdictError, __version__
 from ._network import Network, Node
 from ._pdo import Mapped, Pdo
 from ._traffic import Frame, Signal, decode
 
 __all__ = [
+    "Bus",
+    "BusError",
     "Change",
     "Device",
     "Edit",
@@ -21,6 +24,7 @@ __all__ = [
     "Finding",
     "Fix",
     "Formula",
+    "FoundNode",
     "Frame",
     "Mapped",
     "Network",
@@ -30,6 +34,7 @@ __all__ = [
     "Pdo",
     "Related",
     "Signal",
+    "Written",
     "__version__",
     "check",
     "concise",

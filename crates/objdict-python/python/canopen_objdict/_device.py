@@ -310,6 +310,10 @@ class Device(Mapping[int, Object]):
         # the same for as long as the device lives, also when values are set
         return hash((self.profile, len(self)))
 
+    def copy(self) -> Device:
+        """A device of its own, with the same values."""
+        return _copy(*self.__reduce__()[1])
+
     def __reduce__(self) -> tuple[Any, ...]:
         content, number, variant = self._native.copied()
         path = None if self.path is None else os.fspath(self.path)
