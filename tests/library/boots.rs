@@ -1,6 +1,6 @@
 //! A network without an error boots, and what a boot refuses is an error.
 //!
-//! Exceptions, which docs/guides/network.md states: a network without a manager is a part of one, and `network boot` ends a run
+//! Exceptions, which docs/guides/network-boot.md states: a network without a manager is a part of one, and `network boot` ends a run
 //! at its time limit.
 
 use std::collections::BTreeSet;

@@ -131,7 +131,7 @@ fn the_reference_has_every_key() {
             _ => {}
         }
     }
-    let page = include_str!("../../docs/guides/network.md");
+    let page = include_str!("../../docs/reference/network.md");
     let mut found = Vec::new();
     keys(&objdict::format::network::schema::network_toml(), &mut found);
     assert!(found.len() > 50, "{found:?}");
@@ -146,7 +146,7 @@ fn the_reference_has_every_key() {
         ];
         assert!(
             spellings.iter().any(|spelling| page.contains(spelling)),
-            "`{key}` is not in docs/guides/network.md"
+            "`{key}` is not in docs/reference/network.md"
         );
     }
 }
