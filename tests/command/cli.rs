@@ -92,6 +92,7 @@ fn markdown_pages() -> Vec<PathBuf> {
         "docs/reference/commands",
         "docs/explanation",
         "docs/targets",
+        "tests/cli/pages",
     ];
     let files = folders.into_iter().flat_map(|folder| fs::read_dir(folder).unwrap());
     let docs = files.map(|entry| entry.unwrap().path());
