@@ -149,7 +149,8 @@ fn meaning(argument: &Arg) -> String {
     }
     let defaults = argument.get_default_values().iter().map(|value| format!("`{}`", value.to_string_lossy()));
     let defaults: Vec<String> = defaults.collect();
-    if !defaults.is_empty() && argument.get_action().takes_values() {
+    let is_told = text.contains("[default") || argument.is_hide_default_value_set();
+    if !defaults.is_empty() && argument.get_action().takes_values() && !is_told {
         let _ = write!(text, " Default: {}.", defaults.join(", "));
     }
     text

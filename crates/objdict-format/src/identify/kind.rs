@@ -81,7 +81,7 @@ content_kinds! {
     NodeList "node list" KindRole::Read(FileKind::Cpj), "is a node list (CiA 306-3) and describes no device", Some("`objdict network check` checks it; its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).
     ConciseDcf "concise DCF" KindRole::Read(FileKind::Cdcf), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
-    /// Concise DCF as a text of one download a line (docs/guides/dcf.md).
+    /// Concise DCF as a text of one download a line (docs/guides/concise-dcf.md).
     ConciseText "concise DCF as text" KindRole::Read(FileKind::CdcfText), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
     /// A device in the JSON of this crate.
     JsonDevice "device as JSON" KindRole::Read(FileKind::Json), "is a device as JSON", Some("convert it to an EDS or DCF");

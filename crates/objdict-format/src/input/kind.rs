@@ -100,9 +100,9 @@ file_kinds! {
     /// Concise DCF (CiA 302-3)
     Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
         "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
-    /// Concise DCF as text with one download per line (docs/guides/dcf.md)
+    /// Concise DCF as text with one download per line (docs/guides/concise-dcf.md)
     CdcfText "cdcf.txt" ["cdcf.txt"], "concise DCF as text" Some("toml"), None, Some("yes"),
-        "concise DCF as a text with one download per line ([dcf.md](../guides/dcf.md))";
+        "concise DCF as a text with one download per line ([concise-dcf.md](../guides/concise-dcf.md))";
     /// Node list (CiA 306-3)
     Cpj "cpj" ["cpj"], "node list" Some("full"), None, None,
         "node list of a network (CiA 306-3)";
