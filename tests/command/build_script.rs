@@ -187,7 +187,7 @@ fn an_error_can_be_made_milder_or_passed_over() {
         assert_eq!(names(&built.unwrap()), ["od.rs"]);
         let warnings = told(&cargo, "warning");
         assert!(
-            warnings.iter().any(|line| line.contains(":139:14: ") && line.contains("does not fit")),
+            warnings.iter().any(|line| line.contains(":139:14: ") && line.contains("is out of range")),
             "{cargo}"
         );
     }
@@ -197,7 +197,7 @@ fn an_error_can_be_made_milder_or_passed_over() {
     let error = run(builder().severity("cia306/invalid-valu", Level::Off)).0.unwrap_err();
     assert_eq!(
         format!("{error:?}"),
-        "there is no rule or group `cia306/invalid-valu`\n  help: did you mean `cia306/invalid-value`?"
+        "unknown rule or group `cia306/invalid-valu`\n  help: did you mean `cia306/invalid-value`?"
     );
 }
 
@@ -321,13 +321,13 @@ fn failures_say_what_to_do() {
             shown(Builder::new(fixture("foreign/ethernet-ip.eds"))),
             "for EtherNet/IP, not for CANopen\n  help: ",
         ),
-        (shown(minimal().node_id(0)), "target `rust`: `0` is not a node-ID from 1 to 127"),
+        (shown(minimal().node_id(0)), "target `rust`: `0` is not a valid node-ID (1 to 127)"),
         (shown(minimal().prefix("a b").target(Target::C)), "target `c`: `a b` is not an identifier"),
         (shown(minimal().rename(&names)), "names.toml:2: `speed` is not an object"),
         (shown(minimal().rename("none.toml")), "cannot read `none.toml`: "),
         (
             shown(minimal().max_ram(8)),
-            "target `rust`: the tables take 24 bytes of RAM, the limit is 8\n  help: ",
+            "target `rust`: the tables use 24 bytes of RAM, more than the limit of 8\n  help: ",
         ),
         (shown(minimal().max_flash(8)), "bytes of flash, the limit is 8"),
         (shown(minimal().group(0x2000..=0x2001, "a b")), "`a b` is not"),
@@ -372,7 +372,8 @@ fn files_of_others_stay() {
     let error = run(builder()).0.unwrap_err();
     assert!(matches!(error, Error::Output(OutputError::Foreign { .. })), "{error:?}");
     assert!(
-        format!("{error:?}").ends_with("\n  help: name another folder, or replace the file with `overwrite`")
+        format!("{error:?}")
+            .ends_with("\n  help: choose a different folder, or replace the file with `overwrite`")
     );
     assert_eq!(fs::read(&path).unwrap(), b"by hand");
     assert!(!out.path().join("od.rs").exists(), "nothing is written");
@@ -417,7 +418,7 @@ fn notes_and_warnings_are_accepted() {
     assert_eq!(all.len(), left.len() + 1, "{left:#?}");
     let left = told_of(&["canopennode: ", "cia306/no-such-rule"]);
     let last = format!(
-        "{}: `accept` finds no `cia306/no-such-rule`: remove it",
+        "{}: `accept` matches no `cia306/no-such-rule`: remove it",
         fixture("eds/drive-402.eds").display()
     );
     assert_eq!(left, [last]);

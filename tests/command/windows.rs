@@ -203,7 +203,7 @@ fn no_other_name_of_an_input_is_an_output() {
     fs::hard_link(&path, folder.join("link.eds")).unwrap();
     for output in ["drive.EDS", r".\Drive.eds", &verbatim, r"x\..\DRIVE.eds", "link.eds"] {
         let text = said(&folder, &["convert", "Drive.eds", "--to", "xdd", "-o", output], 2);
-        assert!(text.contains("is another input or output of this run"), "{output}: {text}");
+        assert!(text.contains("is already an input or output of this run"), "{output}: {text}");
         assert_eq!(fs::read(&path).unwrap(), before, "{output}");
     }
     // a file keeps its other names

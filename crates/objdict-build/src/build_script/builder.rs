@@ -273,7 +273,7 @@ impl Builder {
                 format!("{file}: {notes} of the target {target}; run `objdict generate`")
             })?;
         }
-        let unused = unused.iter().map(|what| format!("{file}: `accept` finds no `{what}`: remove it"));
+        let unused = unused.iter().map(|what| format!("{file}: `accept` matches no `{what}`: remove it"));
         cargo.warn(usize::MAX, unused, |_| String::new())?;
         for conversion in &generation.conversions {
             let to = source::shown(&conversion.path);

@@ -20,7 +20,10 @@ impl<W: Write> Cargo<W> {
         let path = path.display().to_string();
         if path.contains(['\n', '\r']) {
             let shown = one_line(&path);
-            return self.line("warning", &format!("`{shown}` is not watched, for its name has a line break"));
+            return self.line(
+                "warning",
+                &format!("`{shown}` is not registered with Cargo because its name contains a line break"),
+            );
         }
         self.line("rerun-if-changed", &path)
     }

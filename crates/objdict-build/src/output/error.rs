@@ -42,10 +42,10 @@ pub enum OutputError {
 
 objdict_model::error_messages! { OutputError: {
     Self::Unwritable { path, error } => "cannot write `{}`: {error}", shown(path);
-    Self::InUse { path } => "`{}` is another input or output of this run", shown(path);
+    Self::InUse { path } => "`{}` is already an input or output of this run", shown(path);
     Self::Foreign { path } => "`{}` was not written by objdict", shown(path);
     Self::Changed { path } => "`{}` was changed after objdict wrote it", shown(path);
-    Self::Name { name, reason } => "`{name}` is not a valid name of a file: {reason}";
+    Self::Name { name, reason } => "`{name}` is not a valid file name: {reason}";
 } }
 
 impl OutputError {
@@ -57,11 +57,11 @@ impl OutputError {
     pub fn help(&self, overwrite: &str) -> Option<String> {
         Some(match self {
             Self::Unwritable { .. } => return None,
-            Self::InUse { .. } => "name another file for the output".to_owned(),
+            Self::InUse { .. } => "choose a different output file".to_owned(),
             Self::Foreign { .. } | Self::Changed { .. } => {
-                format!("name another folder, or replace the file with `{overwrite}`")
+                format!("choose a different folder, or replace the file with `{overwrite}`")
             }
-            Self::Name { .. } => "choose another name".to_owned(),
+            Self::Name { .. } => "choose a different name".to_owned(),
         })
     }
 }

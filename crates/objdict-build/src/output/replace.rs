@@ -242,7 +242,7 @@ fn has_owner_of(_: &Path, _: &Path) -> bool {
 /// Refuses the name of a file that is not in the folder itself, or that not every system can have.
 fn require_flat(name: &str) -> Result<(), OutputError> {
     if name.contains('/') {
-        return Err(OutputError::Name { name: name.to_owned(), reason: "it leads to another folder" });
+        return Err(OutputError::Name { name: name.to_owned(), reason: "it points to a different folder" });
     }
     require_portable(name)
 }

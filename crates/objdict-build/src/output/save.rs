@@ -182,7 +182,7 @@ fn overwrite(file: &mut NewFile, pending: &mut Vec<PathBuf>) -> io::Result<()> {
         file.backup = Some(backup);
         return Err(error);
     }
-    let error = io::Error::other(format!("{error}; its former contents are in `{}`", shown(&backup.path)));
+    let error = io::Error::other(format!("{error}; its previous contents are in `{}`", shown(&backup.path)));
     pending.retain(|path| *path != backup.path);
     std::mem::forget(backup);
     Err(error)

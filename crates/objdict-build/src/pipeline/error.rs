@@ -124,13 +124,13 @@ objdict_model::error_messages! { Error:
     Self::Baseline { path, error } => "`{}` {error}", objdict_model::source::shown(path);
     Self::Findings { file, findings, noun, .. } =>
         "`{file}` has {}, so nothing was generated", plural(findings.len(), noun);
-    Self::UnknownRule { name } => "there is no rule or group `{name}`";
+    Self::UnknownRule { name } => "unknown rule or group `{name}`";
     Self::Names { file, error } =>
         "{file}{}: {error}", error.line.map(|line| format!(":{line}")).unwrap_or_default();
     Self::Choice(error) => "{error}";
     Self::Target { target, error } => "target `{target}`: {error}";
     Self::TooLarge { target, memory, bytes, most } =>
-        "target `{target}`: the tables take {bytes} bytes of {memory}, the limit is {most}";
+        "target `{target}`: the tables use {bytes} bytes of {memory}, more than the limit of {most}";
     Self::NotMeasured { target, why } =>
         "target `{target}`: the size of the tables is unknown and cannot be limited: {why}";
     Self::NoFormat { path } => "the description cannot be written as `{}`", objdict_model::source::shown(path);
@@ -157,7 +157,7 @@ impl Error {
             ),
             #[cfg(feature = "full")]
             Self::Baseline { path, .. } => Some(format!(
-                "`objdict check --write-baseline {}` writes it anew",
+                "`objdict check --write-baseline {}` recreates it",
                 objdict_model::source::shown(path)
             )),
             Self::UnknownRule { name } => Some(match objdict_project::registry::nearest_selection(name) {
@@ -170,7 +170,7 @@ impl Error {
             Self::TooLarge { .. } => {
                 Some("`objdict generate --report size` shows what each object takes".to_owned())
             }
-            Self::NotMeasured { .. } => Some("see the map file of the linker".to_owned()),
+            Self::NotMeasured { .. } => Some("see the linker map file".to_owned()),
             Self::NoOutDir => {
                 Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
             }

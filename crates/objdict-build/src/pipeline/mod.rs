@@ -272,9 +272,9 @@ impl MemoryLimits {
         let Size { flash, ram } = match sizes {
             Sizes::Known(report) => report.total,
             Sizes::Unknown(why) if self.is_limited() => {
-                let text = format!("the size of the tables is unknown and so not limited: {why}");
+                let text = format!("the table size is unknown, so it is not limited: {why}");
                 let note = Note::new(Place::device(), text);
-                return Ok(Some(note.help("see the map file of the linker")));
+                return Ok(Some(note.help("see the linker map file")));
             }
             Sizes::Unknown(_) => return Ok(None),
         };
