@@ -221,7 +221,7 @@ fn what_makes_no_sense_does_not_compile() {
         ("data.put(od::SYNC, 1);", "the application cannot set an entry whose access is `table::NodeConst`"),
         (
             "data.put(od::SERIAL, 1);",
-            "read it with `value()` or `get`, or describe the entry with another access type",
+            "read it with `value()` or `get`, or describe the entry with a different access type",
         ),
         ("data.set(od::SPEED, 1_u8).unwrap();", "mismatched types"),
         ("let _ = od::SYNC.value();", "no method named `value` found"),

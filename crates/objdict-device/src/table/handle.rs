@@ -23,7 +23,7 @@ pub enum Elsewhere {}
 #[diagnostic::on_unimplemented(
     message = "the application cannot set an entry whose access is `{Self}`",
     label = "this constant of the dictionary has no value in RAM",
-    note = "a constant is in flash: read it with `value()` or `get`, or describe the entry with another access type"
+    note = "a constant is in flash: read it with `value()` or `get`, or describe the entry with a different access type"
 )]
 pub trait Variable {}
 

@@ -58,10 +58,10 @@ pub enum ImageError {
 impl core::fmt::Display for ImageError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::Length => "the image has another length",
-            Self::Layout => "the image has another layout",
-            Self::Checksum => "the CRC of the image does not fit",
-            Self::Value => "a value of the image is none of its data type",
+            Self::Length => "the image has a different length",
+            Self::Layout => "the image has a different layout",
+            Self::Checksum => "the CRC of the image does not match",
+            Self::Value => "a value of the image is not valid for its data type",
         })
     }
 }
