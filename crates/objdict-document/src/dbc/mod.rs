@@ -122,7 +122,7 @@ impl<'a> Database<'a> {
             let rest = entries.filter(|entry| !self.carried.contains(entry)).count();
             if rest > 0 {
                 let entries = if rest == 1 { "entry has" } else { "entries have" };
-                let reason = format!("{rest} {entries} no signal: a DBC has only what is on the bus");
+                let reason = format!("{rest} {entries} no signal: a DBC contains only bus traffic");
                 self.omit(node, Place { part: Part::Device, field: None }, false, reason);
             }
         }

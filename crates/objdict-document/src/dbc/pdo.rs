@@ -60,7 +60,7 @@ impl<'a> Database<'a> {
         ports.sort_by_key(|port| (is_counterpart(port), port.pdo.kind == PdoKind::Rpdo));
         if let Some(other) = self.messages.iter().find(|message| message.id == id) {
             let other = other.comment.split(':').next().unwrap_or_default();
-            let reason = format!("CAN-ID {} is that of {other}", spelled(id.number, id.is_extended));
+            let reason = format!("CAN-ID {} is used by {other}", spelled(id.number, id.is_extended));
             for port in ports.iter().filter(|port| !self.stations[port.node].is_counterpart) {
                 let place = Place::entry(port.pdo.communication_index(), 1);
                 self.omissions.push(Omission {
@@ -159,7 +159,7 @@ impl<'a> Database<'a> {
             return if is_carried { Err("its place is not known") } else { Ok(Vec::new()) };
         };
         if field.is_cut() {
-            return Err("it ends behind the 64 bits of a frame");
+            return Err("it ends beyond the 64 bits of a frame");
         }
         let station = &self.stations[port.node];
         let entry = station.device.entry(object.index, object.sub);
@@ -185,7 +185,7 @@ impl<'a> Database<'a> {
         if other.pdo.kind == PdoKind::Tpdo {
             let place = Place::entry(other.pdo.communication_index(), 1);
             let id = spelled(message.id.number, message.id.is_extended);
-            self.omit(other.node, place, true, format!("CAN-ID {id} is that of {title}"));
+            self.omit(other.node, place, true, format!("CAN-ID {id} is used by {title}"));
             return;
         }
         message.comment.push_str(&format!("; {}", self.title(other)));
@@ -197,7 +197,7 @@ impl<'a> Database<'a> {
             if main.layout.fields.iter().any(is_same) {
                 self.carried.insert((other.node, object.index, object.sub));
             } else {
-                let reason = format!("{object}: the signals of the frame are those of {title}");
+                let reason = format!("{object}: the frame has the signals of {title}");
                 self.omit(other.node, other.slot(field), true, reason);
             }
             let Some(span) = field.span() else { continue };
@@ -235,14 +235,14 @@ fn can_id(pdo: &Pdo<'_>, layout: &FrameLayout, node_id: u8) -> Result<DbcCanId, 
         return refuse(
             communication,
             true,
-            format!("CAN-ID {} is that of {owner}", spelled(id.number, false)),
+            format!("CAN-ID {} is used by {owner}", spelled(id.number, false)),
         );
     }
     let mapping = Place::entry(pdo.mapping_index(), 0);
     match layout.content {
         FrameContent::Nothing => refuse(mapping, false, "nothing is mapped".to_owned()),
         FrameContent::Unstated if layout.fields.is_empty() => {
-            refuse(mapping, true, "what is mapped is not stated".to_owned())
+            refuse(mapping, true, "the mapped objects are not specified".to_owned())
         }
         FrameContent::Reserved(count) => {
             refuse(mapping, true, format!("`{count}` is not a number of mapped objects"))

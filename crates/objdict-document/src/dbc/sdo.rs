@@ -101,7 +101,7 @@ impl Database<'_> {
         let id = can_id(cob_id, self.stations[node].node_id);
         if self.is_taken(id) {
             let place = Place::entry(0x1200 + number - 1, if way == Way::Request { 1 } else { 2 });
-            return self.omit(node, place, true, "another service has the CAN-ID of the SDO");
+            return self.omit(node, place, true, "a different service uses the SDO's CAN-ID");
         }
         let message = self.sdo(node, id, number, way);
         self.messages.push(message);

@@ -77,7 +77,7 @@ impl Database<'_> {
     fn add_sync(&mut self) {
         for (id, users) in self.users(0x1005, predefined::SYNC) {
             if self.is_taken(id) {
-                let reason = "another service has the CAN-ID of SYNC";
+                let reason = "a different service uses the CAN-ID of SYNC";
                 users
                     .into_iter()
                     .for_each(|(node, _)| self.omit(node, Place::entry(0x1005, 0), true, reason));
@@ -123,7 +123,7 @@ impl Database<'_> {
                 continue;
             }
             if self.is_taken(id) {
-                let reason = "another service has the CAN-ID of TIME";
+                let reason = "a different service uses the CAN-ID of TIME";
                 users
                     .into_iter()
                     .for_each(|(node, _)| self.omit(node, Place::entry(0x1012, 0), true, reason));
@@ -156,7 +156,7 @@ impl Database<'_> {
         }
         let (id, title) = (can_id(cob_id, station.node_id), station.title.clone());
         if self.is_taken(id) {
-            let reason = "another service has the CAN-ID of EMCY";
+            let reason = "a different service uses the CAN-ID of EMCY";
             return self.omit(node, Place::entry(0x1014, 0), true, reason);
         }
         let mut message = self.service(id, &format!("{title} EMCY"), 8, format!("EMCY of {title} (1014h)"));

@@ -105,11 +105,11 @@ fn what_a_signal_cannot_hold_is_reported() {
         [
             "left out 0x1400sub1: the PDO is not valid (bit 31 of its COB-ID)",
             "left out 0x1601sub0: nothing is mapped",
-            "lost 0x1402sub1: CAN-ID 0x601 is that of default SDO, client to server",
+            "lost 0x1402sub1: CAN-ID 0x601 is used by default SDO, client to server",
             "lost 0x1801sub1: the COB-ID of the PDO is not stated",
-            "lost 0x1A00sub1: 2003h:00, 32 bits: a signal holds a number, and this is a text or bytes",
+            "lost 0x1A00sub1: 2003h:00, 32 bits: a signal holds a number, but this is a string or bytes",
             "lost 0x1A00sub3: 2002h:00, 16 bits: a part of a REAL is not a number",
-            "lost 0x1A00sub4: 2006h:00, 16 bits: it ends behind the 64 bits of a frame",
+            "lost 0x1A00sub4: 2006h:00, 16 bits: it ends beyond the 64 bits of a frame",
         ]
     );
 }
@@ -129,7 +129,7 @@ fn senders_and_receivers_share_a_message() {
             " SG_ Level_2001_00 : 32|16@1- (1,0) [0|0] \"\" Node_2",
         ]
     );
-    let reason = "2006h:00, 16 bits: the signals of the frame are those of TPDO 1 of Node 1 (1800h, 1A00h)";
+    let reason = "2006h:00, 16 bits: the frame has the signals of TPDO 1 of Node 1 (1800h, 1A00h)";
     assert_eq!(omitted(&dbc), [format!("lost 0x1600sub3: {reason}")]);
 }
 

@@ -220,7 +220,7 @@ impl<'a> DbcEntry<'a> {
     }
 }
 
-const NO_NUMBER: &str = "a signal holds a number, and this is a text or bytes";
+const NO_NUMBER: &str = "a signal holds a number, but this is a string or bytes";
 
 /// The length of a REAL.
 const fn kind_bits(kind: Option<TypeKind>) -> u32 {
