@@ -37,11 +37,7 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
 
 /// The keys of another section begin with `item`, which repeats `first`, in the section `name`.
 pub(in crate::eds) fn missing_header(name: &str, item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
-    let message = say!(
-        "`{}` begins another section inside `[{}]`: the header is missing above this line",
-        item.name,
-        name
-    );
+    let message = say!("`{}` starts a new section inside `[{}]`, but its header is missing", item.name, name);
     Diagnostic::new(&MISSING_HEADER, item.name_at, message)
         .label(first.name_at, "the key of this section")
         .help("write the header above this line")
@@ -59,7 +55,7 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
     );
     Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
         .label(other.name_at, "the other one")
-        .help(say!("replace the key by `{}`", number))
+        .help(say!("rename the key to `{}`", number))
         .fix(Fix::safe(say!("number the {} one {}", which, number)).replace(item.name_at, number.to_string()))
         .understood()
 }
@@ -88,9 +84,7 @@ pub(in crate::eds) fn mapped_otherwise(
 fn without_line(item: &Item<'_>, is_idle: bool) -> Fix {
     match is_idle {
         true => Fix::safe("remove the second, unread line").with(Change::RemoveLine(item.name_at)),
-        false => {
-            Fix::safe("make a comment of the second, unread line").with(Change::CommentOut(item.name_at))
-        }
+        false => Fix::safe("comment out the second, unread line").with(Change::CommentOut(item.name_at)),
     }
 }
 
@@ -124,7 +118,7 @@ pub(in crate::eds) fn duplicate_section(
             finding.fix(fix).understood()
         }
         DuplicateKind::Other => {
-            let title = "make comments of the lines of the second, unread section";
+            let title = "comment out the second, unread section";
             finding.fix(Fix::safe(title).with(Change::CommentOut(at)))
         }
     }
@@ -138,18 +132,18 @@ pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
         if hint {
             say!("`[{}]` is not a valid object section", name)
         } else {
-            say!("the standard does not define section `[{}]`; the section is kept", name)
+            say!("unknown section `[{}]`; it is kept", name)
         },
     );
     if hint {
         finding.severity(Severity::Error).help(match decimal_sub(name) {
             Some((index, sub)) => {
-                say!("write the sub-index in hex, decimal {} is `[{}sub{:X}]`", sub, index, sub)
+                say!("write the sub-index in hex: decimal {} is `[{}sub{:X}]`", sub, index, sub)
             }
             None => "write an index of up to four hex digits and a sub-index up to FF: `[1018sub1]`".into(),
         })
     } else {
-        finding.help("check the spelling; some tools refuse unknown sections")
+        finding.help("check the spelling; some tools reject unknown sections")
     }
 }
 
@@ -176,8 +170,8 @@ fn looks_like_object(name: &str) -> bool {
 
 pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic {
     if let Some(number) = item.hex_number() {
-        let message = say!("the key `{}` is in hex, the standard writes `{}`", item.name, number);
-        let title = say!("replace the key by `{}`", number);
+        let message = say!("the key `{}` is in hex; the standard spells it `{}`", item.name, number);
+        let title = say!("rename the key to `{}`", number);
         let fix = Fix::risky(title.clone()).replace(item.name_at, number.to_string());
         return Diagnostic::new(&UNKNOWN_KEY, item.name_at, message)
             .severity(Severity::Warning)
@@ -186,15 +180,15 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
     }
     let message = match item.key {
         Some(_) => say!("`{}` does not belong in `[{}]`; the key is kept", item.name, section),
-        None => say!("the standard does not define key `{}` in `[{}]`; the key is kept", item.name, section),
+        None => say!("unknown key `{}` in `[{}]`; it is kept", item.name, section),
     };
     let is_of_object = matches!(SectionName::parse(section).part, Part::Object(_) | Part::Entry(..));
     Diagnostic::new(&UNKNOWN_KEY, item.name_at, message).help(
         match is_of_object && is_meaning_key(item.name) {
             true => {
-                "keep the key for python-canopen, which reads it; other tools ignore or refuse unknown keys"
+                "keep the key for python-canopen, which reads it; other tools ignore or reject unknown keys"
             }
-            false => "check the spelling; some tools refuse unknown keys",
+            false => "check the spelling; some tools reject unknown keys",
         },
     )
 }
@@ -203,14 +197,14 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
 pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: FieldKey) -> Diagnostic {
     // as severe as the missing key or count that it hides
     let (severity, effect) = match meant.field() {
-        Field::SupportedObjects | Field::NrOfEntries => (Severity::Error, "see no entry or refuse the file"),
+        Field::SupportedObjects | Field::NrOfEntries => (Severity::Error, "see no entry or reject the file"),
         Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber => {
             (Severity::Error, "ignore the misspelt key")
         }
         _ => (MISSPELT_KEY.severity, "ignore the misspelt key"),
     };
     let meant = meant.field().name();
-    let message = say!("the standard does not define the key `{}`, probably `{}`", item.name, &*meant);
+    let message = say!("unknown key `{}`, probably a misspelt `{}`", item.name, &*meant);
     let fix = Fix::risky(say!("write `{}`", &*meant)).replace(item.name_at, &*meant);
     Diagnostic::new(&MISSPELT_KEY, item.name_at, message)
         .severity(severity)
@@ -232,7 +226,7 @@ pub(in crate::eds) fn date_spelling(item: &Item<'_>, meant: String, is_certain: 
 /// Reports a section that is read as another one.
 pub(in crate::eds) fn misspelt_section(name: &str, part: &Part, at: Span) -> Diagnostic {
     let meant = section_name(part).unwrap_or_default();
-    let message = say!("the standard does not define the section `[{}]`, probably `[{}]`", name, meant);
+    let message = say!("unknown section `[{}]`, probably a misspelt `[{}]`", name, meant);
     let fix = Fix::risky(say!("write `[{}]`", meant)).replace(at, meant.as_str());
     Diagnostic::new(&MISSPELT_SECTION, at, message)
         .help(say!("write `[{}]`; other tools ignore the misspelt section", meant))
@@ -328,7 +322,7 @@ pub(in crate::eds) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnos
 
 /// Reports a name or other text in quotes.
 pub(in crate::eds) fn quoted_name(item: &Item<'_>) -> Diagnostic {
-    let message = say!("`{}` is in quotes, which become part of the text", item.value);
+    let message = say!("`{}` is in quotes, which become part of the string", item.value);
     let inner = item.value.trim_matches('"').trim_ascii();
     let finding = Diagnostic::new(crate::literal::QUOTED, item.value_at, message).help("remove the quotes");
     let is_plain = !inner.is_empty() && inner.len() + 2 == item.value.len();

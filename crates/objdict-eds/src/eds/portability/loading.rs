@@ -74,7 +74,7 @@ impl<'a> LoadedConfig<'a> {
         let has_serial = indexes.contains(&0x1018) && self.section("1018sub4").is_some();
         match node.value("lss_serialnumber") {
             Some((_, at)) if !has_serial => {
-                Err((at, say!("`{}` is there, but 1018h:04 is not", "LSS_SerialNumber")))
+                Err((at, say!("`{}` is present, but 1018h:04 is missing", "LSS_SerialNumber")))
             }
             _ => Ok(()),
         }
@@ -87,7 +87,7 @@ impl<'a> LoadedConfig<'a> {
         for number in 1..=unsigned(count).min(0xFFFF) {
             let index = section.value(&number.to_string()).map_or(0, |(value, _)| unsigned(value) as u16);
             if index == 0 {
-                return Err((at, say!("`{}` counts {}, but line {} is missing", name, count, number)));
+                return Err((at, say!("`{}` is {}, but line {} is missing", name, count, number)));
             }
             indexes.push(index);
         }
@@ -114,7 +114,10 @@ impl<'a> LoadedConfig<'a> {
         match (count, compact) {
             (0, 0) => return Err((section.name, say!("{:04X}h has no sub-indexes", index))),
             (1.., 1..) => {
-                return Err((section.name, say!("{:04X}h has sub-indexes and compact ones", index)));
+                return Err((
+                    section.name,
+                    say!("{:04X}h has both described and compact sub-indexes", index),
+                ));
             }
             _ => {}
         }
@@ -145,7 +148,7 @@ impl<'a> LoadedConfig<'a> {
         };
         let place = stated.map_or(at.name, |(_, at)| at);
         if !matches!(data_type, 0x01..=0x0D | DOMAIN..=0x16 | 0x18..=0x1B) {
-            return Err((place, say!("the data type {:04X}h is not one of CiA 301", data_type)));
+            return Err((place, say!("{:04X}h is not a CiA 301 data type", data_type)));
         }
         for key in ["lowlimit", "highlimit"] {
             self.value(section, key, data_type)?;
@@ -177,7 +180,7 @@ impl<'a> LoadedConfig<'a> {
         if can_be_read(data_type, rest) {
             return Ok(());
         }
-        Err((at, say!("`{}` is not read as a value of the type {:04X}h", value, data_type)))
+        Err((at, say!("`{}` is not a valid value of type {:04X}h", value, data_type)))
     }
 }
 

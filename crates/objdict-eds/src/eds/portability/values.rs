@@ -39,7 +39,7 @@ fn check_real(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mu
     if is_real && line.value != "0" && !is_hex(line.value) {
         let help = "write the bits in hex, such as `0x3FC00000`, in a copy for this tool";
         let fix = bits_of(line.value, data_type).map(|bits| (line.value_at, bits));
-        let message = || say!("the REAL `{}` is not written as its bits", line.value);
+        let message = || say!("the REAL `{}` is not written as bits", line.value);
         report((&REAL_AS_DECIMAL, line.value_at), help, fix, message, findings);
     }
 }
@@ -47,7 +47,7 @@ fn check_real(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mu
 fn check_string(data_type: Option<DataType>, line: &SectionLine<'_>, findings: &mut Findings) {
     let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
     if is_string && !line.value.starts_with(['"', '\'']) {
-        let help = "put the text in quotes in a copy for dcf2dev; other tools read them as part of the text";
+        let help = "quote the string in a copy for dcf2dev; other tools read the quotes as part of it";
         let message = || say!("the string `{}` has no quotes", line.value);
         report((&UNQUOTED_STRING, line.value_at), help, None, message, findings);
     }

@@ -205,7 +205,7 @@ impl LineCheck<'_> {
     fn check_other_line_end(&mut self, line: &Line, line_end: LineEnd) {
         let message = match line_end {
             LineEnd::None => return,
-            LineEnd::Cr => "the line ends with CR alone",
+            LineEnd::Cr => "the line ends with a lone CR",
             LineEnd::Lf => "the line ends with LF, but the previous lines with CR LF",
             LineEnd::CrLf => "the line ends with CR LF, but the previous lines with LF",
         };
