@@ -233,7 +233,7 @@ impl<'t> KeyedTable<'t> {
             _ => {
                 let finding = wrong(name, tree, "true or false");
                 findings.push(
-                    finding.help("write `true` or `false` without quotes; dcfgen takes any text as true"),
+                    finding.help("write `true` or `false` without quotes; dcfgen reads any string as true"),
                 );
                 None
             }
@@ -311,7 +311,7 @@ impl<'t> KeyedTable<'t> {
         if number.is_finite() && number > 0.0 {
             return Some(Said::new(number, tree.span));
         }
-        let message = say!("`{}` is {}, which is not above 0", name, number);
+        let message = say!("`{}` is {}, but must be above 0", name, number);
         findings.push(Diagnostic::new(&OUT_OF_RANGE, tree.span, message).help("write a number above 0"));
         None
     }
@@ -328,11 +328,11 @@ impl<'t> KeyedTable<'t> {
             Some(time) => {
                 let longest = spelled_time(high.saturating_mul(unit.into()));
                 let (rule, expected) = match time {
-                    Some(time) if time.is_multiple_of(unit) => (&OUT_OF_RANGE, say!("{} at most", longest)),
-                    Some(_) => (&OUT_OF_RANGE, say!("in multiples of {}", spelled_time(unit.into()))),
+                    Some(time) if time.is_multiple_of(unit) => (&OUT_OF_RANGE, say!("at most {}", longest)),
+                    Some(_) => (&OUT_OF_RANGE, say!("a multiple of {}", spelled_time(unit.into()))),
                     None => (&WRONG_TYPE, say!("a time")),
                 };
-                let message = say!("`{}` is `{}`, which is not {}", name, tree.spelled(), expected);
+                let message = say!("`{}` is `{}`, but must be {}", name, tree.spelled(), expected);
                 let finding = Diagnostic::new(rule, tree.span, message);
                 findings.push(finding.help("write a number with a unit, as in `33ms`, `1.5 s` or `250us`"));
                 return None;
@@ -351,7 +351,7 @@ impl<'t> KeyedTable<'t> {
         for item in items {
             match item.text() {
                 Some(text) => texts.push(Said::new(text, item.span)),
-                None => findings.push(wrong(name, item, "a text").help("write a text in quotes")),
+                None => findings.push(wrong(name, item, "a string").help("write a string in quotes")),
             }
         }
         texts
@@ -387,7 +387,7 @@ impl<'t> KeyedTable<'t> {
             Kind::Integer(_) | Kind::Float(_) if !is_spelled => Some(Said::new(tree.spelled(), tree.span)),
             Kind::Text(text) => Some(Said::new(text.clone(), tree.span)),
             _ => {
-                findings.push(wrong(name, tree, "a text").help("write a text in quotes"));
+                findings.push(wrong(name, tree, "a string").help("write a string in quotes"));
                 None
             }
         }
@@ -430,9 +430,11 @@ impl<'t> KeyedTable<'t> {
         match &*tree.kind {
             Kind::List(items) => Some(items),
             _ => {
-                findings.push(wrong(name, tree, "a list").help(
-                    "write each item in a line of its own after `- `, or all in brackets, `[]` for none",
-                ));
+                findings.push(
+                    wrong(name, tree, "a list").help(
+                        "write each item on its own line after `- `, or all in brackets (`[]` for none)",
+                    ),
+                );
                 None
             }
         }
@@ -487,7 +489,7 @@ fn check_map(name: &str, tree: &KeyedTree, keys: &'static [Key], findings: &mut 
 
 fn check_scalar(name: &str, tree: &KeyedTree, findings: &mut Findings) {
     if matches!(&*tree.kind, Kind::Null | Kind::List(_) | Kind::Map(_)) {
-        findings.push(wrong(name, tree, "a value").help("write a number or a text"));
+        findings.push(wrong(name, tree, "a value").help("write a number or a string"));
     }
 }
 
@@ -507,7 +509,7 @@ pub fn or_foreign<'a>(
 pub fn with_cuts(findings: Findings) -> Findings {
     let cut = |finding: Diagnostic| match finding.rule.id == WRONG_TYPE.id && finding.is_understood {
         true => {
-            finding.severity(Severity::Warning).help("write a whole number: dcfgen cuts off the fraction")
+            finding.severity(Severity::Warning).help("write a whole number: dcfgen truncates the fraction")
         }
         false => finding,
     };
@@ -526,7 +528,7 @@ pub fn integer(
         Kind::Float(number) if number.is_finite() && number.abs() < 1e18 => {
             let cut = number.trunc() as i128;
             if number.fract() != 0.0 {
-                let message = say!("`{}` is {}, which is not a whole number", name, number);
+                let message = say!("`{}` is {}, but must be a whole number", name, number);
                 let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).understood();
                 findings.push(finding.help("write a whole number"));
             }
@@ -555,7 +557,7 @@ pub fn integer(
     if (low..=high).contains(&number) {
         return Some(number);
     }
-    let message = say!("`{}` is {}, which is not {} to {}", name, number, low, high);
+    let message = say!("`{}` is {}, but must be {} to {}", name, number, low, high);
     findings.push(Diagnostic::new(&OUT_OF_RANGE, tree.span, message).help(say!(
         "write a number from {} to {}",
         low,
@@ -576,6 +578,6 @@ fn spelled_time(nanoseconds: i128) -> String {
 
 /// `cob_id` is a text where a number belongs.
 pub fn wrong(name: &str, tree: &KeyedTree, expected: &'static str) -> Diagnostic {
-    let message = say!("`{}` is `{}`, {} where {} belongs", name, tree.spelled(), tree.kind_name(), expected);
+    let message = say!("`{}` is `{}`, {} instead of {}", name, tree.spelled(), tree.kind_name(), expected);
     Diagnostic::new(&WRONG_TYPE, tree.span, message)
 }

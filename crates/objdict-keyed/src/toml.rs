@@ -27,10 +27,10 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     // what follows the first of the other errors is a consequence
     for error in duplicates.into_iter().chain(broken.into_iter().take(1)) {
         let span = error.span().map_or(Span::empty(0), |range| span_of(&range));
-        let message = error.message().lines().next().unwrap_or("this is no TOML").to_owned();
+        let message = error.message().lines().next().unwrap_or("this is not valid TOML").to_owned();
         let (rule, help) = match is_duplicate(error) {
-            true => (&DUPLICATE_KEY, "remove one of the two, or give it another name"),
-            false => (&INVALID_TOML, "write `name = value`, with texts in quotes and lists in brackets"),
+            true => (&DUPLICATE_KEY, "remove or rename one of the two"),
+            false => (&INVALID_TOML, "write `name = value`, with strings in quotes and lists in brackets"),
         };
         findings.push(Diagnostic::new(rule, span, message).help(help));
     }

@@ -95,7 +95,7 @@ impl KeyedTree {
             Kind::Bool(_) => "true or false",
             Kind::Integer(_) => "a whole number",
             Kind::Float(_) => "a number with a fraction",
-            Kind::Text(_) => "a text",
+            Kind::Text(_) => "a string",
             Kind::List(_) => "a list",
             Kind::Map(_) => "a table of keys",
         }

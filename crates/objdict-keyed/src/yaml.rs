@@ -26,8 +26,7 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
             Ok(event) => event,
             Err(error) => {
                 let at = builder.offset(error.marker().index());
-                let help =
-                    "indent with blanks, and put a text into quotes that begins with one of `@%*&!|>{[`";
+                let help = "indent with spaces, and quote strings that begin with one of `@%*&!|>{[`";
                 builder.findings.push(
                     Diagnostic::new(&INVALID_YAML, Span::empty(at), error.info().to_owned()).help(help),
                 );
@@ -37,7 +36,7 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
         let span = Span::new(builder.offset(span.start.index()), builder.offset(span.end.index()));
         if document.is_some() && matches!(event, Event::DocumentStart(_)) {
             let finding = Diagnostic::new(&INVALID_YAML, span, "a second document begins here")
-                .help("remove the line `---`, or put what follows into a file of its own");
+                .help("remove the line `---`, or move the lines after it to a separate file");
             builder.findings.push(finding);
             return None;
         }
@@ -97,15 +96,13 @@ impl YamlBuilder<'_> {
                 }
                 None => Err(Box::new(
                     Diagnostic::new(&INVALID_YAML, span, "the anchor contains itself")
-                        .help("name an anchor only after its end"),
+                        .help("use an anchor only after its end"),
                 )),
             },
             Event::SequenceStart(anchor, _) | Event::MappingStart(anchor, _) => {
                 if self.open.len() == MAX_DEPTH {
                     let message = say!("lists and maps are nested more than {} deep", MAX_DEPTH);
-                    return Err(Box::new(
-                        Diagnostic::new(&INVALID_YAML, span, message).help("write them flat"),
-                    ));
+                    return Err(Box::new(Diagnostic::new(&INVALID_YAML, span, message).help("flatten them")));
                 }
                 let is_map = matches!(event, Event::MappingStart(..));
                 self.open.push(OpenCollection { start: span.start, anchor, items: Vec::new(), is_map });
@@ -191,7 +188,7 @@ impl YamlBuilder<'_> {
         self.findings.push(
             Diagnostic::new(&DUPLICATE_KEY, second.span, message)
                 .label(first.span, "first defined here")
-                .help("remove one of the two; the last one counts")
+                .help("remove one of the two; the last one applies")
                 .understood(),
         );
     }
