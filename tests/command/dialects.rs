@@ -58,7 +58,7 @@ fn a_device_of_ethercat_is_no_node() {
         let line = format!("{} --device 1", rest.replace("ESI", &esi.display().to_string()));
         let refused = objdict(temporary.path(), &line);
         let said = String::from_utf8_lossy(&refused.stderr);
-        assert!(said.contains("of EtherCAT, which is no CANopen node"), "{rest}: {said}");
+        assert!(said.contains("an EtherCAT device, not a CANopen node"), "{rest}: {said}");
         assert_eq!(refused.status.code(), Some(2), "{rest}");
     }
     assert_eq!(fs::read_dir(temporary.path()).unwrap().count(), 0);
@@ -78,7 +78,7 @@ fn dialects_are_judged_like_other_files() {
             );
             let report = objdict(folder, &format!("check a.eds --compat {tool} --format concise"));
             let report = String::from_utf8(report.stdout).unwrap();
-            let refused = report.lines().filter(|line| line.contains("the file is refused"));
+            let refused = report.lines().filter(|line| line.contains("the file is rejected"));
             assert_eq!(refused.collect::<Vec<_>>(), [""; 0], "{name} {dialect}");
             // nothing is lost for objdict
             done(folder, &format!("convert {}", line("-o before.json")));

@@ -122,7 +122,7 @@ fn findings_name_the_variant_and_point_to_what_it_says() {
     let fast = variant(&text, "io8-fast").unwrap();
     assert_eq!(
         found(&fast),
-        ["'x': `digital-inputs` is `x`, a text where a whole number belongs (variant `io8-fast`)"]
+        ["'x': `digital-inputs` is `x`, a string instead of a whole number (variant `io8-fast`)"]
     );
     let limit = Place::object(0x2005).field(objdict::model::Field::DefaultValue);
     assert_eq!(fast.locate(&limit).unwrap().of(&text), "1");
@@ -246,7 +246,7 @@ fn what_cannot_be_extended_is_a_finding_at_the_key() {
         "files extend each other: one.toml → other.toml → one.toml",
         "`no.toml` cannot be extended: ",
         "`../outside.toml` cannot be extended: ",
-        "`a.eds` cannot be extended: it is no `device.toml`",
+        "`a.eds` cannot be extended: it is not a `device.toml`",
         "`bad.toml` cannot be extended: ",
         "more than 16 files extend each other",
         "`u17` is not a data type",
@@ -268,7 +268,7 @@ fn what_cannot_be_extended_is_a_finding_at_the_key() {
     let unnamed = read(&texts[0]);
     assert_eq!(
         unnamed.findings().iter().next().unwrap().message.shown(),
-        "it is unknown where `one.toml` is"
+        "the location of `one.toml` is unknown"
     );
 }
 

@@ -149,7 +149,7 @@ fn between_an_eds_and_a_dcf_the_name_decides() {
         assert_eq!(found.kind, expected, "{name}: {found}");
         let named =
             name.ends_with("eds") && text == dcf || name.to_lowercase().contains("dcf") && text == eds;
-        assert_eq!(found.reason.contains("but the name says"), named, "{name}: {found}");
+        assert_eq!(found.reason.contains("but the name suggests"), named, "{name}: {found}");
     }
 }
 

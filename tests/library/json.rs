@@ -75,7 +75,7 @@ fn a_document_says_what_it_holds() {
     let error = json::read_device(&text).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "line 1, column 1: the document holds a concise DCF, not a device description"
+        "line 1, column 1: the document contains a concise DCF, not a device description"
     );
 }
 

@@ -87,7 +87,7 @@ fn faults_are_named_with_line_and_column() {
         ("0x2000,0x00,VAR,UNSIGNED8,rw,A,,300", "line 2, column `default`: no UNSIGNED8: `300`"),
         (
             "0x2000,0x00,VAR,UNSIGNED8,rw,A,,3,colour = red",
-            "line 2, column `facts`: unknown fact `colour = red`",
+            "line 2, column `facts`: unknown field `colour = red`",
         ),
         (
             "0x2000,0x00,VAR,UNSIGNED8,rw,A,,3,,8–4: a",
@@ -96,7 +96,7 @@ fn faults_are_named_with_line_and_column() {
         ("0x2000,0x00,VAR,UNSIGNED8,rw,A,,3,,,red", "line 2, column `red`: a cell without a heading"),
         (
             "0x2000,0x00,VAR,UNSIGNED8,rw,\"A\nB\"\n0x2000,0x00,VAR,UNSIGNED8,rw",
-            "line 4, column `sub`: the entry is there twice: `0x00`",
+            "line 4, column `sub`: the entry is defined twice: `0x00`",
         ),
         (
             "0x2000,,ARRAY,UNSIGNED8,rw",
@@ -104,14 +104,14 @@ fn faults_are_named_with_line_and_column() {
         ),
         (
             "0x2000,0x00,ARRAY,UNSIGNED8,rw\n0x2000,0x01,RECORD,UNSIGNED8,rw",
-            "line 3, column `object_type`: another row of the object has another: `RECORD`",
+            "line 3, column `object_type`: differs from an earlier row of the object: `RECORD`",
         ),
     ] {
         let error = object_table::read(&format!("{known}{row}\n")).unwrap_err();
         assert!(error.starts_with(fault), "{error}\ninstead of {fault}");
     }
     let unknown = object_table::read(HEADINGS).unwrap_err();
-    assert_eq!(unknown, "line 1, column `colour`: unknown column, or one that is there twice");
+    assert_eq!(unknown, "line 1, column `colour`: unknown or duplicate column");
     let missing = object_table::read("index,sub,object_type,data_type\n").unwrap_err();
     assert_eq!(missing, "line 1, column `access`: the column is missing");
     assert!(object_table::read("").is_err());

@@ -44,7 +44,7 @@ text_rules! {
 pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Findings) {
     let changes = extract(&mut device);
     for change in put_back(&mut device, changes) {
-        let message = say!("the carried `{}` is of a part that was changed since", change.path);
+        let message = say!("the embedded `{}` belongs to a part that has changed since", change.path);
         let place = Place::of(Part::Section(EMBEDDED_SECTION.into()))
             .field(Field::Named(change.path.as_str().into()));
         let finding = Diagnostic::new(&STALE_EMBEDDED_DATA, place, message);

@@ -120,7 +120,7 @@ fn expect(text: &str, expected: DocumentKind) -> Result<(), JsonError> {
     if found == expected {
         return Ok(());
     }
-    let message = format!("the document holds {}, not {}", found.name(), expected.name());
+    let message = format!("the document contains {}, not {}", found.name(), expected.name());
     Err(JsonError { line: 1, column: 1, message })
 }
 

@@ -44,7 +44,7 @@ pub enum NodeListError {
 objdict_model::error_messages! { NodeListError: {
     Self::Xml => "the file is XML; a node list of CiA 306-3 is an INI file with a section `[Topology]`";
     Self::Ini { line, message } => "line {line} cannot be read: {message}";
-    Self::NoTopology => "there is no section `[Topology]`";
+    Self::NoTopology => "missing section `[Topology]`";
     Self::Number { section, key, text, low, high } =>
         "`{key}={text}` in `[{section}]` is not a number from {low} to {high}";
 } }

@@ -45,7 +45,7 @@ pub fn read(text: &str) -> Result<Device, String> {
         known => columns[..*at].contains(&known),
     };
     if let Some((_, heading)) = headings.iter().enumerate().find(is_wrong) {
-        return Err(fault(line, heading, "unknown column, or one that is there twice"));
+        return Err(fault(line, heading, "unknown or duplicate column"));
     }
     let mut needed = COLUMNS.split_whitespace().take(NEEDED);
     if let Some(missing) = needed.find(|column| !columns.contains(&Some(*column))) {
@@ -62,12 +62,12 @@ pub fn read(text: &str) -> Result<Device, String> {
         let sub = row.number("sub", 2)?.and_then(|sub| u8::try_from(sub).ok());
         let rows = objects.entry(index).or_default();
         if rows.iter().any(|(other, _)| *other == sub) {
-            return Err(row.error("sub", "the entry is there twice"));
+            return Err(row.error("sub", "the entry is defined twice"));
         }
         if let Some((_, first)) = rows.first() {
             let differs = |column: &&str| ![first.get(column), ""].contains(&row.get(column));
             if let Some(column) = OF_OBJECT.split_whitespace().find(differs) {
-                return Err(row.error(column, "another row of the object has another"));
+                return Err(row.error(column, "differs from an earlier row of the object"));
             }
         }
         rows.push((sub, row));
@@ -310,7 +310,7 @@ impl TableLine {
                     entry.safety_mut().inverted_srad =
                         Some(u32::from(self.hex(facts, index, 4)?) << 16 | u32::from(sub));
                 }
-                _ => return Err(self.error(facts, &format!("unknown fact `{key} = {text}`"))),
+                _ => return Err(self.error(facts, &format!("unknown field `{key} = {text}`"))),
             }
         }
         let mut stack = StackOptions::default();

@@ -20,11 +20,11 @@ use crate::support;
 
 /// Errors of readers that no schema can say: the rule, a part of the message, and the reason.
 const UNSAYABLE: [(&str, &str, &str); 17] = [
-    ("patch/invalid-change", "there is no field", "the keys of CiA 306 may have any case"),
+    ("patch/invalid-change", "unknown field", "the keys of CiA 306 may have any case"),
     ("patch/invalid-change", "is not JSON", "a pattern has no nested brackets"),
     (
         "keys/out-of-range",
-        ", which is not ",
+        ", but must be ",
         "a pattern does not compare numbers: the range or the unit of a time",
     ),
     ("keys/wrong-type", "`70000s`, neither a factor nor a time", "a pattern does not compare numbers"),
@@ -35,9 +35,9 @@ const UNSAYABLE: [(&str, &str, &str); 17] = [
     ("keys/wrong-type", "which is not a value of", "the data type of the entry decides"),
     ("keys/wrong-type", "` has no `", "the number and the type of the elements decide"),
     ("keys/wrong-type", " values for ", "the number of elements decides"),
-    ("keys/wrong-type", "is no fact that follows from missing keys", "the part decides"),
+    ("keys/wrong-type", "is not a value that a missing key implies", "the part decides"),
     ("keys/wrong-type", "must be a list of these", "the profile decides"),
-    ("keys/wrong-type", "it is unknown where", "the folder of the file decides"),
+    ("keys/wrong-type", "the location of", "the folder of the file decides"),
     ("keys/wrong-type", "the JSON of a device has no such value", "the device decides"),
     ("keys/wrong-type", "is not valid: ", "the number of days of a month"),
     ("keys/unknown-profile", "", "the profiles that objdict has decide, and their features"),

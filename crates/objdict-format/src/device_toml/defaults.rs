@@ -79,7 +79,7 @@ impl Omissions {
             match OmittedFact::ALL.into_iter().find(|(_, word)| *word == text.value) {
                 Some((omission, _)) => omissions.add(omission),
                 None => {
-                    let message = say!("`{}` is no fact that follows from missing keys", text.value);
+                    let message = say!("`{}` is not a value that a missing key implies", text.value);
                     let words = OmittedFact::ALL.map(|(_, word)| format!("`{word}`")).join(", ");
                     let finding = Diagnostic::new(&WRONG_TYPE, text.at, message);
                     findings.push(finding.help(say!("write one of {}", words)));

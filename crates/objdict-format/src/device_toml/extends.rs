@@ -65,7 +65,7 @@ impl Chain {
         let name = named.spelled();
         let Some(file) = self.files.last().filter(|file| is_file(file)) else {
             let help = "read the file by its path, not from the standard input";
-            return Err((say!("it is unknown where `{}` is", name), help.into()));
+            return Err((say!("the location of `{}` is unknown", name), help.into()));
         };
         if named.text().is_none() {
             return Err((say!("`extends` is {}", named.kind_name()), "write the name of a file".into()));
@@ -86,7 +86,7 @@ impl Chain {
             return Err((message, "merge some of them".into()));
         }
         let tree = opened(&path).map_err(|error| {
-            let help = "`objdict check` of that file says what is wrong with it";
+            let help = "run `objdict check` on that file";
             (say!("`{}` cannot be extended: {}", name, error), help.into())
         })?;
         let further = tree.get("extends").cloned();
@@ -101,7 +101,7 @@ fn opened(path: &Path) -> Result<KeyedTree, String> {
     let options = SourceOptions { encoding: None, max_size: MAX_TOML_SIZE };
     let source = SourceFile::open(path, &options).map_err(|error| error.to_string())?;
     if identify_source(&source).kind != ContentKind::DeviceToml {
-        return Err("it is no `device.toml`".to_owned());
+        return Err("it is not a `device.toml`".to_owned());
     }
     let mut findings = Findings::new();
     toml::read(source.text(), &mut findings).ok_or_else(|| {

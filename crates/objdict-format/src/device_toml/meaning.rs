@@ -87,7 +87,7 @@ fn members(section: &KeyedTable<'_>, address: &str, findings: &mut Findings) -> 
         match range(&text) {
             Some(range) => members.push(member(address, range, &bits.value.spelled())),
             None => {
-                let finding = Diagnostic::new(&WRONG_TYPE, bits.key.span, say!("`{}` is no bit", text));
+                let finding = Diagnostic::new(&WRONG_TYPE, bits.key.span, say!("`{}` is not a bit", text));
                 findings.push(finding.help("write the number of a bit, or a range such as `4-7`"));
             }
         }

@@ -102,7 +102,7 @@ fn mapped(section: &KeyedTable<'_>, device: &Device, findings: &mut Findings) ->
 }
 
 fn mapped_object(text: &str, device: &Device) -> Result<MappedObject, &'static str> {
-    const NO_ADDRESS: &str = "it is no address";
+    const NO_ADDRESS: &str = "it is not an address";
     let (address, bits) = match text.split_once('/') {
         Some((address, bits)) => (address, Some(bits.parse().map_err(|_| "its number of bits is none")?)),
         None => (text, None),

@@ -69,8 +69,11 @@ pub(super) fn read(root: &KeyedTable<'_>, findings: &mut Findings) -> Option<Dev
         .split_once('@')
         .and_then(|(profile, version)| Some((profile.parse().ok()?, version.parse().ok()?)));
     let Some((profile, version)) = numbers else {
-        let finding =
-            Diagnostic::new(&UNKNOWN_PROFILE, said.at, say!("`{}` is no profile with a version", said.value));
+        let finding = Diagnostic::new(
+            &UNKNOWN_PROFILE,
+            said.at,
+            say!("`{}` is not a profile with a version", said.value),
+        );
         findings
             .push(finding.help("write the number of the profile and the version of its data, as in `402@1`"));
         return None;
@@ -107,7 +110,7 @@ fn read_features(root: &KeyedTable<'_>, findings: &mut Findings) -> Features {
         let set = value.map(|value| read.set(key.name, &value));
         if let Some(Err(error)) = set {
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, say!("{}", error.to_string()));
-            findings.push(finding.help("write a value that the feature takes"));
+            findings.push(finding.help("write a value that the feature accepts"));
         }
     }
     read
@@ -148,7 +151,7 @@ pub(super) fn remove(
         |at: &KeyedTree| {
             let text = at.spelled();
             if !take_away(&text, device) && !taken.contains(&text.to_ascii_uppercase()) {
-                let message = say!("`{}` cannot be removed: the profile does not bring it", text);
+                let message = say!("`{}` cannot be removed: the profile does not contain it", text);
                 let finding = Diagnostic::new(&WRONG_TYPE, at.span, message);
                 findings.push(finding.help(
                     "write the address of an object or an entry of the profile, as in `1006` or `1018:4`",

@@ -36,9 +36,8 @@ pub(super) fn read(root: &KeyedTable<'_>, device: &mut Device, findings: &mut Fi
         let message = say!("the JSON of a device has no such value at `{}`", change.path);
         let finding = Diagnostic::new(&WRONG_TYPE, span.unwrap_or_default(), message);
         findings.push(
-            finding.help(
-                "`objdict convert` to JSON shows what there is, docs/reference/json.md what there may be",
-            ),
+            finding
+                .help("convert the device to JSON to see its values; docs/reference/json.md lists all keys"),
         );
     }
 }

@@ -58,7 +58,7 @@ impl ObjectReader<'_> {
         let Some(entries) = tree.entries() else {
             let message = say!("`object` is {}, not a table of objects", tree.kind_name());
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
-            self.findings.push(finding.help("write the objects by their indexes below it"));
+            self.findings.push(finding.help("write the objects below it by index"));
             return;
         };
         let mut seen = BTreeSet::new();
@@ -77,7 +77,7 @@ impl ObjectReader<'_> {
                 continue;
             }
             if !seen.insert(index) {
-                let message = say!("the object {}h is there twice", format!("{index:04X}"));
+                let message = say!("object {}h is defined twice", format!("{index:04X}"));
                 let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
                 self.findings.push(finding.help("remove one of them"));
             }
@@ -158,7 +158,7 @@ impl ObjectReader<'_> {
                     let message =
                         say!("`{}` has no `{}` for `{}`", name, entry.value.spelled(), entry.key.spelled());
                     let finding = Diagnostic::new(&WRONG_TYPE, entry.key.span, message);
-                    self.findings.push(finding.help("write a sub-index and what it has"));
+                    self.findings.push(finding.help("write a sub-index and its value"));
                 }
             }
         };
@@ -231,7 +231,7 @@ impl ObjectReader<'_> {
             };
             let Some(section) = KeyedTable::new(&name, &entry.value, ENTRY, self.findings) else { continue };
             if let Some(twice) = (first..=last).find(|sub| !seen.insert(*sub)) {
-                let message = say!("the sub-index {} is there twice", format!("{twice:X}"));
+                let message = say!("sub-index {} is defined twice", format!("{twice:X}"));
                 let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
                 self.findings.push(finding.help("remove one of them"));
             }
@@ -323,7 +323,7 @@ impl ObjectReader<'_> {
                 say!("sub-index `10` of {}h is 16: sub-indexes are hexadecimal", format!("{index:04X}"));
             let span = at.map(|entry| entry.key.span).unwrap_or_default();
             let finding = Diagnostic::new(&OUT_OF_RANGE, span, message).severity(Severity::Warning);
-            self.findings.push(finding.help("write `A` for the sub-index behind `9`"));
+            self.findings.push(finding.help("write `A` for the sub-index after `9`"));
         }
     }
 
@@ -336,7 +336,7 @@ impl ObjectReader<'_> {
         let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not a data type", word));
         self.findings.push(match nearest(word, type_words()) {
             _ if word.starts_with("[string(") => {
-                finding.help("elements have no length of their own: write `string`")
+                finding.help("elements cannot have individual lengths: write `string`")
             }
             Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
             None => finding.help("write a word such as `u16`, or the index of a definition as `0x0023`"),
@@ -429,7 +429,7 @@ impl ObjectReader<'_> {
         if u32::try_from(count).is_ok_and(|count| count > length) {
             let message = say!("`default` has {} characters, but its type has room for {}", count, length);
             let finding = Diagnostic::new(&OUT_OF_RANGE, tree.span, message).severity(Severity::Warning);
-            self.findings.push(finding.help("write a longer type, or a shorter text"));
+            self.findings.push(finding.help("write a longer type, or a shorter string"));
         }
     }
 

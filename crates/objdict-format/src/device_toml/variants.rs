@@ -58,7 +58,7 @@ pub(super) fn check_product_codes(base: &KeyedTree, findings: &mut Findings) {
         let message =
             say!("variant `{}` has the product code of {}: `{}`", name, other, format!("0x{code:X}"));
         let finding = Diagnostic::new(&SHARED_PRODUCT_CODE, variant.key.span, message);
-        findings.push(finding.help("give it a `device.product-number` of its own"));
+        findings.push(finding.help("give it a different `device.product-number`"));
     }
 }
 

@@ -62,7 +62,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         let mut reader = Self { types, units: units.collect(), named, room, read };
         for object in list(dictionary, "Objects", "Object") {
             if reader.object(object).is_none() {
-                reader.not_read(object, say!("this object and those behind it have too many entries"));
+                reader.not_read(object, say!("this object and the following ones have too many entries"));
                 break;
             }
         }
@@ -107,7 +107,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
     fn object(&mut self, element: Element<'a>) -> Option<()> {
         let index: Option<u16> = number(&text(element, "Index")).filter(|index| *index > 0);
         let Some(index) = index.filter(|index| !self.read.device.objects.contains_key(index)) else {
-            self.not_read(element, say!("an object has no index, or the index of another object"));
+            self.not_read(element, say!("an object has no index, or one that is already used"));
             return Some(());
         };
         let (name, type_name) = (text(element, "Name"), text(element, "Type"));
@@ -140,7 +140,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
             self.read.places.insert(Part::Entry(index, member.sub), of.id());
         }
         for (name, info) in infos {
-            self.not_read(info, say!("the type of the object has no item `{}`", name));
+            self.not_read(info, say!("the object's type has no item `{}`", name));
         }
         self.read.places.insert(Part::Object(index), self.named.unwrap_or(element).id());
         self.read.device.objects.insert(index, object);
@@ -167,7 +167,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
             let first = number(&text(item, "SubIdx")).unwrap_or(first);
             let end = first.saturating_add(count);
             if first < next || end > 256 {
-                self.not_read(item, say!("sub-index {} is above 255, or not behind the one before", first));
+                self.not_read(item, say!("sub-index {} is above 255, or out of order", first));
                 continue;
             }
             next = end;
@@ -194,7 +194,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         let name = name.clone().unwrap_or_else(|| format!("SubIndex {sub:03}")).into();
         let mut entry = Entry { name, object_type: Some(ObjectType::Var), data_type, ..Entry::default() };
         if data_type.is_none() {
-            self.not_read(*item, say!("there is no data type `{}`", type_name.as_str()));
+            self.not_read(*item, say!("unknown data type `{}`", type_name.as_str()));
         }
         if type_of(type_name).is_none() || type_name.contains(['(', '[']) {
             entry.extra.push("EtherCATType", type_name);

@@ -121,7 +121,7 @@ impl EsiDevice {
                         say!("the objects of the device are in `{}`, which cannot be read", line(named));
                     let finding =
                         Diagnostic::new(&NOT_READ, named.tag_span(), message).severity(Severity::Error);
-                    self.findings.push(finding.help("copy the vendor's file into the folder of this one"));
+                    self.findings.push(finding.help("copy the vendor's file into this file's folder"));
                 }
             }
         }
@@ -180,7 +180,7 @@ impl EsiDevice {
             entry.default == wanted.default
         };
         if !mapping.subs.iter().all(is_it) {
-            self.not_read(pdo, say!("the dictionary has another mapping at {:04X}h than the PDO", index));
+            self.not_read(pdo, say!("the dictionary's mapping at {:04X}h differs from the PDO", index));
         }
     }
 

@@ -35,7 +35,7 @@ fn identified(configuration: &ConciseDcf, length: usize) -> Identification {
     let downloads = configuration.0.len();
     let entries = if downloads == 1 { "entry".to_owned() } else { format!("{downloads} entries") };
     let layout = match downloads {
-        0 => "the bytes are a count of 0 and nothing else".to_owned(),
+        0 => "the bytes are only a count of 0".to_owned(),
         1 => format!("a count of 1 and one {entries} fill the {length} bytes exactly"),
         _ => format!("a count and {entries} fill the {length} bytes exactly"),
     };

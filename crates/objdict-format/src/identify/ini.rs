@@ -166,9 +166,9 @@ impl<'a> IniSigns<'a> {
         let (kind, but) = match (Format::from_name(content.name), commissioning) {
             (Some(Format::Dcf), Some(_)) => (ContentKind::Dcf, ""),
             (Some(Format::Dcf), None) => {
-                (ContentKind::Dcf, "; no `[DeviceComissioning]`, but the name says DCF")
+                (ContentKind::Dcf, "; no `[DeviceComissioning]`, but the name suggests DCF")
             }
-            (Some(Format::Eds), Some(_)) => (ContentKind::Eds, ", as in a DCF, but the name says EDS"),
+            (Some(Format::Eds), Some(_)) => (ContentKind::Eds, ", as in a DCF, but the name suggests EDS"),
             (_, Some(_)) => (ContentKind::Dcf, ""),
             (_, None) => (ContentKind::Eds, ""),
         };

@@ -3,7 +3,7 @@
 use crate::Format;
 use crate::input::FileKind;
 
-const ASK: &str = "ask the vendor for an EDS or XDD, if the device speaks CANopen too";
+const ASK: &str = "ask the vendor for an EDS or XDD if the device also supports CANopen";
 
 /// What a kind of content is to this crate.
 enum KindRole {
@@ -72,7 +72,7 @@ content_kinds! {
     /// Project of objdictgen, the generator of CanFestival (`.od`).
     ObjdictgenProject "objdictgen project" KindRole::Read(FileKind::Objdictgen), "is a project of objdictgen, the generator of CanFestival", None;
     /// Project of objdictgen in the JSON of its newer versions.
-    ObjdictgenJson "objdictgen project as JSON" KindRole::Canopen, "is a project of objdictgen as JSON, which is not read", Some("`odg convert device.json device.od` makes a project that is read");
+    ObjdictgenJson "objdictgen project as JSON" KindRole::Canopen, "is a project of objdictgen as JSON, which is not read", Some("`odg convert device.json device.od` creates a readable project");
     /// Project of CANopenEditor in the JSON of protobuf.
     CanopenEditorJson "CANopenEditor project as JSON" KindRole::Read(FileKind::CanopenEditorJson), "is a project of CANopenEditor as JSON", Some("convert it to an XDD");
     /// The short source of a device (docs/reference/device.md).
@@ -80,13 +80,13 @@ content_kinds! {
     /// Node list (CiA 306-3).
     NodeList "node list" KindRole::Read(FileKind::Cpj), "is a node list (CiA 306-3) and describes no device", Some("`objdict network check` checks it; its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).
-    ConciseDcf "concise DCF" KindRole::Read(FileKind::Cdcf), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
+    ConciseDcf "concise DCF" KindRole::Read(FileKind::Cdcf), "is a concise DCF, which contains values but no device description", Some("name the DCF that it was created from");
     /// Concise DCF as a text of one download a line (docs/guides/concise-dcf.md).
-    ConciseText "concise DCF as text" KindRole::Read(FileKind::CdcfText), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
+    ConciseText "concise DCF as text" KindRole::Read(FileKind::CdcfText), "is a concise DCF, which contains values but no device description", Some("name the DCF that it was created from");
     /// A device in the JSON of this crate.
     JsonDevice "device as JSON" KindRole::Read(FileKind::Json), "is a device as JSON", Some("convert it to an EDS or DCF");
     /// A concise DCF in the JSON of this crate.
-    JsonConciseDcf "concise DCF as JSON" KindRole::Read(FileKind::Json), "is a concise DCF, which holds values and describes no device", Some("name the DCF that it was made of");
+    JsonConciseDcf "concise DCF as JSON" KindRole::Read(FileKind::Json), "is a concise DCF, which contains values but no device description", Some("name the DCF that it was created from");
     /// Bus configuration in YAML, from which Lely's dcfgen and `ros2_canopen` make DCF and concise DCF.
     BusConfiguration "bus configuration" KindRole::Canopen, "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device", Some("`objdict network check` checks it; its keys `dcf` name the descriptions");
     /// Network of this crate: its nodes and links in TOML (docs/guides/network.md).
@@ -100,15 +100,15 @@ content_kinds! {
     /// XML device configuration of Ethernet POWERLINK (EPSG 311).
     PowerlinkXdc "XDC" KindRole::Foreign, "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one", Some("ask the vendor for the CANopen EDS or XDD");
     /// What the managing node of an Ethernet POWERLINK network is configured with, in the layout of a concise DCF.
-    PowerlinkConcise "CDC" KindRole::Foreign, "configures an Ethernet POWERLINK network, not a CANopen one", Some("its layout is that of a concise DCF, so `--from cdcf` shows what is in it");
+    PowerlinkConcise "CDC" KindRole::Foreign, "configures an Ethernet POWERLINK network, not a CANopen one", Some("it has the layout of a concise DCF, so `--from cdcf` shows its contents");
     /// XML device description of CANopen FD (CiA 1311).
-    CanopenFdXdd "XDD" KindRole::Foreign, "describes a CANopen FD device (CiA 1311), and only those of classic CANopen are read (CiA 311)", Some("ask the vendor for the EDS or XDD of classic CANopen, if the device speaks it too");
+    CanopenFdXdd "XDD" KindRole::Foreign, "describes a CANopen FD device (CiA 1311), but only classic CANopen (CiA 311) is supported", Some("ask the vendor for an EDS or XDD if the device also supports classic CANopen");
     /// EtherCAT slave information.
     EthercatEsi "ESI" KindRole::Read(FileKind::Esi), "describes EtherCAT devices (ESI)", None;
     /// EDS of DeviceNet, EtherNet/IP, ControlNet or CompoNet (CIP).
     CipEds "EDS" KindRole::Foreign, "", Some("CANopen and CIP both call their files EDS; ask the vendor for the one of CANopen (CiA 306)");
     /// Constraints of an FPGA design in Tcl, which Vivado keeps in files called `.xdc`.
-    FpgaConstraints "FPGA constraints" KindRole::Foreign, "holds constraints of an FPGA design (Tcl), no CANopen device", Some("an XDC of CANopen is XML; this one belongs to an FPGA design");
+    FpgaConstraints "FPGA constraints" KindRole::Foreign, "contains FPGA constraints (Tcl), not a CANopen device", Some("an XDC of CANopen is XML; this one belongs to an FPGA design");
     /// IO-Link device description.
     Iodd "IODD" KindRole::Foreign, "describes an IO-Link device (IODD), not a CANopen one", Some(ASK);
     /// PROFINET device description.
@@ -116,7 +116,7 @@ content_kinds! {
     /// PROFIBUS device description.
     Gsd "GSD" KindRole::Foreign, "describes a PROFIBUS device (GSD), not a CANopen one", Some(ASK);
     /// CAN database: messages and signals, as of J1939.
-    Dbc "CAN database" KindRole::Foreign, "is a CAN database (DBC), which has messages and signals but no object dictionary", Some("an EDS or DCF has the objects behind the messages; ask the vendor for it");
+    Dbc "CAN database" KindRole::Foreign, "is a CAN database (DBC), which has messages and signals but no object dictionary", Some("ask the vendor for the EDS or DCF, which describes the objects in the messages");
     /// A device profile by ISO 15745 for a technology that has no kind of its own here.
     OtherProfile "device profile" KindRole::Foreign, "", Some(ASK);
     /// Other XML.

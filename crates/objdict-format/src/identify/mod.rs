@@ -124,7 +124,7 @@ impl Identification {
                 let technology = self.technology.as_deref().unwrap_or("an unnamed technology");
                 format!("is a device profile (ISO 15745) for {technology}, not for CANopen")
             }
-            ContentKind::OtherXml => format!("is XML, but no description: {}", self.reason),
+            ContentKind::OtherXml => format!("is XML, but not a description: {}", self.reason),
             ContentKind::Unknown => format!("is not a file that objdict knows: {}", self.reason),
             kind => return Cow::Borrowed(kind.verdict()),
         })
@@ -192,7 +192,8 @@ impl<'a> ExaminedContent<'a> {
 fn of_text(content: &ExaminedContent<'_>) -> Identification {
     let text = content.head.trim_start_matches(is_blank);
     if text.is_empty() {
-        let reason = if content.bytes.is_empty() { "the file is empty" } else { "there are only blanks" };
+        let reason =
+            if content.bytes.is_empty() { "the file is empty" } else { "the file contains only white space" };
         return Identification::new(ContentKind::Unknown, reason);
     }
     let xml = xml::identify(content, text);
@@ -219,7 +220,8 @@ mod xml {
     use super::{ContentKind, ExaminedContent, Identification};
 
     pub(super) fn identify(_: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
-        let reason = "it starts with `<`, and this build of objdict reads no XML: enable its feature `xdd`";
+        let reason =
+            "it starts with `<`, but this build of objdict cannot read XML: enable its feature `xdd`";
         text.starts_with('<').then(|| Identification::new(ContentKind::OtherXml, reason))
     }
 
@@ -232,7 +234,7 @@ fn unknown(content: &ExaminedContent<'_>) -> Identification {
     let reason = match SIGNATURES.iter().find(|(start, _)| content.bytes.starts_with(start)) {
         Some((_, what)) => what,
         None if content.looks_binary() => "binary data that is not a concise DCF",
-        None => "a text without anything that a known format has",
+        None => "text without features of a known format",
     };
     Identification::new(ContentKind::Unknown, reason)
 }

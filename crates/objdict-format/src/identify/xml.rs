@@ -147,7 +147,7 @@ impl XmlSigns {
             match (technology, body) {
                 ("", "") => {}
                 ("", body) => reason.push_str(&format!(", with a profile body of the type `{body}`")),
-                (technology, _) => reason.push_str(&format!(", and `ProfileTechnology` says `{technology}`")),
+                (technology, _) => reason.push_str(&format!(", and `ProfileTechnology` is `{technology}`")),
             }
         }
         match word {
@@ -167,7 +167,7 @@ impl XmlSigns {
                 self.canopen(content, root, format!("{reason}, and the name is one of CANopen"))
             }
             None => {
-                Identification::new(ContentKind::OtherXml, format!("{reason}, which names no technology"))
+                Identification::new(ContentKind::OtherXml, format!("{reason}, which specifies no technology"))
             }
         }
     }
@@ -183,7 +183,7 @@ impl XmlSigns {
             None => self.file_name.as_deref().and_then(known_ending) == Some("xpd"),
         };
         let kind = if is_profile {
-            reason.push_str("; the name says that it is a profile database");
+            reason.push_str("; the name suggests a profile database");
             ContentKind::Xpd
         } else if let Some(sign) = self.configured(content) {
             reason.push_str(sign);
@@ -200,7 +200,7 @@ impl XmlSigns {
     fn configured(&self, content: &ExaminedContent<'_>) -> Option<&'static str> {
         match known_ending(content.name) {
             Some("xdc") if commissioning(content).is_some() => Some(", with `deviceCommissioning`"),
-            Some("xdc") => Some("; no `deviceCommissioning`, but the name says XDC"),
+            Some("xdc") => Some("; no `deviceCommissioning`, but the name suggests XDC"),
             Some(_) => None,
             None if commissioning(content).is_some() => Some(", with `deviceCommissioning`"),
             None if content.contains("actualValue=") => Some(", with `actualValue`"),

@@ -126,15 +126,15 @@ objdict_model::error_messages! { ReadError:
     Self::Content { name, error } => "cannot read `{name}`: {error}";
     Self::SeveralDevices { name, count } => "`{name}` describes {count} devices";
     Self::NoSuchDevice { name, number, count } =>
-        "`{name}` has no device {number}, it describes {}", counted(*count, "device", "devices");
+        "`{name}` has no device {number}; it describes {}", counted(*count, "device", "devices");
     Self::TooManyDevices { name, count } =>
-        "`{name}`: there are {count} devices, but a network has at most {MAX_DEVICES}";
+        "`{name}`: {count} devices, but a network has at most {MAX_DEVICES}";
     Self::NoSuchVariant { name, variant, .. } => "`{name}` has no variant `{variant}`";
-    Self::NoDevice { name, kind } => "`{name}` is read as {} and describes no device", kind.name();
+    Self::NoDevice { name, kind } => "`{name}` is read as {} and does not describe a device", kind.name();
     Self::NotPatched { name, problems } => "cannot apply the patches to `{name}`\n{problems}";
-    Self::Faulty { name, problems } => "`{name}` has errors, so nothing is made of it\n{problems}";
+    Self::Faulty { name, problems } => "`{name}` has errors, so no output is created\n{problems}";
     Self::NotBuilt { name, kind } =>
-        "`{name}` is read as {}, for which this build of objdict has no reader", kind.name();
+        "`{name}` is read as {}, which this build of objdict cannot read", kind.name();
 } }
 
 impl ReadError {

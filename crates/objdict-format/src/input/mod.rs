@@ -54,7 +54,7 @@ const ENTRIES_PER_OBJECT: usize = 4;
 /// How many values go with an entry that is allowed, for the limits of what takes less memory.
 pub(crate) const VALUES_PER_ENTRY: usize = 10;
 
-const NOT_A_NODE: &str = "it describes a device of EtherCAT, which is no CANopen node; ask the vendor for an EDS or XDD, if it speaks CANopen too";
+const NOT_A_NODE: &str = "it describes an EtherCAT device, not a CANopen node; if the device also supports CANopen, ask the vendor for an EDS or XDD";
 
 /// A file with several devices is a network, and a node-ID is one of 127.
 pub const MAX_DEVICES: usize = 127;

@@ -177,7 +177,7 @@ impl<'a> ObjdictgenProject<'a> {
         let mappings = std::mem::take(&mut self.mappings);
         for (index, value) in entries {
             let Some(described) = DescribedObject::new(&mappings, index) else {
-                let message = say!("no part of the project says what object {:04X}h is", index);
+                let message = say!("no part of the project defines object {:04X}h", index);
                 self.findings.push(Diagnostic::new(&UNKNOWN_OBJECT, value.tag_span(), message).help(REMEDY));
                 continue;
             };
@@ -307,7 +307,8 @@ impl<'a> ObjdictgenProject<'a> {
         match name.char_indices().nth(LONGEST_NAME) {
             None => name.into(),
             Some((end, _)) => {
-                let message = say!("a name has more than {} characters and is cut off", LONGEST_NAME as u64);
+                let message =
+                    say!("a name has more than {} characters and is truncated", LONGEST_NAME as u64);
                 self.findings.push(Diagnostic::new(&NOT_READ, at.tag_span(), message).help(REMEDY));
                 name[..end].into()
             }

@@ -81,9 +81,9 @@ fn refusal(device: &Device, refused: DatumChange) -> PatchProblem {
     let before = refused.after.as_ref().map(Datum::fingerprint);
     let path = refused.path.clone();
     match compare::apply(&mut device.clone(), vec![DatumChange { before, ..refused }]).is_empty() {
-        true => PatchProblem::NoEffect(say!("`{}` is so already", path)),
+        true => PatchProblem::NoEffect(say!("`{}` already has this value", path)),
         false => PatchProblem::NotExpected(say!(
-            "`{}` is not what the patch expects, or cannot become what it sets",
+            "`{}` does not match `expect`, or cannot take the values of `set`",
             path
         )),
     }
@@ -123,15 +123,15 @@ pub(super) fn make_words(device: &mut Device, words: &ChangeWords) -> Result<Vec
     let exists = is_there(device, part);
     match (&words.add, exists) {
         (Some(fields), true) if fields.iter().all(|field| says(device, part, field)) => {
-            return Err(PatchProblem::NoEffect(say!("`{}` is there already", name)));
+            return Err(PatchProblem::NoEffect(say!("`{}` already exists", name)));
         }
         (Some(_), true) => {
-            return Err(PatchProblem::NotExpected(say!("`{}` is there already, with other fields", name)));
+            return Err(PatchProblem::NotExpected(say!("`{}` already exists, with different fields", name)));
         }
         (None, false) if words.is_removed => {
-            return Err(PatchProblem::NoEffect(say!("there is no `{}`", name)));
+            return Err(PatchProblem::NoEffect(say!("`{}` does not exist", name)));
         }
-        (None, false) => return Err(PatchProblem::NotExpected(say!("there is no `{}`", name))),
+        (None, false) => return Err(PatchProblem::NotExpected(say!("`{}` does not exist", name))),
         _ => {}
     }
     let is_done = words.set.iter().all(|field| says(device, part, field))
@@ -142,7 +142,7 @@ pub(super) fn make_words(device: &mut Device, words: &ChangeWords) -> Result<Vec
             || say!("`{}` has no such field", name.as_str()),
             |field| {
                 say!(
-                    "`{}` of `{}` is `{}` already",
+                    "`{}` of `{}` is already `{}`",
                     field.word.as_str(),
                     name.as_str(),
                     field.value.spelled()
@@ -199,12 +199,12 @@ fn expect(device: &Device, part: &Part, words: &ChangeWords) -> Result<(), Patch
         let is_corrected = words.set.iter().any(|own| own.word == field.word && says(device, part, own));
         return Err(PatchProblem::NotExpected(match get(device, part, &field.word) {
             Some(found) if is_corrected => {
-                say!("the vendor corrected `{}` of `{}`: it is `{}` already", word, name, shown(&found))
+                say!("the vendor corrected `{}` of `{}`: it is already `{}`", word, name, shown(&found))
             }
             Some(found) => {
                 say!("the vendor changed `{}` of `{}`: `{}` → `{}`", word, name, expected, shown(&found))
             }
-            None => say!("`{}` does not state `{}`, which was `{}`", name, word, expected),
+            None => say!("`{}` has no `{}`, which was `{}`", name, word, expected),
         }));
     }
     for word in &words.absent {
@@ -286,7 +286,7 @@ fn add(device: &mut Device, part: &Part) -> Result<(), PatchProblem> {
         }
         Part::Entry(index, sub) => {
             let missing =
-                || PatchProblem::NotExpected(say!("there is no `{}`", Part::Object(index).to_string()));
+                || PatchProblem::NotExpected(say!("`{}` does not exist", Part::Object(index).to_string()));
             device.objects.get_mut(&index).ok_or_else(missing)?.subs.insert(sub, Entry::default());
         }
         _ => {}

@@ -104,7 +104,7 @@ pub(crate) fn set(
     value: Option<&KeyedTree>,
 ) -> Result<(), Text> {
     if facts_of(part).is_some() {
-        let path = path_of(part, word).ok_or_else(|| say!("there is no fact `{}`", word))?;
+        let path = path_of(part, word).ok_or_else(|| say!("unknown field `{}`", word))?;
         return set_fact(device, &path, value);
     }
     match word {
@@ -196,7 +196,7 @@ fn set_parameter(
             parameter.allowed_values.get_or_insert_default().values = AllowedValues::named(values).values;
             parameter.allowed_values.take_if(|allowed| *allowed == AllowedValues::default());
         }
-        word => return Err(say!("there is no field `{}`", word)),
+        word => return Err(say!("unknown field `{}`", word)),
     }
     Ok(())
 }
@@ -214,7 +214,7 @@ fn set_compact(device: &mut Device, part: &Part, word: &str, value: Option<&Keye
         list.extend(item.map(|item| (sub, item)));
         list.sort_by_key(|(sub, _)| *sub);
     }
-    let missing = || say!("there is no `{}`", part.to_string());
+    let missing = || say!("`{}` does not exist", part.to_string());
     let Part::Entry(index, sub) = *part else { return Err(missing()) };
     let object = device.objects.get_mut(&index).ok_or_else(missing)?;
     let data_type = object.main.implied_type();
@@ -230,7 +230,7 @@ fn set_compact(device: &mut Device, part: &Part, word: &str, value: Option<&Keye
         }
         word => {
             return Err(say!(
-                "`{}` is stored compactly, so its `{}` is that of `{}`",
+                "`{}` is stored compactly, so it shares its `{}` with `{}`",
                 part.to_string(),
                 word,
                 Part::Object(index).to_string()
@@ -399,7 +399,7 @@ fn set_bits(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Resu
         });
     }
     let id = format!("BITS_{}", part.to_string().trim_start_matches("0x"));
-    let missing = || say!("there is no `{}` of its own", part.to_string());
+    let missing = || say!("`{}` has no description of its own", part.to_string());
     let entry = entry_mut(device, part).ok_or_else(missing)?;
     let old = match &entry.parameter_mut().data_type {
         Some(DataTypeRef::Defined(id)) => Some(id.clone()),
@@ -468,7 +468,7 @@ fn set_group(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Res
         }
         groups.retain(|group| !group.groups.is_empty() || !group.parameters.is_empty());
     }
-    let missing = || say!("there is no `{}` of its own", part.to_string());
+    let missing = || say!("`{}` has no description of its own", part.to_string());
     let id = parameter_id(part, entry(device, part).ok_or_else(missing)?.parameter.as_deref());
     device.application.iter_mut().for_each(|process| leave(&mut process.groups, &id));
     if let Some(path) = value.map(KeyedTree::spelled) {

@@ -71,7 +71,7 @@ fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     let at = Said::new(at.spelled(), at.span);
     // a number of TOML would be read as decimal
     let Some(part) = part_of(&at.value).filter(|_| is_text) else {
-        let help = "write an index in hex in quotes, and a sub-index behind it: `\"2001\"`, `\"2001:3\"`";
+        let help = "write a quoted index in hex, with or without a sub-index: `\"2001\"`, `\"2001:3\"`";
         findings.push(Diagnostic::new(&INVALID_CHANGE, at.at, no_part(&at.value)).help(help));
         return None;
     };
@@ -154,8 +154,7 @@ fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<S
         if FIELDS.iter().any(|key| key.name == word) {
             names.push(Said::new(word, said.at));
         } else {
-            let finding =
-                Diagnostic::new(&INVALID_CHANGE, said.at, say!("there is no field `{}`", said.value));
+            let finding = Diagnostic::new(&INVALID_CHANGE, said.at, say!("unknown field `{}`", said.value));
             findings.push(finding.help("write one of the words of docs/guides/patches.md"));
         }
     }
