@@ -469,7 +469,7 @@ fn what_has_no_meaning_in_code_is_noted() {
             "0x2006sub0: `-1` of `below` is not a valid UNSIGNED8",
             "0x2006sub0: `one` of `no number` is not a valid UNSIGNED8",
             "0x2008sub0: values of REAL32 are not numbers and cannot have names",
-            "0x2100sub0: the member `too long` ends at bit 26, a value of INTEGER24 at bit 23",
+            "0x2100sub0: the member `too long` ends at bit 26, but a value of INTEGER24 at bit 23",
             "0x2105sub0: the member `no bits` is not part of a word: `0` is not a number of bits",
         ]
     );

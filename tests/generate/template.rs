@@ -112,26 +112,35 @@ fn errors_name_file_and_line() {
             "{% for a in range(9999) %}{% for b in range(9999) %}\n{{ a }}{% endfor %}{% endfor %}",
             "my.j2:2: engine ran out of fuel",
         ),
-        (r#"{{ "%1000000000s"|format("x") }}"#, "my.j2:1: invalid operation: `format` would make more than"),
-        (r#"{{ "%0*d"|format(500000000, 1) }}"#, "my.j2:1: invalid operation: `format` would make more than"),
+        (
+            r#"{{ "%1000000000s"|format("x") }}"#,
+            "my.j2:1: invalid operation: `format` would produce more than",
+        ),
+        (
+            r#"{{ "%0*d"|format(500000000, 1) }}"#,
+            "my.j2:1: invalid operation: `format` would produce more than",
+        ),
         (
             r#"{{ "x"|indent(4000000000, true) }}"#,
-            "my.j2:1: invalid operation: `indent` would make more than",
+            "my.j2:1: invalid operation: `indent` would produce more than",
         ),
         (
             r#"{{ "x"|indent(width=4000000000) }}"#,
-            "my.j2:1: invalid operation: `indent` would make more than",
+            "my.j2:1: invalid operation: `indent` would produce more than",
         ),
         (r#"{{ ("x" * 10000)|replace("x", "y" * 10000) }}"#, "my.j2:1: invalid operation: `replace` would"),
         (
             r#"{{ range(100000)|join("x" * 1000000) }}"#,
-            "my.j2:1: invalid operation: `join` would make more than",
+            "my.j2:1: invalid operation: `join` would produce more than",
         ),
         (
             "{{ [1]|slice(100000000)|list|length }}",
-            "my.j2:1: invalid operation: `slice` would make more than",
+            "my.j2:1: invalid operation: `slice` would produce more than",
         ),
-        ("{{ [1]|batch(100000000, 0)|length }}", "my.j2:1: invalid operation: `batch` would make more than"),
+        (
+            "{{ [1]|batch(100000000, 0)|length }}",
+            "my.j2:1: invalid operation: `batch` would produce more than",
+        ),
         (&format!("{{{{ 1{} }}}}", "+1".repeat(30_000)), "my.j2: a tag has more than 16384 bytes"),
         (
             &format!("{{% if 0 %}}{}{{% endif %}}", "{% elif 0 %}".repeat(30_000)),

@@ -404,11 +404,11 @@ pub enum GenerateError {
 
 objdict_model::error_messages! { GenerateError: {
     Self::UnknownTarget { name } => "unknown target `{name}`; the targets are {}", known_targets();
-    Self::NodeId { node_id } => "`{node_id}` is not a node-ID from 1 to 127";
+    Self::NodeId { node_id } => "`{node_id}` is not a valid node-ID (1 to 127)";
     Self::Identifier { option, text } =>
         "`{text}` is not an identifier of at most 16 characters for `{option}`: use letters, digits and single `_`";
     Self::Hides { option, word } =>
-        "`{word}` for `{option}` hides a standard module or header: choose another name";
+        "`{word}` for `{option}` hides a standard module or header: choose a different name";
     Self::NoEntries { .. } => "the device has no entries";
     Self::Inexpressible(notes) => "{}", list(notes);
     Self::NoCell => "`--cell` needs `--runtime` and a node-ID (`--node-id N`)";

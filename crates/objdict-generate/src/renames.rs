@@ -83,7 +83,7 @@ impl StorageGroup {
         let is_word = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
         if objects.is_empty() {
             let (first, last) = (objects.start(), objects.end());
-            return Err(ChoiceError::new(format!("no index is in {first:X}h to {last:X}h")));
+            return Err(ChoiceError::new(format!("no object is in {first:X}h to {last:X}h")));
         }
         if !is_word || !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
             let message =

@@ -270,7 +270,7 @@ impl<'a> Resolver<'a> {
             let Some(invalid) = entry.invalid_values.get(&field).filter(|_| !ignored) else { continue };
             let instead = match invalid.intended(data_type).filter(|_| field != Field::ParameterValue) {
                 Some(Intended::Value(value)) => format!("it is read as {value}"),
-                Some(Intended::Nothing) => "it is read as no value".to_owned(),
+                Some(Intended::Nothing) => "it is read as missing".to_owned(),
                 None => instead.to_owned(),
             };
             let text = format!("`{}` is not a valid {data_type}; {instead}", invalid.text);

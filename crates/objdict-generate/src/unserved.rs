@@ -46,8 +46,8 @@ pub const UNSERVED: [Unserved; 10] = [
         Some(("expected programs", "CiA 302-3")),
         "the node does not compare its program with the expected one",
     ),
-    row(0x1F80..=0x1F80, None, "the node starts by itself if bit 2 is 0, but is no NMT master"),
-    row(0x1F81..=0x1F8F, Some(("NMT master", "CiA 302-2")), "the node is no NMT master"),
+    row(0x1F80..=0x1F80, None, "the node starts by itself if bit 2 is 0, but is not an NMT master"),
+    row(0x1F81..=0x1F8F, Some(("NMT master", "CiA 302-2")), "the node is not an NMT master"),
 ];
 
 /// The object that stores values.

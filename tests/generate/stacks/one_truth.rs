@@ -165,10 +165,10 @@ const OF_CANOPENNODE: &[(Aspect, &str)] = &[
     (Aspect::Size, "of the stack has a fixed length"),
     (Aspect::Size, "without a default has no memory in the tables"),
     (Aspect::Default, "truncates a UNICODE_STRING at its first zero byte"),
-    (Aspect::Default, "truncates a text at its first zero"),
+    (Aspect::Default, "truncates a string at its first zero"),
     (Aspect::Default, "the stack adds the node-ID to"),
     (Aspect::Default, "the stack sets it to"),
-    (Aspect::Default, "a NaN comes out as"),
+    (Aspect::Default, "a NaN becomes"),
 ];
 
 const OF_CANOPEN_STACK: &[(Aspect, &str)] = &[
@@ -190,12 +190,12 @@ const OF_MICROCANOPEN: &[(Aspect, &str)] = &[
 
 const OF_CANFESTIVAL: &[(Aspect, &str)] = &[
     (Aspect::Entry, "an object of the stack has at most 255 rows"),
-    (Aspect::Default, "the stack truncates a text at its first zero byte"),
+    (Aspect::Default, "the stack truncates a string at its first zero byte"),
     (Aspect::Default, "a row has a fixed length"),
 ];
 
 const OF_CANOPENNODE_V1: &[(Aspect, &str)] = &[
-    (Aspect::Entry, "the stack answers with the number of errors"),
+    (Aspect::Entry, "the stack responds with the number of errors"),
     (Aspect::Default, "a row has a fixed length"),
     (Aspect::Default, "the stack adds the node-ID to"),
     (Aspect::Default, "the stack sets it to"),
@@ -203,7 +203,7 @@ const OF_CANOPENNODE_V1: &[(Aspect, &str)] = &[
 
 const OF_LELY: &[(Aspect, &str)] = &[
     (Aspect::Entry, "an object of the stack has at most 255 entries"),
-    (Aspect::Type, "the stack has no types of the device"),
+    (Aspect::Type, "the stack does not support device-specific types"),
     (Aspect::Access, "in place of a value"),
     (Aspect::Default, "in place of a value"),
     (Aspect::Default, "truncates a UNICODE_STRING at its first zero"),

@@ -50,7 +50,7 @@ fn consumers(device: &Device, note: &Note) -> Vec<String> {
 }
 
 fn server(note: &Note) -> Vec<String> {
-    let is_off = ["so the stack has no SDO server", "the stack does not answer the SDOs"];
+    let is_off = ["so the stack has no SDO server", "the stack does not respond to SDOs"];
     let is_off = is_off.iter().any(|text| note.message.contains(text));
     is_off.then(|| "server off".to_owned()).into_iter().collect()
 }
@@ -87,7 +87,7 @@ pub(crate) fn device(pdos: &[(u16, u8, u32, &[u32])]) -> Device {
 /// Whether the stack does something that no test can expect.
 pub(crate) fn is_undefined(notes: &[Note]) -> bool {
     let undefined =
-        ["access memory behind its mapping", "keep the stack from starting", "write to constants"];
+        ["access memory beyond its mapping", "keep the stack from starting", "write to constants"];
     notes.iter().any(|note| undefined.iter().any(|text| note.message.contains(text)))
 }
 

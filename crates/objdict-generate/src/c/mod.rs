@@ -74,7 +74,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     if options.table == CTable::Structs && has_hooks(&table) {
         let text = "an array of structures has no functions that could call hooks";
         let note = Note::new(Place::device(), text);
-        notes.push(note.help("look at the flag `HOOK` of the entries where they are read and written"));
+        notes.push(note.help("check the `HOOK` flag where entries are read and written"));
     }
     if !frames.is_empty() {
         let view = pdo::PdoFiles::new(&table, (&prefix, stem), &frames, are_fixed);

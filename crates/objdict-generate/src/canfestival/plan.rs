@@ -11,7 +11,7 @@ use crate::resolve::{Encoded, ValueShape};
 use crate::variables::{CType, Definition, ObjectVariable, WantedName, variables};
 use crate::{Note, Options, stored};
 
-const ENDS_AT_ZERO: &str = "the stack truncates a text at its first zero byte";
+const ENDS_AT_ZERO: &str = "the stack truncates a string at its first zero byte";
 
 /// The most rows of an object.
 const MOST_ROWS: u8 = u8::MAX;

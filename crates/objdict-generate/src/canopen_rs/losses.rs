@@ -99,7 +99,7 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     let mapping = PdoKind::of_mapping(index);
     let Some((_, number)) = mapping.or(PdoKind::of_communication(index)) else { return };
     if number > PDOS {
-        let text = format!("the node of the crate serves only PDO 1 to {PDOS}");
+        let text = format!("the crate's node serves only PDO 1 to {PDOS}");
         notes.push(Note::new(Place::object(index), text));
         return;
     }
@@ -110,13 +110,13 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     if mapping.is_some() {
         let count = object.entry(0).and_then(word).unwrap_or(0);
         if count > MAPPED {
-            let text = format!("the node of the crate maps at most {MAPPED} entries to a PDO, not {count}");
+            let text = format!("the crate's node maps at most {MAPPED} entries to a PDO, not {count}");
             notes.push(Note::new(Place::entry(index, 0), text));
         }
         let mapped = object.entries.iter().filter(|entry| entry.sub > 0 && u64::from(entry.sub) <= count);
         for entry in mapped {
             if let Some(bits) = word(entry).map(|word| word & 0xFF).filter(|bits| !bits.is_multiple_of(8)) {
-                let text = format!("the node of the crate packs only whole bytes, not {bits} bits");
+                let text = format!("the crate's node packs only whole bytes, not {bits} bits");
                 notes.push(Note::new(Place::entry(index, entry.sub), text));
             }
         }
@@ -127,9 +127,9 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
             (1, Encoded::Word(cob_id) | Encoded::Formula(cob_id)) if cob_id & 0x2000_0000 != 0 => {
                 "the node of the crate supports only 11-bit CAN-IDs"
             }
-            (3, Encoded::Word(time)) if *time != 0 => "the node of the crate ignores the inhibit time",
-            (5, Encoded::Word(time)) if *time != 0 => "the node of the crate ignores the event timer",
-            (6, Encoded::Word(start)) if *start != 0 => "the node of the crate ignores the SYNC start value",
+            (3, Encoded::Word(time)) if *time != 0 => "the crate's node ignores the inhibit time",
+            (5, Encoded::Word(time)) if *time != 0 => "the crate's node ignores the event timer",
+            (6, Encoded::Word(start)) if *start != 0 => "the crate's node ignores the SYNC start value",
             _ => continue,
         };
         notes.push(Note::new(Place::entry(index, entry.sub), text));

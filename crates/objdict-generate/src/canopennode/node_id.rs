@@ -67,7 +67,7 @@ pub(crate) fn replaced(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
         _ if is_of_node => None,
         0x1200 => Some(format!("the stack sets it to `$NODEID+0x{base:X}`")),
         0x1014 if value & 0x8000_0000 == 0 => Some(
-            "the stack takes `$NODEID+0x80` unless it is compiled with `CO_CONFIG_EM_PROD_CONFIGURABLE`"
+            "the stack uses `$NODEID+0x80` unless it is compiled with `CO_CONFIG_EM_PROD_CONFIGURABLE`"
                 .to_owned(),
         ),
         _ => None,

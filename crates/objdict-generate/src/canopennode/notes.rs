@@ -31,7 +31,7 @@ pub(super) fn of_object(object: &StackObject<'_>, notes: &mut Vec<Note>) {
             notes.push(note.help("write a default").error());
         }
         if is_odd_nan(&member.entry.resolved) {
-            notes.push(Note::new(place.clone(), "a NaN comes out as that of the compiler's `NAN`"));
+            notes.push(Note::new(place.clone(), "a NaN becomes the compiler's `NAN`"));
         }
         if object.index == 0x1003 && !member.entry.resolved.default.is_zero() {
             notes.push(Note::new(place.clone(), "the error history is empty when the stack starts"));
@@ -59,7 +59,7 @@ fn text(member: &Member<'_>) -> Option<&'static str> {
             .default
             .bytes()
             .contains(&0)
-            .then_some("the SDO server of the stack truncates a text at its first zero"),
+            .then_some("the stack's SDO server truncates a string at its first zero"),
     }
 }
 

@@ -25,7 +25,7 @@ pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
     resolved.padding().iter().for_each(|text| say(place.clone(), text));
     match (index, entry.sub, &resolved.default) {
         (0x1003, 0, _) => {
-            say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
+            say(place.clone(), "the stack responds with the number of errors and accepts 0 to erase them");
         }
         (0x1280..=0x12FF, 1, default) if !matches!(default, Encoded::Word(0 | 0x8000_0000)) => {
             say(place.clone(), "an SDO client of the stack begins without a server");
@@ -49,7 +49,7 @@ pub(super) fn of_lengths(dictionary: &TableDictionary<'_>, notes: &mut Vec<Note>
         let size = entry.resolved.shape.size();
         longest = longest.max(size);
         if size > most {
-            let text = format!("SDOs of the stack transfer at most {most} bytes");
+            let text = format!("the stack's SDOs transfer at most {most} bytes");
             notes.push(Note::new(Place::entry(object.index, entry.sub), text));
         }
     }

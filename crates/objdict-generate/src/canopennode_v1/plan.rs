@@ -151,7 +151,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         let location = ValueLocation::of(object, self.options);
         let fixed = named(object);
         if let Err(wanted) = &fixed {
-            let text = format!("the stack expects another type here and uses a `{}` of its own", wanted.name);
+            let text = format!("the stack expects a different type here and uses its own `{}`", wanted.name);
             self.notes.push(Note::new(Place::object(object.index), text));
         }
         let fixed = fixed.ok().flatten();
@@ -177,7 +177,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
             let record = if is_used { format!("{name}_{:04X}", object.index) } else { name.clone() };
             self.record(&record, &[PlannedRecord { object, location, cells }]);
             if is_used {
-                let text = format!("the stack expects an ARRAY here and uses a `{name}` of its own");
+                let text = format!("the stack expects an ARRAY here and uses its own `{name}`");
                 self.notes.push(Note::new(Place::object(object.index), text));
             }
             return;

@@ -8,7 +8,7 @@ use objdict_node::download::{ConciseDcf, Plan, PlanError, PlanOptions};
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     if device.is_ethercat() {
         let note =
-            Note::new(Place::device(), "a device of EtherCAT has no concise DCF: it is no CANopen node");
+            Note::new(Place::device(), "an EtherCAT device has no concise DCF: it is not a CANopen node");
         return Err(GenerateError::Inexpressible(vec![note]));
     }
     let node_id = options.node_id_of(device)?;

@@ -148,8 +148,7 @@ fn row(
     let place = Place::entry(object.index, entry.sub);
     let data_type = data_type(resolved.shape);
     if let ValueShape::Block(_) = resolved.shape {
-        let text =
-            "the stack has no types of the device; the entry is the UNSIGNED or OCTET_STRING of its length";
+        let text = "the stack does not support device-specific types; the entry becomes an UNSIGNED or OCTET_STRING of its length";
         notes.push(Note::new(place.clone(), text));
     }
     let file = file_of(&entry.entry, data_type);

@@ -100,7 +100,7 @@ impl<'a> Image<'a> {
     pub(super) fn check(&self, notes: &mut Vec<Note>) {
         if self.size > REACH {
             let text = format!(
-                "the process image has {} bytes; offsets of MicroCANopen reach {REACH}, those of its Plus version further",
+                "the process image has {} bytes; offsets reach {REACH} in MicroCANopen and further in MicroCANopen Plus",
                 self.size
             );
             notes.push(Note::new(Part::Device, text));

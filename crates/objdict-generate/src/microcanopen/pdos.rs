@@ -129,8 +129,8 @@ fn place(pdo: &Pdo<'_>, image: &mut Image<'_>) -> Result<(usize, usize), (Place,
     match places[0].filter(|_| in_order) {
         Some(offset) => Ok((offset, length)),
         None => {
-            let text =
-                "another PDO also maps the entry, but it has only one place in the process image".to_owned();
+            let text = "a different PDO also maps the entry, which has only one place in the process image"
+                .to_owned();
             Err((at(sub), text))
         }
     }

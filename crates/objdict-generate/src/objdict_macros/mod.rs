@@ -212,7 +212,7 @@ fn entries(pdo: &Pdo<'_>, tables: &ObjdictMacrosView<'_>, notes: &mut Vec<Note>)
     for (slot, mapped) in pdo.mapped_slots() {
         let place = Place::entry(index, slot);
         if entries.len() == SLOTS {
-            notes.push(Note::new(place, format!("a PDO has {SLOTS} mapping entries at most")));
+            notes.push(Note::new(place, format!("a PDO has at most {SLOTS} mapping entries")));
             break;
         }
         let (object, sub, bits) = (mapped.index, mapped.sub, mapped.bits);

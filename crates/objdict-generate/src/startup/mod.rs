@@ -185,7 +185,7 @@ fn default_server(dictionary: &TableDictionary<'_>) -> Vec<Note> {
             word if word & NOT_VALID != 0 => {
                 "the COB-ID is not valid (bit 31), so the stack has no SDO server".to_owned()
             }
-            word => format!("with the COB-ID {word:X}h the stack does not answer the SDOs of its node-ID"),
+            word => format!("with COB-ID {word:X}h the stack does not respond to SDOs for its node-ID"),
         };
         let note = Note::new(Place::entry(0x1200, sub), text).warning();
         Some(note.help("write `$NODEID+0x600` in sub-index 1 and `$NODEID+0x580` in sub-index 2"))

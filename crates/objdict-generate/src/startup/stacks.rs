@@ -5,7 +5,7 @@ use super::{Consumers, DemandRow, PdoCause, Stack};
 use crate::model::{DataType, Device, MappedObject, PdoKind};
 
 const DISABLED: &str = "will be disabled by the stack";
-const MEMORY: &str = "will make the stack access memory behind its mapping";
+const MEMORY: &str = "will make the stack access memory beyond its mapping";
 const ON_NMT: &str = "will use the CAN-ID of NMT";
 
 const fn both(cause: PdoCause, effect: &'static str) -> CauseRow {
@@ -164,7 +164,7 @@ pub(crate) const CANFESTIVAL: Stack = Stack {
         one(PdoCause::Length, PdoKind::Tpdo, NOT_SENT),
         one(PdoCause::OnNmt, PdoKind::Tpdo, ON_NMT),
         both(PdoCause::Extended, "will use the lower 11 bits of the CAN-ID in the stack"),
-        both(PdoCause::TooLong, "will lose in the stack what is behind 8 bytes"),
+        both(PdoCause::TooLong, "will lose data beyond 8 bytes in the stack"),
     ],
     consumers: Some(Consumers { from_last: false, is_counted: true, repeated: None }),
     sdo: &[DemandRow::DefaultServer],

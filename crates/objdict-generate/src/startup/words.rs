@@ -15,21 +15,21 @@ pub(super) fn why(cause: PdoCause, kind: PdoKind, mapped: &BTreeSet<MappedObject
     let be = if mapped.len() > 1 { "are" } else { "is" };
     let text = match cause {
         PdoCause::Number => "the stack counts PDOs in 8 bits".to_owned(),
-        PdoCause::NoTransmissionType => "sub-index 2 is no transmission type of 8 bits".to_owned(),
-        PdoCause::NoCobId => "sub-index 1 is no COB-ID of 32 bits".to_owned(),
+        PdoCause::NoTransmissionType => "sub-index 2 is not an 8-bit transmission type".to_owned(),
+        PdoCause::NoCobId => "sub-index 1 is not a 32-bit COB-ID".to_owned(),
         PdoCause::RtrAllowed => "bit 30 of the COB-ID is clear (RTR allowed)".to_owned(),
         PdoCause::Extended => "the CAN-ID has 29 bits".to_owned(),
         PdoCause::NoCanId | PdoCause::OnNmt => "the CAN-ID is 0".to_owned(),
-        PdoCause::NotDispatched => "the stack takes only the CAN-IDs 180h to 57Fh for PDOs".to_owned(),
+        PdoCause::NotDispatched => "the stack accepts only CAN-IDs 180h to 57Fh for PDOs".to_owned(),
         PdoCause::Taken => "an RPDO before it has the same CAN-ID, valid or not".to_owned(),
         PdoCause::NoMapping => "the mapping is missing".to_owned(),
         PdoCause::TooMany | PdoCause::Overrun => {
             "the stack maps at most 8 objects and does not support multiplexed PDOs".to_owned()
         }
-        PdoCause::NoSlot => "sub-index 0 of the mapping counts entries that are missing".to_owned(),
+        PdoCause::NoSlot => "sub-index 0 of the mapping includes missing entries".to_owned(),
         PdoCause::TooLong => "more than 8 bytes are mapped".to_owned(),
         PdoCause::Empty => "nothing is mapped".to_owned(),
-        PdoCause::Reserved => "the transmission type is none of 0 to 240, 254 and 255".to_owned(),
+        PdoCause::Reserved => "the transmission type is not 0 to 240, 254 or 255".to_owned(),
         PdoCause::NoTrigger => "neither events nor SYNCs nor RTRs trigger its transmission type".to_owned(),
         PdoCause::SyncStart => "the SYNC start value is above 240".to_owned(),
         PdoCause::Dummy => format!("{entries} cannot be mapped as dummy entries"),
@@ -53,10 +53,10 @@ const fn help(cause: PdoCause) -> &'static str {
         PdoCause::Number => "use the first 255 PDOs",
         PdoCause::NoTransmissionType | PdoCause::NoCobId => "describe the entry with this data type",
         PdoCause::RtrAllowed => "set bit 30, as in `$NODEID+0x40000180`",
-        PdoCause::Extended => "use a CAN-ID of 11 bits",
+        PdoCause::Extended => "use an 11-bit CAN-ID",
         PdoCause::NoCanId | PdoCause::OnNmt => "write a CAN-ID, or set bit 31 if the PDO is not in use",
         PdoCause::NotDispatched => "use one of these",
-        PdoCause::Taken => "use a CAN-ID of its own",
+        PdoCause::Taken => "use a unique CAN-ID",
         PdoCause::NoMapping => "describe the mapping parameter, or set bit 31 of the COB-ID",
         PdoCause::TooMany | PdoCause::Overrun | PdoCause::TooLong => "map fewer objects",
         PdoCause::NoSlot => "describe these entries, or correct the number",
@@ -72,7 +72,7 @@ const fn help(cause: PdoCause) -> &'static str {
         PdoCause::Direction | PdoCause::NotMappable => {
             "correct the access type or `PDOMapping` of the entries, or the mapping"
         }
-        PdoCause::Constant => "correct the access type of the entries, or the mapping",
+        PdoCause::Constant => "correct the access type of the entries or the mapping",
         PdoCause::Short | PdoCause::Size | PdoCause::Length => "correct the length in the mapping",
     }
 }

@@ -75,7 +75,7 @@ pub(super) fn bound(environment: &mut Environment<'_>) {
             move |state: &mut State<'_, '_>, arguments: Rest<ValueOrKwargs>| -> Result<Value, Error> {
                 let arguments: Vec<Value> = arguments.0.into_iter().map(Value::from).collect();
                 if bound(&arguments) > LONGEST {
-                    return Err(wrong(format!("`{name}` would make more than {LONGEST} bytes")));
+                    return Err(wrong(format!("`{name}` would produce more than {LONGEST} bytes")));
                 }
                 filter.call(state, &arguments)
             };

@@ -37,7 +37,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let fail = |message: String| GenerateError::UserTemplate { file: file.clone(), line: None, message };
     let output = file.strip_suffix(".j2").filter(|name| !name.is_empty());
     let output =
-        output.ok_or_else(|| fail("the name of a template is that of its output and `.j2`".into()))?;
+        output.ok_or_else(|| fail("name the template after its output, followed by `.j2`".into()))?;
     let source = read_text(path, LONGEST_TEMPLATE).map_err(|error| fail(error.to_string()))?;
     let dictionary = TableDictionary::new(device, options)?;
     let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;

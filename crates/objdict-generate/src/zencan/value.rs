@@ -82,7 +82,7 @@ impl Kept {
             }
         };
         let loss = (kind == TypeKind::Boolean).then(|| {
-            "BOOLEAN becomes `uint8`, for zencan 0.0.5 aborts the upload of its own `boolean`".to_owned()
+            "BOOLEAN becomes `uint8` because zencan 0.0.5 aborts the upload of its own `boolean`".to_owned()
         });
         let held = if default.is_some() { bytes } else { vec![0; size] };
         Self { data_type: name, default, held: Held::Bytes(held), size, loss }
