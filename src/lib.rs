@@ -54,7 +54,7 @@
 //!
 //! let finding = findings.iter().find(|finding| finding.rule.id == "cia306/invalid-value").expect("300 is no byte");
 //! assert_eq!(finding.severity, Severity::Error);
-//! assert_eq!(finding.message, "`300` does not fit `DefaultValue` of type UNSIGNED8, which allows 0 to 255");
+//! assert_eq!(finding.message, "`300` is out of range for `DefaultValue` of type UNSIGNED8 (0 to 255)");
 //! let span = description.span_of(&finding.labels[0].at);
 //! let at = description.source().line_column(span.start);
 //! assert_eq!((at.line, at.column), (6, 14));

@@ -110,7 +110,7 @@ fn an_error_stops_make() {
     assert_ne!(broken, eds);
     fs::write(project.path("climate-sensor.eds"), broken).unwrap();
     let (printed, is_well) = project.make();
-    assert!(!is_well && printed.contains("`60000` does not fit"), "{printed}");
+    assert!(!is_well && printed.contains("`60000` is out of range"), "{printed}");
     assert!(!project.path("build/od.stamp").exists());
 }
 

@@ -362,21 +362,13 @@ fn the_next_versions() {
     let full = |text: &str| text.replace("FileRevision=0", "FileRevision=255");
     assert_eq!(
         titles(&full(&old), &full(&new)),
-        [
-            "raise the revision number to 2.0",
-            "raise the version of the file to 2.0",
-            "write the date 2030-01-31"
-        ]
+        ["bump the revision number to 2.0", "bump the file version to 2.0", "write the date 2030-01-31"]
     );
     // the behaviour is that of before
     let lower = old.replace("0x00010001", "0x00010000");
     assert_eq!(
         titles(&old, &lower),
-        [
-            "raise the revision number to 1.1",
-            "raise the version of the file to 1.1",
-            "write the date 2030-01-31"
-        ]
+        ["bump the revision number to 1.1", "bump the file version to 1.1", "write the date 2030-01-31"]
     );
     // no other number is left
     let last = |text: &str| text.replace("0x00010001", "0xFFFF0000");

@@ -56,7 +56,7 @@ impl DeviceComparison<'_> {
         let (old, new) = (bit_rates(self.old.device), bit_rates(self.new.device));
         for (field, name) in old.iter().filter(|rate| !new.contains(rate)) {
             let spot = Spot::part(&Place::of(Part::DeviceInfo).field(field.clone()));
-            let message = say!("{} is not supported any more", name);
+            let message = say!("{} is no longer supported", name);
             self.report(&rules::BIT_RATE_REMOVED, &spot, [Some(name.clone()), None], message);
         }
         for (field, name) in new.iter().filter(|rate| !old.contains(rate)) {
@@ -77,7 +77,7 @@ impl DeviceComparison<'_> {
         let values = [was, is].map(|is| is.then(|| name.to_owned()));
         match (was, is) {
             (true, false) => {
-                let message = say!("`{}` is not supported any more", name);
+                let message = say!("`{}` is no longer supported", name);
                 self.report(&rules::FEATURE_REMOVED, &Spot::part(place), values, message);
             }
             (false, true) => {

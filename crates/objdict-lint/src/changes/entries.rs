@@ -220,7 +220,8 @@ impl<'a> DeviceComparison<'a> {
             let spot = Spot { affected: Affected::ALL, ..spot.clone() };
             let shown = |entry: &Entry| if is_persistent(entry) { "persistent" } else { "volatile" };
             let values = [shown(old), shown(new)];
-            let message = say!("the value becomes {} and was {}", values[1].to_owned(), values[0].to_owned());
+            let message =
+                say!("the value is now {} instead of {}", values[1].to_owned(), values[0].to_owned());
             self.report(&rules::STORAGE_CHANGED, &spot, values.map(|text| Some(text.to_owned())), message);
         }
     }

@@ -103,10 +103,7 @@ impl DeviceComparison<'_> {
                 );
             }
             (true, false) => {
-                report(
-                    &rules::PDO_DISABLED,
-                    say!("{} is not valid any more: {}, then {}", old, before, after),
-                );
+                report(&rules::PDO_DISABLED, say!("{} is no longer valid: {}, then {}", old, before, after));
             }
             (false, true) => {
                 report(&rules::PDO_ENABLED, say!("{} becomes valid: {}, then {}", old, before, after));

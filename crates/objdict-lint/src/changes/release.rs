@@ -65,7 +65,7 @@ impl Release<'_> {
             true => u32::from(major.checked_add(1)?) << 16,
             false => self.old.identity().revision_number?,
         };
-        let title = say!("raise the revision number to {}.{}", wanted >> 16, wanted & 0xFFFF);
+        let title = say!("bump the revision number to {}.{}", wanted >> 16, wanted & 0xFFFF);
         self.identity(Fix::safe(title), 3, wanted)
     }
 
@@ -100,7 +100,7 @@ impl Release<'_> {
             None => (version.checked_add(1)?, 0),
         };
         let place = |field| Place::of(Part::FileInfo).field(field);
-        let fix = Fix::safe(say!("raise the version of the file to {}.{}", version, revision));
+        let fix = Fix::safe(say!("bump the file version to {}.{}", version, revision));
         let fix = fix.set(place(Field::FileRevision), revision.to_string());
         let is_same = self.new.file_info.as_ref().and_then(|info| info.file_version) == Some(version);
         Some(if is_same { fix } else { fix.set(place(Field::FileVersion), version.to_string()) })
@@ -124,7 +124,7 @@ impl Release<'_> {
         let is_older = is_needed && stated < self.facts.date;
         let fix = self.date().filter(|_| is_older)?;
         let place = Place::of(Part::FileInfo).field(Field::ModificationDate);
-        let message = say!("the date of modification is {}, before the versions are raised", stated.to_iso());
+        let message = say!("the modification date is still {}, but the versions change", stated.to_iso());
         Some(Diagnostic::new(rule, place, message).help(fix.title.clone()).fix(fix))
     }
 }

@@ -38,13 +38,13 @@ impl DeviceComparison<'_> {
         let shown = |revision: u32| format!("{}.{}", revision >> 16, revision & 0xFFFF);
         let values = [Some(shown(old)), Some(shown(new))];
         if new < old {
-            let message = say!("the revision number falls from {} to {}", shown(old), shown(new));
+            let message = say!("the revision number decreases from {} to {}", shown(old), shown(new));
             return self.report(&rules::REVISION_LOWERED, &spot, values, message);
         }
         let reason = self.changes.iter().find(|change| are_types && is_behaviour(change));
         if let Some(reason) = reason.filter(|_| new >> 16 == old >> 16) {
             let message = say!(
-                "the major part of the revision number stays {} ({}, then {}): {}",
+                "the major revision number is still {} ({}, then {}): {}",
                 old >> 16,
                 shown(old),
                 shown(new),
@@ -54,7 +54,7 @@ impl DeviceComparison<'_> {
         } else if new > old {
             // other behaviour needs another configuration anyway
             let affected = spot.affected.without(Audience::Configurations, reason.is_none());
-            let message = say!("the revision number is raised from {} to {}", shown(old), shown(new));
+            let message = say!("the revision number increases from {} to {}", shown(old), shown(new));
             self.report(&rules::REVISION_RAISED, &Spot { affected, ..spot }, values, message);
         }
     }
@@ -70,7 +70,7 @@ impl DeviceComparison<'_> {
         let place = Place::object(Identity::INDEX);
         let spot = Spot { index: Some(Identity::INDEX), sub: Some(2), ..Spot::part(&place) };
         let message =
-            say!("the profile changes from CiA {} to {}, and the product code stays {}", old, new, code);
+            say!("the profile changes from CiA {} to {}, but the product code is still {}", old, new, code);
         let values = [Some(code.to_string()), Some(code.to_string())];
         self.report(&rules::PRODUCT_CODE_NOT_CHANGED, &spot, values, message);
     }
@@ -87,8 +87,8 @@ impl DeviceComparison<'_> {
         let shown = |(version, revision): (u8, u8)| format!("{version}.{revision}");
         let spot = Spot::part(&Place::of(Part::FileInfo).field(Field::FileRevision));
         let message = match new.cmp(&old) {
-            Ordering::Equal => say!("the version of the file stays {}", shown(old)),
-            _ => say!("the version of the file falls from {} to {}", shown(old), shown(new)),
+            Ordering::Equal => say!("the file version is still {}", shown(old)),
+            _ => say!("the file version decreases from {} to {}", shown(old), shown(new)),
         };
         self.report(&rules::FILE_VERSION_NOT_RAISED, &spot, [Some(shown(old)), Some(shown(new))], message);
     }
@@ -106,8 +106,8 @@ impl DeviceComparison<'_> {
             format!("{}{}", date.to_iso(), time.unwrap_or_default())
         };
         let message = match new == old {
-            true => say!("the date of modification stays {}", shown(new)),
-            false => say!("the date of modification is {}, and was {}", shown(new), shown(old)),
+            true => say!("the modification date is still {}", shown(new)),
+            false => say!("the modification date is {}, earlier than {}", shown(new), shown(old)),
         };
         let values = [Some(shown(old)), Some(shown(new))];
         self.report(&rules::MODIFICATION_DATE_NOT_MOVED, &spot, values, message);

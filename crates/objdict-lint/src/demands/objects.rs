@@ -102,7 +102,7 @@ pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, find
         (low, high) if low == high && at.object.compact.is_some() => {
             finding.help(say!("write `{}`", Argument::setting(Field::CompactSubObj, low)))
         }
-        _ => finding.help("describe the entries of the object, or remove the object"),
+        _ => finding.help("describe the object's entries, or remove the object"),
     });
 }
 

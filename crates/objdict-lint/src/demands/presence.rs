@@ -48,7 +48,7 @@ fn help_for_missing(device: &Device, need: Need<'_>, index: u16) -> Text {
     let is_of_default = matches!(need, Need::When(condition) if condition.tests_bit(0x1000, 23));
     match device_type.filter(|_| is_of_default) {
         Some(own) => {
-            say!("{}; or write `0x{:08X}` to 1000h (bit 23) if the PDOs are mapped otherwise", add, own)
+            say!("{}; or write `0x{:08X}` to 1000h (bit 23) if the PDOs are mapped differently", add, own)
         }
         None => add,
     }

@@ -269,12 +269,7 @@ fn fixed_node_id(facts: &Facts<'_>, findings: &mut Findings) {
             let node = cob_id.cob_id.number() & 0x7F;
             let message = match node {
                 0 => say!("the COB-ID `{}` of {} is missing the node-ID", cob_id.cob_id, cob_id.service),
-                _ => say!(
-                    "the COB-ID `{}` of {} is that of node {} alone",
-                    cob_id.cob_id,
-                    cob_id.service,
-                    node
-                ),
+                _ => say!("COB-ID `{}` of {} works only for node {}", cob_id.cob_id, cob_id.service, node),
             };
             let mut place = facts.device.value_place(index, sub);
             if place.field == Some(Field::ParameterValue) {

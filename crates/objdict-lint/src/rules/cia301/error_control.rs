@@ -95,9 +95,9 @@ fn heartbeat_switched_off(device: &Device, findings: &mut Findings) {
         return;
     }
     let message = if is_constant {
-        say!("the heartbeat time is constantly `0`, so the device never sends a heartbeat")
+        say!("the heartbeat time is a constant `0`, so the device sends no heartbeat")
     } else {
-        say!("the configuration switches the heartbeat off, and the device has no node guarding")
+        say!("the configuration disables the heartbeat, but the device has no node guarding")
     };
     let finding = HEARTBEAT_SWITCHED_OFF.at(device.value_place(0x1017, 0), message);
     findings.push(finding.help("write a heartbeat time in milliseconds"));
@@ -110,8 +110,11 @@ fn incomplete_life_guarding(facts: &Facts<'_>, findings: &mut Findings) {
         return;
     }
     let (set, zero) = if time == 0 { (0x100D, 0x100C) } else { (0x100C, 0x100D) };
-    let message =
-        say!("the guard time is {} ms and the life time factor is {}, so life guarding is off", time, factor);
+    let message = say!(
+        "the guard time is {} ms and the life time factor is {}, so life guarding is disabled",
+        time,
+        factor
+    );
     let finding = INCOMPLETE_LIFE_GUARDING
         .at(facts.device.value_place(zero, 0), message)
         .label(facts.device.value_place(set, 0), "this value is set");
@@ -164,7 +167,7 @@ fn invalid_consumer_heartbeat(device: &Device, findings: &mut Findings) {
             let message = say!("1016h sub-index {} makes node {} monitor itself", sub, node);
             findings.push(finding(
                 message,
-                "write the node-ID of another node, or 0 to disable the entry".into(),
+                "write the node-ID of a different node, or 0 to disable the entry".into(),
             ));
         } else if let Some(&first) = watched.get(&node) {
             let message = say!("1016h sub-indexes {} and {} both monitor node {}", first, sub, node);

@@ -148,7 +148,7 @@ fn mapped_object_missing(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
                 );
                 let finding = MAPPED_OBJECT_MISSING.at(place, message);
                 let finding = finding.label(Place::object(object.index), "the object");
-                finding.help("describe the sub-index, or map another one")
+                finding.help("describe the sub-index, or map a different one")
             }
             _ => {
                 let message = say!(
@@ -157,7 +157,7 @@ fn mapped_object_missing(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
                     object.index,
                     object.sub
                 );
-                MAPPED_OBJECT_MISSING.at(place, message).help("describe the object, or map another one")
+                MAPPED_OBJECT_MISSING.at(place, message).help("describe the object, or map a different one")
             }
         };
         findings.push(if facts.device.is_modular() { finding.severity(Severity::Note) } else { finding });
@@ -187,7 +187,7 @@ fn mapped_object_not_mappable(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
         let fix = Fix::risky(say!("write `{PDOMapping=1}` in `{}`", part.clone()))
             .set(target.clone().field(Field::PdoMapping), "1");
         let finding = finding.label(target.field(Field::PdoMapping), "not mappable").fix(fix);
-        findings.push(finding.help(say!("write `{PDOMapping=1}` in `{}`, or map another object", part)));
+        findings.push(finding.help(say!("write `{PDOMapping=1}` in `{}`, or map a different object", part)));
     }
 }
 
@@ -229,7 +229,7 @@ fn mapping_of_variable_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
         let message = say!("{} maps {}, a {} without a fixed length", pdo.pdo, mapped.object, data_type);
         let device = facts.device;
         let place = device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-        findings.push(MAPPING_OF_VARIABLE_LENGTH.at(place, message).help("map another object"));
+        findings.push(MAPPING_OF_VARIABLE_LENGTH.at(place, message).help("map a different object"));
     }
 }
 
@@ -264,7 +264,7 @@ fn unaligned_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
     let message = say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
     let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
     let finding = UNALIGNED_MAPPING.at(place, message);
-    findings.push(finding.help("map the single bits last, or fill the byte before"));
+    findings.push(finding.help("map single bits last, or pad the preceding byte"));
 }
 
 fn wrong_mapping_direction(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
@@ -323,7 +323,7 @@ fn wrong_mapping_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
         let title = say!("write `{}`", right.clone());
         let granularity = facts.device.device_info.as_ref().and_then(|info| info.granularity).unwrap_or(0);
         let help = match granularity > 0 && !bits.is_multiple_of(granularity) {
-            true => say!("map {} bits, which needs another `{Granularity}`, or map another object", bits),
+            true => say!("map {} bits with a different `{Granularity}`, or map a different object", bits),
             false => title.clone(),
         };
         let finding = finding.help(help).fix(Fix::risky(title).set(place, right));

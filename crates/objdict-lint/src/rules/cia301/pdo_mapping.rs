@@ -160,8 +160,7 @@ fn granularity_against_access(facts: &Facts<'_>, findings: &mut Findings) {
         _ => {
             let all_fixed = known.len() == facts.pdos.len() && known.iter().all(|(_, writable)| !writable);
             let Some((pdo, _)) = known.first().filter(|_| all_fixed) else { return };
-            let message =
-                say!("`{}` means a changeable PDO mapping, but no mapping is writable", granularity);
+            let message = say!("`{}` allows PDO mapping changes, but no mapping is writable", granularity);
             (
                 message,
                 say!("write `{Granularity=0}` for a fixed mapping"),
@@ -251,7 +250,7 @@ fn mapping_without_count(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
         return;
     }
     let place = Place::entry(pdo.mapping_index(), 0).field(Field::DefaultValue);
-    let message = say!("the mapping of {} is fixed, but its number of objects is not stated", pdo);
+    let message = say!("{} has a fixed mapping, but no number of mapped objects", pdo);
     findings.push(MAPPING_WITHOUT_COUNT.at(place, message).help("write the number of mapped objects"));
 }
 
@@ -358,11 +357,8 @@ fn wrong_mapping_count(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     let place = facts.device.value_place(index, 0);
     let finding = |message: Text| WRONG_MAPPING_COUNT.at(place.clone(), message);
     if (65..=253).contains(&count) {
-        let finding = finding(say!(
-            "the number of mapped objects of {} is `{}`, which is not from 0 to 64",
-            pdo.pdo,
-            count
-        ));
+        let finding =
+            finding(say!("the number of mapped objects of {} is `{}`, but must be 0 to 64", pdo.pdo, count));
         findings
             .push(finding.help("write the number of entries in use; 254 and 255 are for multiplexed PDOs"));
         return;

@@ -110,8 +110,7 @@ fn pdo_parameter_without_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: 
         if has_type && is_unstated(object, sub) {
             let message = say!("the {} of {} has no value", name, pdo);
             let finding = PDO_PARAMETER_WITHOUT_VALUE.at(facts.device.value_place(index, sub), message);
-            findings
-                .push(finding.help("write the value that the device has after its defaults are restored"));
+            findings.push(finding.help("write the value that the device has after restoring defaults"));
             return;
         }
     }
@@ -149,7 +148,7 @@ fn pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     if device.lists.contains(missing) || modules.any(|module| module.fixed.contains_key(&missing)) {
         return;
     }
-    let message = say!("{} has {}, {:04X}h, but no {}, {:04X}h", pdo, what, there, other, missing);
+    let message = say!("{} has {} ({:04X}h), but no {} ({:04X}h)", pdo, what, there, other, missing);
     let finding = PDO_WITHOUT_MAPPING.at(Place::object(there), message);
     findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
 }
@@ -257,7 +256,7 @@ fn rtr_pdo_without_rtr(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
             .set(facts.device.value_place(index, 1), format!("{flags}0x{number:X}"));
         let finding = finding.fix(fix);
         findings.push(finding.help(say!(
-            "use another transmission type, or clear bit 30: `{}0x{:X}`",
+            "use a different transmission type, or clear bit 30: `{}0x{:X}`",
             flags,
             number
         )));

@@ -124,7 +124,7 @@ fn gap_in_sdo_numbers(device: &Device, findings: &mut Findings) {
         for (&index, _) in channels {
             if !stated::is_there(device, index - 1) {
                 let message = say!(
-                    "{:04X}h is described, but the previous {}, {:04X}h, is missing",
+                    "{:04X}h is described, but the previous {} ({:04X}h) is missing",
                     index,
                     what,
                     index - 1
@@ -209,12 +209,12 @@ fn sdo_cob_ids_exchanged(facts: &Facts<'_>, findings: &mut Findings) {
             request.cob_id,
             response.cob_id
         );
-        let fix = Fix::risky("exchange the COB-IDs")
+        let fix = Fix::risky("swap the COB-IDs")
             .set(place(request), response.cob_id.to_string())
             .set(place(response), request.cob_id.to_string());
         let finding =
             SDO_COB_IDS_EXCHANGED.at(place(request), message).label(place(response), "the other direction");
-        findings.push(finding.help("exchange the COB-IDs").fix(fix));
+        findings.push(finding.help("swap the COB-IDs").fix(fix));
     }
 }
 
@@ -224,7 +224,12 @@ fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
         if let (Some(asked), Some(heard)) = ends
             && asked != heard
         {
-            let message = say!("{} asks node {}, but listens to node {}", request.service, asked, heard);
+            let message = say!(
+                "{} sends requests to node {}, but expects responses from node {}",
+                request.service,
+                asked,
+                heard
+            );
             let finding = SDO_NODE_ID.at(facts.device.value_place(response.index, response.sub), message);
             let finding = finding.label(facts.device.value_place(request.index, request.sub), "the request");
             findings.push(finding.help("write the CAN-IDs of one node"));
@@ -239,7 +244,7 @@ fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
         let own = facts.device.node_id().map(i128::from);
         let service = request.service;
         let message = if !(1..=127).contains(&node) {
-            say!("{} has the node-ID `{}`, which is not from 1 to 127", service, node)
+            say!("{} has the node-ID `{}`, but node-IDs are 1 to 127", service, node)
         } else if own == Some(node) {
             say!("{} has the node-ID {}, which is the node itself", service, node)
         } else if let Some(server) = server_of(facts, request, 0x600).filter(|&server| server != node) {

@@ -114,7 +114,7 @@ fn storage_signature_as_default(device: &Device, findings: &mut Findings) {
         let which = sub.map_or_else(Text::default, |sub| say!(" sub-index {}", sub_index(sub)));
         let finding = if value == signature {
             let message = say!(
-                "`0x{:08X}` is the signature that is written to {:04X}h{}, not the value that is read",
+                "`0x{:08X}` is the signature for writing to {:04X}h{}, not the value read from it",
                 value,
                 index,
                 which
@@ -144,7 +144,7 @@ fn storage_without_function(device: &Device, findings: &mut Findings) {
             object.entries().map(|(sub, _)| sub).filter(|sub| (1..=0x7F).contains(sub)).collect();
         let is_zero = |&sub: &u8| object.value(sub).is_some_and(|value| value.as_integer() == Some(0));
         let Some(&first) = subs.first().filter(|_| subs.iter().all(is_zero)) else { continue };
-        let message = say!("{:04X}h is `0`: the device can {} nothing", index, verb);
+        let message = say!("{:04X}h is `0`: the device cannot {} anything", index, verb);
         let finding = STORAGE_WITHOUT_FUNCTION.at(device.value_place(index, first), message);
         findings
             .push(finding.help(say!("write 1 if the device can {} on command, or remove the object", verb)));

@@ -175,7 +175,7 @@ fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
         findings.push(finding.help("add 1006h (UNSIGNED32), or clear bit 30 of 1005h"));
     } else if facts.number(0x1006, 0) == Some(0) {
         let message =
-            say!("`{}` makes the device a SYNC producer, but a period of `0` switches SYNC off", sync.cob_id);
+            say!("`{}` makes the device a SYNC producer, but a period of `0` disables SYNC", sync.cob_id);
         let finding = SYNC_PRODUCER_WITHOUT_PERIOD
             .at(device.value_place(0x1006, 0), message)
             .label(device.value_place(0x1005, 0), "bit 30 is set");

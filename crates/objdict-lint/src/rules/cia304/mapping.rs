@@ -88,14 +88,14 @@ fn inversion_problem(
         return Some("the address has more than six digits".into());
     }
     if named == own {
-        return Some("the address is that of the entry itself".into());
+        return Some("the address is the entry's own".into());
     }
     let Some(inverted) = device.entry(named.0, named.1) else {
         return (!device.is_modular()).then(|| "there is no such entry".into());
     };
     match (data_type, inverted.data_type) {
         (Some(plain), Some(other)) if plain != other => {
-            Some(say!("its data type is {}, that of the entry is {}", other, plain))
+            Some(say!("its data type is {} instead of {}", other, plain))
         }
         _ => None,
     }
@@ -140,7 +140,7 @@ fn object_not_safe(facts: &Facts<'_>, findings: &mut Findings) {
             say!("{} maps {:04X}h:{:02X}, which is not mappable to SRDOs", srdo, mapped.index, mapped.sub);
         let finding = OBJECT_NOT_SAFE.at(place, message);
         let part = facts.device.value_place(mapped.index, mapped.sub).part;
-        findings.push(finding.help(say!("write `{SRDOMapping=1}` in `{}`, or map another entry", part)));
+        findings.push(finding.help(say!("write `{SRDOMapping=1}` in `{}`, or map a different entry", part)));
     }
 }
 
@@ -167,8 +167,12 @@ fn unequal_pair(facts: &Facts<'_>, findings: &mut Findings) {
     for srdo in &facts.srdos {
         for (plain, inverted) in srdo.pairs().filter(|(plain, inverted)| plain.1.bits != inverted.1.bits) {
             let place = |sub| facts.device.value_place(srdo.mapping_index(), sub);
-            let message =
-                say!("{} maps {} with the inverted object {} of another length", srdo, plain.1, inverted.1);
+            let message = say!(
+                "{} maps {} with the inverted object {}, whose length differs",
+                srdo,
+                plain.1,
+                inverted.1
+            );
             let finding =
                 UNEQUAL_PAIR.at(place(inverted.0), message).label(place(plain.0), "the plain object");
             findings.push(finding.help("map the matching inverted object"));

@@ -73,11 +73,11 @@ fn serial_number_in_eds(device: &Device, findings: &mut Findings) {
     else {
         return;
     };
-    let message = say!("all devices of the type have the serial number `{}`", serial_number);
+    let message = say!("serial number `{}` applies to all devices of this type", serial_number);
     let finding = SERIAL_NUMBER_IN_EDS
         .at(device.value_place(0x1018, 4), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs a unique serial number");
-    findings.push(finding.help(say!("remove the value; the serial number of a node belongs in its {DCF}")));
+    findings.push(finding.help(say!("remove the value; a node's serial number belongs in its {DCF}")));
 }
 
 fn serial_number_without_lss(device: &Device, findings: &mut Findings) {
@@ -116,7 +116,7 @@ fn unconfigured_without_address(device: &Device, findings: &mut Findings) {
     let message = say!("`255` requires LSS, but the LSS address is missing the {}", series(missing));
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
     let finding = UNCONFIGURED_WITHOUT_ADDRESS.at(place, message);
-    findings.push(finding.help("write the numbers from the label of the device"));
+    findings.push(finding.help("write the numbers from the device label"));
 }
 
 fn unconfigured_without_lss(device: &Device, findings: &mut Findings) {

@@ -78,7 +78,7 @@ fn missing_module_object(device: &Device, findings: &mut Findings) {
             others => say!(" and {} more", others),
         };
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
-        let message = say!("module {} defines {:04X}h{}, missing in the {DCF}", number, first, more);
+        let message = say!("module {} defines {:04X}h{}, missing from the {DCF}", number, first, more);
         let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
         let finding = MISSING_MODULE_OBJECT.at(place, message);
         findings.push(finding.help("describe the objects as defined by the modules"));
@@ -116,7 +116,7 @@ fn check_sub_indexes_of_modules(device: &Device, modules: &Modules, findings: &m
         let lacks = |sub: &u8| described.entry(*sub).is_none();
         if let Some(sub) = object.subs.iter().map(|(sub, _)| sub).find(lacks) {
             let message = say!(
-                "a connected module defines sub-index {} of {:04X}h, missing in the {DCF}",
+                "a connected module defines sub-index {} of {:04X}h, which is missing from the {DCF}",
                 sub_index(sub),
                 index
             );
@@ -214,7 +214,7 @@ fn unknown_connected_module(device: &Device, findings: &mut Findings) {
             let message = say!("module {} is connected, but 1027h:{} is {}", number, sub_index(sub), other);
             let finding = UNKNOWN_CONNECTED_MODULE.at(place, message).severity(Severity::Warning);
             let finding = finding.label(device.value_place(0x1027, sub), "the module list");
-            findings.push(finding.help("write the module that is connected in both places"));
+            findings.push(finding.help("write the connected module in both places"));
         }
         if !modules.supported.contains_key(number) {
             let place = Place::of(Part::ConnectedModules).field(Field::Item(item));

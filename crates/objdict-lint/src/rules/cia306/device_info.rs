@@ -109,7 +109,7 @@ fn identity_mismatch(device: &Device, findings: &mut Findings) {
                 Severity::Error
             })
             .label(device.value_place(0x1018, sub), "the identity object");
-        let finding = finding.help("write the number that the device reports in both places");
+        let finding = finding.help("in both places, write the number that the device reports");
         findings.push(if value > 0 { finding.fix(fix) } else { finding });
     }
 }
@@ -295,7 +295,7 @@ fn lss_serial_number(device: &Device, findings: &mut Findings) {
         let finding = LSS_SERIAL_NUMBER
             .at(place, message)
             .label(Place::entry(0x1018, 4).field(field), "the serial number of the identity object");
-        findings.push(finding.help("write the serial number of the device in both places"));
+        findings.push(finding.help("write the device's serial number in both places"));
     }
 }
 

@@ -289,7 +289,7 @@ fn has_invalid_node_id(node: &Commissioning) -> bool {
 fn report_unknown_node_id(place: Place, formula: Place, findings: &mut Findings) {
     let message = say!("`{NodeID}` is 255, so formulas with `$NODEID` have no value");
     let finding = INVALID_NODE_ID.at(place, message).label(formula, "a formula");
-    findings.push(finding.help("write the future node-ID of the node"));
+    findings.push(finding.help("write the node's future node-ID"));
 }
 
 fn missing_commissioning(device: &Device, findings: &mut Findings) {

@@ -192,7 +192,7 @@ fn module_conflict(device: &Device, findings: &mut Findings) {
                     say!("module {} adds {} to {:04X}h, whose elements are {}", number, found, index, right);
                 let place = Place::of(Part::Module(number, ModulePart::SubExt(index))).field(Field::DataType);
                 let finding = MODULE_CONFLICT.at(place, message).label(Place::object(index), "the coupler's");
-                findings.push(finding.help("use the data type of the coupler, or extend another object"));
+                findings.push(finding.help("use the data type of the coupler, or extend a different object"));
             }
             report_conflict(index, (first, number), ModulePart::SubExt(index), &fields, findings);
         }

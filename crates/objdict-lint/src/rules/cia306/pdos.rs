@@ -161,8 +161,8 @@ fn mapping_not_possible(device: &Device, at: &EntryAt<'_>, findings: &mut Findin
             let message = match data_type.kind() {
                 TypeKind::Domain | TypeKind::Structure => say!("{} cannot be mapped to a PDO", data_type),
                 _ => match string_length(entry) {
-                    Some(length) if length > 8 => say!("a PDO has 8 bytes, and its value has {}", length),
-                    _ => say!("a PDO has 8 bytes, and this {} may be longer", data_type),
+                    Some(length) if length > 8 => say!("a PDO holds 8 bytes and its value has {}", length),
+                    _ => say!("a PDO holds 8 bytes and this {} may be longer", data_type),
                 },
             };
             (message, Field::DataType, "the data type")
@@ -179,7 +179,7 @@ fn mapping_not_possible(device: &Device, at: &EntryAt<'_>, findings: &mut Findin
     let finding = MAPPING_NOT_POSSIBLE.at(at.field(Field::PdoMapping), message).label(at.field(field), label);
     let title = say!("write `{PDOMapping=0}`");
     let fix = Fix::risky(title.clone()).set(at.field(Field::PdoMapping), "0");
-    let of_mapped = || say!("map another object in its place, then write `{PDOMapping=0}`");
+    let of_mapped = || say!("replace it in the mapping, then write `{PDOMapping=0}`");
     findings.push(finding.help(if is_mapped(at) { of_mapped() } else { title }).fix(fix));
 }
 

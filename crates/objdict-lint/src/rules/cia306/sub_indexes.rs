@@ -432,7 +432,7 @@ fn array_of_mixed_access(device: &Device, findings: &mut Findings) {
         let Some((first, other)) = first_other_access(object) else { continue };
         let place = |sub| Place::entry(index, sub).field(Field::AccessType);
         let message = say!(
-            "sub-index {} of the ARRAY {:04X}h is `{}`, sub-index {} is `{}`",
+            "sub-index {} of the ARRAY {:04X}h is `{}`, but sub-index {} is `{}`",
             sub_index(other.0),
             index,
             other.1,
@@ -473,7 +473,7 @@ fn array_of_mixed_types(index: u16, object: &Object, findings: &mut Findings) {
     let Some((first, data_type)) = types.next() else { return };
     let Some((sub, other)) = types.find(|&(_, other)| other != data_type) else { return };
     let message = say!(
-        "sub-index {} of an ARRAY is {}, sub-index {} is {}",
+        "sub-index {} of an ARRAY is {}, but sub-index {} is {}",
         sub_index(sub),
         other,
         sub_index(first),

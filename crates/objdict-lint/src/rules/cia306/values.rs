@@ -161,7 +161,7 @@ fn invalid_value_message(invalid: &InvalidValue, data_type: Option<DataType>) ->
     };
     match reason {
         Reason::OutOfRange { low, high } => {
-            say!("`{}` does not fit {}, which allows {} to {}", text, what, low, high)
+            say!("`{}` is out of range for {} ({} to {})", text, what, low, high)
         }
         Reason::NotANumber => say!("`{}` is not a number, but {} needs one", text, what),
         Reason::NotOctal => {
@@ -183,7 +183,7 @@ fn invalid_value_message(invalid: &InvalidValue, data_type: Option<DataType>) ->
 
 fn invalid_value_help(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
     if let Some(number) = iec_number(&invalid.text, &invalid.reason) {
-        return say!("write `{}`, if it is meant as in IEC 61131", number);
+        return say!("write `{}` if this is IEC 61131 notation", number);
     }
     match (&invalid.field, &invalid.reason) {
         (Field::AccessType, _) => match invalid.intended_access() {
@@ -201,7 +201,7 @@ fn invalid_value_help(invalid: &InvalidValue, data_type: Option<DataType>) -> Te
         (_, Reason::NotAFormula) => {
             "write `$NODEID`, or `$NODEID+` and a number; other operators are not supported".into()
         }
-        (_, Reason::NotHexBytes) => "write two hex digits per byte and nothing else: `01A105`".into(),
+        (_, Reason::NotHexBytes) => "write exactly two hex digits per byte: `01A105`".into(),
         (_, Reason::NotATime) => "write days and milliseconds, separated by a space".into(),
         (_, Reason::NotOctal) => "remove the leading zeros".into(),
         (Field::Baudrate, Reason::OutOfRange { .. } | Reason::NotANumber) => {
@@ -357,7 +357,7 @@ fn low_limit_above_high(device: &Device, at: &EntryAt<'_>, findings: &mut Findin
                 finding.help(title).fix(fix)
             }
             false => finding.help(say!(
-                "choose a signed data type if `{LowLimit}` is {}, the number in {} bits, or correct one of the limits",
+                "choose a signed data type if `{LowLimit}` means {} in {} bits, or correct one of the limits",
                 number,
                 bits
             )),

@@ -81,7 +81,7 @@ fn other_end_of_array(object: &Object, definition: &TypeDefinition) -> Option<Te
     let (low, high) = (range.low.trim().parse::<i64>().ok()?, range.high.trim().parse::<i64>().ok()?);
     let last = object.highest_sub().filter(|_| object.object_type().has_subs())?;
     let is_other = (0..=1).contains(&low) && high != i64::from(last);
-    is_other.then(|| say!("its elements end at {}, the sub-indexes at {}", high, last))
+    is_other.then(|| say!("its elements end at {}, but the sub-indexes at {}", high, last))
 }
 
 fn value_without_name(device: &Device, findings: &mut Findings) {

@@ -161,7 +161,7 @@ fn device_type_without_channels(facts: &Facts<'_>, applied: &Applied<'_>, findin
     let missing: Vec<_> = channels::only_stated(device, block).collect();
     let Some(value) = value.filter(|_| !missing.is_empty()) else { return };
     let names = series(missing.iter().map(|kind| kind.name));
-    let message = say!("the device type states {}, but there are no objects for them", names);
+    let message = say!("the device type states {}, but their objects are missing", names);
     let cleared = missing.iter().fold(value, |value, kind| value & !(1 << kind.bit));
     let place = device.value_place(index, 0);
     let finding = DEVICE_TYPE_WITHOUT_CHANNELS.at(place.clone(), message);
@@ -311,7 +311,7 @@ fn digital_events_off(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut F
     };
     let Some(pdo) = pdo else { return };
     let sub = u8::from(index != at(0x6005));
-    let message = say!("{} is never sent: {:04X}h switches the events of digital inputs off", pdo, index);
+    let message = say!("{} is never sent: {:04X}h disables digital input events", pdo, index);
     let finding = DIGITAL_EVENTS_OFF.at(device.value_place(index, sub), message);
     let finding = finding.label(device.value_place(pdo.communication_index(), 2), "event-driven");
     findings.push(finding.help(help));
@@ -361,7 +361,7 @@ fn interrupt_limits_crossed(facts: &Facts<'_>, applied: &Applied<'_>, findings: 
                 );
                 let finding = INTERRUPT_LIMITS_CROSSED.at(device.value_place(lower, sub), message);
                 let finding = finding.label(device.value_place(upper, sub), "the upper limit");
-                findings.push(finding.help("exchange the limits"));
+                findings.push(finding.help("swap the limits"));
             }
         }
     }

@@ -146,6 +146,6 @@ fn different_device_type(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
         let message = say!("67FFh is `0x{:08X}`, but 1000h is `0x{:08X}`", single, whole);
         let finding = DIFFERENT_DEVICE_TYPE.at(device.value_place(0x67FF, 0), message);
         let finding = finding.label(device.value_place(0x1000, 0), "the device type");
-        findings.push(finding.help("write the type of the drive to both"));
+        findings.push(finding.help("write the drive type to both"));
     }
 }

@@ -168,8 +168,7 @@ fn scaling_off(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings
         })
     });
     for index in scaled.filter(|_| control.is_some_and(|control| control & 4 == 0)) {
-        let message =
-            say!("{:04X}h is configured, but bit 2 of {:04X}h switches scaling off", index, at(0x6000));
+        let message = say!("{:04X}h is configured, but bit 2 of {:04X}h disables scaling", index, at(0x6000));
         let finding = SCALING_OFF.at(device.value_place(index, 0), message);
         let finding = finding.label(device.value_place(at(0x6000), 0), "bit 2 is not set");
         findings.push(finding.help("set bit 2, or remove the values"));
@@ -237,7 +236,7 @@ fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mu
         let MappedObject { index: found, sub, bits } = first.object;
         let message = match POSITION_OBJECTS.iter().find(|right| (right.index, right.sub) == (found, sub)) {
             Some(right) => say!(
-                "{} maps {} of {:04X}h:{:02X}, CiA 406 maps {}",
+                "{} maps {} of {:04X}h:{:02X}, but CiA 406 maps {}",
                 pdo.pdo,
                 counted_bits(bits),
                 found,

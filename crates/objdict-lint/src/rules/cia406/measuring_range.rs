@@ -80,7 +80,7 @@ fn different_measuring_range(facts: &Facts<'_>, applied: &Applied<'_>, findings:
         stated > 0 && right > 0 && turns && device.kind == DeviceKind::Type && u32::try_from(right).is_ok();
     if is_comparable && stated != right {
         let message = say!(
-            "the measuring range is `{}`, but {} steps times {} revolutions are {}",
+            "the measuring range is `{}`, but {} steps times {} revolutions is {}",
             stated,
             steps,
             turned,
@@ -108,7 +108,7 @@ fn limit_min_above_max(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut 
             let message = say!("the lower limit `{}` is above the upper limit `{}`", min, max);
             let finding = LIMIT_MIN_ABOVE_MAX.at(device.value_place(low.0, low.1), message);
             let finding = finding.label(device.value_place(high.0, high.1), "the upper limit");
-            findings.push(finding.help("exchange the limits"));
+            findings.push(finding.help("swap the limits"));
         }
     }
 }
@@ -124,8 +124,7 @@ fn position_too_long(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Fi
     let is_longer = device.objects.contains_key(&index_in(block, 0x6008));
     let (Some(steps), Some(turned)) = (value(resolution), value(revolutions)) else { return };
     if turns && !is_longer && steps * turned > POSITIONS_OF_32_BITS {
-        let message =
-            say!("{} steps times {} revolutions do not fit into a position of 32 bits", steps, turned);
+        let message = say!("{} steps times {} revolutions exceeds a 32-bit position", steps, turned);
         let finding = POSITION_TOO_LONG.at(device.value_place(revolutions, 0), message);
         let finding = finding.label(device.value_place(resolution, 0), "steps per revolution");
         findings
@@ -185,7 +184,7 @@ fn value_beyond_resolution(facts: &Facts<'_>, applied: &Applied<'_>, findings: &
     }
     let steps = resolution * value(0x6502).unwrap_or(1);
     if let Some(preset) = value(0x6003).filter(|&preset| preset >= steps && value(0x6002).is_none()) {
-        report(0x6003, say!("the preset `{}` is beyond the {} steps of the encoder", preset, steps));
+        report(0x6003, say!("the preset `{}` exceeds the encoder's {} steps", preset, steps));
     }
 }
 
@@ -211,6 +210,6 @@ fn zero_resolution(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Find
     });
     for (place, name) in zeros {
         let finding = ZERO_RESOLUTION.at(place, say!("{} is `0`", name));
-        findings.push(finding.help("write the value of the encoder"));
+        findings.push(finding.help("write the encoder's value"));
     }
 }

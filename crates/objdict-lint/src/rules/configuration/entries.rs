@@ -170,7 +170,7 @@ fn count_noun(count: usize) -> &'static str {
 }
 
 fn push_by_use(finding: Diagnostic, is_configured: bool, findings: &mut Findings) {
-    let finding = finding.help(say!("remove it, or check with the {EDS} of the device"));
+    let finding = finding.help(say!("remove it, or check with the device's {EDS}"));
     findings.push(if is_configured { finding.severity(Severity::Error) } else { finding });
 }
 
@@ -210,12 +210,12 @@ fn other_device(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
         let Some((place, is, other, wanted)) = difference(device, origin, &field, number, sub) else {
             continue;
         };
-        let message = say!("the {} is `0x{:08X}`, but that of the {EDS} is `0x{:08X}`", name, is, wanted);
+        let message = say!("the {} is `0x{:08X}`, but `0x{:08X}` in the {EDS}", name, is, wanted);
         let finding = OTHER_DEVICE.at(place, message);
         findings.push(
             finding
                 .label(At::Node(0, other), say!("in the {EDS}"))
-                .help(say!("check with the {EDS} of the device")),
+                .help(say!("check with the device's {EDS}")),
         );
     }
 }
@@ -258,7 +258,7 @@ fn other_revision(configured: &ConfiguredDevice<'_>, findings: &mut Findings) {
     let (device, origin) = (configured.device, configured.written);
     let found = difference(device, origin, &Field::RevisionNumber, |info| info.revision_number, 3);
     let Some((place, is, other, wanted)) = found else { return };
-    let message = say!("the revision number is `0x{:08X}`, but that of the {EDS} is `0x{:08X}`", is, wanted);
+    let message = say!("the revision number is `0x{:08X}`, but `0x{:08X}` in the {EDS}", is, wanted);
     let finding = OTHER_REVISION.at(place, message).label(At::Node(0, other), say!("in the {EDS}"));
-    findings.push(finding.help(say!("make the configuration anew from this {EDS}")));
+    findings.push(finding.help(say!("recreate the configuration from this {EDS}")));
 }

@@ -193,7 +193,7 @@ fn template_text(device: &Device, findings: &mut Findings) {
             let Some(text) = text.as_deref().map(str::trim).filter(|text| is_template(text)) else {
                 continue;
             };
-            let message = say!("`{}` is `{}`, the text of a template", field, text);
+            let message = say!("`{}` is `{}`, left over from a template", field, text);
             let finding = TEMPLATE_TEXT.at(Place::of(part.clone()).field(field.clone()), message);
             findings.push(finding.help("write the value"));
         }
@@ -358,7 +358,7 @@ fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
     }
     for (place, message) in wrong {
         let finding = NAME_OF_OTHER_OBJECT.at(place.field(Field::ParameterName), message);
-        findings.push(finding.help("write the name that the document gives it, or move the object"));
+        findings.push(finding.help("write the name from the document, or move the object"));
     }
 }
 
@@ -556,7 +556,7 @@ fn same_identifier(index: u16, object: &Object, findings: &mut Findings) {
     );
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
     let finding = SAME_IDENTIFIER.at(place(second), message).label(place(first), "first here");
-    findings.push(finding.help("express the difference in words"));
+    findings.push(finding.help("make the names differ in letters or digits"));
 }
 
 /// The first two sub-indexes whose names differ only in case, spaces and punctuation.

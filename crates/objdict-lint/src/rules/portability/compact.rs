@@ -231,7 +231,7 @@ fn unclear_direction(device: &Device, findings: &mut Findings) {
     });
     let Some(first) = unclear.next() else { return };
     let entries = counted(unclear.count() + 1, "entry is", "entries are");
-    let message = say!("{} mappable with `{AccessType=rw}`, which names no direction", entries);
+    let message = say!("{} mappable with `{AccessType=rw}`, which specifies no direction", entries);
     let finding = UNCLEAR_DIRECTION.at(Place::of(first).field(Field::AccessType), message);
     findings.push(finding.help(say!("write `{AccessType=rwr}` for TPDOs, `{AccessType=rww}` for RPDOs")));
 }
@@ -244,7 +244,7 @@ fn unused_mapping_slot(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     if count < highest {
         let message = say!("{:04X}h has {} entries, but {} maps only `{}`", index, highest, pdo.pdo, count);
         let finding = UNUSED_MAPPING_SLOT.at(facts.device.value_place(index, 0), message);
-        findings.push(finding.help("remove the unused entries, or write another `Granularity`"));
+        findings.push(finding.help("remove the unused entries, or write a different `Granularity`"));
     }
 }
 

@@ -169,7 +169,9 @@ fn dynamic_channels(device: &Device, findings: &mut Findings) {
 fn modules(device: &Device, findings: &mut Findings) {
     if device.modules.is_some() {
         let finding = MODULES.at(Place::of(Part::SupportedModules), "the file describes modules");
-        findings.push(finding.help("use a file of the device with its connected modules for the tool"));
+        findings.push(
+            finding.help("for the tool, use a file that describes the device with its connected modules"),
+        );
     }
 }
 
