@@ -178,7 +178,7 @@ fn of_finding(
     if let Some(meant) = meant(file, finding, at) {
         actions.push(CodeAction {
             is_preferred: Some(true),
-            ..quick(format!("replace it by `{meant}`"), vec![(at, meant)])
+            ..quick(format!("replace it with `{meant}`"), vec![(at, meant)])
         });
     }
     let Subject::Description(description) = maker.subject else {
@@ -200,7 +200,7 @@ fn of_finding(
         }
     }
     if let Some(edit) = insertion(description, at.start, rule) {
-        actions.push(quick(format!("allow {rule} here, with a comment"), vec![edit]));
+        actions.push(quick(format!("allow {rule} here with a comment"), vec![edit]));
     }
 }
 

@@ -114,7 +114,7 @@ fn with_edits(workspace: &mut EditorWorkspace, call: Call) -> Call {
         match &*params.command {
             documentation::PAGE => documentation::page(&file).map(Some),
             documentation::SHOW => documentation::show(&file, workspace).map(|()| None),
-            other => Err(format!("there is no command `{other}`")),
+            other => Err(format!("unknown command `{other}`")),
         }
     })
     .on("textDocument/codeAction", |params: InContext| {

@@ -13,7 +13,7 @@ pub(super) fn sift(path: &Path, analysis: &mut Analysis) {
         Ok(Some(baseline)) => baseline,
         Ok(None) => return,
         Err(message) => {
-            let help = Some(format!("`objdict check --write-baseline {}` writes it anew", shown(path)));
+            let help = Some(format!("`objdict check --write-baseline {}` recreates it", shown(path)));
             return analysis.errors.push(ReadProblem { span: Span::default(), message, help });
         }
     };

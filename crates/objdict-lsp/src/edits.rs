@@ -177,6 +177,6 @@ fn listed(device: &Device, list: ObjectList) -> Option<Fix> {
     let mut members = device.lists.get(list).to_vec();
     members.sort_unstable();
     members.dedup();
-    let title = format!("number {list} again, in the order of indexes");
+    let title = format!("renumber {list} in the order of indexes");
     (!members.is_empty()).then(|| Fix::risky(title).with(Change::List(list, members)))
 }

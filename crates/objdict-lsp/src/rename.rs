@@ -53,14 +53,14 @@ impl RenamedPart {
             None => {
                 let index = number.filter(|index| *index > 0).ok_or(format!("`{text}` is not an index"))?;
                 let is_taken = index != self.index && device.object(index).is_some();
-                if is_taken { Err(format!("there is an object {index:04X}h already")) } else { Ok(index) }
+                if is_taken { Err(format!("object {index:04X}h already exists")) } else { Ok(index) }
             }
             Some(old) => {
                 let sub = number.and_then(|sub| u8::try_from(sub).ok());
                 let sub = sub.ok_or_else(|| format!("`{text}` is not a sub-index"))?;
                 let object = device.object(self.index).filter(|object| sub != old && object.has(sub));
                 match object {
-                    Some(_) => Err(format!("there is a sub-index {sub:02X} of {:04X}h already", self.index)),
+                    Some(_) => Err(format!("sub-index {sub:02X} of {:04X}h already exists", self.index)),
                     None => Ok(sub.into()),
                 }
             }
@@ -171,7 +171,7 @@ pub(super) fn rename(
             return Err(reason);
         }
         if !workspace.reading(|| says_the_same(&other, &target, number, &edits)) {
-            return Err(format!("`{}` would describe something else", other.name()));
+            return Err(format!("the meaning of `{}` would change", other.name()));
         }
         changes.insert(other.uri.clone(), other.edits(edits));
     }

@@ -122,7 +122,7 @@ impl MissingSections<'_> {
         let label = format!("[FileInfo] a device of CiA {number}");
         let blanks = [&*wanted.vendor_name, &vendor_id, &wanted.product_name];
         Some(CompletionItem {
-            detail: Some("what the profile demands".to_owned()),
+            detail: Some("what the profile requires".to_owned()),
             // in front of the objects
             sort_text: Some(format!("!{label}")),
             ..self.written(&label, text, &blanks, CompletionItemKind::MODULE)

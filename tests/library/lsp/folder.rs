@@ -43,7 +43,7 @@ fn an_object_gets_another_index_in_networks_too() {
     assert_eq!(network, NETWORK.replace("6000", "2600"));
     assert_eq!(
         rename(&mut client, "island.eds", &island, "6000]", "6200"),
-        Err("there is an object 6200h already".to_owned())
+        Err("object 6200h already exists".to_owned())
     );
 }
 

@@ -164,7 +164,7 @@ fn a_misspelled_key_is_replaced() {
     });
     let offered = client.ask("textDocument/codeAction", params);
     let action = &offered[0];
-    assert_eq!(action["title"], "replace it by `heartbeat`");
+    assert_eq!(action["title"], "replace it with `heartbeat`");
     let changed = super::client::edited(&text, &action["edit"]["changes"][client.uri("network.toml")]);
     assert_eq!(changed, text.replace("hartbeat", "heartbeat"));
 }

@@ -78,7 +78,7 @@ fn an_object_gets_another_index_everywhere() {
     assert_eq!(renamed, text.replace("6041", "2041"));
     let id = client.send_request("textDocument/rename", with(params, "newName", json!("6040")));
     let error = client.answer_to(&id).response_result.unwrap_err();
-    assert_eq!(error.message, "there is an object 6040h already");
+    assert_eq!(error.message, "object 6040h already exists");
 }
 
 #[test]
