@@ -103,7 +103,10 @@ fn links_out_of_the_folder_are_not_changed() {
     {
         let output = objdict(&project, arguments, b"");
         let said = String::from_utf8(output.stderr).unwrap();
-        assert!(said.contains(" is not changed: a link leads out of the folder"), "{arguments}: {said}");
+        assert!(
+            said.contains(" is unchanged because a link points outside the folder"),
+            "{arguments}: {said}"
+        );
         for victim in &victims {
             assert_eq!(fs::read(victim).unwrap(), bytes, "{arguments} wrote {}", victim.display());
         }
@@ -161,7 +164,7 @@ fn named_files_are_those_of_the_project() {
     expect("../node.dcf", "", outside);
     expect("../none.dcf", "", outside);
     expect("../node.dcf", "--allow-path ..", None);
-    expect(r"\\server\share\node.dcf", "--allow-path /", Some("is on another computer"));
+    expect(r"\\server\share\node.dcf", "--allow-path /", Some("is on a different computer"));
     fs::write(project.join("objdict.toml"), "").unwrap();
     expect("../node.dcf", "", None);
     expect(r"..\node.dcf", "", None);

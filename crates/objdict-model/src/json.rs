@@ -36,7 +36,7 @@ impl<const NUMBER: u32> Visitor<'_> for Version<NUMBER> {
     fn visit_u64<E: de::Error>(self, version: u64) -> Result<Self, E> {
         match version {
             version if version == u64::from(NUMBER) => Ok(Self),
-            _ => Err(E::custom(format!("the version `{version}` is unknown, this tool knows {NUMBER}"))),
+            _ => Err(E::custom(format!("unknown version `{version}`, this tool supports {NUMBER}"))),
         }
     }
 }

@@ -329,7 +329,7 @@ fn entry(
     let message = format!("{found}, but the stack reads {bytes}{stack_reads}");
     let help = match index {
         0x1201..=0x127F => format!(
-            "use a data type of {}, or move an object that is no SDO server to 2000h to 5FFFh",
+            "use a data type of {}, or move an object that is not an SDO server to 2000h to 5FFFh",
             plural(bytes.into(), "byte")
         ),
         _ => format!("use a data type of {}", plural(bytes.into(), "byte")),

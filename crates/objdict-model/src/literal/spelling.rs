@@ -100,7 +100,7 @@ const SPELLINGS: [(Quirk, &RuleInfo, &str); 12] = [
     (Quirk::TwosComplement, &TWOS_COMPLEMENT, "write the negative number in decimal"),
     (Quirk::Quoted, &QUOTED_STRING, "remove the quotes, unless the file is for Lely"),
     (Quirk::BooleanWord, &BOOLEAN_WORD, "write 1 for true, 0 for false"),
-    (Quirk::DecoratedBytes, &HEX_PREFIX_IN_BYTES, "write two hex digits per byte and nothing else"),
+    (Quirk::DecoratedBytes, &HEX_PREFIX_IN_BYTES, "write exactly two hex digits per byte"),
     (Quirk::AboveType, &LIMIT_ABOVE_TYPE, "write the limit in decimal, or correct the data type"),
 ];
 
@@ -111,7 +111,7 @@ fn rule_text(quirk: Quirk) -> &'static str {
         Quirk::NodeIdLast => "does not start with `$NODEID`; some tools drop the node-ID",
         Quirk::FormulaSpelling => "is not spelled `$NODEID+number`",
         Quirk::TrailingComment => "has a comment after the value",
-        Quirk::CSuffix => "has a suffix of the C language",
+        Quirk::CSuffix => "has a C suffix",
         Quirk::RealAsBits => "is read as the bits of a REAL; other tools read it as a number",
         Quirk::TwosComplement => "is read as two's complement; other tools read it as a positive number",
         Quirk::Quoted => "is in quotes, which are not part of the string",

@@ -104,7 +104,7 @@ pub(super) enum Unfit {
 crate::error_messages! { Unfit: {
     Self::Value { field, value, data_type } => "{field}: `{value}` is not a valid {data_type}";
     Self::Sub { field, sub, count } =>
-        "{field}: there is no sub-index {sub:X}h among the {count} that are stored compactly";
+        "{field}: sub-index {sub:X}h is not among the {count} that are stored compactly";
 } }
 
 fn check(entry: &Entry) -> Result<(), Unfit> {

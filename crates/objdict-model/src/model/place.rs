@@ -271,7 +271,7 @@ impl From<(u16, u8)> for Address {
 pub struct NoAddress;
 
 crate::error_messages! { NoAddress: {
-    Self => "write the index in hex, and the sub-index in hex behind it: `1018`, `0x1018`, `1018:1`, `1018sub1`";
+    Self => "write the index and sub-index in hex: `1018`, `0x1018`, `1018:1`, `1018sub1`";
 } }
 
 /// `1018`, `0x1018` or `1018h`, optionally followed by `:1`, `sub1`, `.1` or `/1`. All numbers are

@@ -223,7 +223,7 @@ impl<'de> Visitor<'de> for ValueVisitor {
                 let first = first.kind();
                 let message = match first == kind {
                     true => format!("the key `{kind}` is defined twice"),
-                    false => format!("a value is of one kind, not `{first}` and `{kind}`"),
+                    false => format!("a value has one kind, not both `{first}` and `{kind}`"),
                 };
                 return Err(A::Error::custom(message));
             }
@@ -245,7 +245,7 @@ impl<'de> Visitor<'de> for ValueVisitor {
         };
         match plain {
             Some(plain) if !plain.is(&value.plain()) => Err(A::Error::custom(format!(
-                "`value` is `{plain}`, but `{}` says `{}`: change both, or remove `value`",
+                "`value` is `{plain}`, but `{}` is `{}`: change both, or remove `value`",
                 value.kind(),
                 value.plain()
             ))),
@@ -266,7 +266,7 @@ impl Visitor<'_> for PlainVisitor {
     type Value = Plain<'static>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, a text, `true` or `false`")
+        f.write_str("a number, a string, `true` or `false`")
     }
 
     fn visit_bool<E: Error>(self, value: bool) -> Result<Self::Value, E> {
@@ -417,17 +417,17 @@ mod tests {
         for (text, message) in [
             (
                 "{\"unsigned\":5,\"value\":6}",
-                "`value` is `6`, but `unsigned` says `5`: change both, or remove `value`",
+                "`value` is `6`, but `unsigned` is `5`: change both, or remove `value`",
             ),
             (
                 "{\"value\":true,\"text\":\"true\"}",
-                "`value` is `true`, but `text` says `true`: change both, or remove `value`",
+                "`value` is `true`, but `text` is `true`: change both, or remove `value`",
             ),
             ("{\"value\":6}", "the kind of the value is missing, such as `unsigned`"),
-            ("{\"unsigned\":5,\"signed\":5}", "a value is of one kind, not `unsigned` and `signed`"),
+            ("{\"unsigned\":5,\"signed\":5}", "a value has one kind, not both `unsigned` and `signed`"),
             ("{\"unsigned\":5,\"unsigned\":5}", "the key `unsigned` is defined twice"),
             ("{\"value\":5,\"value\":5}", "the key `value` is defined twice"),
-            ("{\"value\":[5]}", "invalid type: sequence, expected a number, a text, `true` or `false`"),
+            ("{\"value\":[5]}", "invalid type: sequence, expected a number, a string, `true` or `false`"),
         ] {
             let error = read(text).unwrap_err();
             assert!(error.starts_with(message), "{error}");

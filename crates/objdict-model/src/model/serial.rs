@@ -303,7 +303,7 @@ pub mod hex_text {
         let text = String::deserialize(deserializer)?;
         let bytes = hex::parse(&text);
         let bytes =
-            bytes.ok_or_else(|| D::Error::custom(format!("`{text}` is not made of pairs of hex digits")));
+            bytes.ok_or_else(|| D::Error::custom(format!("`{text}` is not a sequence of hex digit pairs")));
         bytes.map(T::from)
     }
 }

@@ -57,9 +57,9 @@ crate::error_messages! { EditError: from Unencodable as Unencodable {
     Self::NotWritten(name) =>
         "`{name}` is in a format that objdict reads and does not write; convert it, for example to XDD";
     Self::OtherMeaning(text) => "`{text}` cannot be formatted without changing its meaning";
-    Self::NotValid(problem) => "objdict would write a text that is not valid: {problem}";
+    Self::NotValid(problem) => "objdict would write invalid text: {problem}";
     Self::TooMuchLost { count, limit } =>
-        "the format has no place for {count} values of the description, more than the limit of {limit}";
+        "the format cannot store {count} values of the description, more than the limit of {limit}";
     Self::Unencodable(error) => "{error}";
 } }
 

@@ -6,7 +6,7 @@ const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
 /// Why a name without separators is not valid on every system; `None` for one that is.
 pub fn unportable(name: &str) -> Option<&'static str> {
     match name {
-        "" | "." | ".." => Some("it leads to another folder"),
+        "" | "." | ".." => Some("it points to a different folder"),
         _ if name.contains(is_forbidden) => Some("Windows does not allow its characters"),
         _ if name.ends_with(['.', ' ']) => Some("Windows does not allow a dot or a space at its end"),
         _ if is_device_name(name) => Some("Windows reserves it for a device"),

@@ -43,7 +43,7 @@ pub enum FolderError {
 crate::error_messages! { FolderError: from SourceError as Unreadable {
     Self::Unreadable(error) => "{error}";
     Self::Outside { name } => "`{name}` is outside the project";
-    Self::Remote { name } => "`{name}` is on another computer";
+    Self::Remote { name } => "`{name}` is on a different computer";
 } }
 
 impl FolderError {

@@ -76,12 +76,12 @@ impl<'a> BitStruct<'a> {
                     found.fields.push(meanings.field(member, name, first as u8, &form)); // both are less than 64
                 }
                 (Some(first), Ok(MemberForm { bits, .. })) => found.defects.push(format!(
-                    "the member `{name}` ends at bit {}, a value of {data_type} at bit {}",
+                    "the member `{name}` ends at bit {}, but a value of {data_type} at bit {}",
                     first + bits - 1,
                     length - 1
                 )),
                 (None, _) => {
-                    found.defects.push(format!("it is not said at which bit the member `{name}` begins"));
+                    found.defects.push(format!("the member `{name}` has no start bit"));
                 }
                 (_, Err(why)) => {
                     found.defects.push(format!("the member `{name}` is not part of a word: {why}"));
@@ -163,7 +163,7 @@ impl Enumeration<'_> {
         self.values.retain(|value| {
             let fits = (low..=high).contains(&value.number);
             if !fits {
-                defects.push(format!("`{}` of `{}` is more than {bits} bits hold", value.number, value.name));
+                defects.push(format!("`{}` of `{}` does not fit into {bits} bits", value.number, value.name));
             }
             fits
         });
@@ -225,8 +225,8 @@ mod tests {
             found.defects,
             [
                 "the member `text` is not part of a word: values of STRING are not bits",
-                "it is not said at which bit the member `lost` begins",
-                "the member `long` ends at bit 19, a value of UNSIGNED16 at bit 15",
+                "the member `lost` has no start bit",
+                "the member `long` ends at bit 19, but a value of UNSIGNED16 at bit 15",
             ]
         );
     }
