@@ -453,7 +453,7 @@ fn every_value_that_does_not_fit_is_named() {
     `0x2000`: the value `-6` is below the low limit `-5`
     `0x2001`: the value `6` is above the high limit `5`
     `0x2003`: the value `256` does not fit UNSIGNED8
-    `0x2004`: the text `0x1G` is not valid for its data type
+    `0x2004`: the string `0x1G` is not valid for its data type
     `0x2005`: the value `$NODEID+0xC8` does not fit UNSIGNED8
     `0x2006`: the bytes of `x` are unknown because the data type 0060h is
     ");

@@ -258,7 +258,7 @@ fn number(text: &str, data_type: DataType) -> Result<Value, WrongText> {
 /// Removes the quotes of a text.
 fn unquoted(text: &str) -> Result<String, WrongText> {
     let wrong = |what: &str| {
-        Err((format!("`{text}` {what}"), "write the text in double quotes, with `\\\"` for a quote in it"))
+        Err((format!("`{text}` {what}"), "write the string in double quotes, with `\\\"` for a quote in it"))
     };
     let Some(inner) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) else {
         return wrong("is not in double quotes");

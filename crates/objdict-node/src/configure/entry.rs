@@ -26,7 +26,7 @@ impl<'a> Configurator<'a> {
         match candidates(self.device, text)[..] {
             [address] => Ok(address),
             [] => {
-                let wrong = Wrong::new(format!("there is no object or entry `{text}`"));
+                let wrong = Wrong::new(format!("unknown object or entry `{text}`"));
                 Err(match meant(self.device, text) {
                     Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
                     None => wrong.help("`objdict show` lists the objects"),
@@ -256,9 +256,9 @@ impl Configurator<'_> {
             0x1012 => "the device does not use TIME",
             0x1014 | 0x1015 => "the CAN-ID of EMCY and its inhibit time cannot be configured",
             0x1016 => "the device does not monitor heartbeats",
-            0x1020 => "the device does not keep the date of its configuration",
+            0x1020 => "the device does not store its configuration date",
             0x1028 => "the device does not consume EMCY",
-            0x1029 => "the reaction of the device to errors cannot be configured",
+            0x1029 => "the device's reaction to errors cannot be configured",
             _ => return None,
         })
     }

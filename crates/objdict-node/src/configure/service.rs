@@ -171,7 +171,7 @@ impl Configurator<'_> {
                 let help = format!("disable it first with `--cob-id {pdo}=off`, or change its CAN-ID");
                 (pdo.to_string(), help)
             }
-            None => (service_name(user).to_owned(), "choose another CAN-ID".to_owned()),
+            None => (service_name(user).to_owned(), "choose a different CAN-ID".to_owned()),
         };
         Err(Wrong::new(format!("{name} already has the CAN-ID `0x{can_id:X}`")).help(help))
     }

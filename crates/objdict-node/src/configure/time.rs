@@ -31,12 +31,12 @@ pub(super) fn in_unit_of(
     match (length, unit) {
         (Some(length), _) if time.is_multiple_of(length) => Ok(time / length),
         (Some(_), Some(unit)) => {
-            let wrong = Wrong::new(format!("`{text}` is not a multiple of the unit of the entry, {unit}"));
+            let wrong = Wrong::new(format!("`{text}` is not a multiple of the entry's unit, {unit}"));
             Err(wrong.help(format!("write a multiple, or a number in the unit {unit}")))
         }
         _ => {
             let wrong =
-                Wrong::new(format!("`{text}` is a time, but no CiA document states a unit of time here"));
+                Wrong::new(format!("`{text}` is a time, but no CiA document defines a time unit here"));
             Err(wrong.help("write a number in the unit of the device"))
         }
     }

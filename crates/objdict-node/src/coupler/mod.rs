@@ -238,7 +238,7 @@ objdict_model::error_messages! { ModuleProblem: {
     Self::Incomplete { number, index } =>
         "the extension of `{index:04X}` by module {number} is incomplete: `Count` or `DataType` is missing";
     Self::NoRoom { number, index, next } =>
-        "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is another object";
+        "the extension of `{index:04X}` by module {number} continues in `{next:04X}`, which is a different object";
 } }
 
 fn listed(numbers: &[u16]) -> String {

@@ -141,7 +141,7 @@ objdict_model::messages! {
         Self::NotOfType { value, data_type } => "the value `{value}` does not fit {data_type}";
         Self::BelowLimit { value, limit } => "the value `{value}` is below the low limit `{limit}`";
         Self::AboveLimit { value, limit } => "the value `{value}` is above the high limit `{limit}`";
-        Self::Unreadable(text) => "the text `{text}` is not valid for its data type";
+        Self::Unreadable(text) => "the string `{text}` is not valid for its data type";
         Self::UnknownType { value, data_type: Some(data_type) } =>
             "the bytes of `{value}` are unknown because the data type {data_type} is";
         Self::UnknownType { value, data_type: None } =>

@@ -218,7 +218,7 @@ impl ObjectionKind {
             }
             Self::NotStored => "write 1010h last",
             Self::ClearsVerification => "write 1020h after all other entries",
-            Self::TwoErrorControls => "write 0 first to the one that is not needed",
+            Self::TwoErrorControls => "write 0 first to the unused one",
             _ => return None,
         };
         Some(text.to_owned())
@@ -267,7 +267,7 @@ objdict_model::messages! {
         Self::InUse { present, .. } => "the identifier changes while `0x{present:X}` is in use";
         Self::RenamedWhileSwitchedOff { present } =>
             "the write that marks `0x{present:X}` not valid also changes its identifier, which some devices reject";
-        Self::SharedWithSync { can_id } => "the CAN-ID `0x{can_id:X}` would be that of SYNC and of a PDO";
+        Self::SharedWithSync { can_id } => "SYNC and a PDO would share CAN-ID `0x{can_id:X}`";
         Self::PdoIsValid(kind, number) | Self::MappingIsValid(kind, number) =>
             "{kind} {number} is valid, so this cannot change";
         Self::MappingInUse => "sub-index 0 of the mapping is not 0, so this cannot change";
