@@ -297,7 +297,7 @@ fn numbers_of_a_dcf_are_those_of_its_node() {
         read(&text, &fixtures().join("network.toml"))
     };
     let other = node("dcf/drive-402-node8.dcf", "id = 5");
-    let expected = "other-node-id: `a` is node 5, but its DCF was made for node 8";
+    let expected = "other-node-id: `a` is node 5, but its DCF was created for node 8";
     assert!(found(&other, Severity::Warning).contains(&expected.to_owned()));
     assert_eq!(found(&other, Severity::Error), Vec::<String>::new());
     let folder = new_folder("boots-other-node");

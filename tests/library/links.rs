@@ -110,7 +110,7 @@ fn a_node_watches_others_beside_the_manager() {
     let text = "[manager]\nid = 127\nheartbeat = \"100ms\"\n[node.left]\nfile = \"island.eds\"\nid = 11\nwatches-manager = true\nwatches = { right = \"1.5x\", nowhere = \"500ms\" }\n[node.right]\nfile = \"island.eds\"\nid = 12\nheartbeat = \"200ms\"\n";
     let file = open("watches", text);
     let found: Vec<_> = file.check().iter().map(|finding| finding.message.to_string()).collect();
-    assert!(found.contains(&"there is no node `nowhere`, which `left` watches".to_owned()), "{found:?}");
+    assert!(found.contains(&"unknown node `nowhere`, which `left` watches".to_owned()), "{found:?}");
     let compiled = file.compiled().unwrap();
     let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
     let consumers: Vec<_> =

@@ -252,9 +252,7 @@ fn contradiction(
         wanted
     );
     let finding = Diagnostic::new(&CONTRADICTION, said, message).label(at, "the value follows from here");
-    finding
-        .help("remove the setting; the keys of the nodes and of the manager say what it expects")
-        .understood()
+    finding.help("remove the setting; set the expected value with the keys of node or manager").understood()
 }
 
 impl Network {

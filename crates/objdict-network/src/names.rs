@@ -20,11 +20,11 @@ pub fn named_manager(
     let names = nodes.iter().map(|node| &*node.name.value);
     let meant = misspelled(&named.value, names).filter(|name| !are_counted(name, &named.value));
     let help = match meant {
-        Some(name) => say!("write `{}`, or give the manager a name that differs more", name),
+        Some(name) => say!("write `{}`, or give the manager a more distinct name", name),
         None if has_node_id => return None,
         None => say!("describe it, or add `manager` with its `id`"),
     };
-    let message = say!("there is no node `{}`, which is the manager", named.value);
+    let message = say!("unknown node `{}` as manager", named.value);
     findings.push(Diagnostic::new(&UNKNOWN_NODE, named.at, message).help(help));
     // with a node-ID of its own there is a manager anyway
     meant.filter(|_| !has_node_id).and_then(position)

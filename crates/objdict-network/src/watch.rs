@@ -31,8 +31,7 @@ pub(crate) fn watch(network: &mut Network, findings: &mut Findings) {
             let names =
                 network.nodes.iter().map(|node| &node.name).chain(manager.map(|manager| &manager.name));
             if names.clone().all(|name| name.value != said.value.node) {
-                let message =
-                    say!("there is no node `{}`, which `{}` watches", said.value.node, node.name.value);
+                let message = say!("unknown node `{}`, which `{}` watches", said.value.node, node.name.value);
                 let names = names.map(|name| &*name.value);
                 findings.push(unknown_node(said.at, &said.value.node, message, names));
                 continue;
@@ -68,7 +67,7 @@ pub(crate) fn watch(network: &mut Network, findings: &mut Findings) {
 pub(crate) fn monitors_itself(at: Span, name: &str) -> Diagnostic {
     let message = say!("`{}` monitors itself, but a node does not receive its own heartbeat", name);
     let finding = Diagnostic::new(&SILENT_NODE, at, message).severity(Severity::Error);
-    finding.help("monitor another node").understood()
+    finding.help("monitor a different node").understood()
 }
 
 /// The free sub-indexes of 1016h.

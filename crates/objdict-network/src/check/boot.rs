@@ -32,7 +32,7 @@ impl NetworkCheck<'_, '_> {
                 let described = answered(&node.device, sub, slave.node_id).unwrap_or(described);
                 if described != 0 && described != request.value {
                     let message = say!(
-                        "the {} number of `{}` is {:X}h, but its description says {:X}h",
+                        "the {} number of `{}` is {:X}h, but {:X}h in its description",
                         what,
                         name,
                         request.value,
@@ -44,7 +44,7 @@ impl NetworkCheck<'_, '_> {
                     let place = elsewhere.map_or(node.device.value_place(0x1018, sub), |(_, place)| place);
                     let finding = Diagnostic::new(&WRONG_IDENTITY, request.at, message)
                         .label(At::Node(slave.node, place), "the described number");
-                    let finding = finding.help("correct the number, or use the description of that device");
+                    let finding = finding.help("correct the number, or use that device's description");
                     self.findings.push(self.judged(slave, finding, sub, slave.identity[usize::from(sub)]));
                 }
             }
@@ -86,12 +86,9 @@ impl NetworkCheck<'_, '_> {
                 (0, _) => Diagnostic::new(
                     &WRONG_IDENTITY,
                     at,
-                    say!(
-                        "the manager checks the software of `{}`, but 1F55h does not say which is expected",
-                        name
-                    ),
+                    say!("the manager checks the software of `{}`, but 1F55h has no expected version", name),
                 )
-                .help("state the version: 1F55h of the manager, `software-version`"),
+                .help("specify the version with `software-version` (1F55h of the manager)"),
                 (_, None) if node.device.entry(0x1F56, 1).is_none() => {
                     let message =
                         say!("`{}` has no 1F56h:01, so the manager cannot check its software", name);
@@ -107,7 +104,7 @@ impl NetworkCheck<'_, '_> {
                     );
                     let finding =
                         Diagnostic::new(&WRONG_IDENTITY, at, message).label(place, "the described number");
-                    finding.help("correct the number, or use the description of that device")
+                    finding.help("correct the number, or use that device's description")
                 }
                 _ => continue,
             };
@@ -183,12 +180,12 @@ impl NetworkCheck<'_, '_> {
                 .label(At::Node(slave.node, other), "the number in 1018h");
             let finding = self.judged(slave, finding, position, expected);
             self.findings.push(finding.help(match (position, self.network.order) {
-                (3, Order::Dcfgen) => "state the right one: `revision_number`",
+                (3, Order::Dcfgen) => "specify the correct number: `revision_number`",
                 (_, Order::Dcfgen) => "correct the description",
                 (3, Order::Safe) => {
-                    "state the right one: `revision-number`, or check less: `identity = \"product\"`"
+                    "specify the correct number with `revision-number`, or check less with `identity = \"product\"`"
                 }
-                (_, Order::Safe) => "correct the description, or check less, as with `identity = \"none\"`",
+                (_, Order::Safe) => "correct the description, or check less, for example with `identity = \"none\"`",
             }));
         }
     }
@@ -229,7 +226,7 @@ impl NetworkCheck<'_, '_> {
                 let finding = Diagnostic::new(&WRONG_IDENTITY, said.unwrap_or(node.name.at), message)
                     .label_each(manager.origin(self.network, index, slave.node_id), "the expected number")
                     .label_each(origin, "the described number")
-                    .help("correct the value of the manager, or use the description of that device");
+                    .help("correct the manager's value, or use that device's description");
                 // the revision may be another one than that of the description
                 let is_other_device = (0x1F84..=0x1F86).contains(&index);
                 self.findings.push(match (index, is_other_device) {
@@ -272,9 +269,7 @@ impl NetworkCheck<'_, '_> {
             let finding = Diagnostic::new(&KEPT_ALIVE_WITHOUT_STATE, node.name.at, message)
                 .label_each(place, "the heartbeat time of the node when it is switched on");
             let help = match is_expected {
-                true => {
-                    "let the manager reset the node, or describe it by a DCF with the heartbeat that it has stored"
-                }
+                true => "let the manager reset the node, or use a DCF with its stored heartbeat time",
                 false => "let the manager reset the node",
             };
             self.findings.push(finding.help(help).understood());

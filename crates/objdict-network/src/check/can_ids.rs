@@ -80,7 +80,7 @@ impl NetworkCheck<'_, '_> {
             let finding = Diagnostic::new(&DUPLICATE_NODE_ID, at, message)
                 .label(first.at, "it is used here")
                 .label_each(origin.into_iter().chain(first_origin.clone()), "the node-ID");
-            self.findings.push(finding.help("give one of them another node-ID").understood());
+            self.findings.push(finding.help("give one of them a different node-ID").understood());
         }
     }
 
@@ -106,7 +106,8 @@ impl NetworkCheck<'_, '_> {
                 );
                 let finding = Diagnostic::new(&RESTRICTED_CAN_ID, party.at, message)
                     .label_each(self.can_id_origin(*can_id, party), "the CAN-ID");
-                self.findings.push(finding.help("use a CAN-ID of 181h to 57Fh or 680h to 6DFh").understood());
+                self.findings
+                    .push(finding.help("use a CAN-ID from 181h to 57Fh or 680h to 6DFh").understood());
             }
         }
     }
@@ -146,11 +147,11 @@ impl NetworkCheck<'_, '_> {
                     say!("the CAN-ID of {}", first.service.to_string()),
                 );
             let help = if are_clients {
-                "give one of the clients a channel of its own (1280h), which the node has in 1201h too"
+                "give one of the clients its own channel (1280h), which the node also has in 1201h"
             } else if self.network.is_made(first.node) && first.node == other.node && is_pdo(first) {
-                "give each RPDO that receives it a CAN-ID of its own"
+                "give each RPDO that receives it its own CAN-ID"
             } else {
-                "give one of them another CAN-ID, or switch it off"
+                "give one of them a different CAN-ID, or switch it off"
             };
             self.findings.push(finding.help(help).understood());
         }
@@ -194,7 +195,7 @@ impl NetworkCheck<'_, '_> {
                     continue;
                 };
                 let text = format!(
-                    "{} takes {} bits of the {} that {} sends",
+                    "{} maps {} bits of the {} that {} sends",
                     self.described(receiver),
                     received.bits(),
                     sent.bits(),

@@ -22,7 +22,7 @@ impl NetworkCheck<'_, '_> {
         let node = &self.network.nodes[slave.node];
         let Some(made_for) = node.device.node_id().filter(|stated| *stated != slave.node_id) else { return };
         let message = say!(
-            "`{}` is node {}, but its DCF was made for node {}",
+            "`{}` is node {}, but its DCF was created for node {}",
             node.name.value,
             slave.node_id,
             made_for
@@ -62,7 +62,7 @@ impl NetworkCheck<'_, '_> {
         let Some((first_at, first, number)) = numbers.next() else { return };
         for (at, node, other) in numbers.filter(|(_, _, other)| *other != number) {
             let message = say!(
-                "the DCF of `{}` was made for network {}, that of `{}` for network {}",
+                "the DCF of `{}` was created for network {}, but the DCF of `{}` for network {}",
                 node.name.value,
                 other,
                 first.name.value,

@@ -50,7 +50,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 let finding = Diagnostic::new(&NO_HEARTBEAT_CONSUMER, at, message);
                 let finding =
                     finding.label_each(origins.into_iter().flatten(), "the consumer heartbeat time");
-                let finding = finding.help("monitor each node by one sub-index").understood();
+                let finding = finding.help("monitor each node in one sub-index").understood();
                 let is_said = slave.said(0x1016, second.sub).is_some();
                 self.findings.push(if is_said { finding.severity(Severity::Error) } else { finding });
             }
@@ -104,14 +104,14 @@ impl<'n> NetworkCheck<'n, '_> {
                     let message = say!("`{}` monitors `{}`, which sends no heartbeat", name, producer);
                     let finding = finding(&SILENT_NODE, message)
                         .label_each(place, "the producer heartbeat time")
-                        .help("set the producer heartbeat time of the node (1017h)");
+                        .help("set the node's producer heartbeat time (1017h)");
                     if is_manager { finding.severity(Severity::Error).understood() } else { finding }
                 }
                 Some((producer, period, place))
                     if f64::from(milliseconds) < f64::from(period) * LEAST_FACTOR =>
                 {
                     let message = say!(
-                        "`{}` gives `{}` up after {} ms, but a heartbeat comes each {} ms",
+                        "`{}` considers `{}` lost after {} ms, but its heartbeat period is {} ms",
                         name,
                         producer,
                         milliseconds,

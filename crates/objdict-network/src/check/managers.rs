@@ -29,13 +29,13 @@ impl NetworkCheck<'_, '_> {
             if !is_manager || is_flying(&slave.device) {
                 continue;
             }
-            let message = say!("`{}` is a manager beside `{}`", node.name.value, manager.name.value);
+            let message = say!("`{}` is a manager in addition to `{}`", node.name.value, manager.name.value);
             let place = Place::of(Part::Commissioning).field(Field::CanOpenManager);
             let places = [Some(slave.node), manager.node].into_iter().flatten();
             let places = places.map(|node| At::Node(node, place.clone()));
             let finding =
                 Diagnostic::new(&DUPLICATE_MANAGER, node.file.at, message).label_each(places, "the manager");
-            self.findings.push(finding.help("write `CANopenManager=0` into its DCF").understood());
+            self.findings.push(finding.help("write `CANopenManager=0` in its DCF").understood());
         }
     }
 
@@ -49,11 +49,8 @@ impl NetworkCheck<'_, '_> {
             if number & SLAVE == 0 || is_there {
                 continue;
             }
-            let message = say!(
-                "1F81h of `{}` assigns node {}, which the network does not have",
-                manager.name.value,
-                sub
-            );
+            let message =
+                say!("1F81h of `{}` assigns node {}, which is not in the network", manager.name.value, sub);
             let finding = Diagnostic::new(&ABSENT_SLAVE, manager.name.at, message)
                 .label_each(own.origin(self.network, 0x1F81, sub), "the assigned node");
             let is_missed = number & (MANDATORY | BOOTED) != 0;
@@ -77,13 +74,8 @@ impl NetworkCheck<'_, '_> {
             let Some((said, own)) = said.zip(own).filter(|(said, own)| said.value != own.value) else {
                 continue;
             };
-            let message = say!(
-                "the {} of the manager is {}, but that of `{}` is {}",
-                what,
-                said.value,
-                node.name.value,
-                own.value
-            );
+            let message =
+                say!("the manager's {} is {}, but `{}` has {}", what, said.value, node.name.value, own.value);
             let finding = Diagnostic::new(&CONTRADICTION, said.at, message).label(own.at, "the other value");
             self.findings.push(finding.help("remove one of the two"));
         }
@@ -104,7 +96,7 @@ impl NetworkCheck<'_, '_> {
             let origin = described.and_then(|own| own.origin(self.network, 0x1F81, slave.node_id));
             let finding = Diagnostic::new(&MANDATORY_NOT_BOOTED, node.name.at, message)
                 .label_each(origin, "the assigned node");
-            self.findings.push(finding.help("have the manager boot the node, or leave `mandatory` out"));
+            self.findings.push(finding.help("let the manager boot the node, or omit `mandatory`"));
         }
     }
 }

@@ -44,7 +44,7 @@ impl NetworkCheck<'_, '_> {
             return;
         }
         let message = say!(
-            "`{}` refuses the download to {:04X}h:{:02X}: {}",
+            "`{}` rejects the download to {:04X}h:{:02X}: {}",
             name.value,
             index,
             sub,
@@ -69,7 +69,7 @@ impl NetworkCheck<'_, '_> {
             );
             let place = At::Node(slave.node, problem.place.clone());
             let finding = Diagnostic::new(&REFUSED_DOWNLOAD, node.file.at, message).label(place, "the value");
-            self.findings.push(finding.help("correct the description: `objdict check` shows the place"));
+            self.findings.push(finding.help("correct the description; `objdict check` shows where"));
         }
     }
 }

@@ -52,7 +52,7 @@ impl NetworkCheck<'_, '_> {
     fn reserved_value(&self, slave: &Slave, (index, sub): (u16, u8), value: u8) -> Diagnostic {
         let name = &self.network.nodes[slave.node].name;
         let entry = if sub == 0 { say!("{:04X}h", index) } else { say!("{:04X}h:{:02X}", index, sub) };
-        let message = say!("{} of `{}` is {}, which CiA 301 reserves", entry, name.value, value);
+        let message = say!("{} of `{}` is {}, which is reserved in CiA 301", entry, name.value, value);
         Diagnostic::new(&INVALID_VALUE, slave.said(index, sub).unwrap_or(name.at), message)
             .label_each(slave.origin(self.network, index, sub), "in the description")
             .understood()

@@ -38,7 +38,7 @@ impl NetworkCheck<'_, '_> {
             .aborts()
             .map(|objection| {
                 let message = say!(
-                    "`{}` refuses download {} in {:04X}h:{:02X} of `{}`, to {:04X}h:{:02X}: {}",
+                    "`{}` rejects download {} in {:04X}h:{:02X} of `{}`, to {:04X}h:{:02X}: {}",
                     node.name.value,
                     objection.number,
                     stored.index,
@@ -50,7 +50,7 @@ impl NetworkCheck<'_, '_> {
                 );
                 Diagnostic::new(&REFUSED_CONFIGURATION, node.file.at, message)
                     .label(place.clone(), "the configuration")
-                    .help("write the manager's DCF anew: `objdict network build --target manager`")
+                    .help("rebuild the manager's DCF: `objdict network build --target manager`")
                     .understood()
             })
             .collect();
@@ -98,7 +98,7 @@ impl NetworkCheck<'_, '_> {
             let finding = Diagnostic::new(&OTHER_CONFIGURATION, node.file.at, message)
                 .label(place.clone(), "the configuration")
                 .label(At::Node(slave.node, device.value_place(index, sub)), "the value of the node")
-                .help("write the DCFs of node and manager anew: `objdict network build --target dcf`");
+                .help("rebuild the DCFs of node and manager: `objdict network build --target dcf`");
             findings.push(finding.understood());
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
@@ -122,7 +122,7 @@ impl NetworkCheck<'_, '_> {
             let finding = Diagnostic::new(&CONFIGURATION_DATE, node.file.at, message)
                 .label_each(manager.origin(self.network, index, slave.node_id), "the expected number")
                 .label_each(slave.origin(self.network, 0x1020, sub), "the number of the node");
-            self.findings.push(finding.help("build both anew with `--configured-at`"));
+            self.findings.push(finding.help("rebuild both with `--configured-at`"));
         }
     }
 }

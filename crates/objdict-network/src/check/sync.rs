@@ -91,7 +91,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let request = node.pdos.iter().find(|request| request.pdo == first.pdo).map(|request| request.at);
         let said = slave.said(indexes(first.pdo).0, 2).or(request);
         let finding = Diagnostic::new(&NO_SYNC_SENDER, said.unwrap_or(node.name.at), message)
-            .help("set the SYNC period of the manager, or use an event-driven transmission type");
+            .help("set the manager's SYNC period, or use an event-driven transmission type");
         // the nodes boot all the same
         finding.severity(Severity::Warning)
     }

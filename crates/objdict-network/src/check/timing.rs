@@ -43,7 +43,7 @@ impl<'n> NetworkCheck<'n, '_> {
             };
             if sent.event_timer != 0 && sent.event_timer >= state.deadline {
                 let message = say!(
-                    "{} {} of `{}` is missed after {} ms, but sent each {} ms",
+                    "{} {} of `{}` times out after {} ms, but is sent every {} ms",
                     state.pdo.kind,
                     state.pdo.number,
                     node.name.value,
@@ -54,7 +54,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 let finding = Diagnostic::new(&PDO_TIMES, at, message)
                     .label_each(slave.origin(self.network, communication, 5), "the deadline")
                     .label_each(timer, "the event timer of the sender");
-                let finding = finding.help("lengthen the deadline of the receiver");
+                let finding = finding.help("lengthen the receiver's deadline");
                 self.findings.push(finding.severity(Severity::Error).understood());
             }
         }
@@ -76,9 +76,10 @@ impl<'n> NetworkCheck<'n, '_> {
         let percent = self.schedule.load_at(rate.value) / 10;
         if percent > if self.network.bit_rate.is_some() { 80 } else { 100 } {
             let severity = if percent > 100 { Severity::Error } else { Severity::Warning };
-            let message = say!("cyclic messages take {} % of {} kbit/s", percent, rate.value);
+            let message = say!("cyclic messages use {} % of {} kbit/s", percent, rate.value);
             let finding = Diagnostic::new(&BUS_LOAD, rate.at, message).severity(severity).understood();
-            self.findings.push(finding.help("lengthen times, map entries together, or raise the bit rate"));
+            self.findings
+                .push(finding.help("lengthen periods, map entries together, or increase the bit rate"));
         }
     }
     /// Messages that other ones delay beyond their deadlines.
@@ -99,10 +100,17 @@ impl<'n> NetworkCheck<'n, '_> {
         let rate = rate.value;
         let message = match late.len() {
             1 => {
-                say!("{} ({}) may take {} µs at {} kbit/s, but has {} µs", what, id, response, rate, deadline)
+                say!(
+                    "{} ({}) may take {} µs at {} kbit/s, but its deadline is {} µs",
+                    what,
+                    id,
+                    response,
+                    rate,
+                    deadline
+                )
             }
             count => say!(
-                "{} ({}) may take {} µs at {} kbit/s, but has {} µs, and {} more may be late",
+                "{} ({}) may take {} µs at {} kbit/s, but its deadline is {} µs; {} more may be late",
                 what,
                 id,
                 response,
@@ -112,6 +120,6 @@ impl<'n> NetworkCheck<'n, '_> {
             ),
         };
         let finding = Diagnostic::new(&LATE_MESSAGE, first.sender.at, message);
-        self.findings.push(finding.help("`objdict network timing` says what delays it, and what would help"));
+        self.findings.push(finding.help("run `objdict network timing` for causes and remedies"));
     }
 }

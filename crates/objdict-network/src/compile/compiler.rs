@@ -173,7 +173,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         let whole = number.trunc() as i128;
         if value.is_none() && self.has(at) {
             let message = say!(
-                "{:04X}h:{:02X} takes whole numbers, so `{}` becomes {}",
+                "{:04X}h:{:02X} accepts only whole numbers, so `{}` becomes {}",
                 at.index,
                 at.sub.unwrap_or(0),
                 number,
@@ -311,7 +311,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         {
             let message = say!("{:04X}h:{:02X} of `{}` is `{}`", at.index, sub, self.node.name.value, access);
             let finding = Diagnostic::new(&READ_ONLY_ENTRY, said, message).understood();
-            let finding = finding.help("remove the setting, or write another entry");
+            let finding = finding.help("remove the setting, or set a different entry");
             self.report(finding, at, Field::AccessType);
         }
         let Some(limit) = beyond(&entry, value, Some(self.node_id)) else { return };
@@ -335,9 +335,9 @@ impl<'n, 'f> Compiler<'n, 'f> {
                     .help("write a value of the data type of the entry")
             }
             None => {
-                let message = say!("the data type of {:04X}h:{:02X} is not known", at.index, sub);
+                let message = say!("the data type of {:04X}h:{:02X} is unknown", at.index, sub);
                 Diagnostic::new(&INVALID_VALUE, said, message)
-                    .help("correct the description: `objdict check` shows the place")
+                    .help("correct the description; `objdict check` shows where")
             }
         };
         self.report(finding, at, Field::DataType);

@@ -62,11 +62,11 @@ fn compile_node(
         if network.is_made(position) {
             return;
         }
-        let message = say!("the node-ID of `{}` is not known", node.name.value);
+        let message = say!("the node-ID of `{}` is unknown", node.name.value);
         let place = Place::of(DevicePart::Commissioning).field(Field::NodeId);
         let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message)
             .label(At::Node(position, place), "no node-ID");
-        compiled.findings.push(finding.help("add the node-ID, or use a DCF that states it"));
+        compiled.findings.push(finding.help("add the node-ID, or use the node's DCF"));
         return;
     };
     let mut compiler = Compiler::new((position, node), node_id.value, mode, &mut compiled.findings);
@@ -204,7 +204,7 @@ fn guard_time(compiler: &mut Compiler<'_, '_>, heartbeat: u16) -> u16 {
     let factor = requested(factor.map(|factor| factor.value.into()), 0x100D);
     if time != 0 && factor != 0 && heartbeat != 0 {
         let at = compiler.said(0x100C).unwrap_or(compiler.node.name.at);
-        let message = say!("`{}` has a heartbeat as well as node guarding", compiler.node.name.value);
+        let message = say!("`{}` has both a heartbeat and node guarding", compiler.node.name.value);
         let finding = Diagnostic::new(&HEARTBEAT_AND_GUARDING, at, message)
             .label_each(compiler.origin(0x1017, 0), "the heartbeat time")
             .label_each(compiler.origin(0x100C, 0), "the guard time")
@@ -258,12 +258,12 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
     let is_silent = time == Some(0);
     if let Some(request) = request.filter(|_| is_silent) {
         let message = say!(
-            "`{}` is to monitor `{}`, which sends no heartbeat",
+            "`{}` is configured to monitor `{}`, which sends no heartbeat",
             compiler.node.name.value,
             manager.name.value
         );
         let finding = Diagnostic::new(&SILENT_NODE, request.at, message);
-        compiler.findings.push(finding.help("set the producer heartbeat time of the manager").understood());
+        compiler.findings.push(finding.help("set the manager's producer heartbeat time").understood());
     }
     let Some(request) = request.filter(|_| !is_silent) else {
         // what the network file writes itself stays
@@ -291,7 +291,7 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
         (None, _) => compiler.findings.push(
             finding(say!("all entries of 1016h of `{}` monitor other nodes", name))
                 .label(compiler.place(Place::object(CONSUMERS)), "no entry is free")
-                .help("free one by a download of 0, or do not let it monitor the manager"),
+                .help("free one with a download of 0, or do not let it monitor the manager"),
         ),
     }
 }

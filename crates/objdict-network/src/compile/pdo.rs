@@ -92,7 +92,7 @@ pub(super) fn configure(
                     compiler.node.name.value
                 );
                 let finding = Diagnostic::new(&NO_FREE_CAN_ID, said, message);
-                compiler.findings.push(finding.help("give it a CAN-ID by number"));
+                compiler.findings.push(finding.help("assign a CAN-ID by number"));
             }
         },
         None => {}
@@ -258,14 +258,14 @@ fn mapped(compiler: &mut Compiler<'_, '_>, kind: PdoKind, object: &Said<Address>
     };
     if let Some(reason) = reason {
         let message = say!("{:04X}h:{:02X} of `{}` {}", index, sub, compiler.node.name.value, reason);
-        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry");
+        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map a different entry");
         compiler.report(finding.understood(), object.value, refusing_field(&entry, kind));
     }
     let bits = transferred_type(device, index, sub).and_then(DataType::bit_length);
     if bits.is_none() {
         let message =
             say!("{:04X}h:{:02X} of `{}` has no fixed length", index, sub, compiler.node.name.value);
-        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry");
+        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map a different entry");
         compiler.report(finding, object.value, Field::DataType);
     }
     Some(MappedObject { index, sub, bits: bits? })

@@ -110,7 +110,7 @@ impl<'a> NodeNames<'a> {
     fn sent_by_manager(&self, link: &Link, mut report: impl FnMut(Diagnostic)) -> Found<Vec<Flow>> {
         if link.parameters.can_id.is_some() && link.to.len() > 1 {
             let message = say!("`{}` sends a PDO to each of {} consumers", link.from.node, link.to.len());
-            let help = "leave the CAN-ID out, or write a link for each consumer";
+            let help = "omit the CAN-ID, or write a link for each consumer";
             return Err(wrong(&LINK_TOO_LONG, &link.from, message, help));
         }
         let mut flows = Vec::with_capacity(link.to.len());
@@ -143,8 +143,8 @@ impl<'a> NodeNames<'a> {
         let position = *self.positions.get(&*end.node).ok_or_else(|| self.unknown_node(end))?;
         let node = &self.network.nodes[position];
         let Some(entries) = &end.entries else {
-            let message = say!("the link names no entries of `{}`", end.node);
-            let help = say!("write them behind a point, as in `{}.6000:1-5`", end.node);
+            let message = say!("the link has no entries of `{}`", end.node);
+            let help = say!("add them after a dot, as in `{}.6000:1-5`", end.node);
             return Err(wrong(&UNKNOWN_ENTRY, end, message, help));
         };
         Ok((position, NamedPart { position, node, end, entries, kind }.entries()?))
@@ -153,10 +153,10 @@ impl<'a> NodeNames<'a> {
     fn unknown_node(&self, end: &LinkEnd) -> Box<Diagnostic> {
         if self.is_manager(&end.node) {
             let message = say!("the manager `{}` has no description and so no entries", end.node);
-            let help = say!("write `{}` alone: it has the other side of each PDO", end.node);
+            let help = say!("write only `{}`: it has the other side of each PDO", end.node);
             return wrong(&UNKNOWN_NODE, end, message, help);
         }
-        let message = say!("there is no node `{}`", end.node);
+        let message = say!("unknown node `{}`", end.node);
         let manager = self.network.manager.as_ref().map(|manager| &manager.name);
         let names = self.positions.keys().copied().chain(manager.map(|name| &*name.value));
         let finding = unknown_node(end.at, &end.node, message, names);
@@ -167,7 +167,7 @@ impl<'a> NodeNames<'a> {
 
     fn to_itself(&self, link: &Link, end: &LinkEnd) -> Box<Diagnostic> {
         let message = say!("`{}` is linked to itself", end.node);
-        let help = "link it to another node; a node does not receive its own PDOs";
+        let help = "link it to a different node; a node does not receive its own PDOs";
         Box::new(wrong(&LINK_DIRECTION, end, message, help).label(link.from.at, "the producer"))
     }
 
@@ -193,7 +193,7 @@ impl<'a> NodeNames<'a> {
         };
         let finding = if other_length.is_some() {
             let message =
-                say!("`{}` has {} bits, `{}` has {}", sent.name(), sent.bits, taken.name(), taken.bits);
+                say!("`{}` has {} bits, but `{}` has {}", sent.name(), sent.bits, taken.name(), taken.bits);
             let help = "link entries of the same length; bits of a PDO are received by position";
             related(&LINK_MISMATCH, message, help)
         } else {
@@ -302,7 +302,7 @@ impl NamedPart<'_> {
             PdoKind::Tpdo => say!("`{}` cannot send `{}`", node, name),
             PdoKind::Rpdo => say!("`{}` cannot receive `{}`", node, name),
         };
-        wrong(&LINK_DIRECTION, self.end, message, "exchange `from` and `to`, or link another entry")
+        wrong(&LINK_DIRECTION, self.end, message, "swap `from` and `to`, or link a different entry")
     }
 
     fn unknown_entry(&self) -> Box<Diagnostic> {

@@ -161,7 +161,7 @@ impl Collection {
                     };
                     let (first, second) = (source(*other, sent), source(producer, entry));
                     finding(say!("two links write {}: from {} and {}", what, first, second))
-                        .help("link each producer to an entry of its own")
+                        .help("link each producer to its own entry")
                 }
             });
         }

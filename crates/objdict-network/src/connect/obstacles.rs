@@ -43,7 +43,7 @@ pub(super) fn explained(
     }
     let advice = match groups.as_slice() {
         [(obstacle, ..)] => obstacle.advice(),
-        _ => "link what one of them can carry",
+        _ => "link only entries that one of them can carry",
     };
     let reasons = groups.iter().map(|(_, words, names)| {
         let shown = names.get(..MAX_NAMES).unwrap_or(names).join(", ");
@@ -63,16 +63,16 @@ pub(super) fn stay_valid(pdos: &[&CandidatePdo], (position, node): (usize, &Node
     let places = pdos.iter().take(MAX_LABELS).map(|pdo| node.device.value_place(indexes(pdo.name).0, 1));
     let finding = Diagnostic::new(&FIXED_PDO, at, message).severity(Severity::Warning);
     let finding = finding.label_each(places.map(|place| At::Node(position, place)), "constant");
-    finding.help("link what the PDO carries, or write `unused-pdos = \"keep\"` for this node")
+    finding.help("link the entries that the PDO carries, or write `unused-pdos = \"keep\"` for this node")
 }
 
 impl Obstacle {
     /// What the link can do about it.
     const fn advice(self) -> &'static str {
         match self {
-            Self::Mapping | Self::Locked => "link what the PDO carries by default",
+            Self::Mapping | Self::Locked => "link the entries that the PDO carries by default",
             Self::Slots(..) => "link fewer entries",
-            Self::Gap(_) => "let the consumer take the entries of the gap too",
+            Self::Gap(_) => "let the consumer receive the entries of the gap too",
             Self::CanId(_) => "link it with this CAN-ID",
             Self::Parameter(_) => "remove the parameter from the link",
             Self::Invalid | Self::Taken => "transfer them by SDO instead",
@@ -102,7 +102,7 @@ impl Obstacle {
                     None => format!("without {name}"),
                 }
             }
-            Self::Taken => "takes another part of the frame".to_owned(),
+            Self::Taken => "uses a different part of the frame".to_owned(),
         }
     }
 

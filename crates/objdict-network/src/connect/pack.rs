@@ -113,7 +113,7 @@ impl FramePacker<'_> {
         if group.parameters.can_id.is_some() && bits > Pdo::FRAME_BITS {
             let message =
                 say!("{} bits are linked with one CAN-ID, but a PDO has at most {}", bits, Pdo::FRAME_BITS);
-            let help = "leave the CAN-ID out, or give links with other CAN-IDs a part of the entries";
+            let help = "omit the CAN-ID, or split the entries into links with different CAN-IDs";
             return Err(Box::new(Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)));
         }
         let mut alone = Vec::new();
@@ -362,11 +362,11 @@ impl FramePacker<'_> {
             }
             _ => {
                 let link = self.links.iter().find(|link| link.parameters.can_id == Some(wanted));
-                ("another link or service".to_owned(), link.map(|link| At::Span(link.at)), false)
+                ("a different link or service".to_owned(), link.map(|link| At::Span(link.at)), false)
             }
         };
         let message = say!(
-            "{} gets the CAN-ID {:X}h, because its predefined one, {:X}h, is that of {}",
+            "{} gets CAN-ID {:X}h because its predefined CAN-ID {:X}h is used by {}",
             named(group.lead, own),
             chosen,
             wanted,
@@ -376,7 +376,7 @@ impl FramePacker<'_> {
             Diagnostic::new(&MOVED_CAN_ID, group.at, message).label_each(at, "the predefined CAN-ID");
         // `set` and `sdo` are the last resort, and a typing error in them goes unnoticed
         let severity = if is_set { Severity::Warning } else { Severity::Note };
-        finding.severity(severity).help("give one of them another CAN-ID")
+        finding.severity(severity).help("give one of them a different CAN-ID")
     }
 
     /// The request of the lead.
@@ -469,7 +469,7 @@ impl FramePacker<'_> {
             count,
             can_id
         );
-        let help = "leave the CAN-ID out, or give links with other CAN-IDs a part of the entries";
+        let help = "omit the CAN-ID, or split the entries into links with different CAN-IDs";
         Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)
     }
 
@@ -536,7 +536,7 @@ impl FramePacker<'_> {
             let help = match own().count() {
                 0 => say!("the description has no {}", kind),
                 count => {
-                    say!("all {} are in use: link fewer entries, or take more of them in one PDO", count)
+                    say!("all {} are in use: link fewer entries, or put more of them in one PDO", count)
                 }
             };
             return Diagnostic::new(&NO_FREE_PDO, group.at, message).help(help);
@@ -571,7 +571,7 @@ fn separate(group: &LinkGroup, frame: &GroupFrame<'_>, share: &Share) -> LinkGro
 
 fn no_can_id(at: Span) -> Diagnostic {
     Diagnostic::new(&NO_FREE_CAN_ID, at, "no CAN-ID is left for the link")
-        .help("give the link a CAN-ID, or make PDOs invalid that are not needed")
+        .help("give the link a CAN-ID, or make unneeded PDOs invalid")
 }
 
 fn spanned(mapping: NewMapping, at: Span) -> Option<Vec<Said<crate::model::Address>>> {

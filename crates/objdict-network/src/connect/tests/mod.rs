@@ -432,7 +432,7 @@ fn what_cannot_be_linked_is_reported() {
     };
     let few = Kit { tpdos: 1, rpdos: 1, ..Kit::default() };
     for (links, expected) in [
-        (vec![link("x.6000:1", &["b.6200:1"])], "unknown-node: there is no node `x`"),
+        (vec![link("x.6000:1", &["b.6200:1"])], "unknown-node: unknown node `x`"),
         (vec![link("a.6001:1", &["b.6200:1"])], "unknown-entry: `a` has no entry `6001:1`"),
         (vec![link("a.6000:B", &["b.6200:1"])], "unknown-entry: `a` has no entry `6000:B`"),
         (vec![link("a.Inputs", &["b.6200:1"])], "unknown-entry: `a` has no entry `Inputs`"),
@@ -442,7 +442,7 @@ fn what_cannot_be_linked_is_reported() {
         (vec![link("a.2002", &["b.6200:1"])], "link-direction: no PDO of `a` can carry `2002:0`"),
         (vec![link("a.6000:1", &["a.6200:1"])], "link-direction: `a` is linked to itself"),
         (vec![link("a.6000:1-5", &["b.6200:1-4"])], "link-mismatch: 5 entries are linked to 4"),
-        (vec![link("a.6000:1", &["b.6411:1"])], "link-mismatch: `6000:1` has 8 bits, `6411:1` has 16"),
+        (vec![link("a.6000:1", &["b.6411:1"])], "link-mismatch: `6000:1` has 8 bits, but `6411:1` has 16"),
         (vec![link("a.2000", &["b.6411:1"])], "link-type: `2000:0` is UNSIGNED16, `6411:1` is INTEGER16"),
         (
             vec![can_id(0x300, "a.6000")],

@@ -59,19 +59,19 @@ fn findings_say_what_is_against_each_pdo() {
             vec![constant, Kit { dummies: vec![6], rpdos: 1, ..Kit::default() }],
             vec![link("a.6000:2-3", &["b.6200:2-3"])],
             &["DummyUsage: no dummy fills a gap of 8 bits"],
-            "let the consumer take the entries of the gap too (RPDO 1: no dummy fills a gap of 8 bits)",
+            "let the consumer receive the entries of the gap too (RPDO 1: no dummy fills a gap of 8 bits)",
         ),
         (
             vec![without_mapping, Kit::default()],
             vec![one()],
             &["0x1A00: the mapping is constant"],
-            "link what the PDO carries by default (TPDO 1: the mapping is constant)",
+            "link the entries that the PDO carries by default (TPDO 1: the mapping is constant)",
         ),
         (
             vec![locked, Kit::default()],
             vec![one()],
             &["0x1800sub1 / DefaultValue: the COB-ID is constant, so the mapping cannot change"],
-            "link what the PDO carries by default (TPDO 1: the COB-ID is constant, so the mapping cannot change)",
+            "link the entries that the PDO carries by default (TPDO 1: the COB-ID is constant, so the mapping cannot change)",
         ),
         (
             vec![with_can_id, Kit::default()],
@@ -162,9 +162,9 @@ fn ends_without_entries_are_those_of_a_manager_without_a_description() {
     };
     for (link, expected) in [
         (link("plc", &["plc"]), "link-direction: `plc` is linked to itself"),
-        (link("a", &["plc"]), "unknown-entry: the link names no entries of `a`"),
-        (link("plc", &["a"]), "unknown-entry: the link names no entries of `a`"),
-        (link("x", &["plc"]), "unknown-node: there is no node `x`"),
+        (link("a", &["plc"]), "unknown-entry: the link has no entries of `a`"),
+        (link("plc", &["a"]), "unknown-entry: the link has no entries of `a`"),
+        (link("x", &["plc"]), "unknown-node: unknown node `x`"),
         (
             link("a.6000:1", &["plc.2000:1"]),
             "unknown-node: the manager `plc` has no description and so no entries",
