@@ -177,7 +177,7 @@ fn a_network_with_a_node_that_cannot_be_read_is_not_booted() {
     let (message, help) = refused("unread", "b.eds\"\nid = 5");
     assert!(message.starts_with("the description of `a`: cannot read `b.eds`: "), "{message}");
     assert!(help.starts_with("correct the path"), "{help}");
-    assert_eq!(refused("without-id", "a.eds\"").0, "`a` states no node-ID");
+    assert_eq!(refused("without-id", "a.eds\"").0, "`a` has no node-ID");
 }
 
 /// A literal COB-ID of EMCY that a single download changes: check, build and boot refuse it alike; `set` changes it.
@@ -188,10 +188,10 @@ fn an_identifier_in_use_is_not_changed() {
     let node = |more: &str| format!("{HEAD}[node.a]\nfile = \"a.eds\"\nid = 5\n{more}");
     let file = network("emcy", &node("sdo = [{ entry = \"1014\", value = 0x85 }]\n"), &copies);
     let reason = "the identifier changes while `0x86` is in use";
-    assert_eq!(found(&file), [format!("refused-download: `a` refuses the download to 1014h:00: {reason}")]);
+    assert_eq!(found(&file), [format!("refused-download: `a` rejects the download to 1014h:00: {reason}")]);
     let build = file.build(DcfgenMode::Corrected).unwrap();
     for files in [build.dcfs(), build.concise(), build.lely(&LelyOptions::default())] {
-        let refused = format!("`a` refuses download 1, 1014:00: {reason}");
+        let refused = format!("`a` rejects download 1, 1014:00: {reason}");
         assert_eq!(objections(&build, &files.unwrap()), [refused]);
     }
     assert!(!booted(&file).is_booted());

@@ -141,7 +141,7 @@ fn a_node_with_another_bit_rate_is_not_on_the_bus() {
     let mut files = dcfs();
     replace(&mut files, "middle.dcf", "Baudrate=125", "Baudrate=250");
     let installation = install(&files, None).unwrap();
-    assert_eq!(installation.notes, ["`middle` is set to 250 kbit/s and the bus to 125, so it is left out"]);
+    assert_eq!(installation.notes, ["`middle` is set to 250 kbit/s, but the bus to 125, so it is omitted"]);
     assert!(!run(&installation).is_booted());
 }
 
@@ -231,7 +231,7 @@ fn what_a_node_refuses_is_against_its_file() {
     let mut middle = ConciseDcf::parse(&files[2].bytes).unwrap();
     middle.0.push(Download::new(0x1000, 0, [0; 4]));
     files[2].bytes = middle.write().unwrap();
-    let words = "`middle` refuses download 4, 1000:00: its access type does not allow a write";
+    let words = "`middle` rejects download 4, 1000:00: its access type does not allow a write";
     assert_eq!(objections(&build, &files), [words]);
     files[2].bytes.truncate(9);
     assert!(objections(&build, &files)[0].starts_with("`middle` has no valid configuration: "));

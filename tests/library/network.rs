@@ -559,7 +559,7 @@ fn a_file_with_several_devices_is_a_network() {
     let message = findings.iter().next().unwrap().message.to_string();
     assert!(
         message.ends_with(
-            "describes 2 devices; add the number of one, as in `{path}#1`"
+            "describes 2 devices; choose one by number, as in `{path}#1`"
                 .replace("{path}", &path.display().to_string())
                 .as_str()
         ),

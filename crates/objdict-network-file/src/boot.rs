@@ -77,7 +77,7 @@ objdict_model::error_messages! { InstallError:
     Self::NoManager =>
         "no file describes a manager: a device with 1F80h bit 0, or a DCF with `CANopenManager=1`";
     Self::Managers(one, other) => "`{one}` and `{other}` both describe a manager";
-    Self::NoNodeId(name) => "`{name}` states no node-ID";
+    Self::NoNodeId(name) => "`{name}` has no node-ID";
     Self::UnreadNode { message, .. } => "{message}";
     Self::NodeIds(one, other, node_id) => "`{one}` and `{other}` both have the node-ID {node_id}";
     Self::Downloads(name, error) => "`{name}`: {error}";
@@ -167,7 +167,7 @@ pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Ins
     let mut notes = Vec::new();
     let nodes = nodes(described, network, &manager, &mut notes)?;
     let bit_rate = bit_rate(&manager.device, network).unwrap_or_else(|| {
-        notes.push(format!("no bit rate is stated, so it is {BIT_RATE} kbit/s"));
+        notes.push(format!("no bit rate specified, so {BIT_RATE} kbit/s is used"));
         BIT_RATE
     });
     let (nodes, foreign): (Vec<_>, Vec<_>) =
@@ -175,7 +175,7 @@ pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Ins
     for node in foreign {
         let rate = own_rate(&node.device).unwrap_or_default();
         notes.push(format!(
-            "`{}` is set to {rate} kbit/s and the bus to {bit_rate}, so it is left out",
+            "`{}` is set to {rate} kbit/s, but the bus to {bit_rate}, so it is omitted",
             node.name
         ));
     }
@@ -247,7 +247,7 @@ fn nodes(
     };
     let of_file = |described: DescribedFile| match described.device.node_id() {
         None => {
-            let note = format!("`{}` states no node-ID, so it is left out", described.file);
+            let note = format!("`{}` has no node-ID, so it is omitted", described.file);
             Err(note)
         }
         Some(node_id) => Ok(PlantNode {

@@ -169,7 +169,7 @@ impl BusReader<'_, '_> {
         for entry in tree.entries().unwrap_or_default() {
             let name = entry.key.spelled();
             if !KEYS_OF_ROS.contains(&&*name) {
-                let message = say!("`{}` beside `nodes` is not a node", name);
+                let message = say!("`{}` next to `nodes` is not a node", name);
                 let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
                 let finding = or_foreign(finding, &name, KEYS_OF_ROS);
                 self.findings.push(finding.help("move it below `nodes`, or correct it"));
@@ -203,7 +203,7 @@ impl BusReader<'_, '_> {
             let message = say!("`{}` of `{}` is overridden by `defaults`", name, node.key.spelled());
             self.findings.push(
                 Diagnostic::new(&OVERRIDDEN_KEY, former.key.span, message)
-                    .label(default.key.span, "the value that counts")
+                    .label(default.key.span, "the value that applies")
                     .help(say!("move `{}` from `defaults` to the nodes", name)),
             );
         }

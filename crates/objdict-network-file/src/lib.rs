@@ -236,7 +236,7 @@ fn made_device(text: String) -> Device {
 
 /// The finding about more nodes than a network can have: none of them is read.
 fn too_many(count: usize, at: Option<Span>) -> Option<Diagnostic> {
-    let message = say!("there are {} nodes, but a network has at most {}", count, MAX_DEVICES);
+    let message = say!("the file has {} nodes, but a network has at most {}", count, MAX_DEVICES);
     let finding = Diagnostic::new(&WRONG_TYPE, at.unwrap_or_default(), message).help("remove nodes");
     (count > MAX_DEVICES).then_some(finding)
 }
@@ -335,14 +335,11 @@ impl NodeDescriptions<'_> {
         let reading = Reading { device, variant, patches, judge, is_node: true, ..Reading::default() };
         let refused = |error: ReadError| match error {
             ReadError::SeveralDevices { .. } => {
-                (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)
+                (format!("{error}; choose one by number, as in `{name}#1`"), WRONG)
             }
             ReadError::NoSuchVariant { .. } => {
                 let known = error.help().unwrap_or_default();
-                (
-                    format!("{error}; {known}"),
-                    "correct what follows `#`: the number of a device, or a variant",
-                )
+                (format!("{error}; {known}"), "write the number of a device, or a variant, after `#`")
             }
             ReadError::Faulty { name, .. } => {
                 (format!("`{name}` has errors"), "correct them: `objdict check` shows them in its text")
@@ -474,7 +471,7 @@ fn requested_value(tree: &KeyedTree, findings: &mut Findings) -> Option<Requeste
         Kind::Text(text) => RequestedValue::Text(text.clone()),
         Kind::Null | Kind::List(_) | Kind::Map(_) => {
             let finding = wrong("value", tree, "a number");
-            findings.push(finding.help("write a number, or a text in quotes"));
+            findings.push(finding.help("write a number, or a string in quotes"));
             return None;
         }
     })

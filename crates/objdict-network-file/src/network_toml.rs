@@ -280,7 +280,7 @@ impl NetworkReader<'_, '_> {
         for Pair { key, value } in section.named("set", self.findings) {
             let setting = match &*value.kind {
                 Kind::Null | Kind::List(_) | Kind::Map(_) => {
-                    self.findings.push(wrong("set", value, "a value").help("write a number or a text"));
+                    self.findings.push(wrong("set", value, "a value").help("write a number or a string"));
                     continue;
                 }
                 Kind::Bool(flag) => Setting::value(&format!("{}={}", key.spelled(), u8::from(*flag))),
@@ -390,7 +390,7 @@ impl NetworkReader<'_, '_> {
         let end = LinkEnd::parse(text, at);
         if let Err(error) = &end {
             let help = error.to_string();
-            let finding = Diagnostic::new(&WRONG_TYPE, at, say!("`{}` is not the end of a link", text));
+            let finding = Diagnostic::new(&WRONG_TYPE, at, say!("`{}` is not a link end", text));
             self.findings.push(finding.help(help));
         }
         end.ok()

@@ -11,7 +11,7 @@ use objdict_model::source::{SourceFile, SourceOptions};
 use objdict_network::{Network, Node, Stored};
 use objdict_node::download::{ConciseDcf, Plan, PlanOptions};
 
-const REMEDY: &str = "write the manager's DCF anew: `objdict network build --target manager`";
+const REMEDY: &str = "rebuild the manager's DCF: `objdict network build --target manager`";
 
 const DCF: u16 = 0x1F20;
 const CONCISE_DCF: u16 = 0x1F22;

@@ -18,7 +18,7 @@ pub(super) fn read(
         Ok(list) => list,
         Err(error) => {
             let finding = Diagnostic::new(&INVALID_NODE_LIST, Span::empty(0), error.to_string());
-            findings.push(finding.help("correct the file as CiA 306-3 describes it"));
+            findings.push(finding.help("correct the file to follow CiA 306-3"));
             return None;
         }
     };
@@ -29,7 +29,7 @@ pub(super) fn read(
         let message = say!("the file has {} networks; only the first is read", others + 1);
         let finding =
             Diagnostic::new(&INVALID_NODE_LIST, Span::empty(0), message).severity(Severity::Warning);
-        reader.findings.push(finding.help("write a file for each network"));
+        reader.findings.push(finding.help("use one file per network"));
     }
     reader.count(&topology);
     let mut network = Network { name: topology.name.clone(), ..Network::default() };

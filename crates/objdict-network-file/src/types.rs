@@ -19,7 +19,7 @@ pub(super) fn with_type(node: &Pair, types: &[Pair], findings: &mut Findings) ->
         let name = match &*tree.kind {
             Kind::Text(_) | Kind::Integer(_) | Kind::Float(_) => tree.spelled(),
             _ => {
-                findings.push(wrong(USE, tree, "a text").help("write the name of a type in quotes"));
+                findings.push(wrong(USE, tree, "a string").help("write the name of a type in quotes"));
                 break;
             }
         };
@@ -30,11 +30,11 @@ pub(super) fn with_type(node: &Pair, types: &[Pair], findings: &mut Findings) ->
                 Some(meant) => say!("did you mean `{}`?", meant),
                 None => say!("add `[type.{}]` with the keys that its nodes have in common", name),
             };
-            findings.push(finding(say!("there is no type `{}`", name), help));
+            findings.push(finding(say!("unknown type `{}`", name), help));
             break;
         };
         if names.contains(&name) {
-            let help = say!("remove a `use` of the types that use each other");
+            let help = say!("remove one `use` from the cycle");
             findings.push(finding(say!("the type `{}` uses itself", name), help));
             break;
         }

@@ -55,7 +55,7 @@ pub enum BuildError {
 }
 
 objdict_model::error_messages! { BuildError: from EncodeError as Encode {
-    Self::NoNetwork => "the file describes no network";
+    Self::NoNetwork => "the file does not describe a network";
     Self::NoManager => "the network has no manager";
     Self::Plan { node, error } => "the configuration of `{node}`: {error}";
     Self::Encode(error) => "{error}";

@@ -101,7 +101,7 @@ impl Build<'_> {
         let stream = ConciseDcf(downloads);
         for refusal in stream.verify(&start, Some(slave.node_id)).aborts() {
             let (number, index, sub) = (refusal.number, refusal.index, refusal.sub);
-            object(format!("refuses download {number}, {index:04X}:{sub:02X}: {}", refusal.kind));
+            object(format!("rejects download {number}, {index:04X}:{sub:02X}: {}", refusal.kind));
         }
         let built = described.iter().find(|other| other.device.node_id() == Some(slave.node_id));
         let device = built.map_or_else(|| after(start, &stream), |built| built.device.clone());
