@@ -424,10 +424,7 @@ entries = [
         assert_eq!(first("127"), (true, 127));
         assert_eq!(first("[0, 4]"), (false, 1));
         let message = array("255").unwrap_err().message;
-        assert_eq!(
-            message,
-            "`elements` must be a number from 1 to 254, or the smallest and the largest number"
-        );
+        assert_eq!(message, "`elements` must be a number from 1 to 254, or a minimum and a maximum");
     }
 
     #[test]

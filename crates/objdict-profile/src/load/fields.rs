@@ -169,7 +169,7 @@ impl<'de> Deserialize<'de> for NumberOrPair {
             type Value = NumberOrPair;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number, or the smallest and the largest one such as `[1, 5]`")
+                f.write_str("a number, or a minimum and a maximum such as `[1, 5]`")
             }
 
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Self::Value, E> {
@@ -184,9 +184,7 @@ impl<'de> Deserialize<'de> for NumberOrPair {
                     (Some(first), Some(last), None) if first <= last => {
                         Ok(NumberOrPair(i128::from(first)..=i128::from(last)))
                     }
-                    _ => Err(de::Error::custom(
-                        "expected the smallest and the largest number such as `[1, 5]`",
-                    )),
+                    _ => Err(de::Error::custom("expected a minimum and a maximum such as `[1, 5]`")),
                 }
             }
         }

@@ -287,9 +287,7 @@ fn elements(
 ) -> Result<Vec<EntryRow>, String> {
     let sub = |number: &i128| u8::try_from(*number).ok().filter(|&number| number < 0xFF);
     let (Some(least), Some(most @ 1..)) = (sub(number.start()), sub(number.end())) else {
-        return Err(
-            "`elements` must be a number from 1 to 254, or the smallest and the largest number".to_owned()
-        );
+        return Err("`elements` must be a number from 1 to 254, or a minimum and a maximum".to_owned());
     };
     let count = EntryRow {
         first: 0,
