@@ -207,7 +207,7 @@ fn a_configuration_is_refused_with_its_cause() {
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
     write("profile.toml", "format = \"objdict-profile/1\"\nfoo = 1\n");
     let of_config = [
-        ("compat = [\"foo\"]\n", "there is no tool `foo`"),
+        ("compat = [\"foo\"]\n", "unknown tool `foo`"),
         ("profiles = [\"profile.toml\"]\n", "unknown field `foo`"),
         ("deny = \"warning\n", "invalid basic string"),
     ];

@@ -84,7 +84,7 @@ fn a_finding_of_another_rule_says_what_tools_do_and_is_as_grave_as_that() {
     assert_eq!(findings.len(), plain.len());
     for finding in &findings {
         assert_eq!(finding.severity, Severity::Error);
-        assert!(finding.help.as_ref().unwrap().shown().ends_with("; dcf-tools: the file is refused"));
+        assert!(finding.help.as_ref().unwrap().shown().ends_with("; dcf-tools: the file is rejected"));
     }
     for finding in &check(&path, &[Tool::PythonCanopen]) {
         let help = finding.help.as_ref().unwrap().shown();

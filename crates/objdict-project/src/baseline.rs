@@ -41,7 +41,7 @@ pub enum BaselineError {
 
 objdict_model::error_messages! { BaselineError: from serde_json::Error as Json {
     Self::Json(error) => "is not a baseline: {error}";
-    Self::Version => "is a baseline of another version, and the findings in it cannot be known again";
+    Self::Version => "is a baseline of a different version, so its findings cannot be matched";
 } }
 
 /// The JSON of a baseline.
@@ -268,7 +268,7 @@ mod tests {
             ("{}", "is not a baseline: missing field `version` at line 1 column 2"),
             (
                 "{\"version\":2,\"fingerprints\":\"x\",\"findings\":[]}",
-                "is a baseline of another version, and the findings in it cannot be known again",
+                "is a baseline of a different version, so its findings cannot be matched",
             ),
         ] {
             assert_eq!(Baseline::read(text).unwrap_err().to_string(), message);

@@ -257,7 +257,7 @@ fn dcf_tools_accepts_what_we_wrote() {
 fn claims(findings: &Findings, tool: Tool) -> bool {
     let says_so = |text: &str| {
         text.split("; ").any(|part| {
-            part.split_once(": the file is refused")
+            part.split_once(": the file is rejected")
                 .is_some_and(|(tools, _)| tools.split(", ").any(|named| named == tool.name()))
         })
     };

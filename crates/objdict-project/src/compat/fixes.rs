@@ -137,7 +137,7 @@ fn comment_key(finding: &Diagnostic, description: &Description, is_needed: bool)
     if is_needed && is_read_by_others(name) {
         return None;
     }
-    let fix = Fix::safe(say!("make a comment of `{}`", name));
+    let fix = Fix::safe(say!("comment out `{}`", name));
     comment_line(fix, start_of(finding, description)?, description)
 }
 
@@ -146,7 +146,7 @@ fn comment_stray_keys(description: &Description) -> Option<Fix> {
     let is_header = |line: &Line| matches!(line.kind, LineKind::Section { .. });
     let stray = description.document()?.lines().take_while(|line| !is_header(line));
     let keys: Vec<Line> = stray.filter(|line| matches!(line.kind, LineKind::Entry { .. })).collect();
-    let fix = Fix::safe("make comments of the keys before the first section");
+    let fix = Fix::safe("comment out the keys before the first section");
     let fix = keys.iter().fold(fix, |fix, key| fix.with(Change::CommentOut(key.span)));
     (keys.len() <= MAX_LINES).then_some(fix)
 }
@@ -157,7 +157,7 @@ fn comment_unknown_section(finding: &Diagnostic, description: &Description) -> O
     if name.eq_ignore_ascii_case("TypeDefinitions") {
         return None;
     }
-    let fix = Fix::safe(say!("make comments of the lines of `[{}]`", name));
+    let fix = Fix::safe(say!("comment out the lines of `[{}]`", name));
     comment_section(fix, start_of(finding, description)?, description)
 }
 
@@ -172,7 +172,7 @@ fn comment_unread(finding: &Diagnostic, description: &Description) -> Option<Fix
     let start = start_of(finding, description)?;
     let line = description.document()?.line_at(start)?;
     let setting = line.span.of(description.source().text()).trim();
-    comment_line(Fix::safe(say!("make a comment of `{}`", setting)), start, description)
+    comment_line(Fix::safe(say!("comment out `{}`", setting)), start, description)
 }
 
 fn comment_line(fix: Fix, start: u32, description: &Description) -> Option<Fix> {
@@ -204,7 +204,7 @@ fn add_section(finding: &Diagnostic, device: &Device) -> Option<Fix> {
     } else {
         return None;
     };
-    Some(Fix::safe(say!("add the {section} with what is known")).with(change))
+    Some(Fix::safe(say!("add the {section} with the known values")).with(change))
 }
 
 fn start_of(finding: &Diagnostic, description: &Description) -> Option<u32> {

@@ -31,7 +31,7 @@ pub struct Reaction {
     pub tools: &'static [Tool],
     /// The effect on the file.
     pub effect: Effect,
-    /// The reaction, as a passive sentence: "the file is refused".
+    /// The reaction, as a passive sentence: "the file is rejected".
     pub what: &'static str,
     /// The affected findings of the rule; `None` for all.
     pub when: Option<When>,

@@ -59,10 +59,10 @@ pub static REACTIONS: &[Reaction] = &[
         .when("of an entry that the stack reads", is_read_by_stack),
     row("cia301/incomplete-sdo-parameter", CANOPENNODE, Wrong, Cause::Entry.effect())
         .when("of an entry that the stack reads", is_read_by_stack),
-    row("cia301/mapped-object-missing", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia301/missing-mandatory-object", DCF_TOOLS, Refused, "the file is refused")
+    row("cia301/mapped-object-missing", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia301/missing-mandatory-object", DCF_TOOLS, Refused, "the file is rejected")
         .when("1000h or 1018h", |_, finding| !helps(finding, |part| *part == Part::Object(0x1001))),
-    row("cia301/pdo-without-mapping", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia301/pdo-without-mapping", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia301/wrong-data-type", CANOPENNODE, Wrong, Cause::Entry.effect())
         .when("of an entry that the stack reads", is_read_by_stack),
     row(
@@ -76,14 +76,14 @@ pub static REACTIONS: &[Reaction] = &[
         .when("a line is indented or has a tab before `=`", |description, _| {
             has_entry(description, |line| is_indented(line) || has_tab(line))
         }),
-    row("cia306/blanks-in-section-name", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/blanks-in-section-name", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/blanks-in-section-name", &[PythonCanopen, NodeCanopen], Dropped, "the section is skipped"),
     row("cia306/blanks-in-section-name", EDITOR, Wrong, "the keys below are read into the previous section"),
-    row("cia306/boolean-word", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/boolean-word", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/boolean-word", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/boolean-word", NODE, Wrong, "both words are read as true"),
-    row("cia306/byte-order-mark", PYTHON, Refused, "the file is refused"),
-    row("cia306/comment-style", PYTHON, Refused, "the file is refused").when(
+    row("cia306/byte-order-mark", PYTHON, Refused, "the file is rejected"),
+    row("cia306/comment-style", PYTHON, Refused, "the file is rejected").when(
         "with `//`",
         |description, _| {
             description.document().is_some_and(|document| {
@@ -91,11 +91,12 @@ pub static REACTIONS: &[Reaction] = &[
             })
         },
     ),
-    row("cia306/commissioning-spelling", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/commissioning-spelling", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/commissioning-spelling", PYTHON_CANOPEN, Dropped, "node-ID and bit rate are lost"),
-    row("cia306/duplicate-key", PYTHON, Refused, "the file is refused").when("in the same case", is_repeated),
-    row("cia306/duplicate-key", NODE, Wrong, "the last line counts").when("in the same case", is_repeated),
-    row("cia306/duplicate-section", PYTHON, Refused, "the file is refused")
+    row("cia306/duplicate-key", PYTHON, Refused, "the file is rejected")
+        .when("in the same case", is_repeated),
+    row("cia306/duplicate-key", NODE, Wrong, "the last line applies").when("in the same case", is_repeated),
+    row("cia306/duplicate-section", PYTHON, Refused, "the file is rejected")
         .when("in the same case", is_repeated),
     row(
         "cia306/duplicate-section",
@@ -103,30 +104,30 @@ pub static REACTIONS: &[Reaction] = &[
         Wrong,
         "both become one section, with the first value of each key",
     ),
-    row("cia306/duplicate-section", NODE, Wrong, "the last value of each key counts")
+    row("cia306/duplicate-section", NODE, Wrong, "the last value of each key applies")
         .when("in the same case", is_repeated),
-    row("cia306/formula-spelling", DCF_TOOLS, Refused, "the file is refused")
+    row("cia306/formula-spelling", DCF_TOOLS, Refused, "the file is rejected")
         .when("`$nodeid` alone", |description, finding| {
             shown(description, finding).eq_ignore_ascii_case("$NODEID")
         }),
-    row("cia306/hex-prefix-in-bytes", DCF_TOOLS, Refused, "dcf2dev refuses the value"),
+    row("cia306/hex-prefix-in-bytes", DCF_TOOLS, Refused, "dcf2dev rejects the value"),
     row("cia306/hex-prefix-in-bytes", PYTHON_CANOPEN, Dropped, "the value is lost")
         .when("with `0x`", |description, finding| has_hex_mark(shown(description, finding))),
     row("cia306/indented-section", PYTHON, Wrong, "the header is read as continuation of the value above it"),
     row("cia306/indented-section", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/indented-section", NODE, Wrong, "the keys below are read into the previous section"),
-    row("cia306/invalid-list-entry", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/junk-line", PYTHON, Refused, "the file is refused"),
-    row("cia306/key-before-section", PYTHON, Refused, "the file is refused"),
-    row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and usually the file")
+    row("cia306/invalid-list-entry", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia306/junk-line", PYTHON, Refused, "the file is rejected"),
+    row("cia306/key-before-section", PYTHON, Refused, "the file is rejected"),
+    row("cia306/leading-zero", PYTHON, Refused, "the number is rejected, and usually the file")
         .when("outside [FileInfo], except 00", is_read_number),
-    row("cia306/limit-above-type", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/limit-above-type", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/limit-above-type", PYTHON_CANOPEN, Wrong, "the limit is read as a negative number"),
-    row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused")
+    row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is rejected")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
-    row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/low-limit-above-high", NODE, Refused, "the file is refused").when(
+    row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia306/low-limit-above-high", NODE, Refused, "the file is rejected").when(
         "of numbers",
         |description, finding| {
             let text = description.source().text();
@@ -134,10 +135,10 @@ pub static REACTIONS: &[Reaction] = &[
             !finding.labels.iter().any(is_formula)
         },
     ),
-    row("cia306/missing-header", PYTHON, Refused, "the file is refused"),
+    row("cia306/missing-header", PYTHON, Refused, "the file is rejected"),
     row("cia306/missing-header", NODE, Wrong, "the keys are read into the section above"),
-    row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
+    row("cia306/missing-key", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia306/missing-key", PYTHON_CANOPEN, Refused, "the file is rejected").when(
         "`DataType` or `AccessType`, except in modules",
         |description, finding| {
             [Field::DataType, Field::AccessType].iter().any(|field| finding.message.names(field))
@@ -145,69 +146,70 @@ pub static REACTIONS: &[Reaction] = &[
         },
     ),
     row("cia306/missing-key", EDITOR, Dropped, "the object is skipped"),
-    row("cia306/missing-key", NODE, Refused, "the file is refused").when(
+    row("cia306/missing-key", NODE, Refused, "the file is rejected").when(
         "`DataType`, except in modules",
         |description, finding| {
             finding.message.names(&Field::DataType)
                 && !section_of(description, finding).starts_with(['M', 'm'])
         },
     ),
-    row("cia306/missing-name", PYTHON, Refused, "the file is refused")
+    row("cia306/missing-name", PYTHON, Refused, "the file is rejected")
         .when("no `ParameterName`", is_at_header),
     row("cia306/missing-name", EDITOR, Dropped, "the object is skipped")
         .when("no `ParameterName`", is_at_header),
-    row("cia306/missing-name", NODE, Refused, "the file is refused").when("no `ParameterName`", is_at_header),
-    row("cia306/missing-section", DCF_TOOLS, Refused, "the file is refused")
+    row("cia306/missing-name", NODE, Refused, "the file is rejected")
+        .when("no `ParameterName`", is_at_header),
+    row("cia306/missing-section", DCF_TOOLS, Refused, "the file is rejected")
         .when("a list of objects", |_, finding| {
             finding.message.names_part(|part| matches!(part, Part::List(_)))
         }),
-    row("cia306/missing-section", EDITOR, Refused, "the file is refused").when(
+    row("cia306/missing-section", EDITOR, Refused, "the file is rejected").when(
         "[FileInfo], [DeviceInfo] or [MandatoryObjects]",
         |_, finding| {
             let required = [Part::FileInfo, Part::DeviceInfo, Part::List(ObjectList::Mandatory)];
             finding.message.names_part(|part| required.contains(part))
         },
     ),
-    row("cia306/misspelt-key", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/misspelt-key", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/misspelt-key", WRITERS, Dropped, "the key is lost"),
-    row("cia306/misspelt-section", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/misspelt-section", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/misspelt-section", WRITERS, Dropped, "the section is lost"),
-    row("cia306/nested-structure", NODE, Refused, "the file is refused")
+    row("cia306/nested-structure", NODE, Refused, "the file is rejected")
         .when("`ObjectType` of a sub-index", |_, finding| finding.fix.is_some()),
-    row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/not-ascii", PYTHON, Refused, "the file is refused")
+    row("cia306/node-id-last", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia306/not-ascii", PYTHON, Refused, "the file is rejected")
         .when("not UTF-8", |description, _| is_of_one_byte(description)),
     row("cia306/not-ascii", EDITOR, Wrong, "each such character becomes U+FFFD")
         .when("not UTF-8", |description, _| is_of_one_byte(description)),
     row("cia306/not-ascii", NODE, Wrong, "each such character becomes U+FFFD")
         .when("not UTF-8", |description, _| is_of_one_byte(description)),
-    row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/number-suffix", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/number-suffix", PYTHON_CANOPEN, Dropped, "the value is lost"),
-    row("cia306/number-suffix", NODE, Wrong, "the number is read as 0; in 64 bits, the file is refused"),
+    row("cia306/number-suffix", NODE, Wrong, "the number is read as 0; in 64 bits, the file is rejected"),
     row("cia306/object-not-listed", DCF_TOOLS, Dropped, "the object is skipped"),
-    row("cia306/octal-number", PYTHON, Refused, "the number is refused, and usually the file")
+    row("cia306/octal-number", PYTHON, Refused, "the number is rejected, and usually the file")
         .when("outside [FileInfo]", is_read_number),
     row("cia306/octal-number", NODE, Wrong, "the number is read as decimal"),
     row("cia306/quoted-string", &[PythonCanopen, CanOpenEditor], Wrong, "the quotes become part of the text"),
     row("cia306/real-as-bits", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("cia306/real-as-bits", NODE, Wrong, "the bits are read as the number"),
-    row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/section-spelling", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/section-spelling", WRITERS, Dropped, "the section is skipped")
-        .when("with `0x`, `h`, a point or blanks", |_, finding| {
+        .when("with `0x`, `h`, a point or spaces", |_, finding| {
             finding.fix.is_some() && is_decorated(finding)
         }),
-    row("cia306/stray-compact-section", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/stray-compact-section", DCF_TOOLS, Refused, "the file is rejected"),
     row(
         "cia306/stray-compact-section",
         PYTHON_CANOPEN,
         Wrong,
-        "the names create sub-indexes, or the file is refused",
+        "the names create sub-indexes, or the file is rejected",
     )
     .when("in [xxxxName]", is_of_names),
-    row("cia306/sub-number-mismatch", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/sub-of-var", NODE, Refused, "the file is refused"),
-    row("cia306/sub-without-object", PYTHON, Refused, "the file is refused"),
-    row("cia306/sub-without-object", NODE, Refused, "the file is refused"),
+    row("cia306/sub-number-mismatch", DCF_TOOLS, Refused, "the file is rejected"),
+    row("cia306/sub-of-var", NODE, Refused, "the file is rejected"),
+    row("cia306/sub-without-object", PYTHON, Refused, "the file is rejected"),
+    row("cia306/sub-without-object", NODE, Refused, "the file is rejected"),
     row("cia306/text-after-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("cia306/trailing-comment", PYTHON_CANOPEN, Dropped, "the value is lost")
         .when("with `#` or `//`", |description, finding| !shown(description, finding).contains(" ;")),
@@ -217,56 +219,56 @@ pub static REACTIONS: &[Reaction] = &[
         Wrong,
         "the comment becomes part of the value, or the object is skipped",
     ),
-    row("cia306/twos-complement", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/twos-complement", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/twos-complement", PYTHON_CANOPEN, Wrong, "a value is read as a positive number"),
-    row("cia306/twos-complement", NODE, Refused, "the file is refused").when(
+    row("cia306/twos-complement", NODE, Refused, "the file is rejected").when(
         "of a default, or of a low limit that is above the high one as a positive number",
         |description, finding| !is_limit(description, finding) || is_read_above_high(description, finding),
     ),
-    row("cia306/unclosed-section", PYTHON, Refused, "the file is refused"),
+    row("cia306/unclosed-section", PYTHON, Refused, "the file is rejected"),
     row("cia306/unclosed-section", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/unclosed-section", NODE, Wrong, "the keys below are read into the previous section"),
-    row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is refused")
+    row("cia306/unknown-key", DCF_TOOLS, Refused, "the file is rejected")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/unknown-key", &[CanOpenEditor, NodeCanopen], Dropped, "the key is lost"),
     row("cia306/unknown-key", PYTHON_CANOPEN, Dropped, "the key is lost")
         .when("other than `Factor`, `Unit`, `Description`", |description, finding| {
             !eds::is_meaning_key(shown(description, finding))
         }),
-    row("cia306/unknown-section", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/unknown-section", DCF_TOOLS, Refused, "the file is rejected"),
     row("cia306/unknown-section", PYTHON_CANOPEN, Dropped, "the section is lost"),
     row("cia306/unknown-section", EDITOR, Dropped, "the section is lost")
         .when("letters and digits", |description, finding| is_plain(shown(description, finding))),
     row("cia306/unknown-section", EDITOR, Wrong, "the keys below are read into the previous section")
         .when("other characters in the name", |description, finding| !is_plain(shown(description, finding))),
-    row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is refused").when(
+    row("cia306/unsupported-key", DCF_TOOLS, Refused, "the file is rejected").when(
         "`AccessType`, `SubNumber` or `CompactSubObj`",
         |_, finding| {
             let keys = [Field::AccessType, Field::SubNumber, Field::CompactSubObj];
             keys.iter().any(|field| finding.message.names(field))
         },
     ),
-    row("cia306/unsupported-key", NODE, Refused, "the file is refused")
+    row("cia306/unsupported-key", NODE, Refused, "the file is rejected")
         .when("other than `SubNumber`", |_, finding| !finding.message.names(&Field::SubNumber)),
-    row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is refused")
+    row("cia306/wrong-count", DCF_TOOLS, Refused, "the file is rejected")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
-    row("cia306/wrong-count", PYTHON_CANOPEN, Refused, "the file is refused")
+    row("cia306/wrong-count", PYTHON_CANOPEN, Refused, "the file is rejected")
         .when("no `Lines`", |description, finding| {
             is_of_comments(description, finding) && is_at_header(description, finding)
         }),
-    row("cia306/wrong-object-list", DCF_TOOLS, Refused, "the file is refused")
+    row("cia306/wrong-object-list", DCF_TOOLS, Refused, "the file is rejected")
         .when("not a mandatory object", |_, finding| {
             !helps(finding, |part| *part == Part::List(ObjectList::Mandatory))
         }),
-    row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/auto-baud-rate", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/bare-node-id", PYTHON_CANOPEN, Dropped, "the value is lost"),
     row("portability/blanks-after-section", NODE, Wrong, "the keys below are read into the previous section"),
     row("portability/commented-section", EDITOR, Wrong, "the keys below are read into the commented section"),
-    row("portability/compact-denotations", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/compact-denotations", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/compact-denotations", WRITERS, Dropped, "they are lost"),
     row("portability/compact-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
     row("portability/compact-names", NODE, Dropped, "they are lost"),
-    row("portability/compact-parameter-value", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/compact-parameter-value", DCF_TOOLS, Refused, "the file is rejected"),
     row(
         "portability/compact-storage",
         PYTHON_CANOPEN,
@@ -284,11 +286,11 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/compact-values", EDITOR, Wrong, "they are lost, as are default and mapping"),
     row("portability/compact-values", NODE, Dropped, "they are lost"),
     row("portability/denotation", PYTHON_CANOPEN, Dropped, "it is lost"),
-    row("portability/domain-without-type", PYTHON, Refused, "the file is refused"),
-    row("portability/dummy-usage", PYTHON_CANOPEN, Refused, "the file is refused"),
-    row("portability/dynamic-channels", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/domain-without-type", PYTHON, Refused, "the file is rejected"),
+    row("portability/dummy-usage", PYTHON_CANOPEN, Refused, "the file is rejected"),
+    row("portability/dynamic-channels", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/dynamic-channels", WRITERS, Dropped, "the section is lost"),
-    row("portability/empty-key", PYTHON_CANOPEN, Refused, "the file is refused").when(
+    row("portability/empty-key", PYTHON_CANOPEN, Refused, "the file is rejected").when(
         "`ObjectType`, `PDOMapping` or a number of [DeviceInfo]",
         |description, finding| {
             ["ObjectType", "PDOMapping"].contains(&shown(description, finding))
@@ -297,18 +299,18 @@ pub static REACTIONS: &[Reaction] = &[
     ),
     row("portability/empty-key", EDITOR, Dropped, "the object is skipped")
         .when("outside [DeviceInfo]", |description, finding| !is_of_device(description, finding)),
-    row("portability/empty-key", NODE, Refused, "the file is refused")
+    row("portability/empty-key", NODE, Refused, "the file is rejected")
         .when("of an ARRAY, RECORD or DOMAIN", |description, finding| {
             ["AccessType", "DefaultValue"].contains(&shown(description, finding))
         }),
     row("portability/file-reference", WRITERS, Dropped, "it is lost"),
     row("portability/hash-in-text", DCF_TOOLS, Wrong, "the text ends before the `#`"),
     row("portability/hash-in-text", NODE, Wrong, "the text ends before the `#`"),
-    row("portability/hex-baud-rate", PYTHON_CANOPEN, Refused, "the file is refused"),
-    row("portability/hex-count", DCF_TOOLS, Refused, "the file is refused"),
-    row("portability/hex-count", PYTHON_CANOPEN, Refused, "the file is refused")
+    row("portability/hex-baud-rate", PYTHON_CANOPEN, Refused, "the file is rejected"),
+    row("portability/hex-count", DCF_TOOLS, Refused, "the file is rejected"),
+    row("portability/hex-count", PYTHON_CANOPEN, Refused, "the file is rejected")
         .when("in [xxxxName]", is_of_names),
-    row("portability/hex-flag", PYTHON, Refused, "the file is refused").when(
+    row("portability/hex-flag", PYTHON, Refused, "the file is rejected").when(
         "`0x` in [DummyUsage]",
         |description, finding| {
             section_of(description, finding).eq_ignore_ascii_case("DummyUsage")
@@ -329,24 +331,24 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/limit-not-read", PYTHON_CANOPEN, Dropped, "the limit is lost"),
     row("portability/long-value", &[Codesys], Dropped, "the entry is not offered for the configuration"),
     row("portability/mapped-bits", CANOPENNODE, Wrong, Cause::Bits.effect()),
-    row("portability/mapping-of-structure", NODE, Refused, "the file is refused"),
-    row("portability/modules", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/mapping-of-structure", NODE, Refused, "the file is rejected"),
+    row("portability/modules", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/modules", PYTHON_CANOPEN, Dropped, "the modules are lost"),
     row("portability/modules", NODE, Dropped, "the modules are lost"),
     row("portability/negative-hex", NODE, Wrong, "the number is read as 0")
         .when("below 56 bits", |description, finding| !is_wide(description, finding)),
-    row("portability/negative-hex", NODE, Refused, "the file is refused").when("of 56 or 64 bits", is_wide),
+    row("portability/negative-hex", NODE, Refused, "the file is rejected").when("of 56 or 64 bits", is_wide),
     row("portability/no-error-history", CANOPENNODE, Refused, Cause::NoHistory.effect()),
     row("portability/object-flags", DCF_TOOLS, Dropped, "they are not obeyed"),
     row("portability/object-flags", PYTHON_CANOPEN, Dropped, "they are lost"),
-    row("portability/object-links", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/object-links", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/object-links", WRITERS, Dropped, "they are lost"),
     row("portability/parameter-reference", WRITERS, Dropped, "it is lost"),
     row("portability/real-as-decimal", DCF_TOOLS, Wrong, "the digits are taken for bits")
-        .when("of digits alone", is_digits),
-    row("portability/real-as-decimal", DCF_TOOLS, Refused, "the file is refused")
+        .when("of digits only", is_digits),
+    row("portability/real-as-decimal", DCF_TOOLS, Refused, "the file is rejected")
         .when("with a point, sign or leading zero", |description, finding| !is_digits(description, finding)),
-    row("portability/safety-key", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/safety-key", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/safety-key", WRITERS, Dropped, "it is lost"),
     row("portability/section-case", PYTHON_CANOPEN, Dropped, "the section is not found"),
     row(
@@ -361,22 +363,22 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/service-count", CANOPENNODE, Refused, Cause::Count.effect()),
     row("portability/service-gap", CANOPENNODE, Wrong, Cause::Gap.effect()),
     row("portability/service-object-missing", CANOPENNODE, Refused, Cause::Missing.effect()),
-    row("portability/sparse-names", PYTHON_CANOPEN, Refused, "the file is refused"),
+    row("portability/sparse-names", PYTHON_CANOPEN, Refused, "the file is rejected"),
     row("portability/sparse-names", EDITOR, Wrong, "they are lost, as are default and mapping"),
-    row("portability/sub-before-object", PYTHON_CANOPEN, Refused, "the file is refused"),
+    row("portability/sub-before-object", PYTHON_CANOPEN, Refused, "the file is rejected"),
     row("portability/sub-before-object", EDITOR, Dropped, "the section is skipped"),
-    row("portability/sub-index-255", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/sub-index-255", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/time-value", PYTHON_CANOPEN, Wrong, "days and milliseconds are read as one number"),
-    row("portability/tool-list", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/tool-list", DCF_TOOLS, Refused, "the file is rejected"),
     row("portability/tool-list", WRITERS, Dropped, "the section is lost"),
-    row("portability/type-definition", DCF_TOOLS, Refused, "the file is refused"),
+    row("portability/type-definition", DCF_TOOLS, Refused, "the file is rejected"),
     row(
         "portability/type-definition",
         PYTHON_CANOPEN,
         Dropped,
         "the definition is lost, and values of the type are",
     ),
-    row("portability/unloadable", &[Tool::Lely], Refused, "the file is refused"),
+    row("portability/unloadable", &[Tool::Lely], Refused, "the file is rejected"),
     row("portability/unquoted-string", DCF_TOOLS, Refused, "dcf2dev stops at it"),
 ];
 

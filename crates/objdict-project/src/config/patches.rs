@@ -20,15 +20,16 @@ pub(super) fn named(config: &Config, folder: &Path, findings: &mut Findings) -> 
         for path in found {
             match Patch::open(&path) {
                 Ok(patch) => patches.push(Arc::new(patch)),
-                Err(error) => findings
-                    .push(invalid_setting(wanted.span, error.to_string()).help("name patches of TOML")),
+                Err(error) => {
+                    findings.push(invalid_setting(wanted.span, error.to_string()).help("name TOML patches"))
+                }
             }
         }
         if patches.len() == before {
             let message = say!("`{}` matches no patch", wanted.pattern.as_str());
             findings.push(
                 invalid_setting(wanted.span, message)
-                    .help("write a pattern relative to the folder of this configuration"),
+                    .help("write a pattern relative to this configuration's folder"),
             );
         }
     }

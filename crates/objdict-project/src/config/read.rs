@@ -33,7 +33,7 @@ pub const SETTINGS: [(&str, &str); 8] = [
 type TomlValue<'a> = Spanned<DeValue<'a>>;
 
 /// How a list is written.
-const LIST: &str = "write texts in quotes between brackets, as in `[\"a\", \"b\"]`";
+const LIST: &str = "write strings in quotes between brackets, as in `[\"a\", \"b\"]`";
 
 /// What a text says; `None` for one that is no TOML.
 pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Settings> {
@@ -62,15 +62,15 @@ pub(super) fn start_of(finding: &Diagnostic) -> u32 {
 /// What keeps the text from being TOML.
 fn damage(text: &str, error: &toml::de::Error) -> Diagnostic {
     let span = error.span().map_or(Span::empty(0), |range| span_of(&range));
-    let message = error.message().lines().next().unwrap_or("this is no TOML").to_owned();
+    let message = error.message().lines().next().unwrap_or("this is not valid TOML").to_owned();
     let finding = Diagnostic::new(&INVALID_TOML, span, message);
     let before = text.get(..span.start as usize).unwrap_or(text);
     let line = before.rsplit(['\n', '\r']).next().unwrap_or_default();
     let behind = text.get(span.start as usize..).unwrap_or_default();
     if behind.starts_with('/') || line.ends_with('/') {
-        return finding.help("put the id of a rule or a path into quotes");
+        return finding.help("put rule ids and paths in quotes");
     }
-    finding.help("write `name = value`, with texts in quotes and lists in brackets")
+    finding.help("write `name = value`, with strings in quotes and lists in brackets")
 }
 
 struct ConfigReader<'f> {
@@ -117,7 +117,7 @@ impl ConfigReader<'_> {
                 let finding = Diagnostic::new(
                     &UNKNOWN_SETTING,
                     span_of(&key.span()),
-                    say!("there is no setting `{}`", unknown),
+                    say!("unknown setting `{}`", unknown),
                 );
                 self.findings.push(match nearest(unknown, SETTINGS.map(|(name, _)| name)) {
                     Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
@@ -177,7 +177,7 @@ impl ConfigReader<'_> {
         match PathPattern::new(text) {
             Ok(pattern) => Some(pattern),
             Err(error) => {
-                let message = say!("`{}` is not a valid pattern of paths: {}", text, Text::from(error.msg));
+                let message = say!("`{}` is not a valid path pattern: {}", text, Text::from(error.msg));
                 let help = "`*` and `?` match within a name, `**` any number of folders, `[ab]` one of the characters";
                 self.findings.push(invalid_setting(span, message).help(help));
                 None
@@ -188,14 +188,14 @@ impl ConfigReader<'_> {
     /// The texts of a list with their places.
     fn texts<'a>(&mut self, name: &str, value: &'a TomlValue<'_>) -> Vec<(&'a str, Span)> {
         let Some(list) = value.get_ref().as_array() else {
-            self.invalid(value, say!("`{}` is a list of texts", name), LIST);
+            self.invalid(value, say!("`{}` must be a list of strings", name), LIST);
             return Vec::new();
         };
         let mut texts = Vec::new();
         for item in list {
             match item.get_ref().as_str() {
                 Some(text) => texts.push((text, span_of(&item.span()))),
-                None => self.invalid(item, say!("`{}` is a list of texts", name), LIST),
+                None => self.invalid(item, say!("`{}` must be a list of strings", name), LIST),
             }
         }
         texts
@@ -212,7 +212,7 @@ impl ConfigReader<'_> {
         let words: Vec<&str> = all.iter().map(word).collect();
         let Some(text) = value.get_ref().as_str() else {
             let help = say!("write one of them, as in `\"{}\"`", words.first().copied().unwrap_or_default());
-            self.invalid(value, say!("`{}` is one of {}, in quotes", name, listing(&words)), help);
+            self.invalid(value, say!("`{}` must be one of {}, in quotes", name, listing(&words)), help);
             return None;
         };
         let found = all.iter().copied().find(|item| word(item) == text);
@@ -223,7 +223,7 @@ impl ConfigReader<'_> {
     }
 
     fn unknown_word(&mut self, span: Span, word: &str, what: &str, words: &[&str]) {
-        let finding = invalid_setting(span, say!("there is no {} `{}`", what, word));
+        let finding = invalid_setting(span, say!("unknown {} `{}`", what, word));
         self.findings.push(match nearest(word, words.iter().copied()) {
             Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
             None => finding.help(say!("write one of {}", listing(words))),

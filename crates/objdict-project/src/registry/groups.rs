@@ -28,7 +28,7 @@ macro_rules! with_rule_groups {
             cia402: "drives (CiA 402)", None;
             cia404: "measuring devices and controllers (CiA 404)", None;
             cia406: "encoders (CiA 406)", None;
-            configuration: "configured nodes beside their EDS", Some("the EDS of a DCF");
+            configuration: "configured nodes compared with their EDS", Some("the EDS of a DCF");
             custom: "custom profiles", Some("a custom profile");
             esi: "EtherCAT slave information (ESI)", Some("an ESI");
             keys: "TOML and YAML files", Some("a TOML or YAML file");
@@ -39,7 +39,7 @@ macro_rules! with_rule_groups {
             patch: "patches of description files", Some("a patch");
             portability: "what other tools reject or misread", None;
             probe: "answers of a device, reported by `objdict probe`", Some("a device");
-            traffic: "traffic of a bus beside the descriptions, reported by `objdict decode --check`", Some("a log");
+            traffic: "bus traffic that contradicts the descriptions, reported by `objdict decode --check`", Some("a log");
             xml: "well-formed XML", None;
         }
     };

@@ -59,7 +59,7 @@ pub fn invalid_setting(span: Span, message: impl Into<Text>) -> Diagnostic {
 
 /// A name that is neither a rule nor a group.
 pub fn unknown_rule(span: Span, name: &str) -> Diagnostic {
-    let finding = Diagnostic::new(&UNKNOWN_RULE, span, say!("there is no rule or group `{}`", name));
+    let finding = Diagnostic::new(&UNKNOWN_RULE, span, say!("unknown rule or group `{}`", name));
     match nearest_selection(name) {
         Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
         None => finding.help("run `objdict rules` to list all rules"),

@@ -295,8 +295,8 @@ fn plain(markdown: &str) -> String {
 /// What an exit code means.
 pub(super) fn exit_code_description(code: u8) -> &'static str {
     match code {
-        0 => "all is well",
-        1 => "something was found",
+        0 => "success",
+        1 => "findings were reported",
         _ => "not every file could be checked",
     }
 }
