@@ -192,7 +192,7 @@ fn dangling(reference: &IdReference<'_>, ids: &Ids<'_>, findings: &mut Findings)
     let at = reference.attribute.value_span();
     let message = match &*id {
         "" => format!("`{}` refers to no {what}", reference.element.name()),
-        id => format!("there is no {what} with the id `{id}`"),
+        id => format!("no {what} has the id `{id}`"),
     };
     let help = match ids.similar(&id) {
         Some(similar) => format!("did you mean `{similar}`?"),
@@ -266,7 +266,7 @@ fn check_cycles(walk: &mut Walk<'_, '_>) {
     let mut found = Vec::new();
     for attribute in cycles(walk.seen.data_types().collect(), &walk.ids, type_references) {
         let message = format!("the data type `{}` contains itself", attribute.value().trim_ascii());
-        found.push((&RECURSIVE_DATA_TYPE, attribute, message, "use another type"));
+        found.push((&RECURSIVE_DATA_TYPE, attribute, message, "use a different type"));
     }
     for attribute in cycles(walk.seen.of([n::parameterTemplate]).collect(), &walk.ids, template_references) {
         let message = format!("the template `{}` refers to itself", attribute.value().trim_ascii());

@@ -311,7 +311,7 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
             Some(right) => {
                 finding.help(format!("write `optionalObjects=\"{right}\"` if {mandatory} are mandatory"))
             }
-            None => finding.help("count the objects again"),
+            None => finding.help("recount the objects"),
         });
     }
 }

@@ -151,9 +151,9 @@ pub(super) fn fit(
         let message = match fact::read_value(text, Some(data_type), &mut Quirks::default()) {
             Ok(_) => continue,
             Err(Reason::OutOfRange { low, high }) => {
-                format!("`{text}` does not fit {data_type}, which allows {low} to {high}")
+                format!("`{text}` is out of range for {data_type} ({low} to {high})")
             }
-            Err(_) => format!("`{text}` is not a value of the data type {data_type}"),
+            Err(_) => format!("`{text}` is not a valid {data_type}"),
         };
         let finding = Diagnostic::new(&INVALID_PARAMETER_VALUE, attribute.value_span(), message);
         findings.push(finding.help("write a value of the data type, or correct the data type"));
@@ -192,7 +192,7 @@ fn properties(parameter: Element<'_>, findings: &mut Findings) {
     let mut before = HashMap::from([(first.value(), first)]);
     for name in properties {
         if let Some(first) = before.get(&name.value()) {
-            let message = format!("the parameter has two properties `{}`", name.value());
+            let message = format!("the parameter has the property `{}` twice", name.value());
             let finding = Diagnostic::new(&DUPLICATE_PROPERTY, name.value_span(), message);
             findings.push(finding.label(first.value_span(), "first here").help("keep one of the two"));
         } else {
@@ -267,7 +267,7 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
                 format!("`{}` is `{}`, which is not an allowed value", name.text(), attribute.value());
             let finding = Diagnostic::new(&VALUE_NOT_ALLOWED, attribute.value_span(), message);
             let finding = finding.label(allowed.name_span(), "the allowed values");
-            findings.push(finding.help("add the value to the allowed values or use another one"));
+            findings.push(finding.help("add the value to the allowed values or use a different one"));
         }
     }
 }

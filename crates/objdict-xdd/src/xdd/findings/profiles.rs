@@ -169,7 +169,7 @@ fn duplicate(element: Element<'_>, first: Element<'_>, class: ProfileClass) -> D
     let message = format!("a second {what}; the first one is used");
     Diagnostic::new(&DUPLICATE_PROFILE, element.name_span(), message)
         .label(first.name_span(), "first here")
-        .help("keep one of the two; describe another device in a file of its own")
+        .help("keep one of the two; describe each device in its own file")
 }
 
 fn check_class(body: Element<'_>, class: ProfileClass, findings: &mut Findings) {

@@ -192,7 +192,7 @@ pub(super) fn missing_element(element: Element<'_>, slot: &Child, count: u32) ->
 /// `child` belongs before `last`.
 pub(super) fn wrong_order(parent: Element<'_>, child: Element<'_>, last: Option<Element<'_>>) -> Diagnostic {
     let last_name = last.map_or("", Element::name);
-    let message = format!("in `{}`, `{}` belongs before `{last_name}`", parent.name(), child.name());
+    let message = format!("in `{}`, `{}` must precede `{last_name}`", parent.name(), child.name());
     let finding = Diagnostic::new(&WRONG_ORDER, child.name_span(), message);
     let finding = match last {
         Some(last) => finding.label(last.name_span(), "precedes it"),
@@ -204,7 +204,7 @@ pub(super) fn wrong_order(parent: Element<'_>, child: Element<'_>, last: Option<
 pub(super) fn repeated_element(parent: Element<'_>, child: Element<'_>, first: Element<'_>) -> Diagnostic {
     let (parent, name, first_name) = (parent.name(), child.name(), first.name());
     let message = if name == first_name {
-        format!("`{parent}` takes only one `{name}`; the first one is used")
+        format!("`{parent}` may contain only one `{name}`; the first one is used")
     } else {
         format!("`{parent}` already has `{first_name}`, so `{name}` is not allowed")
     };
@@ -219,7 +219,7 @@ pub(super) fn stray_text(element: Element<'_>, at: Span) -> Diagnostic {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     };
-    let message = format!("`{}` takes no text, but contains `{text}`", element.name());
+    let message = format!("`{}` must not contain text, but contains `{text}`", element.name());
     Diagnostic::new(&STRAY_TEXT, at, message)
         .help("move it into a `label` or `description`, or make it a comment")
 }
@@ -311,7 +311,7 @@ impl<'a> Forms<'a> {
         let (is, belongs) = if first.namespace().is_some() {
             ("in the namespace", "in none")
         } else {
-            ("in no namespace", "in that of the file")
+            ("in no namespace", "in the file's namespace")
         };
         let message = match self.wrong_form.count {
             1 => format!("`{name}` is {is}, but must be {belongs}"),
@@ -333,8 +333,7 @@ impl<'a> Forms<'a> {
 
     fn mixed(&self, first: Element<'_>) -> Diagnostic {
         let (name, namespace) = (first.name(), first.namespace().unwrap_or_default());
-        let mut message =
-            format!("the namespace `{namespace}` of `{name}` differs from that of its container");
+        let mut message = format!("the namespace `{namespace}` of `{name}` differs from its container's");
         if self.foreign.count > 1 {
             let others = counted(self.foreign.count - 1, "other element", "other elements");
             message.push_str(&format!("; also {others}"));

@@ -104,7 +104,7 @@ pub(super) fn check(text: &str, kind: TextKind, at: Span, name: &str, findings: 
 }
 
 fn finding(text: &str, kind: TextKind, at: Span, name: &str) -> Diagnostic {
-    let shown = if text.is_empty() { say!("an empty text") } else { say!("`{}`", text) };
+    let shown = if text.is_empty() { say!("an empty string") } else { say!("`{}`", text) };
     let new = |rule, what: &str| Diagnostic::new(rule, at, say!("{} is {!}", shown, what));
     match kind {
         TextKind::Number(low, high) => invalid_number(text, &shown, name, (low, high), at),
