@@ -47,7 +47,10 @@ fn the_old_description_is_that_of_a_revision() {
     copy("bases/drive.eds", "devices/drive.eds");
 
     let (text, code) = said(folder, &["diff", "--git", "HEAD", "devices/drive.eds"]);
-    assert_eq!((text.lines().next(), code), (Some("error: `devices/drive.eds` is in no git repository"), 2));
+    assert_eq!(
+        (text.lines().next(), code),
+        (Some("error: `devices/drive.eds` is not in a git repository"), 2)
+    );
 
     git(folder, &["init", "--quiet"]);
     git(folder, &["add", "."]);
@@ -73,14 +76,14 @@ fn the_old_description_is_that_of_a_revision() {
         (["HEAD", "new.eds"], "git has no file `new.eds` at `HEAD`"),
         (["origin/main", "devices/drive.eds"], "git has no revision `origin/main`"),
         (["HEAD~1", "devices/drive.eds"], "git has no revision `HEAD~1`"),
-        (["HEAD", "-"], "`<stdin>` is not a file of a git repository"),
+        (["HEAD", "-"], "`<stdin>` is not a file in a git repository"),
     ] {
         let (text, code) = said(folder, &["diff", "--git", arguments[0], arguments[1]]);
         assert_eq!((text.lines().next(), code), (Some(&*format!("error: {error}")), 2), "{text}");
     }
     // no option of git
     let (text, code) = said(folder, &["diff", "--git=--output=x", "new.eds"]);
-    assert_eq!((&*text, code), ("error: `--output=x` is no revision of a git repository\n", 2));
+    assert_eq!((&*text, code), ("error: `--output=x` is not a git revision\n", 2));
     assert!(!folder.join("x").exists());
 }
 
@@ -89,7 +92,7 @@ fn git_is_needed() {
     let mut command = Command::new(crate::program());
     command.env("PATH", "").args(["diff", "--git", "HEAD", "fixtures/bases/drive.eds"]);
     let text = String::from_utf8(command.output().unwrap().stderr).unwrap();
-    let error = "error: the program git, which has the former version of the file, is not in the path\n";
+    let error = "error: cannot find git, which provides the former version of the file\n";
     assert!(text.starts_with(error), "{text}");
 }
 

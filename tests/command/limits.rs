@@ -63,7 +63,7 @@ fn compact_storage_does_not_explode() {
         let limit = 25_000 + many.len() / 64;
         let expected = format!("has 1016000 entries in compact storage, more than the limit of {limit}");
         assert!(message.contains(&expected), "{line}: {message}");
-        assert!(message.contains("raise the limit with `--max-entries`"), "{line}: {message}");
+        assert!(message.contains("increase the limit with `--max-entries`"), "{line}: {message}");
     }
     fs::write(folder.path().join("few.eds"), compact(0)).unwrap();
     let convert = "convert few.eds -o few.json --max-entries";
@@ -97,7 +97,11 @@ fn small_parts_are_limited() {
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{name}: {message}");
         assert!(message.contains(what), "{name}: {message}");
-        assert_eq!(message.contains("raise the limit with `--max-entries`"), is_raised, "{name}: {message}");
+        assert_eq!(
+            message.contains("increase the limit with `--max-entries`"),
+            is_raised,
+            "{name}: {message}"
+        );
     }
 }
 

@@ -51,8 +51,9 @@ fn no_output_replaces_an_input() {
         fs::write(folder.path().join("od.h.j2"), "a text\n").unwrap();
         let output = objdict(folder.path(), line);
         assert_eq!(output.status.code(), Some(2), "{line}: {}", errors(&output));
-        let is_refused =
-            |text: &str| text.contains("is another input or output of this run") || text.contains("in place");
+        let is_refused = |text: &str| {
+            text.contains("is already an input or output of this run") || text.contains("in place")
+        };
         assert!(is_refused(&errors(&output)), "{line}: {}", errors(&output));
         assert_eq!(fs::read(&path).unwrap(), source, "{line}");
     }
@@ -196,7 +197,7 @@ fn names_that_windows_reserves_are_not_written() {
         let output = objdict(folder.path(), &format!("convert {name} -o out/ --to json"));
         assert_eq!(output.status.code(), Some(2), "{name}");
         // Windows cannot read them either
-        let is_refused = errors(&output).contains("is not a valid name of a file: Windows");
+        let is_refused = errors(&output).contains("is not a valid file name: Windows");
         assert!(is_refused || crate::is_for_windows(), "{}", errors(&output));
     }
     for (node, file) in [("nul", "_nul.dcf"), ("io:1", "io_1.dcf"), ("COM7", "_COM7.dcf"), ("com", "com.dcf")]
@@ -402,7 +403,7 @@ fn what_is_missing_is_said() {
         ] {
             let converted = objdict(folder.path(), &format!("convert {name} {output}"));
             assert_eq!((converted.status.code(), converted.stdout.len()), (Some(2), 0), "{name} {output}");
-            assert!(errors(&converted).contains("describes no device"), "{}", errors(&converted));
+            assert!(errors(&converted).contains("does not describe a device"), "{}", errors(&converted));
         }
     }
     assert!(!folder.path().join("out.eds").exists());
@@ -412,13 +413,13 @@ fn what_is_missing_is_said() {
         let converted = objdict(folder.path(), "convert node.dcf --to xdc");
         let expected = match node_id {
             "" => "error: missing node-ID".to_owned(),
-            node_id => format!("error: the node-ID {node_id} is not valid"),
+            node_id => format!("error: node-ID {node_id} is out of range"),
         };
         assert!(errors(&converted).starts_with(&expected), "{}", errors(&converted));
         if !node_id.is_empty() {
             for to in ["--to dcf", "--to dcf --canonical"] {
                 let converted = objdict(folder.path(), &format!("convert node.dcf {to}"));
-                let warning = format!("warning: `node.dcf` states the node-ID {node_id}, which is not valid");
+                let warning = format!("warning: `node.dcf` has the invalid node-ID {node_id}");
                 assert!(converted.status.success() && errors(&converted).contains(&warning), "{to}");
             }
         }
@@ -458,13 +459,13 @@ fn a_refused_download_is_an_exit_code() {
         let refused = line("bad.toml", "--force");
         let text = errors(&refused);
         assert_eq!(refused.status.code(), Some(1), "{target}: {text}");
-        assert_eq!(text.matches("error: `a` refuses download").count(), 1, "{target}: {text}");
+        assert_eq!(text.matches("error: `a` rejects download").count(), 1, "{target}: {text}");
         assert!(!text.contains("1F22h"), "{target}: {text}");
         assert!(folder.path().join(format!("{target}-bad.toml")).is_dir(), "{target}");
     }
     let missing = objdict(folder.path(), "network boot good.toml nowhere");
     assert_eq!(missing.status.code(), Some(2));
-    assert!(errors(&missing).contains("there is no file or folder `nowhere`"), "{}", errors(&missing));
+    assert!(errors(&missing).contains("`nowhere` does not exist"), "{}", errors(&missing));
 }
 
 /// Both commands count findings alike.

@@ -212,7 +212,7 @@ fn files_of_earlier_builds_stay_and_are_named() {
     run(folder.path(), build, 0);
     network("right");
     let text = run(folder.path(), build, 0);
-    assert!(text.contains("note: `built/left.cdcf` is of an earlier build\n"), "{text}");
+    assert!(text.contains("note: `built/left.cdcf` is from an earlier build\n"), "{text}");
     assert_eq!(others(&folder.path().join("built")), ["left.cdcf", "objdict.sha256", "right.cdcf"]);
 }
 

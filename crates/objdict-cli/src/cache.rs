@@ -53,7 +53,7 @@ impl Cache {
         let head = lines.next().unwrap_or_default();
         if !head.starts_with(CACHE) {
             note(&format!(
-                "note: `{}` is not a cache of objdict, so every file is checked\n  help: remove it, or name a file that does not exist yet\n",
+                "note: `{}` is not an objdict cache, so every file is checked\n  help: remove it, or name a file that does not exist yet\n",
                 shown(path)
             ));
             return None;
@@ -89,7 +89,7 @@ impl Cache {
             let _ = writeln!(text, "{key}");
         }
         if let Err(failure) = save(&self.path, text.as_bytes()) {
-            note(&format!("note: {}, so the next check is as slow\n", failure.message));
+            note(&format!("note: {}, so the next check will be as slow\n", failure.message));
         }
     }
 }

@@ -456,7 +456,7 @@ impl<'a> Reporter<'a> {
             let help = |(kind, _): (&String, &usize)| match kind.as_str() {
                 "patch" => "`objdict patch check` checks patches",
                 "network" | "bus configuration" | "node list" => "`objdict network check` checks networks",
-                _ => "`objdict identify` says what a file is",
+                _ => "`objdict identify` shows a file's format",
             };
             let help: BTreeSet<&str> = self.skipped.iter().map(help).collect();
             let help = help.into_iter().collect::<Vec<_>>().join(", ");

@@ -44,8 +44,10 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     let file = settings_file(args)?;
     let own = description.device();
     if args.in_place && (own.kind != DeviceKind::Node || args.file == Path::new("-")) {
-        let failure =
-            Failure::new(format_args!("`{}` is no DCF or XDC to change in place", name_of(&args.file)));
+        let failure = Failure::new(format_args!(
+            "`{}` is not a DCF or XDC, so it cannot be changed in place",
+            name_of(&args.file)
+        ));
         return Err(failure.help("name the file to write with `--output`"));
     }
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
@@ -88,10 +90,10 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     if args.dialect.is_other() && kind == Format::Dcf {
         let options = WriteOptions { embed: true, ..args.dialect.options() };
         configured.bytes = format::write(&configured.device, Format::Dcf, &options)?.bytes;
-        tell("note: the file is written anew for the dialect, without comments\n");
+        tell("note: the file is rewritten for the dialect, without comments\n");
     } else if !configured.is_edited {
         tell(
-            "note: the text has no place for these settings, so the file is written anew, without comments\n",
+            "note: these settings do not fit into the existing text, so the file is rewritten without comments\n",
         );
     }
     match args.output() {
@@ -150,17 +152,17 @@ fn other_syntax(args: &ConfigureArgs, written: Format) -> Result<(), Failure> {
     }
     let (what, help) = match written.syntax() {
         Syntax::Xml => {
-            ("an XDD becomes an XDC", "name a file `.xdc`; `objdict convert --to dcf` makes a DCF of it")
+            ("an XDD becomes an XDC", "name a file `.xdc`; `objdict convert --to dcf` converts it to DCF")
         }
         Syntax::Ini => {
-            ("an EDS becomes a DCF", "name a file `.dcf`; `objdict convert --to xdc` makes an XDC of it")
+            ("an EDS becomes a DCF", "name a file `.dcf`; `objdict convert --to xdc` converts it to XDC")
         }
         Syntax::Toml => (
             "a device.toml becomes one with `[node]`",
-            "name a file `.toml`; `objdict convert --to dcf` makes a DCF of it",
+            "name a file `.toml`; `objdict convert --to dcf` converts it to DCF",
         ),
     };
-    Err(Failure::new(format_args!("{what}, but `{}` has another ending", name_of(output))).help(help))
+    Err(Failure::new(format_args!("{what}, but `{}` has a different extension", name_of(output))).help(help))
 }
 
 /// The description that is configured; a device as JSON is one that is written as an EDS first.
@@ -182,7 +184,7 @@ fn description(args: &ConfigureArgs, patches: &[Arc<Patch>]) -> Result<Descripti
         (kind, _) => {
             let message =
                 format!("`{}` is a {}, which does not describe a device", name_of(&args.file), kind.name());
-            Err(Failure::new(message).help("name the EDS of the node"))
+            Err(Failure::new(message).help("name the node's EDS"))
         }
     }
 }
@@ -230,7 +232,10 @@ fn followers(device: &Device, node: &Commissioning) -> Vec<Assignment> {
     if !kept.is_empty() {
         let shown: Vec<String> =
             kept.iter().map(|(at, id)| format!("{} = {id}", ObjectName::Address(*at))).collect();
-        note(&format!("note: these CAN-IDs do not depend on the node-ID and stay: {}\n", shown.join(", ")));
+        note(&format!(
+            "note: these CAN-IDs do not depend on the node-ID and are unchanged: {}\n",
+            shown.join(", ")
+        ));
     }
     assignments
 }

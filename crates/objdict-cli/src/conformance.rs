@@ -25,7 +25,7 @@ pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, F
     let device: &Device = match &input {
         Input::Description(description) => description.device(),
         Input::Device(device) => device,
-        _ => return Err(Failure::new(format_args!("`{}` describes no device", name_of(&args.file)))),
+        _ => return Err(Failure::new(format_args!("`{}` does not describe a device", name_of(&args.file)))),
     };
     let node_id = args.node_id.or_else(|| device.node_id()).unwrap_or(NODE_ID);
     let results = conformance_of(device, node_id, &args.groups, |dictionary| dictionary);
@@ -37,7 +37,7 @@ pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, F
 }
 
 fn text(results: &Conformance, is_short: bool, out: &mut Output) -> io::Result<()> {
-    writeln!(out, "objdict's own node, made from this description (not a real device)\n")?;
+    writeln!(out, "objdict's own node, generated from this description (not a real device)\n")?;
     let mut table = TextTable::new(["Service", "Check", "Section", "Result"], CELL);
     for service in results.checks.chunk_by(|a, b| a.service == b.service) {
         // an object that is as described is said in one line with the others

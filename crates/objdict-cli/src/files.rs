@@ -77,7 +77,7 @@ impl Gathered<'_> {
             let before = self.files.len();
             self.walk(argument, &real(argument))?;
             if self.files.len() == before {
-                self.nothing_in(format_args!("there is no description in `{}`", name_of(argument)));
+                self.nothing_in(format_args!("no descriptions in `{}`", name_of(argument)));
             }
         } else if is_pattern(argument) && !argument.exists() {
             self.expand(argument)?;
@@ -167,7 +167,8 @@ impl Gathered<'_> {
 
     fn nothing_in(&mut self, message: std::fmt::Arguments<'_>) {
         let endings: Vec<String> = ENDINGS.iter().map(|ending| format!(".{ending}")).collect();
-        let help = format!("descriptions end in {}; a file that is named is always read", endings.join(", "));
+        let help =
+            format!("descriptions end in {}; a file named explicitly is always read", endings.join(", "));
         self.failures.push(Failure::new(message).help(help));
     }
 }
@@ -177,7 +178,7 @@ pub(super) fn note_outside(files: &[InputFile]) {
     for file in files.iter().filter(|file| file.is_outside) {
         let name = name_of(&file.path);
         note(&format!(
-            "note: `{name}` is not changed: a link leads out of the folder; name the file to change it\n"
+            "note: `{name}` is unchanged because a link points outside the folder; name the file to change it\n"
         ));
     }
 }

@@ -135,7 +135,7 @@ impl Fixing {
                 1 => "1 fix".to_owned(),
                 count => format!("{count} fixes"),
             };
-            note(&format!("note: {fixes} {are} not made because it would cause other findings\n"));
+            note(&format!("note: {fixes} {are} not applied because other findings would result\n"));
         }
         if self.unfinished > 0 {
             let files = plural(self.unfinished, "file");

@@ -14,10 +14,10 @@ use objdict_model::source;
 pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Option<Vec<u8>>, Failure> {
     let name = path.file_name().filter(|_| path != Path::new("-"));
     let name =
-        name.ok_or_else(|| Failure::new(format!("`{}` is not a file of a git repository", name_of(path))))?;
+        name.ok_or_else(|| Failure::new(format!("`{}` is not a file in a git repository", name_of(path))))?;
     // git would take it as an option
     if revision.starts_with('-') {
-        return Err(Failure::new(format!("`{revision}` is no revision of a git repository")));
+        return Err(Failure::new(format!("`{revision}` is not a git revision")));
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut object = OsString::from(format!("{revision}:./"));
@@ -50,10 +50,9 @@ const MAX_COMPLAINT: u64 = 4096;
 fn not_started(error: &io::Error) -> Failure {
     match error.kind() {
         ErrorKind::NotFound => {
-            Failure::new("the program git, which has the former version of the file, is not in the path")
-                .help("install git")
+            Failure::new("cannot find git, which provides the former version of the file").help("install git")
         }
-        _ => Failure::new(format!("git cannot be started: {error}")),
+        _ => Failure::new(format!("cannot start git: {error}")),
     }
 }
 
@@ -62,7 +61,7 @@ fn refused(revision: &str, path: &Path, complaint: &str) -> Failure {
     let name = name_of(path);
     let says = |text: &str| complaint.contains(text);
     if says("not a git repository") {
-        return Failure::new(format!("`{name}` is in no git repository"));
+        return Failure::new(format!("`{name}` is not in a git repository"));
     }
     if says("invalid object name") || says("unknown revision") || says("bad revision") {
         let failure = Failure::new(format!("git has no revision `{revision}`"));

@@ -95,7 +95,7 @@ fn unknown(name: &str) -> Failure {
     let command = <Args>::command();
     let commands = command.get_subcommands().filter(|command| !command.is_hide_set()).map(Command::get_name);
     let topics = TOPICS.map(|(name, ..)| name);
-    let failure = Failure::new(format_args!("there is no command or topic `{name}`"));
+    let failure = Failure::new(format_args!("unknown command or topic `{name}`"));
     match nearest(name, commands.chain(topics)) {
         Some(meant) => failure.help(format!("did you mean `{meant}`?")),
         None => failure.help(format!("the topics are {}; `objdict -h` lists the commands", listing(topics))),

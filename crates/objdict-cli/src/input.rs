@@ -163,10 +163,10 @@ impl InputArgs {
             Some(format) => Ok(CheckedInput::Description(Box::new(reading.described(source, format)?))),
             None => {
                 let message = format!(
-                    "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",
+                    "only EDS, DCF, XDD and XDC can be checked, but `{name}` is read as {}",
                     kind.name()
                 );
-                let help = format!("`objdict show {name}` shows what is in it");
+                let help = format!("`objdict show {name}` prints its contents");
                 Ok(CheckedInput::Foreign(kind.name().to_owned(), Failure::new(message).help(help)))
             }
         }
@@ -229,10 +229,10 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         let help = match &error {
             ReadError::Source(SourceError::TooLarge { .. }) => {
-                Some("raise the limit with `--max-size`".to_owned())
+                Some("increase the limit with `--max-size`".to_owned())
             }
             ReadError::TooManyEntries { .. } | ReadError::TooManyParts { .. } => {
-                Some("raise the limit with `--max-entries`".to_owned())
+                Some("increase the limit with `--max-entries`".to_owned())
             }
             ReadError::Foreign { found, .. } if found.kind == ContentKind::Unknown => {
                 Some("read it nevertheless by naming its format with `--from`".to_owned())
@@ -257,7 +257,7 @@ impl From<ReadError> for Failure {
 impl From<EditError> for Failure {
     fn from(error: EditError) -> Self {
         let help = matches!(error, EditError::TooMuchLost { .. })
-            .then(|| "raise the limit with `--max-entries`".to_owned());
+            .then(|| "increase the limit with `--max-entries`".to_owned());
         Self::new(&error).maybe_help(help)
     }
 }

@@ -40,7 +40,9 @@ pub(super) fn run() -> Result<Outcome, Failure> {
     // the thread that writes ends with the last sender
     drop(server);
     for thread in [reader, writer] {
-        thread.join().map_err(|_| Failure::new("the language server has lost its editor"))??;
+        thread
+            .join()
+            .map_err(|_| Failure::new("the language server lost its connection to the editor"))??;
     }
     Ok(Outcome::Clean)
 }

@@ -22,7 +22,7 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
     let device: &Device = match &input {
         Input::Description(description) => description.device(),
         Input::Device(device) => device,
-        _ => return Err(Failure::new(format_args!("`{file}` describes no device"))),
+        _ => return Err(Failure::new(format_args!("`{file}` does not describe a device"))),
     };
     let modules =
         device.modules.as_ref().map(|modules| &modules.supported).filter(|modules| !modules.is_empty());

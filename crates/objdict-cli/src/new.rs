@@ -86,7 +86,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     }
     if args.output.exists() && !args.overwrite {
         let message = format!("`{}` exists", name_of(&args.output));
-        return Err(Failure::new(message).help("name another file, or replace it with `--overwrite`"));
+        return Err(Failure::new(message).help("name a different file, or replace it with `--overwrite`"));
     }
     save(&args.output, &bytes)?;
     let objects = plural(device.objects.len(), "object");
@@ -98,8 +98,8 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
 /// The objects of a table.
 fn table(args: &NewArgs, path: &Path) -> Result<Device, Failure> {
     if args.features.0 != Features::default() {
-        let failure = Failure::new("a table has all objects of the device, so features add none");
-        return Err(failure.help("leave out the features, or `--from`"));
+        let failure = Failure::new("a table defines all objects, so features add none");
+        return Err(failure.help("omit the features or `--from`"));
     }
     keep(path);
     let name = name_of(path);

@@ -12,7 +12,7 @@ pub(super) fn commissioning(
     let node = restated(device, wanted);
     valid_node_id(node.node_id)?;
     if node.baud_rate.is_none() {
-        note(&format!("note: the {kind} states no bit rate; set it with `--bit-rate`\n"));
+        note(&format!("note: the {kind} has no bit rate; set it with `--bit-rate`\n"));
     }
     Ok(node)
 }
@@ -21,7 +21,7 @@ pub(super) fn commissioning(
 pub(super) fn valid_node_id(node_id: Option<u8>) -> Result<(), Failure> {
     let problem = match node_id {
         Some(1..=127) => return Ok(()),
-        Some(node_id) => format!("the node-ID {node_id} is not valid: it must be from 1 to 127"),
+        Some(node_id) => format!("node-ID {node_id} is out of range (1 to 127)"),
         None => "missing node-ID: a DCF or XDC is for one node".to_owned(),
     };
     Err(Failure::new(problem).help("set it with `--node-id`"))

@@ -30,8 +30,11 @@ fn description(input: &InputArgs, path: &Path) -> Result<Description, Failure> {
     match input.reading().read_one(&source_name(path), input.size.read(path)?)? {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
-            let message =
-                format!("`{}` is read as {}, and only descriptions have patches", name_of(path), kind.name());
+            let message = format!(
+                "`{}` is read as {}, but patches apply only to descriptions",
+                name_of(path),
+                kind.name()
+            );
             Err(Failure::new(message).help("name an EDS, DCF, XDD or XDC"))
         }
     }
@@ -39,12 +42,12 @@ fn description(input: &InputArgs, path: &Path) -> Result<Description, Failure> {
 
 fn apply(args: &PatchApplyArgs, out: &mut Output) -> Result<Outcome, Failure> {
     if args.input.patch.patches.is_empty() {
-        return Err(Failure::new("no patch is named").help("name one with `--patch`"));
+        return Err(Failure::new("no patch specified").help("name one with `--patch`"));
     }
     let description = description(&args.input, &args.file)?;
     let Some(patched) = description.patched().filter(|patched| !patched.patches.is_empty()) else {
-        let message = format!("none of the patches is for `{}`", name_of(&args.file));
-        let help = "compare `vendor-id`, `product-code` and `revision` of the patch with those of the file";
+        let message = format!("none of the patches applies to `{}`", name_of(&args.file));
+        let help = "compare the patch's `vendor-id`, `product-code` and `revision` with the file";
         return Err(Failure::new(message).help(help));
     };
     patched.lines().iter().for_each(|line| tell(&format!("{line}\n")));
@@ -57,7 +60,7 @@ fn make(args: &PatchMakeArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let edited = description(&args.input, &args.edited)?;
     let text = patch::make(original.described(), edited.described());
     if !text.contains("[[") {
-        note("note: both descriptions say the same\n");
+        note("note: both descriptions are equivalent\n");
     }
     write(&args.output, text.as_bytes(), out)
 }
@@ -113,11 +116,15 @@ fn check(args: &PatchCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
         }
     }
     if known.is_empty() {
-        return Err(Failure::new("no patch is named")
+        return Err(Failure::new("no patch specified")
             .help("name one with `--patch`, or name them as `patches` in `objdict.toml`"));
     }
     for patch in known.iter().filter(|patch| !patch.is_used()) {
-        table.row([patch.source().name().to_owned(), "-".to_owned(), "for none of the files".to_owned()]);
+        table.row([
+            patch.source().name().to_owned(),
+            "-".to_owned(),
+            "applies to none of the files".to_owned(),
+        ]);
         is_refused = true;
     }
     table.write(out)?;

@@ -23,8 +23,7 @@ impl PatchArgs {
         if self.patches.is_empty() {
             return Ok(());
         }
-        let failure =
-            Failure::new(format_args!("{option} changes the file itself, and `--patch` leaves it as it is"));
+        let failure = Failure::new(format_args!("{option} changes the file, but `--patch` does not"));
         Err(failure.help("write the patched file with `objdict patch apply`, and use that"))
     }
 }
@@ -53,7 +52,7 @@ pub(super) fn warn_of_unused() {
     for (patch, _) in known().iter().filter(|(patch, is_named)| *is_named && !patch.is_used()) {
         let name = one_line(patch.source().name());
         note(&format!(
-            "warning: the patch `{name}` is for none of the files\n  help: compare its `vendor-id`, `product-code` and `revision` with those of the files\n"
+            "warning: the patch `{name}` applies to none of the files\n  help: compare its `vendor-id`, `product-code` and `revision` with the files\n"
         ));
     }
 }

@@ -49,7 +49,7 @@ fn description(args: &ProbeArgs, path: &Path) -> Result<Description, Failure> {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
             let message = format!(
-                "a device is described by EDS, DCF, XDD or XDC, and `{}` is read as {}",
+                "expected an EDS, DCF, XDD or XDC, but `{}` is read as {}",
                 name_of(path),
                 kind.name()
             );
@@ -104,7 +104,7 @@ pub(super) fn answers(
     }
     if log.bad_count() > 0 {
         note(&format!(
-            "note: `{}`: {} are not understood\n",
+            "note: `{}`: {} cannot be parsed\n",
             name_of(path),
             plural(log.bad_count() as usize, "line")
         ));

@@ -54,8 +54,8 @@ fn detail(args: &ReportArgs) -> Result<Detail, Failure> {
         (Some(Counting::Also), Text | Concise | Json) => Ok(Detail::Both),
         (Some(Counting::Only), Text | Concise | Json) => Ok(Detail::Statistics),
         (Some(_), Sarif | Github | Gitlab | Junit) => {
-            let failure = Failure::new("this format has no room for statistics");
-            Err(failure.help("`--statistics` goes with `--format text`, `concise` and `json`"))
+            let failure = Failure::new("this format does not support statistics");
+            Err(failure.help("use `--statistics` with `--format text`, `concise` or `json`"))
         }
     }
 }

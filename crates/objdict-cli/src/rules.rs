@@ -80,7 +80,7 @@ fn group(name: &str) -> Result<&'static str, Failure> {
     let groups = registry::groups();
     let found = groups.iter().copied().find(|group| group.eq_ignore_ascii_case(name));
     found.ok_or_else(|| {
-        let failure = Failure::new(format_args!("there is no group of rules `{name}`"));
+        let failure = Failure::new(format_args!("unknown rule group `{name}`"));
         failure.help(format!("the groups are {}", listing(groups)))
     })
 }
@@ -96,10 +96,10 @@ pub(super) fn explain(args: &ExplainArgs, out: &mut Output) -> Result<Outcome, F
     };
     let fix = match rule.fix {
         None => "none",
-        Some(FixSafety::Safe) => "safe, `objdict check --fix` makes it",
-        Some(FixSafety::Unsafe) => "unsafe, `objdict check --fix --unsafe-fixes` makes it",
+        Some(FixSafety::Safe) => "safe, applied by `objdict check --fix`",
+        Some(FixSafety::Unsafe) => "unsafe, applied by `objdict check --fix --unsafe-fixes`",
         Some(FixSafety::Mixed) => {
-            "mixed: `objdict check --fix` makes the safe ones, `--unsafe-fixes` the others too"
+            "mixed: `objdict check --fix` applies the safe ones, `--unsafe-fixes` also the others"
         }
     };
     writeln!(out, "# {}\n\nSeverity: {}\nFix: {fix}\n", rule.id, rule.severity)?;
@@ -117,7 +117,7 @@ fn find(name: &str) -> Option<&'static RuleInfo> {
 }
 
 fn unknown(name: &str) -> Failure {
-    let failure = Failure::new(format_args!("there is no rule `{name}`"));
+    let failure = Failure::new(format_args!("unknown rule `{name}`"));
     let lower = name.to_ascii_lowercase();
     if let Some(group) = registry::groups().into_iter().find(|group| lower.trim_end_matches('/') == *group) {
         return failure.help(format!("that is a group; `objdict rules --group {group}` lists its rules"));

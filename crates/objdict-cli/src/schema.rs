@@ -107,7 +107,7 @@ pub(super) fn run(args: &SchemaArgs, texts: &Texts, out: &mut Output) -> Result<
 }
 
 fn unknown(name: &str) -> Failure {
-    let failure = Failure::new(format_args!("there is no document `{name}`"));
+    let failure = Failure::new(format_args!("unknown document `{name}`"));
     let names = || std::iter::once(SOURCE[0]).chain(SCHEMAS.iter().map(|schema| schema.name));
     failure.help(match nearest(name, names()) {
         Some(near) => format!("did you mean `{near}`? `objdict schema` lists all"),

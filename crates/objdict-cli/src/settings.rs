@@ -93,8 +93,8 @@ impl FromStr for RuleLevel {
 /// A rule or group by its name.
 fn rules(name: &str) -> Result<Selection, String> {
     registry::select(name).ok_or_else(|| match registry::nearest_selection(name) {
-        Some(meant) => format!("there is no rule or group `{name}`, did you mean `{meant}`?"),
-        None => format!("there is no rule or group `{name}`, `objdict rules` lists all"),
+        Some(meant) => format!("unknown rule or group `{name}`, did you mean `{meant}`?"),
+        None => format!("unknown rule or group `{name}`, `objdict rules` lists all"),
     })
 }
 

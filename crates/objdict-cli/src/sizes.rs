@@ -56,7 +56,7 @@ pub(super) fn write_tables(reports: &[(Target, Sizes)], out: &mut dyn Write) -> 
         let name = target.name();
         match sizes {
             Sizes::Known(report) => write_table(name, report, out)?,
-            Sizes::Unknown(why) => writeln!(out, "\n{name}: what the tables take is not known: {why}")?,
+            Sizes::Unknown(why) => writeln!(out, "\n{name}: the table size is unknown: {why}")?,
         }
     }
     Ok(())
@@ -73,7 +73,7 @@ fn write_table(target: &str, report: &SizeReport, out: &mut dyn Write) -> io::Re
         table.row(row(index, object.entries.to_string(), object.size, &object.name));
     }
     let entries: usize = report.objects.iter().map(|object| object.entries).sum();
-    table.row(row("rest".to_owned(), String::new(), report.rest, "of no object, and gaps"));
+    table.row(row("rest".to_owned(), String::new(), report.rest, "data outside objects, and gaps"));
     if report.code > 0 {
         let code = Size { flash: report.code, ram: 0 };
         table.row(row("code".to_owned(), String::new(), code, "to read, write and initialise"));

@@ -174,7 +174,7 @@ fn corrections(text: &mut String, description: &Description, options: &Options) 
         patches.extend(Some(patch).filter(|patch| patch.contains("[[")));
     }
     for patch in patches {
-        text.push_str("## Corrections\n\nEach change has the address, what the file says and what it should say. `objdict patch apply` makes them.\n\n");
+        text.push_str("## Corrections\n\nEach change gives the address, the value in the file and the correct value. Apply them with `objdict patch apply`.\n\n");
         let fence = "`".repeat(patch.split(|c| c != '`').map(str::len).max().unwrap_or(0).max(2) + 1);
         text.push_str(&format!("{fence}toml\n{}\n{fence}\n", printable_lines(patch.trim_end())));
     }

@@ -55,7 +55,7 @@ impl StoredConfiguration {
                 objection.kind.abort().map(|abort| format!(" ({:08X}h)", abort.0)).unwrap_or_default();
             let also = if is_old { ", as does the old device" } else { "" };
             let reason = format!(
-                "the new device refuses download {} of {}{also}: {}{abort}",
+                "the new device rejects download {} of {}{also}: {}{abort}",
                 objection.number, self.name, objection.kind
             );
             configuration_refused(objection.index, objection.sub, &reason)

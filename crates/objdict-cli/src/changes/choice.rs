@@ -47,7 +47,7 @@ impl FromStr for ChangeChoice {
 fn unknown(text: &str) -> String {
     let words =
         ChangeVerdict::ALL.map(ChangeVerdict::name).into_iter().chain(Audience::ALL.map(Audience::name));
-    format!("`{text}` is no rule of the group {CHANGE}, no object, and none of {}", listing(words))
+    format!("`{text}` is not a rule of the group {CHANGE}, an object, or one of {}", listing(words))
 }
 
 impl ChangeChoice {

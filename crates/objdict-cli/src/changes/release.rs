@@ -83,14 +83,14 @@ fn require_type(side: &ComparedSide) -> Result<(), Failure> {
     }
     let failure =
         Failure::new(format!("`{}` describes a node, which has the versions of its device", side.name()));
-    Err(failure.help("name the EDS or XDD that the node was made from"))
+    Err(failure.help("name the EDS or XDD that the node was created from"))
 }
 
 /// The new description with its text.
 fn described(side: ComparedSide) -> Result<Description, Failure> {
-    let message = format!("`{}` is read as {} and has no text of an EDS or XDD", side.name(), side.format);
+    let message = format!("`{}` is read as {}, not as an EDS or XDD", side.name(), side.format);
     match side.input {
         Input::Description(description) => Ok(*description),
-        _ => Err(Failure::new(message).help("`objdict convert` makes an EDS or XDD of it")),
+        _ => Err(Failure::new(message).help("convert it to an EDS or XDD with `objdict convert`")),
     }
 }

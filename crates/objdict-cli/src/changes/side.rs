@@ -56,7 +56,8 @@ impl ComparedSide {
             Input::Description(description) => Ok(description.device()),
             Input::Device(device) => Ok(device),
             Input::Concise(_) | Input::NodeList(_) => {
-                let message = format!("`{}` is read as {} and describes no device", self.name(), self.format);
+                let message =
+                    format!("`{}` is read as {} and does not describe a device", self.name(), self.format);
                 let help = "`objdict dcf diff` compares concise DCF, `objdict network diff` networks";
                 Err(Failure::new(message).help(help))
             }

@@ -125,7 +125,7 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(DbcNode, u8)>, Failure
         };
         let Some(node_id) = node_id else {
             let failure = Failure::new(format_args!(
-                "missing node-ID: a DBC has the messages of nodes, and `{file}` states none"
+                "missing node-ID: a DBC contains messages of nodes, but `{file}` has no node-ID"
             ));
             return Err(failure.help("set it with `--node-id`"));
         };
@@ -133,7 +133,7 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(DbcNode, u8)>, Failure
             let other = name_of(&other.job.input);
             let failure =
                 Failure::new(format_args!("`{other}` and `{file}` both have the node-ID {node_id}"));
-            return Err(failure.help("make a DCF of one of them with another `--node-id`"));
+            return Err(failure.help("create a DCF of one of them with a different `--node-id`"));
         }
         nodes.push((node, node_id));
     }
@@ -149,13 +149,13 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<DbcNode>, Failu
     }
     if args.node_id.is_some() {
         let failure = Failure::new(format_args!("`{name}` is a network, whose nodes have node-IDs"));
-        return Err(failure.help("leave `--node-id` out"));
+        return Err(failure.help("omit `--node-id`"));
     }
     let input = args.network.with(&args.input.patch, &args.config);
     let file = network::open_to_use(slice::from_ref(&job.input), &input)?;
     let nodes = file.build(DcfgenMode::Corrected).and_then(|build| build.configured_nodes());
     let nodes = nodes.map_err(|error| {
-        let help = format!("`objdict network check {name}` says why");
+        let help = format!("run `objdict network check {name}` for the reason");
         Failure::new(format_args!("`{name}`: {error}")).help(help)
     })?;
     let node = |node: ConfiguredNode| {
@@ -184,14 +184,14 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<D
     };
     let Some(network) = network else {
         let count = counted(networks.len(), "network", "networks");
-        let failure = Failure::new(format_args!("`{file}` has {count}, and a DBC is for one"));
+        let failure = Failure::new(format_args!("`{file}` has {count}, but a DBC is for one"));
         return Err(failure.help("choose one by its number with `--device`, counted from 1"));
     };
     let folder = args.network.paths.folder_of(&job.input);
     let mut nodes = Vec::new();
     for node in network.nodes.iter().filter(|node| node.present) {
         if node.dcf.is_none() {
-            let failure = Failure::new(format_args!("`{file}` names no file for node {}", node.id));
+            let failure = Failure::new(format_args!("`{file}` has no file for node {}", node.id));
             return Err(failure.help(format!("add `Node{}DCFName`", node.id)));
         }
         let input = folder.resolve(&location(Some(&folder), network, node)).map_err(|error| {
@@ -236,7 +236,7 @@ fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>,
         }
         Input::Device(device) => Ok(vec![*device]),
         Input::Concise(_) | Input::NodeList(_) => {
-            let failure = Failure::new(format_args!("`{}` describes no node", name_of(&job.input)));
+            let failure = Failure::new(format_args!("`{}` does not describe a node", name_of(&job.input)));
             Err(failure.help("name an EDS, DCF, XDD, XDC, JSON, node list or network"))
         }
     }

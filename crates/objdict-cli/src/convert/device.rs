@@ -51,8 +51,8 @@ pub(super) fn of_description(
     let max_losses = args.input.max_losses(description.source().text().len());
     let device = description.described();
     if *device == (Device { kind: device.kind, ..Device::default() }) {
-        let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
-        return Err(failure.help("`objdict check` shows what it lacks"));
+        let failure = Failure::new(format_args!("`{}` does not describe a device", name_of(&job.input)));
+        return Err(failure.help("run `objdict check` to see what is missing"));
     }
     let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
     refuse_unknown_text(job, &description, is_edited && !args.canonical.is_asked())?;
@@ -121,8 +121,8 @@ fn refuse_unknown_text(job: &Job, description: &Description, is_kept: bool) -> R
             Ok(())
         }
         _ => {
-            let failure = Failure::new(format_args!("`{file}` has {entities}, whose text is not known"));
-            Err(failure.help("`objdict check` shows them; replace them by their text"))
+            let failure = Failure::new(format_args!("`{file}` has {entities}, whose text is unknown"));
+            Err(failure.help("`objdict check` shows them; replace them with their text"))
         }
     }
 }
@@ -133,7 +133,7 @@ fn warn_of_violations(job: &Job, description: &Description) {
     if count > 0 {
         let (file, places) = (name_of(&job.input), plural(count, "place"));
         tell(&format!(
-            "warning: `{file}` violates CiA 311 in {places}, which the output keeps\n  help: `objdict check` shows them; `--canonical` writes the file anew, valid\n"
+            "warning: `{file}` violates CiA 311 in {places}, which the output keeps\n  help: `objdict check` shows them; `--canonical` rewrites the file to be valid\n"
         ));
     }
 }
@@ -169,7 +169,7 @@ pub(super) fn of_device(
             Ok(ConvertedFile { bytes: text.into_bytes(), losses })
         }
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode | FileKind::Objdictgen | FileKind::Esi => {
-            Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
+            Err(Failure::new(format_args!("a {} cannot be created from one description", job.to.name())))
         }
         description => {
             let mut device = device;
@@ -223,7 +223,7 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
     let former = former_node_id(device, &node);
     if let Some(former) = former.filter(|&former| !rebase(device, former).assignments.is_empty()) {
         print_note(&format!(
-            "the CAN-IDs of the former node-ID {former} stay; `objdict configure --node-id` makes them follow the new one"
+            "the CAN-IDs of the former node-ID {former} are unchanged; update them with `objdict configure --node-id`"
         ));
     }
     Ok(Some(node))
@@ -237,7 +237,7 @@ fn warn_of_node_id(args: &ConvertArgs, job: &Job, device: &Device) {
     if let Some(node_id) = invalid.filter(|_| args.node_id.is_none() && job.to == FileKind::Dcf) {
         let file = name_of(&job.input);
         tell(&format!(
-            "warning: `{file}` states the node-ID {node_id}, which is not valid, and the output keeps it\n  help: set it with `--node-id`\n"
+            "warning: `{file}` has the invalid node-ID {node_id}, which the output keeps\n  help: set it with `--node-id`\n"
         ));
     }
 }
@@ -319,9 +319,7 @@ pub(crate) fn tell_skipped(plan: &Plan) {
 
 fn tell_empty(plan: &Plan) {
     if plan.steps.is_empty() {
-        print_note(
-            "nothing is configured to another value than its default: the stream is empty; write all values with `--all`",
-        );
+        print_note("every value equals its default, so the stream is empty; write all values with `--all`");
     }
 }
 

@@ -45,7 +45,7 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
         ([output], to) => plan_output(inputs, output, to),
         (outputs, to) => {
             if inputs.len() > 1 || outputs.iter().any(|output| is_folder(output)) {
-                let failure = Failure::new("several outputs are files that one file becomes");
+                let failure = Failure::new("several outputs require a single input and must not be folders");
                 return Err(failure.help("name one folder for several files, with `--to`"));
             }
             for (number, output) in outputs.iter().enumerate() {
@@ -80,7 +80,7 @@ fn plan_output(inputs: &[PathBuf], output: &Path, stated: Option<FileKind>) -> R
                 Failure::new(message).help(format!("{}, or name the format with `--to`", known_endings()))
             })?;
             if FileKind::written().all(|kind| kind != to) {
-                return Err(Failure::new(format_args!("no {} is written", to.name())).help(known_endings()));
+                return Err(Failure::new(format_args!("cannot write {}", to.name())).help(known_endings()));
             }
             Ok(vec![job(input, to)])
         }
@@ -90,7 +90,7 @@ fn plan_output(inputs: &[PathBuf], output: &Path, stated: Option<FileKind>) -> R
         }
         inputs => {
             let Some(to) = stated else {
-                let message = format!("missing format of the files in the folder `{}`", name_of(output));
+                let message = format!("missing format for the folder `{}`", name_of(output));
                 return Err(Failure::new(message).help("name it with `--to`"));
             };
             into_folder(inputs, output, to)
@@ -113,7 +113,7 @@ fn into_folder(inputs: &[PathBuf], folder: &Path, to: FileKind) -> Result<Vec<Jo
     let mut jobs = Vec::new();
     for input in inputs {
         if input == Path::new("-") {
-            return Err(Failure::new("the standard input has no name for a file in a folder")
+            return Err(Failure::new("the standard input has no file name to use in a folder")
                 .help("name the file to write"));
         }
         let name = format!("{}.{}", stem(input), to.ending());

@@ -151,9 +151,9 @@ fn convert_one(
             finish(job, from, of_configuration(job, &configuration)?, place, report, out)
         }
         Input::NodeList(_) => {
-            let failure = Failure::new("a node list holds no device");
+            let failure = Failure::new("a node list does not describe a device");
             let file = name_of(&job.input);
-            Err(failure.help(format!("`objdict show {file}` names the files of its nodes")))
+            Err(failure.help(format!("`objdict show {file}` lists the files of its nodes")))
         }
     }
 }
@@ -174,8 +174,8 @@ fn finish(
 ) -> Result<(), Failure> {
     let ConvertedFile { bytes, losses } = converted;
     if bytes.is_empty() {
-        let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
-        return Err(failure.help("`objdict check` shows what it lacks"));
+        let failure = Failure::new(format_args!("`{}` does not describe a device", name_of(&job.input)));
+        return Err(failure.help("run `objdict check` to see what is missing"));
     }
     let to = job.to;
     give_way();
@@ -231,7 +231,7 @@ fn of_configuration(job: &Job, configuration: &ConciseDcf) -> Result<ConvertedFi
         to => {
             let name = to.name();
             let message =
-                format!("a concise DCF holds values and no description, so no {name} can be made of it");
+                format!("a concise DCF contains values but no description, so it cannot become {name}");
             let kinds = [FileKind::Json, FileKind::Cdcf, FileKind::CdcfText];
             Err(Failure::new(message).help(format!("it can become {}", extensions(kinds))))
         }

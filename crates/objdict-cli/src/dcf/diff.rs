@@ -36,7 +36,7 @@ pub(crate) fn differences(
         }
     }
     if differences.is_reordered {
-        writeln!(out, "downloads that both have come in another order")?;
+        writeln!(out, "downloads in both files are in a different order")?;
     }
     Ok(())
 }

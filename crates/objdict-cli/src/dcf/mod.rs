@@ -73,7 +73,7 @@ fn stream_of(
         (_, Input::Concise(configuration)) => Ok(configuration),
         (_, Input::Description(_) | Input::Device(_)) => {
             let message = format!("`{name}` is read as {} and is not a concise DCF", kind.name());
-            let help = "makes one of it, and `objdict diff` compares two descriptions";
+            let help = "creates one from it; `objdict diff` compares two descriptions";
             Err(Failure::new(message).help(format!("`objdict dcf pack {name}` {help}")))
         }
         (_, Input::NodeList(_)) => {
@@ -110,10 +110,10 @@ fn device(path: &Path, input: &InputArgs, expand: &ExpandArgs) -> Result<Device,
         (_, Input::Device(device)) => *device,
         (kind, _) => {
             return Err(Failure::new(format_args!(
-                "`{name}` is a {}, which describes no device",
+                "`{name}` is a {}, which does not describe a device",
                 kind.name()
             ))
-            .help("name the EDS of the node"));
+            .help("name the node's EDS"));
         }
     };
     Ok(expand.device(&device).into_owned())

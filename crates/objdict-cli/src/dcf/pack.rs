@@ -83,8 +83,8 @@ pub(crate) fn content(
         }
         (_, Input::Concise(configuration)) => Ok(PackedContent::Stream(configuration)),
         (_, Input::NodeList(_)) => {
-            Err(Failure::new(format_args!("`{name}` is a node list and holds no values"))
-                .help(format!("`objdict show {name}` names the files of its nodes")))
+            Err(Failure::new(format_args!("`{name}` is a node list and contains no values"))
+                .help(format!("`objdict show {name}` lists the files of its nodes")))
         }
     }
 }

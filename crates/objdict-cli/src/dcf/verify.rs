@@ -52,7 +52,7 @@ pub(super) fn text(verification: &Verification, described: DescribedStream<'_>) 
         let places: Vec<String> = verification.unknown.iter().map(|place| format!("`{place}`")).collect();
         let entries = if places.len() == 1 { "an entry" } else { "entries" };
         text.push_str(&format!(
-            "note: without the node-ID the present value of {entries} is not known: {}\n  help: say it with `--node-id`\n",
+            "note: without the node-ID the present value of {entries} is unknown: {}\n  help: pass `--node-id`\n",
             places.join(", ")
         ));
     }

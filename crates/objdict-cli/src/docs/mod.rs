@@ -222,7 +222,7 @@ fn require_language(args: &DocsArgs, read: &DocumentedFile) -> Result<(), Failur
     }
     let message = format!("`{asked}` is neither a language of objdict nor of the descriptions");
     let known: Vec<String> = known.iter().map(|tag| format!("`{tag}`")).collect();
-    Err(Failure::new(message).help(format!("available are {}", known.join(", "))))
+    Err(Failure::new(message).help(format!("available languages: {}", known.join(", "))))
 }
 
 /// The languages of all texts of a device in JSON.
@@ -245,7 +245,7 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
         None => Ok(Form::Html),
         Some(ending) => Form::of_extension(&ending.to_string_lossy()).ok_or_else(|| {
             let message = format!("`{}` has no extension of a known format", name_of(&args.output));
-            Failure::new(message).help("`.html`, `.md` and `.csv` are known; or name the format with `--to`")
+            Failure::new(message).help("use `.html`, `.md` or `.csv`, or name the format with `--to`")
         }),
     }
 }

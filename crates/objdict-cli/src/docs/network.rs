@@ -41,7 +41,7 @@ impl DocumentedNetwork {
         }
         if args.settings.node_id().is_some() {
             let message = format!("`{}` is a network, whose nodes have node-IDs", name_of(&file.path));
-            return Err(Failure::new(message).help("leave `--node-id` out"));
+            return Err(Failure::new(message).help("omit `--node-id`"));
         }
         let options = settings.options(&file.path, file.project.as_deref());
         let input = args.network.with(&args.input.patch, args.settings.config_file());
@@ -50,7 +50,7 @@ impl DocumentedNetwork {
         let findings = grouped(&opened, options.severities.apply(opened.check()));
         let findings = reported(&findings, |finding| Location::line_of((&opened).into(), finding));
         let unreadable = |error| {
-            let help = format!("`objdict network check {}` says why", name_of(&file.path));
+            let help = format!("run `objdict network check {}` for the reason", name_of(&file.path));
             Failure::new(format_args!("`{}`: {error}", name_of(&file.path))).help(help)
         };
         let build = opened.build(DcfgenMode::Corrected).map_err(unreadable)?;

@@ -96,7 +96,7 @@ fn not_compared(generation: &Generation) -> Failure {
     let names = generation.outputs.iter().map(|(target, _)| target.name()).collect::<Vec<_>>().join(", ");
     let compared = Target::all().filter(|target| target.is_compared()).map(Target::name).collect::<Vec<_>>();
     Failure::new(format_args!("`--compare` cannot read tables of {names}"))
-        .help(format!("it compares those of {}", compared.join(", ")))
+        .help(format!("it compares tables of {}", compared.join(", ")))
 }
 
 fn read(path: &Path) -> Result<SourceFile, Failure> {

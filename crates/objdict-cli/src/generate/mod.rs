@@ -166,7 +166,7 @@ fn stamp(args: &GenerateArgs, files: &[PathBuf]) -> Result<(), Failure> {
     let Some(stamp) = &args.stamp else { return Ok(()) };
     if let Some(path) = &args.depfile {
         let rule = depfile(stamp, files).ok_or_else(|| {
-            Failure::new("a name with a line break cannot be in a rule of make")
+            Failure::new("a make rule cannot contain a file name with a line break")
                 .help("rename it, or omit `--depfile`")
         })?;
         save(path, rule.as_bytes())?;

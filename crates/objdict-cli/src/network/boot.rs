@@ -62,7 +62,7 @@ pub(super) fn run(args: &NetworkBootArgs, out: &mut Output) -> Result<Outcome, F
 
 fn installation(args: &NetworkBootArgs) -> Result<Installation, Failure> {
     if let Some(path) = args.files.iter().find(|path| std::fs::metadata(path).is_err()) {
-        let failure = Failure::new(format_args!("there is no file or folder `{}`", name_of(path)));
+        let failure = Failure::new(format_args!("`{}` does not exist", name_of(path)));
         return Err(failure.help("`objdict network build -o FOLDER` writes a folder that boots"));
     }
     let (folders, files): (Vec<PathBuf>, Vec<PathBuf>) =
@@ -242,11 +242,11 @@ impl<'r> BootReport<'r> {
         match milestone {
             Milestone::Booted if *downloads == 0 => format!("{name} is booted"),
             Milestone::Booted => format!("{name} is booted, after {}", plural(*downloads, "download")),
-            Milestone::Running => format!("{name} is operational already and is left alone"),
+            Milestone::Running => format!("{name} is already operational and remains unchanged"),
             Milestone::Failed(failure) => {
                 format!("{name} is not booted (error {}): it {failure}", failure.status())
             }
-            Milestone::Lost => format!("{name} is lost: its heartbeat or its answer to guarding is missing"),
+            Milestone::Lost => format!("{name} is lost: its heartbeat or guarding response is missing"),
             _ => String::new(),
         }
     }

@@ -80,7 +80,7 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     let contents: Vec<_> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
     for name in folder.replace(&contents)? {
         let path = args.output.join(name);
-        note(&format!("note: `{}` is of an earlier build\n", name_of(&path)));
+        note(&format!("note: `{}` is from an earlier build\n", name_of(&path)));
     }
     if let Some(path) = lock {
         let old = file.network().map(|network| &network.lock).filter(|_| is_locked);

@@ -80,7 +80,7 @@ impl<'f> ComparedNetwork<'f> {
     fn new(file: &'f NetworkFile) -> Result<Self, Failure> {
         let build = file.build(DcfgenMode::Corrected).map_err(Failure::new)?;
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else {
-            return Err(Failure::new("the file describes no network"));
+            return Err(Failure::new("the file does not describe a network"));
         };
         // what cannot be built is compared with the outputs
         let mut nodes = build.configured_nodes().unwrap_or_default();

@@ -105,9 +105,9 @@ pub(super) fn open_to_use(paths: &[PathBuf], input: &NetworkInputArgs) -> Result
     refuse_misread(&file, paths)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
     if errors > 0 {
-        let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
+        let warning = format!("the network has {}, so its behaviour may differ", plural(errors, "error"));
         tell(&format!(
-            "warning: {warning}\n  help: `objdict network check {}` says which\n",
+            "warning: {warning}\n  help: `objdict network check {}` lists them\n",
             names_of(paths)
         ));
     }
@@ -123,7 +123,7 @@ pub(super) fn refuse_misread(file: &NetworkFile, paths: &[PathBuf]) -> Result<()
     let message = match (lines.is_empty(), file.network()) {
         (true, Some(_)) => return Ok(()),
         (true, None) => format!("`{name}` is not a network"),
-        _ => format!("`{name}` has errors, so nothing is made of it\n{}", lines.join("\n")),
+        _ => format!("`{name}` has errors, so no output is created\n{}", lines.join("\n")),
     };
     let help = format!("`objdict network check {}` shows them in the text", names_of(paths));
     Err(Failure::of_lines(message.lines()).help(help))

@@ -69,7 +69,7 @@ fn find(profile: &Profile, index: u16) -> Result<ObjectFacts<'_>, Failure> {
         let failure = Failure::new(format_args!("{document} does not define 0x{index:04X}"));
         let next = profile.objects().min_by_key(|facts| facts.first.abs_diff(index));
         match next {
-            Some(next) => failure.help(format!("next to it: 0x{:04X} {}", next.first, next.name)),
+            Some(next) => failure.help(format!("nearest: 0x{:04X} {}", next.first, next.name)),
             None => failure,
         }
     })

@@ -86,7 +86,7 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
 fn show_configuration(configuration: &ConciseDcf, args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
     let address: Option<Address> = match args.object.as_deref().map(str::parse) {
         Some(Err(_)) => {
-            let failure = Failure::new("a concise DCF has no names of objects");
+            let failure = Failure::new("a concise DCF has no object names");
             return Err(failure.help("name an index such as `1018` or `1018:1`"));
         }
         Some(Ok(address)) => Some(address),
@@ -195,7 +195,7 @@ fn no_object(view: &ShownDevice<'_>, index: u16) -> Failure {
         .map(|(index, object)| format!("0x{index:04X} {}", fit(object.name(), 60)))
         .collect();
     let failure = Failure::new(format_args!("`{}` has no object 0x{index:04X}", view.file));
-    if near.is_empty() { failure } else { failure.help(format!("next to it: {}", near.join(", "))) }
+    if near.is_empty() { failure } else { failure.help(format!("nearest: {}", near.join(", "))) }
 }
 
 fn no_entry(index: u16, object: &Object, sub: u8) -> Failure {

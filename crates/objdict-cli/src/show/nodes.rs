@@ -86,7 +86,7 @@ fn summary(network: &Topology) -> String {
     let present = network.present();
     let mut summary = format!("{name}{reference}: {}", plural(present, "node"));
     if let Some(stated) = network.stated_count.filter(|&stated| usize::from(stated) != present) {
-        summary.push_str(&format!(", though the list says {stated}"));
+        summary.push_str(&format!(", but the list has {stated}"));
     }
     if let Some(folder) = &network.eds_folder {
         summary.push_str(&format!(", EDS files in {folder}"));

@@ -71,7 +71,7 @@ impl TimingReport<'_> {
         writeln!(out, "{name} at {bit_rate} kbit/s: load {average} on average, {worst} in the worst case")?;
         let sdo = match self.options.sdo {
             true => format!(
-                "one SDO transfer at a time, with answers after {}",
+                "one SDO transfer at a time, with responses after {}",
                 milliseconds(self.options.response_time)
             ),
             false => "no SDO transfers".to_owned(),
@@ -135,7 +135,7 @@ impl TimingReport<'_> {
         writeln!(out)?;
         match sync.needed {
             None => {
-                writeln!(out, "SYNC: its PDOs may take longer than the {what} of {limit}, without a bound")
+                writeln!(out, "SYNC: its PDOs may exceed the {what} of {limit} without limit")
             }
             Some(needed) => {
                 let fits = if sync.fits() == Some(true) { "within" } else { "more than" };
@@ -295,14 +295,14 @@ fn slack(message: &TimedMessage) -> String {
 
 fn help(remedy: &Remedy, deadline: Option<(u64, DeadlineKind)>) -> String {
     if deadline == Some((0, DeadlineKind::Receiver)) {
-        return "lengthen the time that a receiver waits (1016h, or the event timer of its RPDO): it is not longer than the period"
+        return "increase the receiver's timeout (1016h, or the event timer of its RPDO) above the period"
             .to_owned();
     }
     let rate = remedy.bit_rate.map(|rate| format!("{rate} kbit/s"));
     let before = remedy.before.map(|before| format!("a CAN-ID below {before}"));
     let helps: Vec<String> = rate.into_iter().chain(before).collect();
     match helps.is_empty() {
-        true => "lengthen the periods of the messages before it, or its own".to_owned(),
+        true => "lengthen its period, or the periods of the messages before it".to_owned(),
         false => format!("{} would be enough", helps.join(", or ")),
     }
 }
