@@ -210,11 +210,11 @@ pub use objdict_lint as lint;
 pub use objdict_model::{Language, model, source};
 #[cfg(feature = "full")]
 pub use objdict_network as network;
-#[cfg(feature = "toml")]
-pub use objdict_node::{configure, coupler, download};
 #[cfg(feature = "can")]
 #[doc(hidden)] // for the module of Python
 pub use objdict_node::parameter;
+#[cfg(feature = "toml")]
+pub use objdict_node::{configure, coupler, download};
 pub use objdict_profile as profile;
 #[cfg(feature = "toml")]
 pub use objdict_project::baseline;

@@ -305,7 +305,8 @@ fn a_serial_adapter_works_until_it_is_unplugged() {
                         answer = "z\r".to_owned();
                         let until = bus.now() + 4000;
                         while let Some(frame) = bus.receive(until).unwrap() {
-                            let digits: String = frame.data().iter().map(|byte| format!("{byte:02X}")).collect();
+                            let digits: String =
+                                frame.data().iter().map(|byte| format!("{byte:02X}")).collect();
                             answer += &format!("t{:03X}{}{digits}\r", frame.can_id, frame.data().len());
                         }
                     } else {
