@@ -1,4 +1,4 @@
-//! What docs/guides/building.md says: of make, as it is written there, and of the features.
+//! What docs/guides/cmake.md says of make, as it is written there, and docs/reference/features.md of the features.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::support::skips::has;
 
 /// The only block of a language on the page.
 fn block(language: &str) -> String {
-    let page = fs::read_to_string("docs/guides/building.md").unwrap();
+    let page = fs::read_to_string("docs/guides/cmake.md").unwrap();
     let rest = page.split_once(&format!("```{language}\n")).unwrap().1;
     rest.split_once("```").unwrap().0.to_owned()
 }
@@ -118,7 +118,7 @@ fn an_error_stops_make() {
 #[test]
 #[cfg(target_os = "linux")]
 fn features_need_so_many_crates() {
-    let page = fs::read_to_string("docs/guides/building.md").unwrap();
+    let page = fs::read_to_string("docs/reference/features.md").unwrap();
     let table = page.split_once("| feature | adds | crates |\n|---|---|---|\n").expect("the table").1;
     let mut wrong = Vec::new();
     for row in table.lines().take_while(|line| line.starts_with('|')) {

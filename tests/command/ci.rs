@@ -34,7 +34,7 @@ fn the_hooks_call_what_there_is() {
 #[test]
 fn the_inputs_of_the_action_are_documented() {
     let action = fs::read_to_string("action.yml").expect("the action");
-    let page = fs::read_to_string("docs/guides/ci.md").expect("the page");
+    let page = fs::read_to_string("docs/guides/ci-github.md").expect("the page");
     let (_, inputs) = action.split_once("\ninputs:\n").expect("inputs");
     let (inputs, _) = inputs.split_once("\nruns:\n").expect("runs");
     let names: Vec<&str> = inputs
@@ -45,7 +45,7 @@ fn the_inputs_of_the_action_are_documented() {
     let expected = "files args baseline config format output deny version working-directory";
     assert_eq!(names.join(" "), expected);
     for name in names {
-        assert!(page.contains(&format!("\n| `{name}` |")), "{name} is not in docs/guides/ci.md");
+        assert!(page.contains(&format!("\n| `{name}` |")), "{name} is not in docs/guides/ci-github.md");
         assert!(action.contains(&format!("${{{{ inputs.{name} }}}}")), "{name} is not used");
     }
 }

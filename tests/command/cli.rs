@@ -105,7 +105,7 @@ fn markdown_pages() -> Vec<PathBuf> {
 /// The example on the page about profiles is the file that its sessions use.
 #[test]
 fn the_profile_on_the_page() {
-    let page = fs::read_to_string("docs/guides/profiles.md").unwrap();
+    let page = fs::read_to_string("docs/reference/profile.md").unwrap();
     let example = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
     assert_eq!(example, fs::read_to_string("fixtures/profiles/project-drives.toml").unwrap());
 }

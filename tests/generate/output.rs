@@ -381,11 +381,11 @@ fn clippy_finds_nothing() {
 /// The examples of the documentation with their tables.
 #[test]
 fn the_examples_of_the_documentation_run() {
-    let page =
-        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/reference/generate.md")).unwrap();
     let example = |language: &str| {
+        let page = format!("{}/docs/guides/{language}-table.md", env!("CARGO_MANIFEST_DIR"));
+        let page = std::fs::read_to_string(page).unwrap();
         let (_, rest) = page.split_once(&format!("```{language}\n")).unwrap();
-        rest.split_once("```\n").unwrap().0
+        rest.split_once("```\n").unwrap().0.to_owned()
     };
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

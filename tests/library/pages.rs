@@ -411,10 +411,7 @@ fn blocks_of_text_are_printed() {
             );
         }
     }
-    assert_eq!(
-        found,
-        ["docs/guides/building.md", "docs/tutorials/firmware-c.md", "docs/tutorials/firmware-rust.md"]
-    );
+    assert_eq!(found, ["docs/guides/cargo.md", "docs/tutorials/firmware-rust.md"]);
 }
 
 /// What prose has in backticks or quotation marks, and what blocks of JSON have as a message, with its line.

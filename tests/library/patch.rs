@@ -172,7 +172,7 @@ fn revisions_of_vendors_become_each_other() {
 /// The page has each key with its meaning: those of the schema, which is made of the tables that patches are read by.
 #[test]
 fn the_page_has_all_keys() {
-    let page = std::fs::read_to_string("docs/guides/patches.md").unwrap();
+    let page = std::fs::read_to_string("docs/reference/patch.md").unwrap();
     let schema = objdict::format::patch::schema::patch();
     let change = &schema["properties"]["change"]["items"];
     let tables = [&schema, change, &schema["properties"]["raw"]["items"]];

@@ -20,8 +20,10 @@ pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
     let mut pages = rule_pages(&shares::read(&folder.join("rules-shares.tsv"))?)?;
     pages.insert("reference/portability.md".to_owned(), portability_page());
-    let generated =
-        [("guides/diff.md", "verdicts", verdicts()), ("reference/formats.md", "formats", FileKind::table())];
+    let generated = [
+        ("reference/verdicts.md", "verdicts", verdicts()),
+        ("reference/formats.md", "formats", FileKind::table()),
+    ];
     for (page, mark, table) in generated {
         pages.insert(page.to_owned(), with_table(&text_of(&folder, page)?, page, mark, &table)?);
     }

@@ -10,7 +10,7 @@ use objdict_model::source::Encoding;
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct DialectArgs {
     /// Dialect of EDS and DCF output: cia306 (default), lely, python-canopen, canopeneditor, codesys, or portable for several tools
-    /// (docs/reference/formats.md)
+    /// (docs/reference/canonical.md)
     #[arg(long, value_name = "DIALECT", value_parser = dialect)]
     pub dialect: Option<Dialect>,
 }

@@ -5,7 +5,7 @@
 //! It is a separate crate because rules, pages, units of settings, names in generated code and new devices need
 //! these facts and do not need each other.
 //!
-//! `docs/guides/profiles.md` describes the format.
+//! `docs/reference/profile.md` describes the format.
 
 mod block;
 mod condition;

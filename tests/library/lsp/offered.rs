@@ -1,4 +1,4 @@
-//! The table of docs/guides/editors.md beside what the server announces, and what it answers about files of each column.
+//! The table of docs/reference/lsp.md beside what the server announces, and what it answers about files of each column.
 
 use std::collections::BTreeSet;
 
@@ -25,26 +25,26 @@ use Ask::{Action, Elsewhere, File, Findings, Place};
 const ROWS: [(&str, &[&str], Ask); 20] = [
     ("findings", &["textDocumentSync"], Findings),
     ("quick fixes", &["quickfix", "source.fixAll", "source.fixAllUnsafe"], Action("quickfix", "")),
-    ("a comment that allows", &["quickfix"], Action("quickfix", "allow")),
+    ("a comment that accepts", &["quickfix"], Action("quickfix", "allow")),
     ("formatting", &["documentFormattingProvider"], File("formatting")),
     ("hover", &["hoverProvider"], Place("hover")),
     ("completion: keys", &["completionProvider"], Place("completion")),
     ("completion: mappings", &["completionProvider"], Elsewhere),
     ("completion: rules", &["completionProvider"], Elsewhere),
     ("definition", &["definitionProvider", "referencesProvider"], Place("definition")),
-    ("another index", &["renameProvider"], Place("prepareRename")),
+    ("changing an index", &["renameProvider"], Place("prepareRename")),
     (
         "outline",
         &["documentSymbolProvider", "foldingRangeProvider", "selectionRangeProvider"],
         File("documentSymbol"),
     ),
-    ("names beside", &["inlayHintProvider"], File("inlayHint")),
-    ("what each PDO carries", &["codeLensProvider"], File("codeLens")),
-    ("colours", &["semanticTokensProvider"], File("semanticTokens/full")),
+    ("names next to", &["inlayHintProvider"], File("inlayHint")),
+    ("contents of each PDO", &["codeLensProvider"], File("codeLens")),
+    ("semantic colours", &["semanticTokensProvider"], File("semanticTokens/full")),
     ("links to files", &["documentLinkProvider"], File("documentLink")),
     ("objects by index", &["workspaceSymbolProvider"], Elsewhere),
-    ("another sub-index", &["refactor"], Action("refactor", "add")),
-    ("a new file beside it", &["refactor"], Action("refactor", "convert")),
+    ("adding a sub-index", &["refactor"], Action("refactor", "add")),
+    ("a new file in", &["refactor"], Action("refactor", "convert")),
     ("a node of the network", &["refactor"], Action("refactor", "network of the folder")),
     (
         "documentation",
@@ -149,7 +149,7 @@ fn the_table_of_the_page_is_what_the_server_does() {
         client.write(name, text);
         client.open(name, text);
     }
-    let page = std::fs::read_to_string("docs/guides/editors.md").unwrap();
+    let page = std::fs::read_to_string("docs/reference/lsp.md").unwrap();
     let rows: Vec<Vec<&str>> = page
         .lines()
         .skip_while(|line| !line.starts_with("|---"))

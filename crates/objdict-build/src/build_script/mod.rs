@@ -24,7 +24,7 @@
 //! }
 //! ```
 //!
-//! The firmware takes the file in with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/guides/building.md` shows a whole
+//! The firmware takes the file in with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/guides/cargo.md` shows a whole
 //! project, `examples/firmware-rust` is one.
 //!
 //! A script also writes the EDS or XDD that goes with the firmware ([`Builder::convert_to`], with the feature `toml`,

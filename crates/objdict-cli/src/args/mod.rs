@@ -125,7 +125,7 @@ pub(super) enum Command {
     ///
     /// Runs an `objdict-device` node with the defaults of the description, without compiling anything, and tests its services and every
     /// entry by frames and time, as a master does. With --group, only values in storage groups are stored. Exits with 1 if a check fails
-    /// (docs/guides/runtime.md).
+    /// (docs/guides/conformance.md).
     Conformance(ConformanceArgs),
     /// Decode CAN logs with device descriptions
     ///
@@ -155,7 +155,7 @@ pub(super) enum Command {
     /// Bump versions to match the changes
     ///
     /// Compares two descriptions like `diff` and reports which of revision number, product code, FileVersion, FileRevision and
-    /// ModificationDate must change but did not. --fix sets them. Exits with 1 if a version is outdated (docs/guides/diff.md).
+    /// ModificationDate must change but did not. --fix sets them. Exits with 1 if a version is outdated (docs/guides/release.md).
     Release(ReleaseArgs),
     /// Convert between formats
     #[command(long_about = convert::about())]

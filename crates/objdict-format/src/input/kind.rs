@@ -84,19 +84,19 @@ file_kinds! {
     /// Project of the editors for CANopenNode from before XDD (input only)
     // its objects are those of an XDD
     CanopenNode "canopennode" ["xml"], "CANopenNode project" Some("xdd"), Some(Format::Xdd), None,
-        "project of the editors for CANopenNode from before XDD, root element `device` ([below](#projects-of-canopennode))";
+        "project of the editors for CANopenNode from before XDD, root element `device` ([projects](projects.md#editors-for-canopennode))";
     /// Project of objdictgen, the generator of CanFestival (input only)
     Objdictgen "od" ["od"], "objdictgen project" Some("xdd"), Some(Format::Xdd), None,
-        "project of objdictgen, the generator of CanFestival ([below](#projects-of-objdictgen))";
+        "project of objdictgen, the generator of CanFestival ([projects](projects.md#objdictgen))";
     /// EtherCAT slave information, ESI (input only)
     Esi "esi" ["xml"], "ESI" Some("esi"), Some(Format::Xdd), None,
-        "EtherCAT slave information, root element `EtherCATInfo` ([below](#ethercat-esi))";
+        "EtherCAT slave information, root element `EtherCATInfo` ([esi](esi.md))";
     /// Device model, or downloads of a concise DCF, as JSON
     Json "json" ["json"], "JSON" Some("toml"), None, Some("yes"),
         "the whole model of a device, or the downloads of a concise DCF ([below](#json))";
     /// Project of CANopenEditor as JSON, with the settings for CANopenNode
     CanopenEditorJson "canopeneditor-json" ["json"], "CANopenEditor project" Some("toml"), None, Some("yes, with `--to canopeneditor-json`"),
-        "project of CANopenEditor, as its JSON (protobuf) ([below](#projects-of-canopeneditor))";
+        "project of CANopenEditor, as its JSON (protobuf) ([projects](projects.md#canopeneditor))";
     /// Concise DCF (CiA 302-3)
     Cdcf "cdcf" ["cdcf"], "concise DCF" Some("toml"), None, Some("yes"),
         "concise DCF: the stream that a CANopen manager keeps in 1F22h (CiA 302-3)";
@@ -108,7 +108,7 @@ file_kinds! {
         "node list of a network (CiA 306-3)";
     /// Messages of nodes on the CAN bus (output only)
     #[cfg_attr(feature = "clap", value(skip))]
-    Dbc "dbc" ["dbc"], "DBC" None, None, Some("[yes](#dbc)"),
+    Dbc "dbc" ["dbc"], "DBC" None, None, Some("[yes](dbc.md)"),
         "database of the CAN bus: the messages and signals of nodes";
 }
 

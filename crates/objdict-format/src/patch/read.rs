@@ -155,7 +155,7 @@ fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<S
             names.push(Said::new(word, said.at));
         } else {
             let finding = Diagnostic::new(&INVALID_CHANGE, said.at, say!("unknown field `{}`", said.value));
-            findings.push(finding.help("write one of the words of docs/guides/patches.md"));
+            findings.push(finding.help("write one of the words of docs/reference/patch.md"));
         }
     }
     names

@@ -1,6 +1,6 @@
 //! The words by which files that people write name the fields of a device, and the keys that they may have.
 //!
-//! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/guides/patches.md.
+//! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/reference/patch.md.
 
 use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types::{self, ACCESS, OBJECT_TYPES};

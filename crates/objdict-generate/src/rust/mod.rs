@@ -79,7 +79,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
                 "the tables and values, with the initial values of `SHARED` in flash, on any processor; the code on a Cortex-M4, optimised for size"
             }
             None if options.runtime => {
-                "the tables and values, on any processor; the code on a Cortex-M4, optimised for size, without the services of the node (docs/guides/runtime.md)"
+                "the tables and values, on any processor; the code on a Cortex-M4, optimised for size, without the services of the node (docs/reference/table-size.md)"
             }
             None => {
                 "the tables and values, on any processor (a `static` of the values takes as much flash again); the code on a Cortex-M4, optimised for size"

@@ -1,5 +1,5 @@
 //! Profiles from TOML. Built-in documents and custom profiles use the same format, described in
-//! `docs/guides/profiles.md`.
+//! `docs/reference/profile.md`.
 
 mod fields;
 mod pack;
