@@ -1,13 +1,14 @@
 //! The object-dictionary toolchain for CANopen: reads the description of a device (EDS, XDD) or of a configured node (DCF,
 //! XDC), reports problems with their places, and generates what a product needs.
 //!
-//! This is the library. The command `objdict` is in the feature `cli`, which is on by default; build scripts and tools of
-//! your own do without it (`default-features = false`).
+//! This is the library. The command `objdict` is in the feature `cli`, which is on by default; build scripts and your
+//! own tools do not need it (`default-features = false`).
 //!
 //! # Reading
 //!
-//! [`format::open`] reads a file. Its defects are not errors, however malformed it is: the reader takes what it can and
-//! keeps the rest. The [`Device`](model::Device) has *objects* at an index, and these have *entries* at a sub-index.
+//! [`format::open`] reads a file. Its defects are not errors, however malformed it is: the reader parses as much as it
+//! can and keeps the rest as text. The [`Device`](model::Device) has *objects* at an index, and these have *entries* at
+//! a sub-index.
 //!
 //! ```
 //! use objdict::model::{Access, Value};
@@ -69,7 +70,8 @@
 //!
 //! # Generating
 //!
-//! [`build_script`] makes tables that firmware compiles in, checks their description, and registers the inputs with Cargo:
+//! [`build_script`] generates tables for firmware, checks their description, and registers the inputs with
+//! Cargo:
 //!
 //! ```no_run
 //! // build.rs
@@ -79,7 +81,7 @@
 //! }
 //! ```
 //!
-//! Behind it is [`generate`], which sees a device and no files:
+//! It calls [`generate`], which works on a device without files:
 //!
 //! ```
 //! use objdict::generate::{Options, Target, generate};
@@ -98,8 +100,8 @@
 //!
 //! # Converting
 //!
-//! A DCF is made by editing the text of the EDS, so comments, order and spelling stay. From a DCF, [`download`] plans what a
-//! manager writes into the node, in an order that a device accepts:
+//! Editing the text of the EDS creates a DCF, so comments, order and spelling are kept. From a DCF, [`download`] plans
+//! the SDO downloads that configure the node, in an order that a device accepts:
 //!
 //! ```
 //! use objdict::download::{ConciseDcf, PlanOptions, Scope};
@@ -130,8 +132,8 @@
 //!
 //! # Configuring
 //!
-//! [`configure()`](configure::configure) checks the settings of a node against its dictionary, and reports all errors
-//! at once. The description takes the resulting values:
+//! [`configure()`](configure::configure) checks a node's settings against its dictionary and reports all errors at
+//! once. The description then receives the resulting values:
 //!
 //! ```
 //! use objdict::configure::{Setting, configure};
@@ -153,8 +155,9 @@
 //!
 //! # Between lines and XML
 //!
-//! Between lines and XML a description is written anew. A conversion returns its losses: the
-//! written text is read back and compared. What the other format has no place for can be embedded in it.
+//! Converting between EDS and XML writes the description from scratch. The written text is read back and
+//! compared, and the conversion returns its losses. Content that the target format does not support can
+//! be embedded in it.
 //!
 //! ```
 //! use objdict::format::{self, Format, LossKind, WriteOptions};
@@ -175,18 +178,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The folder `examples` of the repository has these as programs, and a check with demands of your own.
+//! The folder `examples` of the repository contains these as programs, and a check with custom requirements.
 //!
 //! # The pipeline
 //!
-//! Each stage can be used alone, and none reaches back:
+//! Each stage can be used on its own and depends only on earlier ones:
 //!
 //! 1. [`source`]: bytes to text and positions; encodings are detected, remembered and restored.
 //! 2. [`format`](mod@format): text to [`model::Device`] and back, without losing a byte on the way.
-//! 3. [`lint`]: rules about the model, which know no files; with those that only a text can show they are in [`registry`].
+//! 3. [`lint`]: rules about the model, independent of files; [`registry`] adds those about the text.
 //! 4. [`diagnostic`] and [`report`]: findings as data, located when they are shown.
-//! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
-//! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `full`).
+//! 5. [`generate`] and [`download`]: sources and SDO downloads, generated from the model only.
+//! 6. [`document`]: reports about a device, for users and spreadsheets (feature `full`).
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -237,7 +240,7 @@ pub mod diagnostic {
     };
 }
 
-/// Description files: what a file is, and from its bytes to the model.
+/// Description files: format detection, reading and writing.
 pub mod format {
     #[cfg(feature = "xdd")]
     pub use objdict_format::XddVersion;
@@ -262,7 +265,7 @@ pub mod format {
     pub use objdict_traffic::log;
 }
 
-/// New descriptions: a device that has what its profile demands of it, and nothing that it does not.
+/// New descriptions: devices with only the objects that their profile requires.
 pub mod scaffold {
     pub use objdict_format::scaffold::{
         BaseError, EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features,
@@ -288,12 +291,12 @@ macro_rules! pages {
 #[cfg(all(doc, not(doctest)))]
 objdict_project::with_rule_groups!(pages);
 
-/// The examples of the README are compiled with those of this page.
+/// Compiles the examples of the README with those of this page.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;
 
-/// So is the build script of the tutorial.
+/// Compiles the build script of the tutorial.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/tutorials/device.md")]
 pub struct TutorialOfDevices;
