@@ -32,7 +32,7 @@ impl Format {
         })
     }
 
-    /// The format with this syntax of a device of this kind.
+    /// The format with this syntax for this kind of device.
     pub const fn of(syntax: Syntax, kind: DeviceKind) -> Self {
         match (syntax, kind) {
             (Syntax::Ini, DeviceKind::Type) => Self::Eds,

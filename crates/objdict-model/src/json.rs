@@ -1,5 +1,5 @@
-//! JSON as objdict writes it: characters that steer a terminal or the direction of text are escapes, and so is the start of what
-//! a CI service takes for a command.
+//! JSON output: control characters of a terminal or of the text direction are escaped, and so are strings that a CI
+//! service would interpret as commands.
 
 use std::fmt;
 use std::io::{self, Write};
@@ -9,8 +9,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::diagnostic::visible;
 
-/// The version of a document: this number, and no other. It changes when a field is removed or means something else, not when
-/// one is added.
+/// The version of a document; only this number is accepted. It changes when a field is removed or its meaning changes,
+/// not when a field is added.
 #[derive(Clone, Copy, Debug)]
 pub struct Version<const NUMBER: u32>;
 
@@ -61,7 +61,7 @@ pub fn write(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Resu
     out.write_all(text(value)?.as_bytes())
 }
 
-/// Writes a value in lines, without an end of the last one.
+/// Writes a value on several lines, without a final line end.
 pub fn write_pretty(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Result<()> {
     out.write_all(pretty(value)?.as_bytes())
 }
@@ -71,7 +71,7 @@ pub fn text(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
     serde_json::to_string(value).map(escaped)
 }
 
-/// A text in quotes, which TOML and YAML read as JSON does.
+/// A quoted string that is valid in JSON, TOML and YAML.
 pub fn quoted(text: &str) -> String {
     self::text(text).unwrap_or_default()
 }
@@ -81,7 +81,7 @@ pub fn pretty(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
     serde_json::to_string_pretty(value).map(escaped)
 }
 
-/// JSON with the same meaning, in which nothing but line ends steers anything. Outside of texts it has no such characters.
+/// Escapes control characters except line ends; the meaning is unchanged. They occur only inside strings.
 fn escaped(json: String) -> String {
     let is_plain = |byte: u8| matches!(byte, b'\n' | b' '..=b'~');
     if json.bytes().all(is_plain) && !json.contains("##") {

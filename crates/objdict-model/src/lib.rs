@@ -2,9 +2,11 @@
 //! Part of `objdict`, which is the crate to depend on.
 //!
 //! Value spelling (`literal`) is here because EDS, XDD, settings and the text of concise DCF share it;
-//! `canopennode` is here because the rules and the generator share it. No other crate is below all of these.
+//! `canopennode` is here because the rules and the generator share it. All of these depend on no other
+//! common crate.
 
-/// Implements `Display` by the message of each pattern, for one type or several: `Note: { Self { place } => "at {place}"; }`.
+/// Implements `Display` with a message per pattern, for one or several types:
+/// `Note: { Self { place } => "at {place}"; }`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! messages {
@@ -19,7 +21,8 @@ macro_rules! messages {
     )+};
 }
 
-/// Implements `Display`, as [`messages!`] does, and `Error` for an error, and `From` for what a variant wraps.
+/// Implements `Display` like [`messages!`], `Error` for an error, and `From` for the types that variants
+/// wrap.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! error_messages {

@@ -1,6 +1,6 @@
 //! Enums whose variants have names.
 
-/// Declares an enum with the names of its variants in one table: for `name` and `Display`, and for finding a name in
+/// Declares an enum and the names of its variants in one table, which provides `name`, `Display` and the lookup in
 /// `ALL`. A variant can have a code.
 #[macro_export]
 macro_rules! named {

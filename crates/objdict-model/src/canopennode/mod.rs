@@ -1,9 +1,9 @@
 //! The requirements of CANopenNode 4 on an object dictionary, checked before compilation and startup.
 //!
 //! The stack derives its services from an object dictionary that is compiled in: it counts the objects of
-//! each service, accesses those of a range consecutively from the first, and reads entries with a fixed
-//! length. One function finds unmet requirements for both the rules of the group `portability` and the
-//! generator of the target `canopennode`.
+//! each service, accesses a service's objects consecutively from the first, and reads entries with a
+//! fixed length. One function finds unmet requirements for both the rules of the group `portability` and
+//! the generator of the target `canopennode`.
 
 use std::collections::BTreeMap;
 
@@ -38,7 +38,7 @@ pub enum Cause {
     Gap,
     /// An entry that the stack reads when it starts is missing or has a different size.
     Start,
-    /// The same of an entry of a service that the stack starts without.
+    /// A missing or mismatching entry of a service that the stack starts without.
     Entry,
     /// A PDO maps single bits.
     Bits,
@@ -86,7 +86,8 @@ const RANGES: [(&str, u16); 8] = [
     ("TPDO", 0x1A00),
 ];
 
-/// The maximum number of elements of 1016h.
+/// The effect of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC
+/// or SRDOs.
 const MOST_CONSUMERS: usize = 127;
 
 /// What becomes of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC or SRDOs.
@@ -94,11 +95,11 @@ const MOST_CONSUMERS: usize = 127;
 enum EntryNeed {
     /// The stack does not start without it.
     Start,
-    /// It may be missing; the stack does not start with one of another length.
+    /// It may be missing; the stack does not start if its length differs.
     Length,
     /// The service needs it.
     Service,
-    /// It may be missing; the service ignores one of another length.
+    /// It may be missing; the service ignores it if its length differs.
     Option,
 }
 
@@ -246,7 +247,7 @@ impl WantedObject<'_> {
         self.lack(Cause::Missing, Place::device(), index, message, help);
     }
 
-    /// Objects that the stack accesses consecutively, by the number of objects of the service.
+    /// Ranges of objects that the stack accesses consecutively, by the number of objects of the service.
     fn ranges(&mut self) {
         let mut reported = "";
         for (label, first) in RANGES {
@@ -277,7 +278,7 @@ impl WantedObject<'_> {
         for (&index, object) in &self.device.objects {
             let rows = ENTRIES.iter().filter(|row| (row.0..=row.1).contains(&index));
             for &(_, _, first, last, bytes, need) in rows {
-                // the stack reads as many elements as there are
+                // the stack reads all existing elements
                 let counted = object.entries().map(|(sub, _)| sub).max().filter(|_| index == 0x1016);
                 let read = first..=counted.unwrap_or(last);
                 let wrong = read.filter_map(|sub| entry(index, object, sub, bytes, need, counted.is_some()));
@@ -393,7 +394,7 @@ impl Counters {
     }
 }
 
-/// The label of an object: that of the description, even if empty, otherwise that of its index.
+/// The label of an object: from the description, even if empty, otherwise derived from the index.
 fn label(index: u16, object: &Object) -> Option<String> {
     let stated = object.main.stack.as_ref().and_then(|stack| stack.count_label.as_deref());
     if let Some(stated) = stated {

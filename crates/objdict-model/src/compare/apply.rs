@@ -1,4 +1,4 @@
-//! Making the changes that turn one device into another.
+//! Applies the changes that turn one device into the other.
 
 use std::collections::BTreeMap;
 
@@ -9,34 +9,34 @@ use serde_json::{Map, Value};
 use super::{Datum, to_value};
 use crate::model::{Device, ExtraSection, Object};
 
-/// A datum and its new value.
+/// A value of the model and its replacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DatumChange {
-    /// Its place: a JSON pointer into the JSON of the device.
+    /// The location: a JSON pointer into the JSON of the device.
     pub path: String,
-    /// The [`fingerprint`](Datum::fingerprint) of the former value, `None` for nothing.
+    /// The [`fingerprint`](Datum::fingerprint) of the old value; `None` if there was none.
     pub before: Option<u32>,
-    /// The new value; `None` removes the datum.
+    /// The new value; `None` removes the old one.
     pub after: Option<Datum>,
 }
 
-/// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
-/// device would be none.
+/// Applies changes. Returns those that could not be applied: the value has changed since, the part is gone,
+/// or the result would not be a valid device.
 pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
     make_changes(device, changes, DatumDemand::Before)
 }
 
-/// Makes changes whatever is in their places. Returns those that lead to no device.
+/// Applies changes without checking the old values. Returns those whose result would not be a valid device.
 pub fn overlay(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
     make_changes(device, changes, DatumDemand::Nothing)
 }
 
-/// What a change demands of the datum in its place.
+/// The precondition of a change.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DatumDemand {
-    /// That it is the one of the change.
+    /// The current value is the old value of the change.
     Before,
-    /// Nothing.
+    /// No condition.
     Nothing,
 }
 
@@ -65,7 +65,7 @@ fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: DatumDema
             set_extra(&mut frame, change, check).and_then(|change| set_large(&mut frame, change, check))
         };
         let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
-        // the JSON of the other parts takes much memory
+        // the JSON of the other parts needs much memory
         let mut untouched = Device::default();
         let paths: Vec<String> = others.iter().map(|change| change.path.clone()).collect();
         exchange_untouched(&mut frame, &mut untouched, &paths);
@@ -79,7 +79,7 @@ fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: DatumDema
     refused
 }
 
-/// Exchanges the large parts of two devices that no path leads into.
+/// Swaps the large parts of two devices that no path refers to.
 fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
     let is_touched = |name: &str| {
         paths.iter().any(|path| path.get(1..).is_some_and(|path| path.split('/').next() == Some(name)))
@@ -94,8 +94,8 @@ fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
     exchange! { application comments downloads extra functions lists module_objects modules tools }
 }
 
-/// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
-/// not be made, which then is found to be stale.
+/// Applies a change to all unknown sections, which are one string. Returns any other change, and any change that
+/// failed, which is then reported as stale.
 fn set_extra(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Option<DatumChange> {
     if change.path != "/extra" || change.after.as_ref().is_some_and(|after| !after.text().starts_with('"')) {
         return Some(change);
@@ -116,7 +116,8 @@ fn set_extra(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Opt
     }
 }
 
-/// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and one that could not be made.
+/// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and any
+/// change that failed.
 fn set_large(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Option<DatumChange> {
     let Some(after) = change.after.as_ref().filter(|after| after.is_large()) else { return Some(change) };
     let absent = Device::default();
@@ -143,13 +144,13 @@ fn set_large(frame: &mut Device, change: DatumChange, check: DatumDemand) -> Opt
     }
 }
 
-/// The object that a path leads to or into.
+/// The index of the object that a path refers to, as a whole or in part.
 fn index_of(path: &str) -> Option<u16> {
     let digits = path.strip_prefix("/objects/0x")?.split('/').next()?;
     u16::from_str_radix(digits, 16).ok()
 }
 
-/// Makes the changes of one part: all of them, or where that gives no part, each for itself.
+/// Applies the changes of one part: all at once or, if the result is not valid, one by one.
 fn apply_to<T: Serialize + DeserializeOwned>(
     part: &mut Option<T>,
     root: &str,
@@ -166,7 +167,7 @@ fn apply_to<T: Serialize + DeserializeOwned>(
             false => refused.push(change),
         }
     }
-    // as a text: reading the model from another source would be a megabyte of code
+    // from a string, because a second deserializer would add a megabyte of code
     match after.map(|after| serde_json::from_str(&after.to_string())) {
         None => *part = None,
         Some(Ok(changed)) => *part = Some(changed),
@@ -196,7 +197,7 @@ fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: DatumD
     let Some(root) = root.as_mut() else { return false };
     let parent = match root.pointer_mut(parent) {
         Some(parent) => parent,
-        // what holds nothing is not in the JSON
+        // empty parts are omitted from the JSON
         None if check == DatumDemand::Nothing || change.before.is_none() => match make(root, parent) {
             Some(parent) => parent,
             None => return false,

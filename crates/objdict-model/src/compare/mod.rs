@@ -1,10 +1,10 @@
-//! Two devices, datum by datum: where they differ, and how one becomes the other.
+//! Compares two devices value by value and turns one into the other.
 //!
 //! The values of a difference are counted before their JSON is created, so malicious files cannot exhaust memory.
 //!
-//! A datum is named by its path in the JSON of the model (docs/reference/json.md), as a JSON pointer (RFC 6901):
-//! `/objects/0x1018/subs/0x01/default`. Objects that are equal are never turned into JSON, so that a comparison of
-//! equal devices costs no more than looking at them.
+//! A value is named by its path in the JSON of the model (docs/reference/json.md), as a JSON pointer (RFC 6901):
+//! `/objects/0x1018/subs/0x01/default`. Equal objects are never converted to JSON, so comparing equal devices is
+//! cheap.
 
 mod apply;
 mod place;
@@ -18,25 +18,26 @@ use serde::de::IgnoredAny;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
-/// A datum that two devices do not have alike.
+/// A value that differs between two devices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DatumDifference {
-    /// Its place: a JSON pointer into the JSON of the device.
+    /// The location: a JSON pointer into the JSON of the device.
     pub path: String,
-    /// What the left device says; `None` for nothing.
+    /// The value in the left device; `None` if missing.
     pub left: Option<Datum>,
-    /// What the right device says; `None` for nothing.
+    /// The value in the right device; `None` if missing.
     pub right: Option<Datum>,
 }
 
 impl DatumDifference {
-    /// The address of the datum.
+    /// The address of the value in the model.
     pub fn place(&self) -> Place {
         place::of(&self.path)
     }
 }
 
-/// Where two devices differ, in the order of the model. The order of sections that the model does not know says nothing.
+/// The differences between two devices, in the order of the model. The order of unknown sections does not
+/// matter.
 ///
 /// ```
 /// # mod objdict { pub use objdict_model::{compare, model}; }
@@ -55,7 +56,7 @@ impl DatumDifference {
 /// ```
 pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
     let mut found = Vec::new();
-    // without a limit there are never too many
+    // without a limit, the count never exceeds it
     let _ = each_difference(left, right, usize::MAX, &mut |difference| found.push(difference));
     found
 }
@@ -63,7 +64,7 @@ pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
 /// Devices differ in more values than allowed.
 #[derive(Clone, Copy, Debug)]
 pub struct TooMany {
-    /// In how many.
+    /// The number of items.
     pub count: usize,
     /// How many are allowed.
     pub limit: usize,
@@ -72,7 +73,8 @@ pub struct TooMany {
 /// Calls `found` for each of the [`differences`]: their values may be much more than the devices.
 ///
 /// # Errors
-/// When the differences have more values than the limit, or one part that differs has: its JSON is not made.
+/// If the differences, or one differing part, contain more values than the limit; the JSON of such a part is
+/// not created.
 pub fn each_difference(
     left: &Device,
     right: &Device,
@@ -97,30 +99,31 @@ pub fn each_difference(
 
 /// A comparison of two devices.
 struct Comparison<'a> {
-    /// Where it is.
+    /// The path of the current part.
     path: String,
-    /// How many values differ so far; of differences each counts as [`DIFFERENCE`].
+    /// The number of differing values so far; each difference adds [`DIFFERENCE`].
     count: usize,
     limit: usize,
     found: &'a mut dyn FnMut(DatumDifference),
 }
 
-/// A part of more values that only one device has is not made a tree.
+/// A part that only one device has is not converted to a tree if it has more values.
 const MAX_TREE: usize = 1000;
 
-/// A part of more values that both have is not compared value by value; of an object it always is.
+/// A part of both devices is not compared value by value if it has more values, unless it belongs to an
+/// object.
 const MAX_TREES: usize = 20_000;
 
-/// What a path takes, beside its values.
+/// The cost of a path in addition to its values.
 const DIFFERENCE: usize = 2;
 
 impl Comparison<'_> {
-    /// Everything of the devices but their objects and the sections that the model does not know.
+    /// All parts of the devices except objects and unknown sections.
     fn frames(&mut self, left: &Device, right: &Device) {
         macro_rules! parts {
             ($($name:ident)*) => { $(self.part(stringify!($name), &left.$name, &right.$name);)* };
         }
-        // in the order of the names, as in JSON
+        // in alphabetical order, as in JSON
         parts! { application commissioning comments device_info downloads dummy_usage dynamic_channels file_info functions headers identity }
         if left.kind != right.kind {
             let json = |device: &Device| Some(to_value(&device.kind).into());
@@ -129,7 +132,7 @@ impl Comparison<'_> {
         parts! { lists manager module_objects modules network_identity tools }
     }
 
-    /// A part of the devices, which is not in their JSON where it is empty. Its JSON is only made where it differs.
+    /// A part of the devices, which the JSON omits if empty. Its JSON is created only if it differs.
     fn part<T: Serialize + PartialEq + Default>(&mut self, name: &str, left: &T, right: &T) {
         if left == right {
             return;
@@ -149,14 +152,14 @@ impl Comparison<'_> {
         });
     }
 
-    /// A large part as one difference: no tree of its JSON is made.
+    /// A large part as one difference, without a tree of its JSON.
     fn whole<T: Serialize>(&mut self, left: Option<&T>, right: Option<&T>, size: usize) {
         self.count += DIFFERENCE + size;
         self.push(self.path.clone(), left.map(Datum::of), right.map(Datum::of));
     }
 
-    /// The sections that the model does not know: those that differ where both devices have as many, else all as one text,
-    /// because the JSON of a short section takes a hundred times its memory.
+    /// Unknown sections: the differing ones if both devices have the same number, otherwise all as one string, because
+    /// the JSON of a short section needs a hundred times its memory.
     fn extra(&mut self, left: &Device, right: &Device) {
         const MAX_SINGLE: usize = 1000;
         let (left, right) = (sorted_extra(left), sorted_extra(right));
@@ -178,12 +181,12 @@ impl Comparison<'_> {
         }
     }
 
-    /// Takes the values, because a copy of a large one takes much memory.
+    /// Consumes the values, because copying a large one needs much memory.
     fn values(&mut self, left: Option<Value>, right: Option<Value>) {
         match (left, right) {
             (left, right) if left == right => {}
             (Some(Value::Object(left)), Some(Value::Object(right))) => self.maps(left, right),
-            // of lists of one length, the items that differ; of others the items cannot be matched
+            // lists of equal length are compared item by item; items of other lists cannot be matched
             (Some(Value::Array(left)), Some(Value::Array(right))) if left.len() == right.len() => {
                 for (position, (left, right)) in left.into_iter().zip(right).enumerate() {
                     self.step(&position.to_string(), |comparison| {
@@ -221,57 +224,58 @@ impl Comparison<'_> {
     }
 }
 
-/// The sections that the model does not know in an order, so that paths into them mean the same in two devices.
+/// The unknown sections, sorted, so that paths mean the same in both devices.
 fn sorted_extra(device: &Device) -> Vec<&ExtraSection> {
     let mut sections: Vec<&ExtraSection> = device.extra.iter().collect();
     sections.sort_by_key(|section| section.name());
     sections
 }
 
-/// The JSON of a part of the model, which always has one: its keys are texts.
+/// The JSON of a part of the model. Serialisation cannot fail, because all keys are strings.
 fn to_value(part: &impl Serialize) -> Value {
     serde_json::to_value(part).unwrap_or_default()
 }
 
-/// So many bytes make a tree of megabytes.
+/// From this size in bytes, a tree needs megabytes.
 const LARGE: usize = 1 << 16;
 
-/// The JSON of a datum as its text: as a tree, a short datum takes twenty times the memory.
+/// The JSON of a value, stored as a string: as a tree, a short value needs twenty times the memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Datum(Box<str>);
 
 impl Datum {
-    /// The JSON of a part of the model, which always has one: its keys are texts.
+    /// The JSON of a part of the model. Serialisation cannot fail, because all keys are strings.
     fn of(part: &impl Serialize) -> Self {
         Self(serde_json::to_string(part).unwrap_or_default().into_boxed_str())
     }
 
-    /// The text of a value as it is; `None` when it does not begin with one. With it comes what is behind.
+    /// Parses the value at the start of `text`; returns it with the rest, or `None` if `text` does not begin
+    /// with a value.
     pub fn prefix(text: &str) -> Option<(Self, &str)> {
         let mut values = serde_json::Deserializer::from_str(text).into_iter::<IgnoredAny>();
         values.next()?.ok()?;
         let (value, rest) = text.split_at(values.byte_offset());
-        // in one spelling, where that takes no memory
+        // one spelling, unless that needs much memory
         let value = Self(value.into());
         Some((if value.0.len() < LARGE { Self::from(value.value()) } else { value }, rest))
     }
 
-    /// Whether a tree of it would take much memory.
+    /// Whether its tree would need much memory.
     fn is_large(&self) -> bool {
         self.0.len() >= LARGE
     }
 
-    /// The datum as a tree.
+    /// The value as a tree.
     pub fn value(&self) -> Value {
         serde_json::from_str(&self.0).unwrap_or_default()
     }
 
-    /// The text, without blanks between its parts.
+    /// The string, without spaces between its parts.
     pub fn text(&self) -> &str {
         &self.0
     }
 
-    /// A number that distinguishes values: the 32-bit FNV-1a hash of the text.
+    /// A hash that distinguishes values: 32-bit FNV-1a of the string.
     pub fn fingerprint(&self) -> u32 {
         self.0.bytes().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
     }
@@ -303,12 +307,12 @@ crate::inline_schemas! {
     Datum: |_| schemars::json_schema!({});
 }
 
-/// How many values the JSON of a datum has, counted without making it.
+/// The number of values in the JSON of a part, counted without creating it.
 fn count(datum: &impl Serialize) -> usize {
     struct Counter(usize);
     impl Write for Counter {
         fn write(&mut self, token: &[u8]) -> io::Result<usize> {
-            // what begins a value; the first one of a list or object follows its bracket
+            // a value begins at these bytes; the first value of a list or object follows its bracket
             self.0 += usize::from(matches!(token, b"," | b"[" | b"{"));
             Ok(token.len())
         }
@@ -318,12 +322,12 @@ fn count(datum: &impl Serialize) -> usize {
         }
     }
     let mut counter = Counter(1);
-    // the counter has no errors, and the keys of the model are texts
+    // the counter never fails, and the keys of the model are strings
     let _ = serde_json::to_writer(&mut counter, datum);
     counter.0
 }
 
-/// The text of sections.
+/// Prints sections.
 fn print(sections: &[&ExtraSection]) -> String {
     let mut text = String::new();
     for section in sections {
@@ -336,7 +340,7 @@ fn print(sections: &[&ExtraSection]) -> String {
     text
 }
 
-/// The sections of a text; `None` when [`print`] does not make it.
+/// Parses sections; `None` if [`print`] cannot have written them.
 fn parse(text: &str) -> Option<Vec<ExtraSection>> {
     let mut sections: Vec<ExtraSection> = Vec::new();
     let mut lines = text.strip_suffix('\n')?.split('\n').peekable();
@@ -352,7 +356,7 @@ fn parse(text: &str) -> Option<Vec<ExtraSection>> {
     Some(sections)
 }
 
-/// A name on one line that does not start with a blank.
+/// Escapes a name to one line that does not start with a space.
 fn escaped(name: &str) -> Cow<'_, str> {
     if !name.starts_with(' ') && !name.contains(['\\', '\n']) {
         return name.into();

@@ -1,4 +1,4 @@
-//! From paths in the JSON of the model to addresses in the device.
+//! Converts paths in the JSON of the model to addresses in the device.
 
 use crate::model::field_names::at_json;
 use crate::model::{Field, ModulePart, ObjectList, Part, Place};
@@ -32,7 +32,7 @@ pub(super) fn of(path: &str) -> Place {
     }
 }
 
-/// The place of the field that steps lead to.
+/// The place of the field that the steps of a path lead to.
 fn with_field(part: Part, steps: &[&str]) -> Place {
     match steps {
         [] => Place::of(part),
@@ -137,7 +137,7 @@ fn module(number: u16, steps: &[&str]) -> Place {
     }
 }
 
-/// The field whose name is that of the JSON but for case and underscores: `file_version`, `FileVersion`.
+/// The field with this name in JSON, ignoring case and underscores: `file_version`, `FileVersion`.
 fn field(name: &str) -> Option<Field> {
     let squeezed = name.replace('_', "");
     let same = |text: &str| text.replace('_', "").eq_ignore_ascii_case(&squeezed);

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use super::{Diagnostic, RuleInfo, Severity};
 
-/// The most findings of a rule and file that a report lists.
+/// The maximum number of findings of one rule and file in a report.
 pub const MAX_PER_RULE: u32 = 1000;
 
-/// Once a file has this many findings, further findings of a rule that has [`MAX_PER_RULE`] are only counted. This limits
-/// memory use for hostile files. The worst of several hundred real files has 2,015, so baselines contain all of them.
+/// Once a file has this many findings, further findings of a rule that has [`MAX_PER_RULE`] are only counted. This
+/// limits memory use for hostile files. The maximum among several hundred real files is 2,015, so baselines contain all
+/// of them.
 const MAX_KEPT: usize = 4_000;
 
 /// The findings of one file.
@@ -176,7 +177,7 @@ impl Findings {
         })
     }
 
-    /// The rules with more findings than [listed](Self::listed), each with the number of the others.
+    /// The rules with more findings than [listed](Self::listed), each with the number of unlisted ones.
     pub fn unlisted(&self) -> impl Iterator<Item = (&'static str, u32)> {
         self.missing_in(self.listed())
     }
@@ -199,7 +200,7 @@ fn places_of(finding: &Diagnostic) -> u32 {
     u32::try_from(finding.also.len()).unwrap_or(u32::MAX).saturating_add(1)
 }
 
-/// How many places of each rule are in findings.
+/// The number of places of each rule.
 fn places_of_rules<'a>(findings: impl IntoIterator<Item = &'a Diagnostic>) -> BTreeMap<&'static str, u32> {
     let mut places: BTreeMap<&'static str, u32> = BTreeMap::new();
     for finding in findings {

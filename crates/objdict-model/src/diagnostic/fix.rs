@@ -21,9 +21,9 @@ pub struct Fix {
 /// One change of a description. Values are texts in the spelling of CiA 306-1; other formats convert them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// Replaces bytes by a text; only the reader of a format knows the bytes.
+    /// Replaces bytes; only the reader of a format knows their position.
     Replace(Span, String),
-    /// Sets a field: in its place, or as a new line or attribute of its existing part.
+    /// Sets a field: at its existing place, or as a new line or attribute.
     Set(Place, String),
     /// Removes a field or a whole part.
     Remove(Place),
@@ -32,11 +32,11 @@ pub enum Change {
     /// Sets the members of an object list, numbered from 1, with their count; replaces the list or adds a
     /// new one.
     List(ObjectList, Vec<u16>),
-    /// Writes the text in another encoding that has all its characters.
+    /// Writes the file in an encoding that has all its characters.
     Encode(Encoding),
-    /// Adds a comment line above the line in which a span starts.
+    /// Inserts a comment line above the line that contains the start of a span.
     Comment(Span, String),
-    /// Makes a comment of the line that contains the start of a span; of a header, of all lines of its section.
+    /// Comments out the line that contains the start of a span; for a section header, the whole section.
     CommentOut(Span),
     /// Removes the line that contains the start of a span.
     RemoveLine(Span),
@@ -49,13 +49,13 @@ pub enum Change {
 /// A problem that can occur in every line of a file; only the reader of the format knows the lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tidy {
-    /// Mixed line ends: use those of most lines.
+    /// Mixed line ends: use the most frequent one.
     LineEnds,
-    /// Comments with a mark of another format.
+    /// Comments with a marker from a different format.
     Comments,
     /// Spaces around keys.
     Keys,
-    /// Characters outside ISO 646: replaced by their transliteration, if there is one.
+    /// Characters outside ISO 646: transliterate them if possible.
     Iso646,
 }
 
@@ -74,7 +74,7 @@ impl Fix {
         Self { safety: Applicability::Unsafe, ..Self::safe(title) }
     }
 
-    /// The bytes that it replaces, if it does nothing else: then it needs no reader of the format.
+    /// The replaced bytes, if the fix contains only replacements and so needs no reader of the format.
     pub fn replacements(&self) -> Option<Vec<(Span, String)>> {
         let replacement = |change: &Change| match change {
             Change::Replace(span, text) => Some((*span, text.clone())),
@@ -95,7 +95,7 @@ impl Fix {
         self.with(Change::Set(place, value.into()))
     }
 
-    /// Also removes `place`.
+    /// Also applies `change`.
     #[must_use]
     pub fn remove(self, place: Place) -> Self {
         self.with(Change::Remove(place))

@@ -46,14 +46,15 @@ named! {
 /// The place of a label.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum At {
-    /// Bytes of the text; only the reader of a format knows them.
+    /// Bytes of the text; only the reader of a format knows their position.
     Span(Span),
     /// An address in the model.
     Place(Place),
-    /// An address in the description of a node of a network, by the position of the node, or in the description of the type
-    /// of a configured node (0); for related places.
+    /// An address in the description of a node of a network, by the position of the node, or in the type description of
+    /// a configured node (0); for related places.
     Node(usize, Place),
-    /// Bytes of a patch, by the position of the patch among those that were made in the description; for related places.
+    /// Bytes of a patch, by the position of the patch among those applied to the description; for related
+    /// places.
     Patch(usize, Span),
 }
 
@@ -93,9 +94,10 @@ pub struct Diagnostic {
     pub help: Option<Text>,
     /// The automatic fix, if there is one.
     pub fix: Option<Fix>,
-    /// Other findings of the same cause, where findings are joined for a report.
+    /// Findings with the same cause that a report joins with this one.
     pub also: Vec<Diagnostic>,
-    /// Whether the entries of the model are right: objdict reads what is plainly meant, or none depends on what is found.
+    /// Whether the model is correct despite the finding: objdict parsed the obvious meaning, or no entry
+    /// depends on it.
     pub is_understood: bool,
 }
 
@@ -114,8 +116,8 @@ impl Diagnostic {
         }
     }
 
-    /// Whether the table of this target would be wrong: the rule says so of the fields that the finding is about, it is an
-    /// error, and what is meant was not read.
+    /// Whether the finding makes this target's generated tables wrong: it is an error, its rule lists the target and
+    /// the affected fields, and objdict did not parse the intended meaning.
     pub fn stops(&self, target: &str) -> bool {
         let fields = || {
             self.labels.iter().filter_map(|label| match &label.at {
@@ -131,8 +133,8 @@ impl Diagnostic {
             || self.also.iter().any(|other| other.stops(target))
     }
 
-    /// Whether it is an error in a key that someone wrote for objdict. What the key does not say seems to be missing elsewhere, so it is
-    /// reported before all else.
+    /// Whether it is an error in a key written for objdict. Its content then seems to be missing elsewhere, so it is
+    /// reported first.
     pub fn is_key_error(&self) -> bool {
         self.rule.group() == "keys" && self.severity == Severity::Error
     }
@@ -152,7 +154,7 @@ impl Diagnostic {
         self
     }
 
-    /// Says that the entries of the model are right.
+    /// Marks the entries of the model as correct.
     #[must_use]
     pub fn understood(mut self) -> Self {
         self.is_understood = true;
@@ -166,7 +168,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds related places that have one text; `None` adds none.
+    /// Adds related places with the same text; `None` adds none.
     #[must_use]
     pub fn label_each(mut self, places: impl IntoIterator<Item = At>, text: impl Into<Text>) -> Self {
         let text = text.into();
@@ -181,7 +183,7 @@ impl Diagnostic {
         self
     }
 
-    /// Uses the words of another syntax.
+    /// Uses the terms of a different syntax.
     #[must_use]
     pub fn in_words(mut self, words: Vocabulary) -> Self {
         self.message = self.message.in_words(words);

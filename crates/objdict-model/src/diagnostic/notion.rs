@@ -22,7 +22,7 @@ pub enum Notion<'a> {
     Word(&'a str),
 }
 
-/// The words that templates put in braces because other syntaxes use other words.
+/// The terms that templates put in braces because they differ between syntaxes.
 pub const WORDS: &[&str] =
     &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf", "EDS"];
 
@@ -42,7 +42,7 @@ impl<'a> Notion<'a> {
         }
     }
 
-    /// The term in the words of a syntax, or of CiA 306.
+    /// The term in the vocabulary of a syntax; `None` for CiA 306.
     pub(super) fn shown(self, words: Option<Vocabulary>) -> Cow<'a, str> {
         if let Some(shown) = words.and_then(|words| words(&self)) {
             return Cow::Owned(shown);
@@ -73,8 +73,8 @@ pub fn section_name(part: &Part) -> String {
     }
 }
 
-/// Rejects a template with an unknown name in braces, or whose number of gaps differs from the number of
-/// values. [`say!`](crate::say) calls it at compile time.
+/// Rejects a template with an unknown name in braces, or with a number of gaps that differs from the
+/// number of values. [`say!`](crate::say) calls it at compile time.
 pub const fn assert_template(template: &str, values: usize) {
     let text = template.as_bytes();
     let (mut at, mut gaps) = (0, 0);

@@ -1,15 +1,16 @@
-//! Rules: name, severity and page; how names select them, and the other tools that read descriptions.
+//! Rules: names, severities, pages and selection by name, and the tools that read descriptions.
 
 use std::fmt;
 
 use super::{FixSafety, Severity};
 use crate::model::Field;
 
-/// Whether the crates and packages can be had from registries. This is the one place that says so: the links of rules follow it, and
-/// tests and `cargo xtask` hold the documentation and the actions against it.
+/// Whether the crates and packages are published to registries. Links of rules depend on it; tests and `cargo xtask`
+/// check the documentation and the actions against it.
 pub const PUBLISHED: bool = false;
 
-/// The page of objdict, the only absolute address that needs no repository; `None` until it exists.
+/// The URL of the objdict page, the only absolute address that is independent of a repository; `None` until
+/// it exists.
 pub const HOME: Option<&str> = if PUBLISHED { Some("https://docs.rs/objdict") } else { None };
 
 /// The properties of a rule for reports and documentation.
@@ -23,7 +24,7 @@ pub struct RuleInfo {
     pub fix: Option<FixSafety>,
     /// The problem in one sentence: the first line of the page.
     pub summary: &'static str,
-    /// What it checks.
+    /// The checked condition.
     pub checks: &'static str,
     /// Why it matters.
     pub why: &'static str,
@@ -33,18 +34,19 @@ pub struct RuleInfo {
     pub remedy: &'static str,
     /// The documents that define it.
     pub source: &'static str,
-    /// What a finding of the rule explains.
+    /// The findings that a finding of the rule explains.
     pub explains: &'static [Explained],
     /// The generated tables that a finding of the rule makes wrong.
     pub stops: &'static [Stop],
 }
 
-/// Generated tables that are wrong where a finding is an error, unless objdict [reads](super::Diagnostic::is_understood) what is meant.
+/// Generated tables that an error of this rule makes wrong, unless objdict
+/// [reads](super::Diagnostic::is_understood) the intended meaning.
 #[derive(Clone, Copy, Debug)]
 pub struct Stop {
     /// The name of the target, or `*` for all.
     pub target: &'static str,
-    /// The fields that the finding has to be about; empty for any.
+    /// The fields that the finding must affect; empty for any.
     pub fields: &'static [Field],
 }
 
@@ -64,37 +66,38 @@ impl fmt::Display for Stop {
     }
 }
 
-/// Rules whose findings are consequences of another finding, which reports say alone.
+/// Rules whose findings are consequences of a finding; reports then omit the consequences.
 #[derive(Clone, Copy, Debug)]
 pub struct Explained {
-    /// Where the consequences are.
+    /// The location of the consequences.
     pub reach: Reach,
     /// The [names](RuleInfo::name) of the rules, without their groups.
     pub rules: &'static [&'static str],
 }
 
-/// Where the consequences of a finding are.
+/// The location of a finding's consequences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
     /// Anywhere in the file.
     File,
-    /// Anywhere in a file of which no object was read.
+    /// Anywhere in a file from which no object was read.
     NoObjects,
-    /// At an element or line that the cause is in.
+    /// At the element or line that contains the cause.
     Around,
-    /// In the section of an EDS or DCF that the cause is in.
+    /// In the EDS or DCF section that contains the cause.
     Section,
-    /// At the object of the cause; of a cause that only the text shows, at that of its section, or in that element of an XDD or XDC.
+    /// At the object of the cause; if only the text shows the cause, at the object of its section, or in its
+    /// element of an XDD or XDC.
     Object,
-    /// At the only object that is listed or has sub-indexes, and has no section of its own.
+    /// At the only object that is listed or has sub-indexes but lacks its own section.
     Lost,
-    /// At the only object that belongs in the object list of the cause and is not listed.
+    /// At the only object that belongs in the object list of the cause but is not listed.
     List,
-    /// At the keys of the section that the cause says is missing.
+    /// At the keys of the missing section that the cause reports.
     Keys,
-    /// At the object that the line of the cause names as its value.
+    /// At the object whose index is the value in the line of the cause.
     Value,
-    /// Up to the next section, if the cause looks like a header, and at the object or section that it names.
+    /// Up to the next section, if the cause looks like a header, and at the object or section in that header.
     Header,
 }
 
@@ -127,17 +130,18 @@ impl RuleInfo {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
-    /// The public address of its page, in the documentation of the crate `objdict`; `None` until that is [published](PUBLISHED).
+    /// The public address of its page, in the documentation of the crate `objdict`; `None` until it is
+    /// [published](PUBLISHED).
     pub fn address(&self) -> Option<String> {
         HOME.map(|home| format!("{home}/latest/objdict/{}", self.page_address()))
     }
 
-    /// The address of its page below the documentation of the crate `objdict`, whether that is published or not.
+    /// The address of its page relative to the documentation of the crate `objdict`, published or not.
     pub fn page_address(&self) -> String {
         format!("rules/{}/index.html#{}", self.group(), self.name())
     }
 
-    /// The page as Markdown: the summary, and a heading with a paragraph for each of the other texts.
+    /// The page as Markdown: the summary, then a heading and a paragraph for each of the other texts.
     pub fn page(&self) -> String {
         let parts = [
             ("What it checks", self.checks),
@@ -156,9 +160,9 @@ impl RuleInfo {
     }
 }
 
-/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the
-/// page; a rule without fixes omits the part `fix`, and one without a `source` has the `SOURCE` of its file. What its findings
-/// explain follows, `, explains File ["name", …]`, and which tables they stop: `, stops "canopennode" at [DataType]`, or
+/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the page; a rule
+/// without fixes omits `fix`, and one without a `source` uses the `SOURCE` of its file. Then optionally the explained
+/// findings, `, explains File ["name", …]`, and the tables it stops: `, stops "canopennode" at [DataType]`, or
 /// `, stops "*"` for all.
 #[macro_export]
 macro_rules! rule_info {
@@ -192,8 +196,8 @@ macro_rules! rule_info {
     };
 }
 
-/// Declares the rules of a module with the fields of [`rule_info!`], each a `static RuleInfo`, and the list `RULES` of them:
-/// `"cia306/name" = NAME, Error; summary: "…", …` for each. The source of most of them may be stated once before them.
+/// Declares the rules of a module with the fields of [`rule_info!`], each a `static RuleInfo`, and their list `RULES`:
+/// `"cia306/name" = NAME, Error; summary: "…", …` for each. The default source may be stated once before them.
 #[macro_export]
 macro_rules! text_rules {
     ($(source: $source:literal;)? $(
@@ -216,7 +220,7 @@ macro_rules! text_rules {
     };
 }
 
-/// The source of a rule: its own, or that of its file.
+/// The source of a rule: its own, or the default of its file.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! source_of {

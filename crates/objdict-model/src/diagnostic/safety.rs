@@ -21,11 +21,11 @@ named! {
     #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
     #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
     pub enum FixSafety {
-        /// All of them are safe.
+        /// All fixes are safe.
         Safe = "safe",
-        /// All of them need review.
+        /// All fixes need review.
         Unsafe = "unsafe",
-        /// Some are safe, some are not: each fix says what it is.
+        /// Some fixes are safe, others need review; each fix is marked.
         Mixed = "mixed",
     }
 }

@@ -1,5 +1,5 @@
 //! The texts of findings: a template with gaps, and the values for the gaps. The text is rendered for
-//! display, in the words of the syntax of the file.
+//! display, in the terms of the syntax of the file.
 //!
 //! Code must not depend on the wording of a message: it uses the values. Rules use the terms of the model, and a
 //! `Vocabulary` replaces them for other syntaxes.
@@ -29,7 +29,7 @@ pub const MAX_QUOTED: usize = 80;
 #[derive(Clone, Debug)]
 pub struct Text {
     content: TextContent,
-    /// The words of a syntax other than CiA 306.
+    /// The vocabulary of a syntax other than CiA 306.
     words: Option<Vocabulary>,
 }
 
@@ -46,13 +46,13 @@ enum TextContent {
 pub enum Argument {
     /// A number, formatted by the gap: `{:04X}`.
     Number(i128),
-    /// A text of a file, truncated after [`MAX_QUOTED`] characters.
+    /// A quotation from a file, truncated after [`MAX_QUOTED`] characters.
     Value(Box<str>),
     /// The name of a field.
     Key(Field),
     /// A field with a value: `PDOMapping=1`.
     Setting(Field, Box<str>),
-    /// Only the value of a field, which another syntax may spell differently.
+    /// Only the value of a field, whose spelling depends on the syntax.
     ValueOf(Field, Box<str>),
     /// The part of the file that describes a part of the device: `[1018sub1]`.
     Section(Part),
@@ -75,21 +75,21 @@ impl Text {
         matches!(&self.content, TextContent::Plain(text) if text.is_empty())
     }
 
-    /// The text in the words of another syntax.
+    /// The text in the terms of a different syntax.
     #[must_use]
     pub fn in_words(self, words: Vocabulary) -> Self {
         Self { words: Some(words), ..self }
     }
 
-    /// The text with another one behind it, in the same words.
+    /// The text followed by `rest`, in the same vocabulary.
     #[must_use]
     pub fn followed_by(self, rest: &Self) -> Self {
         let words = self.words;
         Self { words, ..say!("{}{}", self, rest) }
     }
 
-    /// What texts have in common that differ in numbers and in texts of the file only: the template, the names of fields
-    /// and parts in it, and the values of gaps such as `{!}`, which say what is required.
+    /// The common pattern of texts that differ only in numbers and quotations from the file: the template, the names of
+    /// fields and parts in it, and the values of gaps such as `{!}`, which state requirements.
     pub fn pattern(&self) -> String {
         let (template, arguments) = match &self.content {
             TextContent::Plain(text) => return text.clone().into_owned(),
@@ -123,7 +123,7 @@ impl Text {
         self.any(&|argument| matches!(argument, Argument::Section(part) if is_meant(part)))
     }
 
-    /// The first quoted text of a file.
+    /// The first quotation from a file.
     pub fn quoted(&self) -> Option<&str> {
         let TextContent::Template(_, arguments) = &self.content else { return None };
         arguments.iter().find_map(|argument| match argument {
@@ -132,7 +132,7 @@ impl Text {
         })
     }
 
-    /// Gives the numbers and texts of the file in the text, which stay when it is reworded.
+    /// Visits the numbers and quotations from the file, which rewording does not change.
     pub fn each_value(&self, take: &mut dyn FnMut(&str)) {
         if let TextContent::Template(_, arguments) = &self.content {
             arguments.iter().for_each(|argument| argument.each_value(take));
@@ -290,7 +290,7 @@ fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Resu
     }
 }
 
-/// A text of a file, truncated to the maximum length of a quotation.
+/// A quotation, truncated to the maximum length.
 fn cut(text: &str) -> Box<str> {
     match text.char_indices().nth(MAX_QUOTED) {
         Some((end, _)) => [text.get(..end).unwrap_or_default(), "…"].concat().into(),

@@ -1,4 +1,4 @@
-//! Words for messages.
+//! Helpers for the wording of messages.
 
 use std::borrow::Cow;
 
@@ -22,7 +22,7 @@ pub fn nearest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Op
     closest(wanted, words, wanted.chars().count() / 3 + 1)
 }
 
-/// The known word that `wanted` is plainly meant for: at most two letters differ, and at most a third of them.
+/// The known word that `wanted` obviously means: at most two letters differ, and at most a third of them.
 pub fn misspelled<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     closest(wanted, words, (wanted.chars().count() / 3).min(2))
 }
@@ -31,7 +31,7 @@ fn closest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>, most: usi
     let wanted = wanted.to_ascii_lowercase();
     let length = wanted.chars().count();
     let distance = |word: &str| edits(&wanted, &word.to_ascii_lowercase());
-    // so many letters are added or removed at least; a file may have a word of a million
+    // at least this many letters are added or removed; a hostile file may contain a word of a million letters
     let words = words.into_iter().filter(|word| word.chars().count().abs_diff(length) <= most);
     words
         .map(|word| (distance(word), word))
@@ -40,8 +40,7 @@ fn closest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>, most: usi
         .map(|(_, word)| word)
 }
 
-/// The number of letters to change, add, remove or exchange with their neighbours to turn one word into the other (optimal
-/// string alignment).
+/// The number of letters to change, add, remove or swap to turn one word into the other (optimal string alignment).
 fn edits(from: &str, to: &str) -> usize {
     let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
     let mut before = Vec::new();
@@ -62,7 +61,7 @@ fn edits(from: &str, to: &str) -> usize {
     row.last().copied().unwrap_or_default()
 }
 
-/// A character, or U+FFFD for a control character of the terminal or the text direction.
+/// A character, or U+FFFD for a control character of the terminal or of the text direction.
 pub fn visible(character: char) -> char {
     match character {
         '\t' => character,
@@ -77,7 +76,7 @@ pub fn visible(character: char) -> char {
     }
 }
 
-/// A text as one line, because it may quote any text of a file: as [`printable`], with blanks for tabs.
+/// A text as one line, because it may quote any text of a file: [`printable`], with tabs replaced by spaces.
 pub fn one_line(text: &str) -> String {
     printable(text).replace('\t', " ")
 }
@@ -87,9 +86,9 @@ pub fn printable_lines(text: &str) -> String {
     text.split('\n').map(printable).collect::<Vec<_>>().join("\n")
 }
 
-/// A line as it is printed. Each character is [`visible`], and nothing is a command to a CI service that reads the output:
-/// `::error::…` at the start of a line (GitHub), `##[…]`, `##vso[…]` and `##teamcity[…]` anywhere (GitHub, Azure Pipelines,
-/// TeamCity). U+FFFD takes the place of what would be.
+/// A line that is safe to print. Each character is [`visible`], and nothing is a command to a CI service that reads the
+/// output: `::error::…` at the start of a line (GitHub), `##[…]`, `##vso[…]` and `##teamcity[…]` anywhere (GitHub,
+/// Azure Pipelines, TeamCity). U+FFFD replaces the first character of such a command.
 pub fn printable(line: &str) -> Cow<'_, str> {
     const MARKS: [&str; 3] = ["##[", "##vso[", "##teamcity["];
     let is_plain = line.bytes().all(|byte| matches!(byte, b'\t' | b' '..=b'~'));

@@ -1,9 +1,9 @@
-//! Dates and times of day of the file, in the spellings of real files.
+//! Dates and times of day, in the spellings of real files.
 
 use crate::model::{ClockTime, Date};
 
 /// A date in any order and with month names: `01-31-2026`, `2026-01-31`, `31.01.2026`, `31/1/26`, `31-Jan-2026`. The
-/// second value is whether the text can be no other date. Otherwise it is read in the order of an EDS, month first.
+/// second value is whether the date is unambiguous. An ambiguous date is read in the order of an EDS, month first.
 pub fn date(text: &str) -> Option<(Date, bool)> {
     if let Some(date) = text.get(..10).and_then(Date::from_iso).filter(|_| is_zone(&text[10..])) {
         return Some((date, true));
@@ -24,7 +24,7 @@ pub fn date(text: &str) -> Option<(Date, bool)> {
     match () {
         () if first.len() == 4 => Some((month_first?, true)),
         () if text.contains('.') => Some((day_first?, !is_short)),
-        // the order of the standard, or another one that says the same
+        // the order of the standard, or an equivalent one
         () if month_first.is_none() || day_first.is_none() || front == back || text.contains('-') => {
             Some((month_first.or(day_first)?, !is_short))
         }
@@ -32,8 +32,8 @@ pub fn date(text: &str) -> Option<(Date, bool)> {
     }
 }
 
-/// A time of day in 12-hour or 24-hour form, with or without seconds: `09:45AM`, `9:45 pm`, `21:45`, `21:45:10`, and
-/// those of ISO 8601.
+/// A time of day in 12-hour or 24-hour notation, with or without seconds: `09:45AM`, `9:45 pm`, `21:45`, `21:45:10`,
+/// or ISO 8601.
 pub fn clock_time(text: &str) -> Option<ClockTime> {
     if let Some(time) = ClockTime::from_iso(text) {
         return Some(time);
@@ -49,7 +49,7 @@ pub fn clock_time(text: &str) -> Option<ClockTime> {
     let second = parts.next().map_or(Some(0), |second| second.filter(|second| *second < 60))?;
     let hour = match half {
         Some(half) if (1..=12).contains(&hour) => hour % 12 + half,
-        // `13:05PM` and `00:05AM` are no 12-hour times, but their meaning is unambiguous
+        // `13:05PM` and `00:05AM` are not valid 12-hour times, but unambiguous
         Some(12) if hour > 12 => hour,
         Some(0) if hour == 0 => hour,
         Some(_) => return None,
@@ -59,7 +59,7 @@ pub fn clock_time(text: &str) -> Option<ClockTime> {
     parts.next().is_none().then_some(time)
 }
 
-/// Whether a text behind a date is nothing or a time zone of XML Schema, which says nothing about the day.
+/// Whether the text after a date is empty or an XML Schema time zone, which does not affect the day.
 fn is_zone(text: &str) -> bool {
     let is_offset = text.len() == 6 && text.starts_with(['+', '-']) && text.as_bytes()[3] == b':';
     matches!(text, "" | "Z") || is_offset
@@ -71,7 +71,7 @@ fn number(text: &str) -> Option<u8> {
     if is_number { text.parse().ok() } else { None }
 }
 
-/// A year of four digits, or of two: CANopen is of the nineties.
+/// A year of four digits, or of two: CANopen dates from the 1990s.
 fn year_of(text: &str) -> Option<u16> {
     match (text.len(), text.bytes().all(|byte| byte.is_ascii_digit())) {
         (4, true) => text.parse().ok(),
@@ -80,7 +80,7 @@ fn year_of(text: &str) -> Option<u16> {
     }
 }
 
-/// The number of a month from its English name, or the first three letters of it.
+/// The number of a month from its English name or the first three letters.
 fn month(text: &str) -> Option<u8> {
     const NAMES: [&str; 12] = [
         "january",

@@ -3,22 +3,22 @@
 use super::{Quirks, value};
 use crate::model::{Access, DataType, InvalidValue, Reason, Value, hex};
 
-/// What an invalid value or limit of an entry means beyond doubt.
+/// The unambiguous meaning of an invalid value or limit of an entry.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Intended {
-    /// That there is none: `0` for bytes, or a word such as `none`.
+    /// No value: `0` for bytes, or a word such as `none`.
     Nothing,
     /// This value.
     Value(Value),
 }
 
 impl InvalidValue {
-    /// The meaning of the value or limit of an entry of this type; `None` if it is open.
+    /// The meaning of the value or limit of an entry of this type; `None` if it is ambiguous.
     pub fn intended(&self, data_type: DataType) -> Option<Intended> {
         let text = self.text.trim();
         let number = |number: i128| Value::from_integer(number, data_type).map(Intended::Value);
         match self.reason {
-            // the application transfers a DOMAIN, and no tool takes a text as its bytes
+            // the application transfers a DOMAIN, and no tool interprets a string as its bytes
             Reason::NotHexBytes if data_type == DataType::DOMAIN => Some(Intended::Nothing),
             Reason::NotHexBytes if matches!(text, "0" | "0x0" | "\"\"") => Some(Intended::Nothing),
             Reason::NotHexBytes => {
@@ -37,7 +37,7 @@ impl InvalidValue {
                 of_node_id(offset, data_type).filter(|_| is_node_id)
             }
             Reason::NotANumber if is_no_value(text) => Some(Intended::Nothing),
-            // a script has replaced `$NODEID` by nothing
+            // a script has replaced `$NODEID` by an empty string
             Reason::NotANumber if text.starts_with("\\+") => of_node_id(&text[1..], data_type),
             Reason::NotANumber => {
                 let (whole, zeros) = text.split_once('.')?;
@@ -48,7 +48,7 @@ impl InvalidValue {
         }
     }
 
-    /// The access type that the letters of the text name or begin: `ro` of `(ro)` and `R`.
+    /// The access type that the letters of the text spell or begin: `ro` for `(ro)` and `R`.
     pub fn intended_access(&self) -> Option<Access> {
         let letters: String = self.text.chars().filter(char::is_ascii_alphabetic).collect();
         Access::from_name(&letters).or(match &*letters.to_ascii_lowercase() {
@@ -61,19 +61,19 @@ impl InvalidValue {
     }
 }
 
-/// The formula of the node-ID with what is behind it.
+/// The formula of the node-ID plus the rest of the text.
 fn of_node_id(offset: &str, data_type: DataType) -> Option<Intended> {
     let formula = format!("$NODEID{offset}");
     value(&formula, Some(data_type), &mut Quirks::default()).ok().map(Intended::Value)
 }
 
-/// Whether a text says that nothing is set.
+/// Whether a text stands for an unset value.
 fn is_no_value(text: &str) -> bool {
     ["-", "no", "none", "n/a"].iter().any(|word| word.eq_ignore_ascii_case(text))
 }
 
-/// The characters of an OCTET_STRING that is plainly a text: it is in quotes, without which it is not bytes either, or has a letter
-/// that no notation of bytes has. Marks of templates and words for an open value are none.
+/// The characters of an OCTET_STRING that is obviously text: it is quoted and is not bytes without the quotes, or it
+/// contains a letter that no byte notation uses. Template markers and words for an unset value do not qualify.
 fn characters(text: &str) -> Option<&str> {
     const OPEN: [&str; 6] = ["null", "nil", "tbd", "todo", "unknown", "undefined"];
     let is_template = text.contains(['<', '>', '{', '}', '@', '$', '%', '[', ']']);

@@ -12,7 +12,7 @@ pub enum Quirk {
     LeadingZero = 1 << 1,
     /// `0x180+$NODEID` instead of `$NODEID+0x180`.
     NodeIdLast = 1 << 2,
-    /// `$NODEID` with spaces around the `+` or in another case.
+    /// `$NODEID` with spaces around the `+` or in different case.
     FormulaSpelling = 1 << 3,
     /// A comment after a number or keyword.
     TrailingComment = 1 << 4,
@@ -22,13 +22,14 @@ pub enum Quirk {
     RealAsBits = 1 << 6,
     /// A negative number as hex digits of two's complement.
     TwosComplement = 1 << 7,
-    /// A text in quotes.
+    /// A quoted string.
     Quoted = 1 << 8,
     /// `true` or `false` for 1 or 0.
     BooleanWord = 1 << 9,
     /// Bytes with a `0x` prefix or spaces between them.
     DecoratedBytes = 1 << 10,
-    /// A high limit in hex digits that are above its signed type, and as two's complement below other values.
+    /// A high limit in hex digits that exceeds its signed type, and as two's complement is less than other
+    /// values.
     AboveType = 1 << 11,
 }
 
@@ -71,9 +72,9 @@ pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Re
     }
 }
 
-/// The high limit of an entry, read as [`value`] with these quirks. Where two's complement is below the low limit, the default or the
-/// configured value of the entry, or is -1 and there is no low limit, the digits mean a number above the type: the limit is then the
-/// largest of the type, as Lely reads it.
+/// The high limit of an entry, read as [`value`] with these quirks. If its two's complement is less than the low limit,
+/// the default or the configured value, or is -1 without a low limit, the digits mean a number above the type: the
+/// limit is then the maximum of the type, as in Lely.
 pub fn high_limit(read: Value, entry: &Entry, quirks: &mut Quirks) -> Value {
     let others = [entry.low_limit.as_ref(), entry.default.as_ref(), entry.configured_value()];
     let is_below = |other: &Value| other.as_integer() > read.as_integer();
@@ -112,8 +113,8 @@ fn any_integer(text: &str, low: i64, high: u64, quirks: &mut Quirks) -> Result<i
     Ok(number.value)
 }
 
-/// The part of a number or keyword before a trailing comment, without trailing blanks. The comment begins after a blank, so that no
-/// text is cut to a shorter number; a `;` also where nothing or a blank follows it.
+/// The part of a number or keyword before a trailing comment, without trailing spaces. The comment begins after a
+/// space, so that no number is shortened; a `;` also begins one if it is followed by a space or ends the line.
 pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
     let is_blank = |byte: Option<&u8>| byte.is_some_and(|byte| matches!(byte, b' ' | b'\t'));
     let bytes = text.as_bytes();
@@ -131,7 +132,7 @@ pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
     }
 }
 
-/// What `read` makes of a text in a line, or of the part before a comment.
+/// The result of `read` for a text in a line, or for the part before a comment.
 fn in_line<T>(
     text: &str,
     quirks: &mut Quirks,
@@ -174,7 +175,7 @@ struct WrittenNumber {
 }
 
 /// A short number in decimal without leading zero, or hex: the fast path for nearly all numbers. [`integer`]
-/// accepts the same and more.
+/// accepts a superset.
 #[inline]
 pub fn small_number(text: &[u8]) -> Option<u32> {
     match text {
@@ -192,7 +193,7 @@ pub fn small_number(text: &[u8]) -> Option<u32> {
 }
 
 /// The value of `text` as an integer of the given type, if it is a [small number](small_number) within the
-/// range of the type in any spelling. [`value`] accepts the same and more.
+/// range of the type in any spelling. [`value`] accepts a superset.
 #[inline]
 pub fn plain_value(text: &str, data_type: Option<DataType>) -> Option<Value> {
     let number = u64::from(small_number(text.as_bytes())?);

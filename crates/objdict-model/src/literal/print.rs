@@ -27,7 +27,7 @@ pub struct Spelling {
     pub hex: bool,
 }
 
-/// The text of a value; [`value`](super::value) parses it to an equal value.
+/// The text of a value, which [`value`](super::value) parses back to an equal value.
 pub fn print(value: &Value, spelling: Spelling) -> String {
     match value {
         Value::Boolean(value) => u8::from(*value).to_string(),
@@ -44,11 +44,11 @@ pub fn print(value: &Value, spelling: Spelling) -> String {
         }
         Value::Text(text) if spelling.quote_strings || needs_quotes(text) => format!("\"{text}\""),
         Value::Text(text) | Value::Raw(text) => text.to_string(),
-        // an empty text would mean a missing value
+        // an empty string would mean a missing value
         Value::Bytes(bytes) if bytes.is_empty() => "0x".to_owned(),
         Value::Bytes(bytes) => hex::print(bytes),
         Value::Time(time) => format!("{} {}", time.days, time.milliseconds),
-        // also for 0: python-canopen cannot read `$NODEID` alone
+        // also for 0: python-canopen cannot read a plain `$NODEID`
         Value::NodeId(offset) => format!("$NODEID+0x{offset:X}"),
     }
 }
@@ -66,7 +66,7 @@ fn needs_quotes(text: &str) -> bool {
     text.is_empty() || text.trim_matches([' ', '\t']) != text || quoted
 }
 
-/// The units of a time with their lengths in nanoseconds; longer words first.
+/// The units of a time with their lengths in nanoseconds; longer names first.
 const UNITS: [(&str, u64); 5] =
     [("ms", 1_000_000), ("µs", 1000), ("μs", 1000), ("us", 1000), ("s", 1_000_000_000)];
 

@@ -6,14 +6,14 @@ use crate::model::{DataType, Reason, Value};
 /// A text that is not a valid value of a data type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoValue {
-    /// Why: lower case, offending text in backticks, no full stop.
+    /// The reason: lower case, offending text in backticks, no full stop.
     pub message: String,
-    /// What to write instead, if that is not plain.
+    /// The correct notation, unless that is obvious.
     pub help: Option<&'static str>,
 }
 
-/// The value of a text. Such texts have no comments, and an octal number is none: readers of TOML and arguments expect decimal, those
-/// of CiA 306 octal.
+/// Parses a value. Comments are not allowed, and octal numbers are rejected: readers of TOML and arguments expect
+/// decimal, readers of CiA 306 octal.
 ///
 /// # Errors
 /// The reason why the text is not a valid value of the type.
@@ -35,15 +35,14 @@ pub fn written(text: &str, data_type: DataType) -> Result<Value, NoValue> {
     }
 }
 
-/// The whole number of a text, as [`written`] reads it; `None` if it is above `most`.
+/// Parses a whole number like [`written`]; `None` if it exceeds `most`.
 pub fn written_number(text: &str, most: u64) -> Option<u64> {
     let mut quirks = Quirks::default();
     let number = integer(text, 0, most, &mut quirks).ok().filter(|_| !quirks.has(Quirk::Octal))?;
     u64::try_from(number).ok()
 }
 
-/// The number or formula that a text means which is none for this reason, because its number is a literal of IEC 61131-3: `0x3E8` for
-/// `16#3E8`.
+/// The number or formula that an invalid text means, if `reason` rejects an IEC 61131-3 literal: `0x3E8` for `16#3E8`.
 pub fn iec_number(text: &str, reason: &Reason) -> Option<String> {
     let (start, literal) = match text.rsplit_once('+') {
         Some((node_id, literal)) if *reason == Reason::NotAFormula => {

@@ -59,7 +59,7 @@ named! {
         /// Never.
         #[default]
         No = "no",
-        /// In each direction that the access type allows.
+        /// In every direction that the access type allows.
         Optional = "optional",
         /// Mapped by default.
         Default = "default",

@@ -19,7 +19,7 @@ part! {
         pub parameter_templates: Vec<ParameterTemplate>,
         /// `templateList`: templates of allowed values.
         pub allowed_values_templates: Vec<AllowedValuesTemplate>,
-        /// The parameters that belong to no entry of the dictionary, or to several.
+        /// Parameters that belong to no entry of the dictionary, or to several.
         pub parameters: Vec<Parameter>,
         /// `parameterGroupList`.
         pub groups: Vec<ParameterGroup>,

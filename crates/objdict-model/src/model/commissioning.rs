@@ -1,4 +1,5 @@
-//! The description of the node in a DCF (CiA 306-1 §5.4), and the downloads that configure it beside the values of its entries.
+//! The description of the node in a DCF (CiA 306-1 §5.4), and the explicit downloads that configure it in
+//! addition to its entries' values.
 
 use super::part::part;
 use super::{Extra, InvalidValues, Value};
@@ -32,13 +33,13 @@ part! {
     }
 }
 
-/// An SDO download that is made as stated: in this order, more than once, and even if the node has the value
-/// already. No format of CiA has a place for it.
+/// An SDO download that is performed as stated: in this order, repeatedly if listed repeatedly, and even if
+/// the node already has the value. No CiA format supports it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExplicitDownload {
-    /// Whether it comes before or after the values of the entries.
+    /// Whether it is performed before or after the values of entries.
     pub when: Moment,
     /// The index of the object.
     #[cfg_attr(feature = "serde", serde(with = "super::hex_number"))]

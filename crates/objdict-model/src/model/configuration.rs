@@ -1,11 +1,11 @@
-//! Values assigned to the entries of a node, and the removal of what belongs to one node and not to its type.
+//! Configured values of a node's entries, and the conversion of a node's description to its type.
 
 use std::borrow::Cow;
 
 use super::{Device, DeviceKind, Entry, Extra, Field, InvalidValues, Labels, Object, Parameter, Value};
 
 impl Device {
-    /// The device as a description of its type: without the node and its configured values.
+    /// The type description of the device: without the node and its configured values.
     pub fn unconfigured(&self) -> Cow<'_, Self> {
         if self.kind == DeviceKind::Type {
             return Cow::Borrowed(self);

@@ -22,11 +22,11 @@ pub enum TypeKind {
     Real32,
     /// IEEE 754 binary64.
     Real64,
-    /// ISO 646 text.
+    /// ISO 646 string.
     VisibleString,
     /// Bytes.
     OctetString,
-    /// UTF-16 text.
+    /// UTF-16 string.
     UnicodeString,
     /// Milliseconds of the day and days since 1984-01-01, 48 bits.
     TimeOfDay,
@@ -120,7 +120,7 @@ impl DataType {
         if index == 0x1004 { None } else { Some(Self::UNSIGNED8) }
     }
 
-    /// The unsigned integer of so many bytes; `None` if there is none.
+    /// The unsigned integer type of this size; `None` if there is none.
     pub const fn unsigned(bytes: usize) -> Option<Self> {
         Some(match bytes {
             1 => Self::UNSIGNED8,

@@ -25,7 +25,7 @@ part! {
         pub comments: Option<Vec<String>>,
         /// The configured node.
         pub commissioning: Option<Commissioning>,
-        /// Downloads that configure the node beside the values of its entries, in order.
+        /// Downloads that configure the node in addition to the values of its entries, in order.
         pub downloads: Vec<ExplicitDownload>,
         /// The object lists.
         pub lists: ObjectLists,
@@ -46,13 +46,13 @@ part! {
         pub network_identity: Option<Box<NetworkIdentity>>,
         /// Indicators and module interfaces (CiA 311).
         pub manager: Option<Box<DeviceManager>>,
-        /// The functions of the device, in words (CiA 311).
+        /// Descriptions of the device's functions (CiA 311).
         pub functions: Vec<DeviceFunction>,
         /// Data types, functions and the parameters that belong to no entry (CiA 311).
         pub application: Vec<ApplicationProcess>,
         /// The address ranges for the objects of modules (CiA 311).
         pub module_objects: Option<Box<ModuleObjects>>,
-        /// Sections without a place in the model.
+        /// Unknown sections.
         pub extra: Vec<ExtraSection>,
     }
 }
@@ -70,13 +70,14 @@ pub enum DeviceKind {
 }
 
 impl Device {
-    /// Whether it is read from an EtherCAT slave information (ESI), itself or through other formats: it is no CANopen node then.
+    /// Whether it was read from EtherCAT slave information (ESI), directly or via other formats, and so is
+    /// not a CANopen node.
     pub fn is_ethercat(&self) -> bool {
         self.extra.iter().any(|section| section.name() == super::ETHERCAT_SECTION)
     }
 
-    /// The device without the objects that are [disabled](super::Object::is_disabled), as everything but the writer of a description
-    /// sees it.
+    /// The device without [disabled](super::Object::is_disabled) objects, as used everywhere except when writing a
+    /// description.
     pub fn without_disabled(&self) -> Cow<'_, Self> {
         if !self.objects.values().any(super::Object::is_disabled) {
             return Cow::Borrowed(self);
@@ -129,7 +130,7 @@ impl ObjectLists {
         self.indexes(list).unwrap_or_default()
     }
 
-    /// Whether there is a list, an empty one too.
+    /// Whether there is a list, even if empty.
     pub fn has(&self, list: ObjectList) -> bool {
         self.indexes(list).is_some()
     }
@@ -216,8 +217,8 @@ impl Device {
 }
 
 impl Device {
-    /// The place that says what an entry is: that of the sub-index if it is described, else that of the object, which
-    /// describes a VAR and all sub-indexes of a compact object.
+    /// The place that describes an entry: the sub-index if described, otherwise the object, which describes a VAR and
+    /// all sub-indexes of a compact object.
     pub fn entry_place(&self, index: u16, sub: u8) -> Place {
         match self.object(index).and_then(|object| object.subs.get(sub)) {
             Some(_) => Place::entry(index, sub),
@@ -225,7 +226,7 @@ impl Device {
         }
     }
 
-    /// The place of the value of a sub-index: the configured value of a DCF, else the default
+    /// The place of a sub-index's value: the configured value of a DCF, otherwise the default
     /// ([`Object::value`](super::Object::value)).
     pub fn value_place(&self, index: u16, sub: u8) -> Place {
         let Some(object) = self.object(index) else { return Place::object(index) };

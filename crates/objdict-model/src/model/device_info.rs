@@ -42,7 +42,7 @@ part! {
         pub safety_supported: Option<bool>,
         /// `conformanceClass` (CiA 311).
         pub conformance_class: Option<String>,
-        /// `communicationEntityType` (CiA 311), such as `slave`; the words as written.
+        /// `communicationEntityType` (CiA 311), such as `slave`, as written.
         pub communication_entities: Vec<Box<str>>,
         /// `selfStartingDevice` (CiA 311): whether the device enters the state operational by itself.
         pub self_starting: Option<bool>,
@@ -115,7 +115,7 @@ const RESERVED: [&str; 6] = [
 ];
 
 impl DeviceInfo {
-    /// Whether a key is an obsolete one of EDS version 3.0, which readers ignore. Such keys are in
+    /// Whether a key is obsolete since EDS version 3.0, so that readers ignore it. Such keys are in
     /// [`extra`](Self::extra).
     pub fn is_reserved(key: &str) -> bool {
         RESERVED.iter().any(|reserved| reserved.eq_ignore_ascii_case(key))

@@ -224,7 +224,7 @@ part! {
         pub addressing: Option<Box<str>>,
     }
 
-    /// The functions of the device, in words (`DeviceFunction`).
+    /// The description of the device's functions (`DeviceFunction`).
     pub struct DeviceFunction {
         /// `capabilities`: lists of characteristics.
         pub characteristics: Vec<CharacteristicsList>,

@@ -85,12 +85,12 @@ part! {
 }
 
 impl Entry {
-    /// The data type; of an object type DOMAIN that states none, DOMAIN (CiA 306-1 §4.6.3.2).
+    /// The data type; DOMAIN for an object of type DOMAIN without one (CiA 306-1 §4.6.3.2).
     pub fn implied_type(&self) -> Option<DataType> {
         self.data_type.or((self.object_type == Some(ObjectType::Domain)).then_some(DataType::DOMAIN))
     }
 
-    /// The access type; of an object type DOMAIN that states none, `rw` (CiA 306-1 §4.6.3.2).
+    /// The access type; `rw` for an object of type DOMAIN without one (CiA 306-1 §4.6.3.2).
     pub fn implied_access(&self) -> Option<Access> {
         self.access.or((self.object_type == Some(ObjectType::Domain)).then_some(Access::Rw))
     }
@@ -106,7 +106,7 @@ impl Entry {
         values.into_iter().filter_map(|(name, value)| Some((name, value?)))
     }
 
-    /// Whether the limits and values still have a meaning with another data type: whether all numbers are in its range.
+    /// Whether all limits and values are in the range of `data_type`, so that they remain meaningful with it.
     pub fn fits_type(&self, data_type: DataType) -> bool {
         let Some((low, high)) = data_type.integer_range() else { return true };
         self.values().filter_map(|(_, value)| value.as_integer()).all(|number| (low..=high).contains(&number))
@@ -127,7 +127,7 @@ impl Entry {
         }
     }
 
-    /// The kinds of PDOs that may map it: `RPDO`, `TPDO`, both; empty for none.
+    /// The kinds of PDOs that may map it: `RPDO`, `TPDO`, both, or empty.
     pub fn pdo_directions(&self) -> &'static str {
         match self.pdo_mapping {
             None | Some(PdoMapping::No) => "",
@@ -164,7 +164,7 @@ impl Entry {
         configured.is_none() || configured != default
     }
 
-    /// The value after configuration: that of the DCF, else the default.
+    /// The value after configuration: from the DCF, otherwise the default.
     pub fn value(&self) -> Option<&Value> {
         self.configured_value().or(self.default.as_ref())
     }

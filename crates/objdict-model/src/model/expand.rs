@@ -53,8 +53,8 @@ impl Object {
         })
     }
 
-    /// The object with its entries stored compactly (CiA 306-1 §4.6.3.2): those of an ARRAY or RECORD that are alike but for their
-    /// names, values and denotations. `None` where more than the name of sub-index 0 would be lost.
+    /// The object with its entries stored compactly (CiA 306-1 §4.6.3.2), if it is an ARRAY or RECORD whose entries
+    /// differ only in names, values and denotations. `None` if more than the name of sub-index 0 would be lost.
     pub fn compacted(&self) -> Option<Object> {
         if self.compact.is_some() || self.orphan || !self.object_type().has_subs() {
             return None;

@@ -11,7 +11,7 @@ macro_rules! fields {
             $(#[doc = concat!("`", $text, "`.")] $name,)*
             /// A numbered key: the `3` of `3=0x1018` in a list.
             Item(u32),
-            /// Any other key, such as `Dummy0005`, `Line3` or one of a vendor.
+            /// Any other key, such as `Dummy0005`, `Line3` or a vendor key.
             Named(Box<str>),
         }
 

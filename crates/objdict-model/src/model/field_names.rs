@@ -1,5 +1,5 @@
-//! The fields of a device that people name in files: a row for each, with its name in every vocabulary. Paths of JSON, keys of
-//! `device.toml` and the words of patches are looked up here; names of CiA 311 are in its schema.
+//! The fields of a device that users name in files: a row for each, with its name in every vocabulary. JSON paths, keys
+//! of `device.toml` and terms of patches are looked up here; the names of CiA 311 are in its schema.
 
 use super::{Field, Part};
 
@@ -8,9 +8,9 @@ use super::{Field, Part};
 pub struct FieldRow {
     /// In an EDS ([`Field::name`]).
     pub eds: &'static str,
-    /// In the JSON of the model, below its part.
+    /// In the JSON of the model, relative to its part.
     pub json: &'static str,
-    /// In a `device.toml`, and of an entry also in a patch; empty for a field that has no key.
+    /// In a `device.toml`, and for an entry also in a patch; empty for a field without a key.
     pub key: &'static str,
 }
 
@@ -63,7 +63,7 @@ pub const DEVICE: &[FieldRow] = &[
     row("CANopenSafetySupported", "safety_supported", "safety-supported"),
 ];
 
-/// The fields of the node of a DCF.
+/// The fields of the node in a DCF.
 pub const COMMISSIONING: &[FieldRow] = &[
     row("NodeID", "node_id", "node-id"),
     row("NodeName", "node_name", "node-name"),
@@ -110,7 +110,7 @@ impl FieldRow {
     }
 }
 
-/// The rows of a part of facts about the description; `None` for another part.
+/// The rows of a part with information about the description; `None` for any other part.
 pub fn facts_of(part: &Part) -> Option<&'static [FieldRow]> {
     match part {
         Part::FileInfo => Some(FILE),
@@ -120,13 +120,13 @@ pub fn facts_of(part: &Part) -> Option<&'static [FieldRow]> {
     }
 }
 
-/// The rows of a part: of facts, else those of an entry.
+/// The rows of a part: information about the description, otherwise an entry.
 fn rows_of(part: &Part) -> impl Iterator<Item = &'static FieldRow> {
     let (rows, more) = facts_of(part).map_or((ENTRY, ENTRY_ONLY), |facts| (facts, &[]));
     rows.iter().chain(more)
 }
 
-/// The field of a part at a path of JSON. Of a value the path goes on to its kind, which says nothing more.
+/// The field of a part at a JSON path. The path to a value also contains its kind, which is ignored.
 pub fn at_json(part: &Part, path: &str) -> Option<Field> {
     let is_it = |row: &&FieldRow| {
         path.strip_prefix(row.json).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))

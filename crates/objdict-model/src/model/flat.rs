@@ -1,4 +1,5 @@
-//! The JSON of entries and of types that contain one: all fields side by side, and unknown names are errors.
+//! The JSON of entries and of types that contain one: all fields are on one level, and unknown names are
+//! errors.
 //!
 //! serde can write a flattened field but, reading it back, loses positions in the text and ignores unknown
 //! names. Therefore reading uses separate types with the same names.
@@ -68,7 +69,7 @@ form!(ExtensionForm {
     obj_extend: Option<u8>;
 });
 
-/// A section without a place in the model.
+/// An unknown section.
 #[derive(Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]

@@ -2,7 +2,7 @@
 
 use super::{Device, Value};
 
-/// The content of 1018h; `None` for a value that is missing or not a number.
+/// The content of 1018h; `None` for a missing or non-numeric value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
     /// Sub-index 1: the vendor-ID assigned by CiA.

@@ -1,12 +1,12 @@
 //! PDOs that a description implies without describing their objects (CiA 306-1 §4.6.3.4.1, `CompactPDO`).
 //!
 //! The standard defines the number of implicit PDOs, the sub-indexes of their communication parameters, and
-//! the default COB-IDs of the first four of each direction; it leaves transmission type and mapping open.
-//! Everything else follows lely-core, so that both create the same dictionary: the COB-ID of PDO 5 and above
-//! is 80000000h, values that the standard leaves open have no default, the communication parameter is
-//! writable except for sub-index 0, and the mapping has 64 writable entries. A DCF implies the same objects
-//! as its EDS: the statement of the standard that PDOs without values are disabled addresses the tool that
-//! downloads the DCF.
+//! the default COB-IDs of the first four of each direction; it does not define transmission type and
+//! mapping. The rest follows lely-core, so that both create the same dictionary: the COB-ID of PDO 5 and
+//! above is 80000000h, values that the standard does not define have no default, the communication parameter
+//! is writable except for sub-index 0, and the mapping has 64 writable entries. A DCF implies the same
+//! objects as its EDS: the standard's statement that PDOs without values are disabled addresses the tool
+//! that downloads the DCF.
 
 use std::borrow::Cow;
 

@@ -1,6 +1,6 @@
 //! Texts for users, in several languages (CiA 311, `g_labels`).
 
-/// The names and descriptions of a part of the profile, in the order of the file.
+/// The names and descriptions of a part of the profile, in file order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -85,8 +85,8 @@ impl Labels {
         })
     }
 
-    /// The name in a language: in this language, else in a variant of it (`en-us` for `en`), else in
-    /// English, else the first.
+    /// The name in `lang`; otherwise in a variant of it (`en-us` for `en`), in English, or the first
+    /// one.
     pub fn name_in(&self, lang: &str) -> Option<&str> {
         best(self.names(), lang)
     }
@@ -108,7 +108,7 @@ fn best<'a>(texts: impl Iterator<Item = (&'a str, &'a str)>, lang: &str) -> Opti
             () => 0,
         }
     };
-    // `max_by_key` would return the last of several equal texts
+    // `max_by_key` would return the last of several equal names
     texts
         .reduce(|best, next| if closeness(next.0) > closeness(best.0) { next } else { best })
         .map(|(_, text)| text)

@@ -1,5 +1,5 @@
-//! The typed object dictionary. The model is independent of files, spans and text formats; every stage after
-//! reading takes a [`Device`].
+//! The typed object dictionary. The model is independent of files, spans and text formats; all later stages
+//! use a [`Device`].
 //!
 //! Typed fields therefore hold valid values only, and no later stage has to check one.
 //!
@@ -57,19 +57,21 @@ mod stack;
 mod unparsed;
 mod value;
 
-/// The category of characteristics of an XDD or XDC, and in a [`Device`] the section of the lines of an EDS or DCF, in which
-/// objdict stores what the format does not support. Earlier versions wrote it into an EDS or DCF.
+/// The category of characteristics of an XDD or XDC, and in a [`Device`] the section of EDS or DCF lines, in which
+/// objdict stores content that the format does not support. Earlier versions wrote it into an EDS or DCF.
 pub const EMBEDDED_SECTION: &str = "ObjdictCarried";
 
-/// The section with what a project of objdictgen says of its node: `Profile`, and `Type00A0` … for types with limits. A device
-/// that has it keeps the names that objdictgen gives.
+/// The section with node settings of an objdictgen project: `Profile`, and `Type00A0` … for types with limits. A device
+/// with this section keeps the names from objdictgen.
 pub const OBJDICTGEN_SECTION: &str = "objdictgen";
 
-/// The section with the facts of an EtherCAT slave information (ESI) about its device, apart from the objects. A device that has it
-/// comes from an ESI, and is no CANopen node. Vendors may have a section `EtherCAT` in the EDS of a CANopen device.
+/// The section with device information from EtherCAT slave information (ESI), apart from the objects. A device with
+/// this section comes from an ESI and is not a CANopen node. Vendors may have a section `EtherCAT` in the EDS of a
+/// CANopen device.
 pub const ETHERCAT_SECTION: &str = "EtherCATInfo";
 
-/// The start of a comment line of an EDS or DCF in which objdict stores what the format does not support, after the semicolon.
+/// The start of a comment line of an EDS or DCF in which objdict stores content that the format does not
+/// support, after the semicolon.
 pub const EMBEDDED_COMMENT: &str = " objdict-embed: ";
 
 pub use access::{Access, PdoMapping};

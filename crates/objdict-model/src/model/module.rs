@@ -23,7 +23,7 @@ part! {
         pub extra: Extra,
     }
 
-    // a map has room for eleven, and most modules bring one object: a box keeps that small
+    // a map has room for eleven, but most modules add one object: a box saves memory
     /// A module and the objects and sub-indexes it adds to the dictionary of the coupler.
     pub struct Module {
         /// `ProductName`.
@@ -80,8 +80,7 @@ part! {
 pub enum ExtensionCount {
     /// `n`: this number of new sub-indexes.
     Subs(u8),
-    /// `0;b`: modules share a sub-index, each using `b` bits; a new sub-index starts if the last one is
-    /// full.
+    /// `0;b`: modules share a sub-index, each using `b` bits; when it is full, a new sub-index starts.
     SharedBits(u8),
 }
 

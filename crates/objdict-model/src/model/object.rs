@@ -10,7 +10,7 @@ part! {
     ///
     /// [`main`](Self::main) describes the value of a VAR or DOMAIN; an ARRAY, RECORD or DEFSTRUCT describes its
     /// entries in [`subs`](Self::subs) or, stored compactly, in [`compact`](Self::compact). [`Object::entries`]
-    /// returns all of them in the same way.
+    /// returns the entries in all cases.
     pub struct Object from "super::flat::ObjectForm" {
         /// Whether only sub-indexes are described but not the object itself, which is a defect of the
         /// description.
@@ -78,7 +78,7 @@ impl Subs {
 
     fn add(&mut self, at: usize, sub: u8, entry: Entry) {
         if self.0.is_empty() {
-            // a file may have nothing but objects with one entry, and a list makes room for four
+            // a file may consist of objects with one entry, and a list reserves four
             self.0.reserve_exact(1);
         }
         self.0.insert(at, (sub, entry));
@@ -246,7 +246,7 @@ impl Object {
     }
 
     /// The sections of the object: its own, if it has one, then each described sub-index. Rules about the
-    /// text of single fields check these; compact entries have no own text.
+    /// text of single fields check these; compact entries have no text of their own.
     pub fn described(&self) -> impl Iterator<Item = (Option<u8>, &Entry)> {
         (!self.orphan)
             .then_some((None, &self.main))

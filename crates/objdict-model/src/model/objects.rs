@@ -8,17 +8,17 @@ use super::Object;
 
 /// Objects by index, in ascending order.
 ///
-/// Copies share their objects until one is changed: the nodes of a network are mostly of the same few types.
+/// Copies share their objects until one is changed: most nodes of a network are of the same few types.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Objects(BTreeMap<u16, Arc<Object>>);
 
 impl Objects {
-    /// Whether there is none.
+    /// Whether there are no objects.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// How many there are.
+    /// The number of objects.
     pub fn len(&self) -> usize {
         self.0.len()
     }
@@ -33,7 +33,7 @@ impl Objects {
         self.0.get(index).map(|object| &**object)
     }
 
-    /// Whether these and others share the object at an index, so that it is the same without a comparison.
+    /// Whether both share the object at an index, so that it is equal without a comparison.
     #[doc(hidden)] // for the crates that read and check again after an edit
     pub fn shares(&self, others: &Self, index: &u16) -> bool {
         let (one, other) = (self.0.get(index), others.0.get(index));
@@ -45,12 +45,12 @@ impl Objects {
         self.0.get_mut(index).map(Arc::make_mut)
     }
 
-    /// The object at an index, to change it; a new one where there is none.
+    /// Mutable access to the object at an index, which is created if missing.
     pub fn get_or_insert_with(&mut self, index: u16, object: impl FnOnce() -> Object) -> &mut Object {
         Arc::make_mut(self.0.entry(index).or_insert_with(|| Arc::new(object())))
     }
 
-    /// Adds an object, and returns the one that was at this index.
+    /// Adds an object, and returns the previous object at this index.
     pub fn insert(&mut self, index: u16, object: Object) -> Option<Object> {
         self.0.insert(index, Arc::new(object)).map(Arc::unwrap_or_clone)
     }
@@ -60,7 +60,7 @@ impl Objects {
         self.0.remove(index).map(Arc::unwrap_or_clone)
     }
 
-    /// Removes the objects of which `is_kept` is false.
+    /// Keeps only the objects for which `is_kept` returns `true`.
     pub fn retain(&mut self, mut is_kept: impl FnMut(&u16, &Object) -> bool) {
         self.0.retain(|index, object| is_kept(index, object));
     }
@@ -75,12 +75,12 @@ impl Objects {
         self.0.values().map(|object| &**object)
     }
 
-    /// The objects, to change all of them.
+    /// Mutable access to all objects.
     pub fn values_mut(&mut self) -> impl Iterator<Item = &mut Object> {
         self.0.values_mut().map(Arc::make_mut)
     }
 
-    /// The objects of which `is_meant` is true, to change them; the others stay shared.
+    /// Mutable access to the objects for which `is_meant` returns `true`; the others remain shared.
     pub fn values_mut_of(&mut self, is_meant: impl Fn(&Object) -> bool) -> impl Iterator<Item = &mut Object> {
         self.0.values_mut().filter(move |object| is_meant(object)).map(Arc::make_mut)
     }
@@ -90,7 +90,7 @@ impl Objects {
         self.0.iter().map(|(index, object)| (index, &**object))
     }
 
-    /// The objects with their indexes, to change all of them.
+    /// Mutable access to all objects, with their indexes.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = (&u16, &mut Object)> {
         self.0.iter_mut().map(|(index, object)| (index, Arc::make_mut(object)))
     }

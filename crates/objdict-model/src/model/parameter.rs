@@ -9,8 +9,8 @@ use super::{DataTypeRef, LANGUAGE, Labels};
 
 part! {
     /// A parameter. Most parameters describe one entry of the dictionary and belong to that
-    /// [`Entry`](super::Entry); fields that the entry has itself (data type, access, values, limits,
-    /// denotation) are empty here.
+    /// [`Entry`](super::Entry); fields that the entry already contains (data type, access, values,
+    /// limits, denotation) are empty here.
     pub struct Parameter {
         /// `uniqueID`: the id in references of groups, conditions and objects.
         pub unique_id: Box<str>,

@@ -1,7 +1,7 @@
 //! Macros that declare the plain parts of the model.
 
-/// Declares a part of the model that consists only of fields. In JSON, empty fields are omitted but those that are
-/// `always()` there, and unknown names are errors. A part that is read `from` a form of another type is checked by it.
+/// Declares a part of the model that consists only of fields. In JSON, empty fields are omitted unless `always()`, and
+/// unknown names are errors. A part that is read `from` a different type is checked by it.
 macro_rules! part {
     ($(#[$about:meta])* pub struct $Name:ident from $Form:literal $fields:tt) => {
         part! { @$Name [serde(try_from = $Form)] $(#[$about])* #[cfg_attr(feature = "schema", schemars(!try_from))] $fields }
@@ -31,7 +31,7 @@ macro_rules! part {
 }
 pub(super) use part;
 
-/// Declares the words that a field can have, spelled as in the file, which is case-sensitive.
+/// Declares the keywords of a field, spelled as in the file, which is case-sensitive.
 macro_rules! words {
     ($($(#[$about:meta])* pub enum $Name:ident { $($(#[$of_word:meta])* $Word:ident = $text:literal,)+ })+) => {$(
         $crate::named! {

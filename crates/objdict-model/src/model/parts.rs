@@ -67,7 +67,7 @@ impl Device {
         }
     }
 
-    /// The data type of the entry at a part, to explain why a text is not valid.
+    /// The data type of the entry at a part, to explain why its text is not valid.
     pub fn data_type_of(&self, part: &Part, field: &Field) -> Option<super::DataType> {
         let is_value =
             matches!(field, Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue);

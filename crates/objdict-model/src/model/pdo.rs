@@ -28,8 +28,8 @@ impl MappedObject {
         u32::from_le_bytes([self.bits, self.sub, low, high])
     }
 
-    /// Mapped objects with the lowest bit of each in the frame; `bits` is the length of one. The first object occupies the lowest bits, and the
-    /// others follow without gaps (CiA 301 §7.2.2.2).
+    /// Places mapped objects in the frame; `bits` is the length of one. Returns each with its lowest bit. The first
+    /// object occupies the lowest bits, and the others follow without gaps (CiA 301 §7.2.2.2).
     pub fn placed<T>(
         objects: impl IntoIterator<Item = T>,
         bits: impl Fn(&T) -> u8,
@@ -68,7 +68,7 @@ crate::messages! { MappedObject: {
 pub struct MappingSlot {
     /// The sub-index of the mapping parameter.
     pub sub: u8,
-    /// The mapped object; `None` without a number.
+    /// The mapped object; `None` if the mapping has no value.
     pub object: Option<MappedObject>,
 }
 

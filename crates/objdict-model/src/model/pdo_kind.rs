@@ -1,4 +1,4 @@
-//! The directions of PDOs, and where their objects are (CiA 301 §7.5.2.35 to §7.5.2.38).
+//! The directions of PDOs, and the indexes of their objects (CiA 301 §7.5.2.35 to §7.5.2.38).
 
 named! {
     /// The direction of a PDO, from the view of the device.

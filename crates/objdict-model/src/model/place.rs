@@ -1,4 +1,4 @@
-//! Addresses in the model, and addresses of objects and entries as people write them.
+//! Addresses in the model, and the notation of object and entry addresses for users.
 
 use std::fmt;
 use std::str::FromStr;
@@ -68,13 +68,13 @@ pub enum Part {
     NetworkIdentity,
     /// Indicators and module interfaces (CiA 311).
     Manager,
-    /// The functions of the device, in words (CiA 311).
+    /// Descriptions of the device's functions (CiA 311).
     Functions,
     /// The application process, without the parameters of entries (CiA 311).
     Application,
     /// The address ranges for the objects of modules (CiA 311).
     ModuleObjects,
-    /// A section without a place in the model.
+    /// An unknown section.
     Section(Box<str>),
 }
 

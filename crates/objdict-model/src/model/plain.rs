@@ -1,7 +1,7 @@
-//! Values in JSON: the exact form, an object with the kind as key, and beside it the plain form.
+//! Values in JSON: the exact notation, an object with the kind as key, and next to it the plain notation.
 //!
-//! The exact form alone is the datum that devices are compared by. Documents for users have both, so that a program takes
-//! `value` and needs no table of kinds. Reading takes the exact form, and holds the plain one against it.
+//! Devices are compared by the exact notation. Documents for users contain both, so that a program can use `value`
+//! without a table of kinds. Reading uses the exact notation and checks the plain one against it.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -13,10 +13,10 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Time, Value, hex, hex_text, real_text};
 
-/// The key of the plain form.
+/// The key of the plain notation.
 const PLAIN: &str = "value";
 
-/// A value without its kind: finite numbers and BOOLEAN as such, everything else as the text that a table shows.
+/// A value without its kind: finite numbers and BOOLEAN as such, all others as the string shown in tables.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Plain<'a> {
@@ -26,9 +26,9 @@ pub enum Plain<'a> {
     Signed(i64),
     /// UNSIGNEDn.
     Unsigned(u64),
-    /// A finite REAL; of a REAL32 the number with its own digits, not with those of the REAL64 next to it.
+    /// A finite REAL; a REAL32 is printed with its own digits, not with those of the nearest REAL64.
     Real(f64),
-    /// Any other value: texts, bytes in hex, times, formulas such as `$NODEID+0x180`.
+    /// Any other value as a string: strings, bytes in hex, times, formulas such as `$NODEID+0x180`.
     Text(Cow<'a, str>),
 }
 
@@ -48,7 +48,7 @@ impl Value {
         }
     }
 
-    /// The key of the exact form.
+    /// The key of the exact notation.
     const fn kind(&self) -> PlainKind {
         match self {
             Self::Boolean(_) => PlainKind::Boolean,
@@ -66,7 +66,7 @@ impl Value {
 }
 
 impl Plain<'_> {
-    /// The same without the value that it was made of.
+    /// The same value without its borrowed source.
     pub fn into_owned(self) -> Plain<'static> {
         match self {
             Self::Boolean(value) => Plain::Boolean(value),
@@ -77,7 +77,8 @@ impl Plain<'_> {
         }
     }
 
-    /// Whether both are the same; tools write numbers in other spellings and with the digits of a REAL64.
+    /// Whether both are equal; tools may write numbers in different spellings and with the digits of a
+    /// REAL64.
     fn is(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Boolean(one), Self::Boolean(other)) => one == other,
@@ -121,7 +122,7 @@ thread_local! {
     static HAS_PLAIN: Cell<bool> = const { Cell::new(false) };
 }
 
-/// A part of the model for users: in its JSON the plain form of each value is beside the exact one, as `value`.
+/// A part of the model for users: its JSON also contains the plain notation of each value, as `value`.
 #[derive(Clone, Copy, Debug)]
 pub struct WithPlainValues<'a, T>(pub &'a T);
 
@@ -139,7 +140,7 @@ impl<T: Serialize> Serialize for WithPlainValues<'_, T> {
     }
 }
 
-/// The keys of an exact form, or of the plain one.
+/// The key of an exact notation, or of the plain one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum PlainKind {
@@ -153,7 +154,7 @@ enum PlainKind {
     Time,
     NodeIdPlus,
     Raw,
-    /// The plain form.
+    /// The plain notation.
     Value,
 }
 
@@ -163,12 +164,12 @@ impl fmt::Display for PlainKind {
     }
 }
 
-/// REAL as the text of its exact form.
+/// REAL as the string of its exact notation.
 #[derive(Serialize, Deserialize)]
 #[serde(transparent, bound = "")]
 struct RealText<T: real_text::Real>(#[serde(with = "real_text")] T);
 
-/// Bytes as the text of their exact form.
+/// Bytes as the string of their exact notation.
 #[derive(Deserialize)]
 #[serde(transparent)]
 struct PlainBytes(#[serde(deserialize_with = "hex_text::deserialize")] Box<[u8]>);

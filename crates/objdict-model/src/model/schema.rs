@@ -1,4 +1,4 @@
-//! JSON Schemas of the parts that are a single text, or a special map or list, in JSON.
+//! JSON Schemas of the parts that are a single string, or a special map or list, in JSON.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::{ClockTime, DataType, Date, Entry, Extra, Field, Subs};
 #[derive(Debug)]
 pub struct HexBytes;
 
-/// Gives types a JSON Schema that is written in place where they are used: the type, and its schema from the generator.
+/// Gives types an inline JSON Schema: the type, and its schema from the generator.
 #[macro_export]
 macro_rules! inline_schemas {
     ($($Type:ty: |$generator:pat_param| $schema:expr;)*) => {$(
@@ -32,7 +32,7 @@ macro_rules! inline_schemas {
     )*};
 }
 
-/// A text of this form.
+/// A string that matches `pattern`.
 fn text(pattern: &str) -> schemars::Schema {
     json_schema!({ "type": "string", "pattern": pattern })
 }

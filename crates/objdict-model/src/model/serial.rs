@@ -13,7 +13,7 @@ pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
-/// A number with a fixed count of hex digits after `0x`.
+/// A number with a fixed number of hex digits after `0x`.
 pub trait Hex: Copy + Ord + fmt::UpperHex + TryFrom<u32> {
     /// The name in error messages.
     const WHAT: &'static str;
@@ -30,12 +30,12 @@ impl Hex for u8 {
     const DIGITS: usize = 2;
 }
 
-/// An index (`u16`) or sub-index (`u8`) as a text.
+/// An index (`u16`) or sub-index (`u8`) as a string.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct HexText<T>(pub T);
 
 impl<T: Hex> HexText<T> {
-    /// Parses a text such as `0x1018`.
+    /// Parses a string such as `0x1018`.
     pub(crate) fn parse(text: &str) -> Option<T> {
         let digits = text.strip_prefix("0x")?;
         let number =
@@ -73,13 +73,13 @@ pub mod hex_number {
         HexText(*number).serialize(serializer)
     }
 
-    /// Reads what [`serialize`] wrote.
+    /// Reads the output of [`serialize`].
     pub fn deserialize<'de, T: Hex, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
         HexText::deserialize(deserializer).map(|HexText(number)| number)
     }
 }
 
-/// A list of indexes, optional or not, or the two ends of a range.
+/// A list of indexes, optional or not, or the two limits of a range.
 pub(crate) mod index_list {
     use super::{Deserialize, Deserializer, HexText, Serializer};
 
@@ -123,7 +123,7 @@ pub(crate) mod index_list {
         }
     }
 
-    /// Writes a list of texts such as `0x1018`.
+    /// Writes a list of strings such as `0x1018`.
     pub(crate) fn serialize<T: List, S: Serializer>(list: &T, serializer: S) -> Result<S::Ok, S::Error> {
         match list.indexes() {
             Some(indexes) => serializer.collect_seq(indexes.map(HexText)),
@@ -131,7 +131,7 @@ pub(crate) mod index_list {
         }
     }
 
-    /// Reads what [`serialize`] wrote.
+    /// Reads the output of [`serialize`].
     pub(crate) fn deserialize<'de, T: List, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
         let indexes = Option::<Vec<HexText<u16>>>::deserialize(deserializer)?;
         let indexes = indexes.map(|indexes| indexes.into_iter().map(|HexText(index)| index).collect());
@@ -151,7 +151,7 @@ pub(crate) mod index_keys {
         serializer.collect_map(map.into_iter().map(|(&index, item)| (HexText(index), item)))
     }
 
-    /// Reads what [`serialize`] wrote.
+    /// Reads the output of [`serialize`].
     pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>, M: FromIterator<(u16, T)>>(
         deserializer: D,
     ) -> Result<M, D::Error> {
@@ -231,7 +231,7 @@ pub(crate) mod sub_list {
         serializer.collect_map(list.iter().map(|(sub, item)| (HexText(*sub), item)))
     }
 
-    /// Reads what [`serialize`] wrote.
+    /// Reads the output of [`serialize`].
     pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Vec<(u8, T)>, D::Error> {
@@ -240,7 +240,7 @@ pub(crate) mod sub_list {
     }
 }
 
-/// REAL numbers: the shortest decimal text with the same bits, or the bits themselves if not finite.
+/// REAL numbers: the shortest decimal string with the same bits, or the bits themselves if not finite.
 pub(crate) mod real_text {
     use std::fmt::Debug;
     use std::str::FromStr;
@@ -252,13 +252,13 @@ pub(crate) mod real_text {
         serializer.serialize_str(&value.to_text())
     }
 
-    /// Reads what [`serialize`] wrote.
+    /// Reads the output of [`serialize`].
     pub(crate) fn deserialize<'de, T: Real, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
         let text = String::deserialize(deserializer)?;
         T::from_text(&text).ok_or_else(|| D::Error::custom(format!("`{text}` is not a REAL number")))
     }
 
-    /// A REAL type whose conversion to text and back preserves the bits.
+    /// A REAL type whose conversion to a string and back preserves the bits.
     pub(crate) trait Real: Debug + FromStr + Copy {
         fn to_text(self) -> String;
         fn from_text(text: &str) -> Option<Self>;
@@ -296,7 +296,7 @@ pub mod hex_text {
         serializer.serialize_str(&hex::print(bytes))
     }
 
-    /// Reads what [`serialize`] wrote.
+    /// Reads the output of [`serialize`].
     pub fn deserialize<'de, T: From<Box<[u8]>>, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<T, D::Error> {

@@ -16,7 +16,7 @@ pub struct Services {
     pub sync_counter_overflow: Option<u8>,
     /// COB-ID of TIME, 1012h. Bit 31: the device consumes it. Bit 30: it produces it.
     pub time: Option<CobId>,
-    /// COB-ID of EMCY, 1014h. Bit 31: the device sends none.
+    /// COB-ID of EMCY, 1014h. Bit 31: the device does not send EMCY.
     pub emcy: Option<CobId>,
     /// Inhibit time of EMCY in multiples of 100 µs, 1015h.
     pub emcy_inhibit_time: Option<u16>,
@@ -64,7 +64,7 @@ pub struct SdoChannel {
     pub request: Option<CobId>,
     /// COB-ID from server to client, sub-index 2. The default of the first server is 580h plus the node-ID.
     pub response: Option<CobId>,
-    /// The node-ID of the other side, sub-index 3.
+    /// The node-ID of the peer, sub-index 3.
     pub node_id: Option<u8>,
 }
 

@@ -1,4 +1,4 @@
-//! The parts of the model that are a single text, or a special map or list, in JSON.
+//! The parts of the model that are a single string, or a special map or list, in JSON.
 
 use std::borrow::Cow;
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::serial::{HexText, unique_keys};
 use super::{ClockTime, DataType, Date, Entry, Extra, Field, InvalidValue, InvalidValues, Subs};
 
-/// Keys such as `0x0A`, as texts because JSON has no other keys.
+/// Keys such as `0x0A`, because JSON keys are strings.
 impl Serialize for Subs {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.iter().map(|(sub, entry)| (HexText(sub), entry)))
@@ -22,7 +22,7 @@ impl<'de> Deserialize<'de> for Subs {
     }
 }
 
-/// Types that are a text: how it is made of them, and they of it.
+/// Types that are a string in JSON, with the conversions in both directions.
 macro_rules! texts {
     ($($(#[$about:meta])* $Type:ty, $what:literal: |$this:ident| $text:expr, |$read:ident| $parsed:expr;)*) => {$(
         $(#[$about])*

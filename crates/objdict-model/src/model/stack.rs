@@ -4,16 +4,16 @@ use super::part::{part, words};
 
 part! {
     /// How a stack must store and treat an object or entry: `CO_` properties of an XDD, or comments such as
-    /// `;StorageLocation=RAM` of an EDS, as CANopenEditor writes them.
+    /// `;StorageLocation=RAM` of an EDS, in the notation of CANopenEditor.
     pub struct StackOptions {
-        /// `CO_storageGroup`, `StorageLocation`: the group of variables that are stored together, such as
+        /// `CO_storageGroup`, `StorageLocation`: the group of variables with common storage, such as
         /// `RAM` or `PERSIST_COMM`.
         pub storage_group: Option<Box<str>>,
         /// `CO_countLabel`: the macro that counts objects of this kind, such as `TPDO`.
         pub count_label: Option<Box<str>>,
         /// `CO_disabled`: whether the object is described but not generated.
         pub disabled: Option<bool>,
-        /// `CO_accessSRDO`: which SRDOs may carry the entry.
+        /// `CO_accessSRDO`: the SRDOs that may carry the entry.
         pub srdo_access: Option<SrdoAccess>,
         /// `CO_stringLengthMin`: the minimum capacity of a string in characters, if the default is shorter.
         pub min_string_length: Option<u32>,
@@ -25,7 +25,7 @@ part! {
 }
 
 words! {
-    /// Which SRDOs may carry an entry.
+    /// The SRDOs that may carry an entry.
     pub enum SrdoAccess {
         /// None.
         No = "no",
@@ -39,8 +39,8 @@ words! {
 }
 
 impl StackOptions {
-    /// Takes a setting by the name of its property. `false` for an unknown name, an invalid value, or a
-    /// setting that is already set.
+    /// Sets the option with this property name. `false` for an unknown name, an invalid value, or an
+    /// option that is already set.
     pub fn set(&mut self, name: &str, value: &str) -> bool {
         fn once<T>(field: &mut Option<T>, value: Option<T>) -> bool {
             let takes = field.is_none() && value.is_some();

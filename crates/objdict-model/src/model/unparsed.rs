@@ -4,7 +4,7 @@ use super::Field;
 
 /// Unknown keys and values, in the order of the file.
 ///
-/// One text holds them all (one line each), so that a file full of unknown keys needs no more memory than
+/// A single string with one line per key, so that a file full of unknown keys needs no more memory than
 /// its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[allow(
@@ -19,12 +19,12 @@ impl Extra {
         self.0.is_none()
     }
 
-    /// Adds a key with its value. `=` and line feeds in a key and line feeds in a value become blanks; they
-    /// cannot come from a line of an INI file.
+    /// Adds a key with its value. `=` and line feeds in a key and line feeds in a value become spaces; no
+    /// line of an INI file can contain them.
     pub fn push(&mut self, key: &str, value: &str) {
         let text = self.0.get_or_insert_default();
         let length = key.len() + value.len() + 2;
-        // most parts have at most one such key; only further ones need room to grow
+        // most parts have at most one such key; only more keys need spare capacity
         if text.is_empty() {
             text.reserve_exact(length);
         } else {
@@ -63,8 +63,8 @@ impl<'a> FromIterator<(&'a str, &'a str)> for Extra {
     }
 }
 
-/// An unknown section. Name and keys are one text, because a file may have a million such sections: the name, and behind a line end
-/// the keys, where there are some.
+/// An unknown section. Name and keys are one string, because a file may have a million such sections: the name, then a
+/// line end and the keys, if any.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -72,7 +72,7 @@ impl<'a> FromIterator<(&'a str, &'a str)> for Extra {
 pub struct ExtraSection(Box<str>);
 
 impl ExtraSection {
-    /// A section with a name without brackets; line feeds in it become blanks.
+    /// A section; the name has no brackets, and line feeds in it become spaces.
     pub fn new(name: &str, entries: &Extra) -> Self {
         let name = name.replace('\n', " ");
         let end = if entries.is_empty() { "" } else { "\n" };
@@ -106,7 +106,7 @@ pub enum Reason {
         /// The maximum.
         high: u64,
     },
-    /// Not a REAL number, or one out of the range of the type.
+    /// Not a REAL number, or outside the range of the type.
     NotReal,
     /// Not pairs of hex digits.
     NotHexBytes,
@@ -116,13 +116,13 @@ pub enum Reason {
     NotAFormula,
     /// A formula for a type that is not an integer.
     FormulaForType,
-    /// Not one of the words of the field.
+    /// Not a keyword of the field.
     UnknownWord,
     /// Not a date `mm-dd-yyyy`.
     NotADate,
     /// Not a time `hh:mmAM`.
     NotAClockTime,
-    /// Not in the form that the field requires.
+    /// Not in the notation that the field requires.
     Malformed,
 }
 

@@ -6,7 +6,7 @@ use super::{DataType, TypeKind};
 
 /// A value of an entry: a default, a limit, or the configured value of a DCF.
 ///
-/// The variant follows from the data type of the entry. A text that is not valid for the type is in the
+/// The data type of the entry determines the variant. A text that is not valid for the type is in the
 /// [`InvalidValues`](super::InvalidValues) of the entry instead.
 #[derive(Clone, Debug)]
 pub enum Value {
@@ -94,7 +94,7 @@ impl Value {
         }
     }
 
-    /// The value of an integer type or BOOLEAN with this number; `None` if it is out of range.
+    /// The value of an integer type or BOOLEAN from a number; `None` if it is out of range.
     pub fn from_integer(number: i128, data_type: DataType) -> Option<Value> {
         let (low, high) = data_type.integer_range()?;
         if number < low || number > high {
@@ -125,7 +125,7 @@ impl Value {
         }
     }
 
-    /// The value as an SDO transfers it: little-endian, text without terminator, UNICODE_STRING as UTF-16.
+    /// The value as an SDO transfers it: little-endian, strings without terminator, UNICODE_STRING as UTF-16.
     ///
     /// `None` for a formula (see [`Value::resolve`]), for [`Value::Raw`], and if the value is not one of
     /// `data_type`.
@@ -152,7 +152,7 @@ impl Value {
         }
     }
 
-    /// The value of `data_type` in the bytes of an SDO transfer; `None` if they do not have its length.
+    /// The value of `data_type` from the bytes of an SDO transfer; `None` if their length does not match.
     pub fn from_bytes(bytes: &[u8], data_type: DataType) -> Option<Value> {
         if data_type.byte_length().is_some_and(|length| usize::from(length) != bytes.len()) {
             return None;
@@ -189,8 +189,8 @@ impl Value {
     }
 }
 
-/// Compares REAL bit by bit: a NaN equals itself, and 0.0 does not equal -0.0. So a value that is written
-/// and read back is equal.
+/// Compares REAL bit by bit: a NaN equals itself, and 0.0 does not equal -0.0. So a value remains equal
+/// when it is written and read back.
 impl PartialEq for Value {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {

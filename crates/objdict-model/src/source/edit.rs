@@ -1,11 +1,11 @@
-//! Edits of a source by spans: the rest of the text stays unchanged, byte for byte.
+//! Edits a source by spans: the rest of the text remains unchanged, byte for byte.
 
 use super::{SourceFile, Span, Unencodable};
 
-/// The maximum number of changes that are kept apart, of those that can be in every line or character.
+/// The maximum number of separate changes, for changes that can occur in every line or character.
 const MAX_EDITS: usize = 50_000;
 
-/// Changes of one source, in any order. The editors of the formats determine their places.
+/// Changes to one source, in any order. The editors of the formats determine their positions.
 #[derive(Clone, Debug)]
 pub struct Edits<'a> {
     source: &'a SourceFile,
@@ -31,15 +31,15 @@ pub enum EditError {
     LineEnd(String),
     /// A new name, value or text contains a character that is not allowed in XML.
     NotXml(String),
-    /// The file is in a format that is read and not written.
+    /// The file format can only be read.
     NotWritten(String),
     /// The new text would be read differently.
     OtherMeaning(String),
-    /// A new text violates the standard: an error of objdict.
+    /// A new text violates the standard: a bug in objdict.
     NotValid(String),
-    /// The new text would not give back more values of the description than allowed.
+    /// Reading the new text back would lose more values of the description than allowed.
     TooMuchLost {
-        /// How many, each with what its place takes.
+        /// The number of losses, including their places.
         count: usize,
         /// The limit.
         limit: usize,
@@ -84,8 +84,8 @@ impl<'a> Edits<'a> {
         self.changes.push(SpanEdit { span, text: text.into() });
     }
 
-    /// Replaces `span`, which is behind all changes made so far, by `text`. Beyond 50,000 changes, the last change also covers it with what
-    /// is between them: a file that is all such spans would take a hundred times its size.
+    /// Replaces `span`, which follows all previous changes, by `text`. Beyond 50,000 changes, the last change also
+    /// covers it and the text between them: a file that consists of such spans would need a hundred times its size.
     pub fn append(&mut self, span: Span, text: &str) {
         let is_full = self.changes.len() >= MAX_EDITS;
         match self.changes.last_mut() {
@@ -142,7 +142,7 @@ impl<'a> Edits<'a> {
     /// The edited text in the encoding of the file; without changes, the original bytes.
     ///
     /// # Errors
-    /// When two changes overlap, or the file cannot be written in its encoding.
+    /// If two changes overlap, or the file cannot be written in its encoding.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         if self.is_empty() {
             return Ok(self.source.to_bytes());

@@ -1,8 +1,8 @@
 //! Text encodings of description files: detected on reading and used again for writing.
 //!
-//! CiA 306-1 §4.2 requires ISO 646 (seven bits). Real files also use UTF-8, with and without byte order
-//! mark, Windows-1252, UTF-16 and the code page 850 of DOS. All bytes of the last one are characters of Windows-1252 too, so it
-//! is recognised by umlauts inside words alone.
+//! CiA 306-1 §4.2 requires ISO 646 (seven bits). Real files also use UTF-8, with and without byte order mark,
+//! Windows-1252, UTF-16 and the DOS code page 850. All bytes of code page 850 are also Windows-1252 characters, so it
+//! is recognised only by umlauts inside words.
 
 use std::str::FromStr;
 
@@ -35,8 +35,8 @@ impl Encoding {
     pub const NAMES: [&'static str; 6] =
         ["utf-8", "utf-8-bom", "windows-1252", "cp850", "utf-16le", "utf-16be"];
 
-    /// The detected encoding of `bytes`: by the byte order mark, else UTF-8 if valid, else code page 850 where Windows-1252 would
-    /// show quotes and control characters inside words, else Windows-1252.
+    /// Detects the encoding of `bytes`: by the byte order mark; otherwise UTF-8 if valid, code page 850 if Windows-1252
+    /// would show quotes and control characters inside words, or else Windows-1252.
     pub fn detect(bytes: &[u8]) -> Self {
         if bytes.starts_with(UTF16LE_BOM) {
             Self::Utf16Le
@@ -133,8 +133,8 @@ crate::error_messages! { Unencodable: {
     Self { character, encoding } => "the encoding {encoding} has no character `{character}`";
 } }
 
-/// Whether all bytes beyond ISO 646 are German letters of code page 850 in words. One of them must be `ä`, `ö` or `ü`, which are a quote
-/// or a control character in Windows-1252; the others are letters there too.
+/// Whether all bytes beyond ISO 646 are German letters of code page 850 in words. One of them must be `ä`, `ö` or `ü`,
+/// which are a quote or a control character in Windows-1252; the others are letters in both.
 fn has_dos_umlauts(bytes: &[u8]) -> bool {
     let is_letter = |at: usize| {
         bytes
@@ -157,7 +157,7 @@ fn has_dos_umlauts(bytes: &[u8]) -> bool {
         && is_certain
 }
 
-/// Most of a text is ISO 646, which is copied in runs.
+/// most of a text is ISO 646, which is copied in runs
 fn decode_bytes(bytes: &[u8], char_of: fn(u8) -> char) -> String {
     let mut text = String::with_capacity(bytes.len());
     for run in bytes.chunk_by(|one, next| one.is_ascii() == next.is_ascii()) {

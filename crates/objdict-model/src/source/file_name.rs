@@ -1,9 +1,10 @@
 //! Names of files that every system can have.
 
-/// Names that Windows keeps for devices, in any case and with any extension (Microsoft, *Naming Files, Paths, and Namespaces*).
+/// Names that Windows reserves for devices, in any case and with any extension (Microsoft, *Naming Files,
+/// Paths, and Namespaces*).
 const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
 
-/// Why a name without separators is not valid on every system; `None` for one that is.
+/// The reason why a name without separators is not valid on every system; `None` if it is valid.
 pub fn unportable(name: &str) -> Option<&'static str> {
     match name {
         "" | "." | ".." => Some("it points to a different folder"),
@@ -18,18 +19,18 @@ fn is_forbidden(character: char) -> bool {
     character.is_control() || "<>:\"|?*\\".contains(character)
 }
 
-/// The name with `_` for what not every system allows in the name of a file, its extension still to come.
+/// The name with `_` for characters that some systems do not allow in file names; without extension.
 pub fn portable(name: &str) -> String {
     let name = name.replace(|character: char| is_forbidden(character) || character == '/', "_");
     let mut name = name.trim_end_matches(['.', ' ']).to_owned();
     if name.is_empty() || is_device_name(&name) {
-        // Windows looks at what is before the first dot
+        // Windows checks the part before the first dot
         name.insert(0, '_');
     }
     name
 }
 
-/// Whether Windows takes a name for a device: `con`, `AUX.txt`, `com1 .log`.
+/// Whether Windows treats a name as a device: `con`, `AUX.txt`, `com1 .log`.
 pub fn is_device_name(name: &str) -> bool {
     let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end_matches(' ').to_ascii_uppercase();
     let port = stem.strip_prefix("COM").or_else(|| stem.strip_prefix("LPT"));

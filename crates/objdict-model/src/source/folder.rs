@@ -1,5 +1,5 @@
-//! Reads the files that another file names, only from its project, and texts in front of the disk: what an editor has in its
-//! buffers, or a browser in place of files.
+//! Reads the files that another file refers to, only from its project. Buffers can replace files: the unsaved texts of
+//! an editor, or the files of a browser.
 
 use std::cell::RefCell;
 use std::path::{Component, MAIN_SEPARATOR_STR, Path, PathBuf};
@@ -11,29 +11,29 @@ use super::{HARD_LIMIT, SourceError, read, shown};
 /// The name of configuration files.
 pub const CONFIG_FILE: &str = "objdict.toml";
 
-/// What the folder of a project has.
+/// The files and folders that mark a project folder.
 const MARKS: [&str; 2] = [CONFIG_FILE, ".git"];
 
-/// The folder of a file, and the folders that files named in it may be read from: its own, that of its project, which is the nearest
-/// above with an `objdict.toml` or a `.git`, and those that are allowed.
+/// The folder of a file, and the folders that may contain the files it refers to: its own; its project folder, the
+/// nearest ancestor with an `objdict.toml` or a `.git`; and explicitly allowed folders.
 #[derive(Clone, Debug)]
 pub struct Folder {
     folder: PathBuf,
     allowed: Vec<PathBuf>,
 }
 
-/// Why a file that another one names is not read.
+/// The reason why a referenced file is not read.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum FolderError {
-    /// The file cannot be read, or is none.
+    /// The file cannot be read, or is not a regular file.
     Unreadable(SourceError),
     /// The name points outside the allowed folders.
     Outside {
         /// The name, as in the file.
         name: String,
     },
-    /// The name is that of a share in a network.
+    /// The path is on a network share.
     Remote {
         /// The name, as in the file.
         name: String,
@@ -47,7 +47,7 @@ crate::error_messages! { FolderError: from SourceError as Unreadable {
 } }
 
 impl FolderError {
-    /// How to fix the error; options are those of the command line.
+    /// How to fix the error; options belong to the command line.
     pub fn help(&self) -> Option<&'static str> {
         match self {
             Self::Outside { .. } => Some(
@@ -82,19 +82,20 @@ impl Folder {
         self
     }
 
-    /// The bytes of a file by its name; see [`resolve`](Self::resolve).
+    /// The bytes of a file; `name` is resolved as in [`resolve`](Self::resolve).
     ///
     /// # Errors
-    /// When the file is not there, is outside the allowed folders, is a pipe or a device, or is larger than 1 GiB.
+    /// If the file is missing, is outside the allowed folders, is a pipe or a device, or is larger than 1
+    /// GiB.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, FolderError> {
         Ok(read(&self.resolve(name)?, HARD_LIMIT)?)
     }
 
-    /// The path of a file by its name relative to the folder. Links are followed before the check. A name may have the separators
-    /// of Windows.
+    /// The path of a file from its name relative to the folder. Links are followed before the check. Names may use
+    /// Windows separators.
     ///
     /// # Errors
-    /// When there is no such file, or it is outside the allowed folders, or on another computer.
+    /// If the file is missing, outside the allowed folders, or on a network share.
     pub fn resolve(&self, name: &str) -> Result<PathBuf, FolderError> {
         let is_separator = |character: char| matches!(character, '/' | '\\');
         if name.starts_with(is_separator) && name[1..].starts_with(is_separator) {
@@ -102,21 +103,21 @@ impl Folder {
         }
         let outside = || FolderError::Outside { name: name.to_owned() };
         let plain = self.folder.join(name);
-        // a path that begins with `\\?\` has the separators of Windows alone
+        // a path that begins with `\\?\` uses only Windows separators
         let foreign = if cfg!(windows) { '/' } else { '\\' };
         let native = self.folder.join(name.replace(foreign, MAIN_SEPARATOR_STR));
-        // before accessing the file system, to reveal nothing about its contents
+        // checked before accessing the file system, to reveal nothing about its contents
         let may_lead_to = |path: &Path| self.allowed.iter().any(|folder| absolute(path).starts_with(folder));
         if !may_lead_to(&plain) || !may_lead_to(&native) {
             return Err(outside());
         }
         let path = if !cfg!(windows) && plain.exists() { plain } else { native };
         if !path.exists() && is_file(&path) {
-            // of a file that was never saved no link leads elsewhere
+            // an unsaved file has no symlink to check
             return Ok(path);
         }
         let failed = |error: io::Error| {
-            // in a browser there are only buffers
+            // a browser has only buffers
             let is_missing = error.kind() == io::ErrorKind::Unsupported;
             let error = if is_missing { io::ErrorKind::NotFound.into() } else { error };
             SourceError::Io { path: shown(&path), error }
@@ -128,7 +129,7 @@ impl Folder {
     }
 }
 
-/// A path from the root without `.` and `..`. Links are not followed.
+/// An absolute path without `.` and `..`. Links are not followed.
 pub fn absolute(path: &Path) -> PathBuf {
     let path = std::path::absolute(or_current(path.to_owned())).unwrap_or_else(|_| path.to_owned());
     let mut plain = PathBuf::new();
@@ -149,9 +150,9 @@ pub(super) fn or_current(folder: PathBuf) -> PathBuf {
     if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder }
 }
 
-/// Texts that count more than the files of their paths.
+/// Buffers that take precedence over files of the same path.
 pub trait Buffers {
-    /// The bytes at an absolute path without `.` and `..`; `None` leaves it to the disk.
+    /// The bytes at an absolute path without `.` and `..`; `None` if the file must be read.
     fn bytes(&self, path: &Path) -> Option<Vec<u8>>;
 }
 
@@ -159,7 +160,7 @@ thread_local! {
     static BUFFERS: RefCell<Option<Rc<dyn Buffers>>> = const { RefCell::new(None) };
 }
 
-/// Puts back what was in front of the disk before, even after a panic.
+/// Restores the previous buffers, even after a panic.
 struct Restored(Option<Rc<dyn Buffers>>);
 
 impl Drop for Restored {
@@ -168,19 +169,19 @@ impl Drop for Restored {
     }
 }
 
-/// Runs a function; what it opens on this thread is read from the buffers where they have it.
+/// Runs a function; files it opens on this thread are read from the buffers if present.
 pub fn with_buffers<T>(buffers: Rc<dyn Buffers>, run: impl FnOnce() -> T) -> T {
     let _restored = Restored(BUFFERS.replace(Some(buffers)));
     run()
 }
 
-/// The bytes that count more than a file.
+/// The buffer that replaces a file.
 pub(super) fn buffered(path: &Path) -> Option<Vec<u8>> {
     let buffers = BUFFERS.with_borrow(Clone::clone)?;
     buffers.bytes(&absolute(path))
 }
 
-/// Whether there is a file or a buffer of this path.
+/// Whether a file or a buffer with this path exists.
 pub fn is_file(path: &Path) -> bool {
     path.is_file() || buffered(path).is_some()
 }

@@ -21,20 +21,20 @@ impl Fnv {
         self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
     }
 
-    /// Adds bytes, followed by a mark that no text contains.
+    /// Adds bytes, followed by a separator that no text contains.
     pub fn field(&mut self, bytes: &[u8]) {
         bytes.iter().for_each(|&byte| self.byte(byte));
         self.byte(0xFF);
     }
 
-    /// Adds a text without its spaces.
+    /// Adds a string without its spaces.
     pub fn text(&mut self, text: &str) {
         text.bytes().filter(|byte| !byte.is_ascii_whitespace()).for_each(|byte| self.byte(byte));
         self.byte(0xFF);
     }
 }
 
-/// The hash of the bytes of a file, FNV-1a with 64 bits.
+/// The hash of a file's bytes, 64-bit FNV-1a.
 pub fn hash(bytes: &[u8]) -> u64 {
     let mut hash = Fnv::new();
     bytes.iter().for_each(|&byte| hash.byte(byte));

@@ -1,4 +1,4 @@
-//! From offsets to lines and columns.
+//! Converts offsets to lines and columns.
 
 use super::Span;
 
@@ -17,11 +17,11 @@ pub struct LineIndex {
     /// The number of lines that end before each block of the text, and in the whole text. Counting within a
     /// block is as fast as searching a table of all lines, which would need time and memory to build.
     ended: Vec<u32>,
-    /// The numbers of the lines, of a text that has some lines of a file; else empty.
+    /// The line numbers, if the text contains only some lines of a file; otherwise empty.
     numbers: Vec<u32>,
 }
 
-/// The size of a block in bytes: a block rarely has more than three lines, and their number fits into a byte.
+/// The size of a block in bytes: a block rarely has more than three lines, and their number fits in a byte.
 const BLOCK: usize = 64;
 
 impl LineIndex {
@@ -38,12 +38,12 @@ impl LineIndex {
         Self { ended, numbers: Vec::new() }
     }
 
-    /// Counts the lines of `text`, which are those of a file with these numbers, from 1.
+    /// Counts the lines of `text`, whose numbers in the file, from 1, are `numbers`.
     pub(super) fn with_numbers(text: &str, numbers: Vec<u32>) -> Self {
         Self { numbers, ..Self::new(text) }
     }
 
-    /// The number in the file, from 1, of a line that is counted from 0 in the text.
+    /// The number in the file, from 1, of a line whose number in the text starts from 0.
     pub fn number(&self, line: usize) -> u32 {
         match self.numbers.as_slice() {
             [] => line as u32 + 1,
@@ -51,8 +51,8 @@ impl LineIndex {
         }
     }
 
-    /// The line, counted from 0, that contains the byte at `offset`; an offset beyond the text counts as its
-    /// end.
+    /// The line, numbered from 0, that contains the byte at `offset`; an offset beyond the text is treated
+    /// as its end.
     pub fn line_of(&self, text: &str, offset: u32) -> usize {
         let offset = (offset as usize).min(text.len());
         let block = offset / BLOCK;
@@ -60,7 +60,7 @@ impl LineIndex {
         (before + line_ends(text.as_bytes(), block * BLOCK, offset)) as usize
     }
 
-    /// Line and column of `offset`; an offset beyond the text counts as its end.
+    /// Line and column of `offset`; an offset beyond the text is treated as its end.
     pub fn line_column(&self, text: &str, offset: u32) -> LineColumn {
         let offset = (offset as usize).min(text.len());
         let line = self.line_of(text, offset as u32);
@@ -69,8 +69,8 @@ impl LineIndex {
         LineColumn { line: self.number(line), column: column as u32 + 1 }
     }
 
-    /// The span of a line, counted from 0, with its line end; empty at the end of the text for a missing
-    /// line.
+    /// The span of a line, numbered from 0, with its line end; empty at the end of the text for a
+    /// missing line.
     pub fn line_span(&self, text: &str, line: usize) -> Span {
         Span::new(self.line_start(text, line) as u32, self.line_start(text, line + 1) as u32)
     }
@@ -81,10 +81,10 @@ impl LineIndex {
     }
 
     /// The start of a line; the end of the text for a missing line. Scans one block, regardless of the
-    /// length of the line.
+    /// line length.
     fn line_start(&self, text: &str, line: usize) -> usize {
         let bytes = text.as_bytes();
-        // editors say "to the end" by the greatest number
+        // editors express "to the end" as the maximum number
         let line = line.min(self.line_count());
         // the block in which the previous line ends
         let block = self.ended.partition_point(|ended| (*ended as usize) < line).saturating_sub(1);
@@ -102,7 +102,7 @@ fn line_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     let here = bytes.get(start..end).unwrap_or_default();
     let behind = bytes.get(start + 1..).unwrap_or_default();
     let (lf, cr) = match here.first_chunk::<BLOCK>() {
-        // of a known length, which the compiler counts a vector at a time
+        // its length is known, so the compiler vectorises the count
         Some(block) => (count(block, b'\n'), count(block, b'\r')),
         None => (count(here, b'\n'), count(here, b'\r')),
     };

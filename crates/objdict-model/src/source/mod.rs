@@ -24,8 +24,8 @@ pub use span::{Said, Span};
 /// The default size limit of files: 64 MiB.
 pub const DEFAULT_MAX_SIZE: u64 = 64 << 20;
 
-/// The size limit of what users write in TOML, as configuration, profiles, settings and names: 1 MiB. A parser of TOML takes up
-/// to 200 times the size of the text.
+/// The maximum size of TOML files that users write (configuration, profiles, settings and names): 1 MiB. A TOML parser
+/// needs up to 200 times the size of the text.
 pub const MAX_TOML_SIZE: u64 = 1 << 20;
 
 /// The hard size limit: decoding may triple the size, and a [`Span`] has four-byte offsets.
@@ -85,12 +85,12 @@ crate::error_messages! { SourceError: {
     Self::TooLarge { path, size, limit } => "`{path}` has {size} bytes, more than the limit of {limit}";
 } }
 
-/// The bytes of the file at `path`, at most `limit` and never more than 1 GiB; of its buffer, where it has
-/// [one](with_buffers). A pipe or a device is refused before it is
-/// opened, as that alone may wait for ever.
+/// Reads the bytes of the file at `path`, at most `limit` and never more than 1 GiB, or of its
+/// [buffer](with_buffers) if there is one. Pipes and devices are rejected before opening, because opening
+/// one can block indefinitely.
 ///
 /// # Errors
-/// When the system cannot read the file, it is larger, or it is none.
+/// If the system cannot read the file, it is too large, or it is not a regular file.
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
     let name = shown(path);
     let unreadable = |error| match path.is_dir() {
@@ -119,10 +119,10 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
     })
 }
 
-/// The text of a file in UTF-8, at most `limit` bytes.
+/// Reads a UTF-8 file of at most `limit` bytes.
 ///
 /// # Errors
-/// Like [`read`], and when it is not UTF-8.
+/// Like [`read`], and if it is not UTF-8.
 pub fn read_text(path: &Path, limit: u64) -> Result<String, SourceError> {
     String::from_utf8(read(path, limit)?).map_err(|error| {
         let error = io::Error::new(io::ErrorKind::InvalidData, error.utf8_error());
@@ -130,7 +130,7 @@ pub fn read_text(path: &Path, limit: u64) -> Result<String, SourceError> {
     })
 }
 
-/// A path as it is printed: with the separators of the system, whatever those of its parts are.
+/// A path for output: with the separators of the system, regardless of the input.
 pub fn shown(path: &Path) -> String {
     let path = path.display().to_string();
     if cfg!(windows) { path.replace('/', "\\") } else { path }
@@ -168,15 +168,15 @@ impl SourceFile {
     /// Reads the file at `path`.
     ///
     /// # Errors
-    /// When the system cannot read the file, or it is larger than `options.max_size`.
+    /// If the system cannot read the file, or it is larger than `options.max_size`.
     pub fn open(path: &Path, options: &SourceOptions) -> Result<Self, SourceError> {
         Self::from_bytes(shown(path), read(path, options.max_size)?, options)
     }
 
-    /// The same file with other bytes in the same encoding.
+    /// The same file with new bytes in the same encoding.
     ///
     /// # Errors
-    /// When there are more bytes than any file may have.
+    /// If the bytes exceed the maximum file size.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Result<Self, SourceError> {
         let options = SourceOptions { encoding: Some(self.encoding()), max_size: u64::MAX };
         Self::from_bytes(self.name(), bytes, &options)
@@ -185,7 +185,7 @@ impl SourceFile {
     /// A source of the given bytes; `name` is its name in reports.
     ///
     /// # Errors
-    /// When there are more bytes than `options.max_size`.
+    /// If there are more bytes than `options.max_size`.
     pub fn from_bytes(
         name: impl Into<String>,
         bytes: Vec<u8>,
@@ -229,11 +229,11 @@ impl SourceFile {
         }
     }
 
-    /// A source that has some lines of a text that is too long to keep, each with its number, from 1.
+    /// A source with some lines of a text that is too long to keep, each with its number, from 1.
     pub fn from_lines<'l>(name: impl Into<String>, lines: impl IntoIterator<Item = (u64, &'l str)>) -> Self {
         let (mut text, mut numbers) = (String::new(), Vec::new());
         for (number, line) in lines {
-            // what would end a line would shift the numbers of those behind it
+            // a line end in the text would shift the numbers of the following lines
             text.extend(
                 line.chars().map(|character| if matches!(character, '\n' | '\r') { ' ' } else { character }),
             );
@@ -285,7 +285,7 @@ impl SourceFile {
     /// The bytes of an edited `text` in the encoding of the file.
     ///
     /// # Errors
-    /// When the text has a character that the encoding lacks.
+    /// If the text has a character that the encoding lacks.
     pub fn encode(&self, text: &str) -> Result<Vec<u8>, Unencodable> {
         self.encoding.encode(text)
     }

@@ -40,17 +40,18 @@ impl Span {
     }
 }
 
-/// Something that a text says, with its place there; an empty place for what follows from the rest of it.
+/// A value from a text, with its position; the position is empty for a value derived from the rest of the
+/// text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Said<T> {
-    /// What it says.
+    /// The value.
     pub value: T,
-    /// Where it says so.
+    /// Its position.
     pub at: Span,
 }
 
 impl<T> Said<T> {
-    /// Something with its place.
+    /// A value with its position.
     pub const fn new(value: T, at: Span) -> Self {
         Self { value, at }
     }

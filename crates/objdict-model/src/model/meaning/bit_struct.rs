@@ -29,7 +29,7 @@ pub struct BitField<'a> {
     pub is_signed: bool,
     /// The names of its values, if the description defines them.
     pub values: Option<Enumeration<'a>>,
-    /// How its engineering value is made of its bits.
+    /// How its engineering value is calculated from its bits.
     pub scaling: Scaling<'a>,
 }
 
@@ -45,7 +45,7 @@ impl BitField<'_> {
     }
 }
 
-/// The form of a member.
+/// The first bit and length of a member.
 struct MemberForm {
     bits: i128,
     is_signed: bool,

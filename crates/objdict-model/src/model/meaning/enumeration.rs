@@ -26,7 +26,7 @@ pub struct NamedValue<'a> {
 }
 
 impl<'a> Enumeration<'a> {
-    /// The values of a type. A value without a number is one more than the previous one.
+    /// The values of a type. A value without a number is the previous number plus one.
     pub(super) fn of_type(
         definition: &'a TypeDefinition,
         values: &'a [EnumValue],
@@ -44,7 +44,7 @@ impl<'a> Enumeration<'a> {
         found
     }
 
-    /// The single allowed values of an entry, if one of them has a name.
+    /// The single allowed values of an entry, if at least one has a name.
     pub(super) fn of_allowed(
         allowed: &'a AllowedValues,
         data_type: DataType,

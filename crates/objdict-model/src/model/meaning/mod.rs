@@ -35,7 +35,8 @@ pub struct Meanings<'a> {
     shared: HashMap<&'a str, DescribedItem<'a>>,
 }
 
-/// How the engineering value of a parameter is made of its value: (value + offset) × multiplier, in a unit.
+/// How the engineering value of a parameter is calculated from its value: (value + offset) × multiplier, in a
+/// unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scaling<'a> {
     /// The unit.
@@ -56,7 +57,8 @@ impl<'a> Scaling<'a> {
         Self::new(variable.unit.as_ref(), variable.offset.as_deref(), variable.multiplier.as_deref())
     }
 
-    /// By what the value alone is multiplied to be in the base unit; `None` if that is 1, no number, or an offset comes first.
+    /// The factor that converts the value to the base unit; `None` if it is 1 or not a number, or if there is
+    /// an offset.
     pub fn factor(&self) -> Option<String> {
         let has_offset = self.offset.is_some_and(|text| text.parse() != Ok(0.0));
         let of_unit = self.unit.map(|unit| &*unit.multiplier).filter(|text| *text != "1");
@@ -105,7 +107,8 @@ impl<'a> Meanings<'a> {
         found
     }
 
-    /// Adds what entries can refer to in an application process. Of two equal ids, the first counts.
+    /// Adds the types, templates and parameters of an application process. Of two equal ids, the first is
+    /// used.
     fn add(&mut self, process: &'a ApplicationProcess) {
         for parameter in &process.parameters {
             let described = self.of_parameter(parameter);
@@ -161,12 +164,12 @@ impl<'a> Meanings<'a> {
         self.definition(self.described(entry).data_type?)
     }
 
-    /// The engineering value of an entry, as its parameter, the template of that, or what the entry refers to says.
+    /// The scaling of an entry, from its parameter, the parameter's template, or the target of its reference.
     pub fn scaling_of(&self, entry: &'a Entry) -> Scaling<'a> {
         self.described(entry).scaling
     }
 
-    /// The engineering value of a parameter, as it or its template says.
+    /// The scaling of a parameter, from itself or its template.
     pub fn scaling<'p>(&self, parameter: &'p Parameter) -> Scaling<'p>
     where
         'a: 'p,
@@ -243,7 +246,7 @@ fn number(text: &str) -> Option<i128> {
     i128::from_str_radix(digits, radix).ok().map(|number| sign * number)
 }
 
-/// The targets of references in parameters: types and templates, by id. Of two equal ids, the first counts.
+/// The targets of references in parameters: types and templates, by id. Of two equal ids, the first is used.
 #[derive(Debug, Default)]
 #[doc(hidden)] // for the reader of CiA 311
 pub struct Definitions<'a> {
@@ -270,8 +273,8 @@ impl<'a> Definitions<'a> {
         found
     }
 
-    /// The simple type behind a reference, through aliases and enumerations, of which those without a type have `of_enum`;
-    /// `None` for arrays, structs and dangling references.
+    /// The simple type of a reference, resolved through aliases and enumerations; enumerations without a type have
+    /// `of_enum`. `None` for arrays, structs and dangling references.
     pub fn simple(&self, reference: &DataTypeRef, of_enum: Option<SimpleType>) -> Option<SimpleType> {
         let mut reference = reference;
         for _ in 0..MAX_DERIVATIONS {
@@ -289,12 +292,12 @@ impl<'a> Definitions<'a> {
         None
     }
 
-    /// The template of a parameter, for what the parameter does not define.
+    /// The template of a parameter, which supplies missing properties.
     pub fn template(&self, parameter: &Parameter) -> Option<&'a Parameter> {
         self.templates.get(parameter.template.as_deref()?).copied()
     }
 
-    /// The allowed values, or those of their template if they only refer to it.
+    /// The allowed values, or the template's if they are only a reference.
     pub fn allowed<'b>(&self, allowed: &'b AllowedValues) -> &'b AllowedValues
     where
         'a: 'b,
