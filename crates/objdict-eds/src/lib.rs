@@ -1,4 +1,4 @@
-//! EDS and DCF (CiA 306-1): lines with positions, the model read from them and written to them. Part of
+//! EDS and DCF (CiA 306-1): lines with positions, and conversion to and from the model. Part of
 //! `objdict`, which is the crate to depend on.
 
 pub mod eds;

@@ -8,9 +8,9 @@ use crate::ini::{Document, Section};
 use crate::model::{Device, Field, Object, Part, Place, Value};
 use crate::source::{Encoding, SourceFile, Span};
 
-/// The changes that turn the text of `before` into one of `after`, which has additional objects and
-/// sub-indexes, and other lists, counts and connected modules. Additional objects are not stored compactly, as in the
-/// canonical text. `None` if an object with new entries is stored compactly: its text has no place for single entries.
+/// The changes that turn the text of `before` into the text of `after`, which has additional objects and sub-indexes,
+/// and different lists, counts and connected modules. Additional objects are not stored compactly, as in the canonical
+/// text. `None` if an object with new entries is stored compactly, because its text cannot contain single entries.
 pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     let mut changes = Vec::new();
     let mut new = Device { kind: after.kind, ..Device::default() };
@@ -36,7 +36,8 @@ pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     }
     changes.extend(sections(&new, &Style::default()).into_iter().filter_map(|(part, fields)| match part {
         Part::Object(index) if before.objects.contains_key(&index) => None,
-        // all that describes an object: its links and the unknown keys of its compact storage too
+        // everything that describes an object, including its links and the unknown keys of its compact
+        // storage
         _ => part.object().is_some().then_some(Change::Add(part, fields)),
     }));
     for list in crate::model::ObjectList::ALL {
@@ -48,13 +49,13 @@ pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     Some(changes)
 }
 
-/// The changes that turn the text of an object into that of the same object, stored in another way: first those of sections that
-/// are there, then, in the text that is left, the new ones.
+/// The changes that convert an object's text to a different storage: first those of existing sections, then the new
+/// sections, relative to the remaining text.
 pub fn stored(index: u16, before: &Object, after: &Object) -> [Vec<Change>; 2] {
     let of = |object: &Object| {
         let objects = std::iter::once((index, object.clone())).collect();
         let mut sections = stated(&Device { objects, ..Device::default() });
-        // the canonical text has names where the object has none
+        // the canonical text adds names where the object has none
         let has_names = object.compact.as_ref().is_some_and(|compact| !compact.names.is_empty());
         let is_name = |part: &Part| matches!(part, Part::CompactNames(_));
         sections.retain(|(part, _)| part.object() == Some(index) && (has_names || !is_name(part)));
@@ -102,7 +103,7 @@ fn grown(index: u16, old: &Object, new: &Object) -> Vec<Change> {
     changes
 }
 
-/// The section of the connected modules: new, or with other numbers.
+/// The section of the connected modules: new, or with different numbers.
 fn connected(before: &Device, after: &Device) -> Vec<Change> {
     let of = |device: &Device| device.modules.as_ref().and_then(|modules| modules.connected.clone());
     let (old, new) = (of(before), of(after));
@@ -116,7 +117,7 @@ fn connected(before: &Device, after: &Device) -> Vec<Change> {
     set.chain(gone.map(|item| Change::Remove(place(Field::Item(item))))).collect()
 }
 
-/// What the canonical text of a device states: its sections with their keys. What is stored compactly stays so.
+/// The sections and keys of the canonical text of a device. Compact storage is kept.
 pub fn stated(device: &Device) -> Vec<(Part, Vec<(Field, String)>)> {
     sections(device, &Style { compact: true, encoding: Some(Encoding::Utf8), ..Style::default() })
 }

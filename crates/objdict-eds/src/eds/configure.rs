@@ -13,11 +13,11 @@ const DCF_KEYS: [&str; 5] = ["ParameterValue", "Denotation", "UploadFile", "Down
 /// The section of the node, as other tools look for it.
 const COMMISSIONING: &str = "DeviceComissioning";
 
-/// Its keys that other tools look for in this spelling, and read as decimal numbers.
+/// Keys of that section that other tools expect in this spelling and read as decimal numbers.
 const PLAIN_KEYS: [&str; 2] = ["NodeID", "Baudrate"];
 
-/// The bytes of `document` as a DCF with the name `file_name` for the node `node`. The values of `node`
-/// replace those of the document; `last_eds` is the file it was created from.
+/// Converts `document` to a DCF named `file_name` for the node `node`. The values of `node` replace
+/// those of the document; `last_eds` is the source file.
 ///
 /// # Errors
 /// When the document cannot be written in its encoding.
@@ -108,14 +108,15 @@ impl HeadedSections {
     }
 }
 
-/// Whether the header of a section is the one of the standard, letter by letter.
+/// Whether a section header is spelled exactly as in the standard.
 fn has_standard_name(document: &Document, section: &Section) -> bool {
     section
         .header
         .is_some_and(|header| header.line.of(document.text()).trim() == format!("[{COMMISSIONING}]"))
 }
 
-/// Sets a key that must be spelled as in the standard. All lines of the key get the value, because other tools take the one with this spelling.
+/// Sets a key that must be spelled as in the standard. All lines of the key get the value, because other
+/// tools read the one with this spelling.
 fn set_plain(editor: &mut IniEditor<'_>, document: &Document, section: &Section, key: &str, value: &str) {
     let text = document.text();
     let spellings = section.entries.iter().filter(|entry| entry.key.of(text).eq_ignore_ascii_case(key));
@@ -148,7 +149,7 @@ fn has_number(document: &Document, section: &Section, key: &str, number: &str) -
         .is_some_and(|old| value(number) == Some(old))
 }
 
-/// The keys of `DeviceComissioning` (CiA 306-1 §5.4): those that readers require, and others if set.
+/// The keys of `DeviceComissioning` (CiA 306-1 §5.4): keys that readers require, and other keys if set.
 fn settings(node: &Commissioning) -> Vec<(&'static str, String)> {
     let number = |number: Option<u32>| number.unwrap_or_default().to_string();
     let text = |text: &Option<String>| text.clone().unwrap_or_default();
@@ -161,7 +162,7 @@ fn settings(node: &Commissioning) -> Vec<(&'static str, String)> {
         ("NetworkName", text(&node.network_name)),
         ("CANopenManager", number(node.manager.map(u32::from))),
     ]);
-    // Lely refuses a serial number without 1018h sub-index 4, so none is invented
+    // Lely rejects a serial number without 1018h sub-index 4, so none is invented
     settings.extend(node.lss_serial_number.map(|number| ("LSS_SerialNumber", number.to_string())));
     let designators =
         [("NodeRefd", &node.node_reference_designator), ("NetRefd", &node.net_reference_designator)];

@@ -1,4 +1,4 @@
-//! The rule that needs the name under which a file was opened, which is not part of the model.
+//! The rule about the name under which a file was opened, which is not part of the model.
 
 use super::findings::FILE_NAME;
 use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
@@ -20,7 +20,7 @@ pub fn check(device: &Device, opened_as: &str, findings: &mut Findings) {
     findings.push(Diagnostic::new(&FILE_NAME, place, message).help(title).fix(fix));
 }
 
-/// The name after the last separator of either kind: files are exchanged between systems.
+/// The name after the last `/` or `\`, because files are exchanged between systems.
 fn base_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path).trim()
 }

@@ -1,4 +1,4 @@
-//! A key of a section as it is read.
+//! A key of a section as read.
 
 use super::keys::FieldKey;
 use crate::model::Field;
@@ -25,12 +25,12 @@ impl Item<'_> {
         self.key.map(FieldKey::field)
     }
 
-    /// The number of a numbered key such as the `3` of `3=0x1018`.
+    /// The number of a numbered key, such as `3` in `3=0x1018`.
     pub(crate) fn number(&self) -> Option<u32> {
         Field::item_number(self.name)
     }
 
-    /// The number of a numbered key in hex, which the standard writes in decimal: the 15 of `0xF=Inlet`.
+    /// The number of a numbered key in hex, although the standard requires decimal: 15 for `0xF=Inlet`.
     pub(crate) fn hex_number(&self) -> Option<u32> {
         let digits = self.name.strip_prefix("0x").or_else(|| self.name.strip_prefix("0X"))?;
         u32::from_str_radix(digits, 16).ok()

@@ -5,8 +5,7 @@ use crate::model::Field;
 /// No field.
 const NONE: u8 = u8::MAX;
 
-/// The numbers of all fixed fields, in groups with the same length, first and last letter: usually one or
-/// two per group.
+/// All fixed fields by number, grouped by length, first and last letter: usually one or two per group.
 struct Groups {
     /// The first field of each group.
     first: [u8; 256],
@@ -26,8 +25,7 @@ static GROUPS: Groups = {
     groups
 };
 
-/// The group of a name, independent of upper and lower case. With these factors there are hardly any random
-/// collisions.
+/// The group of a name, case-insensitive. With these factors there are hardly any random collisions.
 #[inline]
 const fn group_of(name: &[u8]) -> usize {
     match name {
@@ -56,13 +54,14 @@ pub fn is_key(name: &str) -> bool {
     FieldKey::find(name).is_some()
 }
 
-/// Whether python-canopen reads a key of an entry that CiA 306 does not define: the unit, factor or description of its value.
+/// Whether python-canopen reads this key of an entry, which CiA 306 does not define: the unit, factor or
+/// description of its value.
 pub fn is_meaning_key(name: &str) -> bool {
     ["Unit", "Factor", "Description"].iter().any(|key| name.eq_ignore_ascii_case(key))
 }
 
 impl FieldKey {
-    /// The key with this name in any case; `None` for one that the standard does not define.
+    /// The key with this name, case-insensitive; `None` if the standard does not define it.
     #[inline]
     pub(crate) fn find(text: &str) -> Option<Self> {
         let number = GROUPS.first[group_of(text.as_bytes())];

@@ -1,5 +1,5 @@
-//! From places to spans. The locator stores nothing per value: the place names its section and key, and the
-//! text is searched when a finding is shown. A file without findings costs nothing.
+//! Converts places to spans. The locator stores nothing per value: the place names its section and key, and
+//! the text is searched only when a finding is shown.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
@@ -20,8 +20,8 @@ pub struct SectionLocator {
     state: RandomState,
     /// The number of the part, and the start of its header line.
     headers: Vec<(u32, u32)>,
-    /// The keys of sections that were requested, by the start of their header line. Otherwise a long list
-    /// with many findings would be read from its start for each of them.
+    /// Requested keys of sections, by the start of their header line. Otherwise a long list with many
+    /// findings would be scanned from its start for each of them.
     keys: Mutex<HashMap<u32, Keys>>,
     /// The rank of each section in the canonical order, needed to add sections.
     outline: OnceLock<Vec<(Rank, u32)>>,
@@ -44,7 +44,7 @@ impl SectionLocator {
                 sections.push((number_of(&state, &name.part), line.span.start));
             }
         }
-        // a misspelt section only counts if none has the correct name
+        // a misspelt section is used only if none has the correct name
         found.append(&mut misspelt);
         // sections are usually in order already
         found.sort_by_key(|(number, _)| *number);
@@ -52,8 +52,8 @@ impl SectionLocator {
         Self { state, headers: found, keys: Mutex::default(), outline: OnceLock::new() }
     }
 
-    /// The span of a place: the value of its key if that is not empty, else the key; the name of its section
-    /// if the key is missing. `None` for the device as a whole and for missing sections.
+    /// The span of a place: the value of its key if not empty, otherwise the key; the name of its section if
+    /// the key is missing. `None` for the device as a whole and for missing sections.
     pub fn locate(&self, document: &Document, place: &Place) -> Option<Span> {
         let text = document.text();
         let mut header = None;
@@ -74,7 +74,8 @@ impl SectionLocator {
         found.or_else(|| embedded_line(document, place))
     }
 
-    /// The place of an offset: the field of its line in its section. `None` outside the sections of the standard.
+    /// The place at an offset: the field of its line in its section. `None` outside the sections of the
+    /// standard.
     pub fn place_at(&self, document: &Document, offset: u32) -> Option<Place> {
         let (text, outline) = (document.text(), self.outline(document));
         let behind = outline.partition_point(|(_, start)| *start <= offset);
@@ -92,7 +93,7 @@ impl SectionLocator {
         (!matches!(part, Part::Section(_))).then_some(Place { part, field })
     }
 
-    /// The value of a key whose name is misspelt.
+    /// The value of a key with a misspelt name.
     fn misspelt_key(&self, document: &Document, place: &Place) -> Option<Span> {
         let field =
             place.field.as_ref().filter(|field| !matches!(field, Field::Item(_) | Field::Named(_)))?;
@@ -111,7 +112,7 @@ impl SectionLocator {
         })
     }
 
-    /// The sections in the order of the text: the canonical rank, and the start of the header line.
+    /// The sections in text order: the canonical rank, and the start of the header line.
     pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
         let text = document.text();
         self.outline.get_or_init(|| {
@@ -205,7 +206,7 @@ pub fn objects(document: &Document) -> Vec<(u16, Span)> {
     found
 }
 
-/// The comment line that holds an embedded datum, or the first of all.
+/// The comment line that contains an embedded value, or the first such line.
 fn embedded_line(document: &Document, place: &Place) -> Option<Span> {
     if place.part != Part::Section(EMBEDDED_SECTION.into()) {
         return None;
@@ -222,7 +223,7 @@ fn is_header(line: &Line) -> bool {
     matches!(line.kind, LineKind::Section { .. })
 }
 
-/// The number of a part for lookup: from its index and sub-index, or a hash that cannot collide with those.
+/// The lookup number of a part: its index and sub-index, or a hash that cannot collide with those.
 fn number_of(state: &RandomState, part: &Part) -> u32 {
     const OBJECT: u32 = 1 << 31;
     match *part {

@@ -131,7 +131,7 @@ impl NameWord {
         }
     }
 
-    /// Whether a few edits may turn one name into the other.
+    /// Whether a few edits might turn one name into the other.
     fn may_be(&self, other: &Self) -> bool {
         let most = self.most_edits(other);
         self.length > 0

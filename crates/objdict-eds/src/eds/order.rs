@@ -88,7 +88,7 @@ fn module(number: u16, part: ModulePart) -> Rank {
     }
 }
 
-/// The keys of objects in the order of the canonical text; other sections have the order of [`Field::NAMED`].
+/// The keys of objects in canonical order; other sections use the order of [`Field::NAMED`].
 const OBJECT_KEYS: [Field; 20] = [
     Field::ParameterName,
     Field::ObjectType,
@@ -112,7 +112,7 @@ const OBJECT_KEYS: [Field; 20] = [
     Field::ParamRefd,
 ];
 
-/// The keys that count the items after them.
+/// The keys that contain the number of the items after them.
 pub(super) const COUNTERS: [Field; 6] = [
     Field::SupportedObjects,
     Field::NrOfEntries,
@@ -122,7 +122,7 @@ pub(super) const COUNTERS: [Field; 6] = [
     Field::Items,
 ];
 
-/// The key that counts the items of a section.
+/// The key with the number of items in a section.
 pub(super) fn counter_of(part: &Part) -> Option<Field> {
     match part {
         Part::List(_) => Some(Field::SupportedObjects),
@@ -136,7 +136,7 @@ pub(super) fn counter_of(part: &Part) -> Option<Field> {
     }
 }
 
-/// The rank of a key in its section; `None` for a key without a defined place.
+/// The rank of a key in its section; `None` for a key without a defined position.
 pub(super) fn key_rank(name: &str) -> Option<u32> {
     let Some(key) = FieldKey::find(name) else {
         let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();

@@ -8,7 +8,7 @@ use crate::model::{ModulePart, Part};
 /// A parsed section name.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct SectionName {
-    /// What the section describes.
+    /// The described part.
     pub part: Part,
     /// How the name differs from the spelling of the standard.
     pub(crate) spelling: NameSpelling,
@@ -62,7 +62,7 @@ impl SectionName {
     }
 }
 
-/// The section name of a part in the spelling of the standard; `None` for [`Part::Device`].
+/// The section name of a part, spelled as in the standard; `None` for [`Part::Device`].
 pub(crate) fn section_name(part: &Part) -> Option<String> {
     (*part != Part::Device).then(|| diagnostic::section_name(part))
 }
@@ -92,9 +92,9 @@ fn hex_digit(byte: u8) -> Option<u8> {
     }
 }
 
-/// The number of a name that starts with hex digits, and the known suffix after it. A name without a known
-/// suffix has no number: `[A]` to `[FFFF]` are objects, `[Face2]` is not. The number takes as many digits as
-/// possible, because `Denotation` also starts with hex digits.
+/// The number at the start of a name that begins with hex digits, and the known suffix after it. A name
+/// without a known suffix has no number: `[A]` to `[FFFF]` are objects, `[Face2]` is not. The number
+/// includes as many digits as possible, because `Denotation` also starts with hex digits.
 fn hex_prefix(name: &str) -> Option<(u16, &str)> {
     let digits = name.bytes().take_while(u8::is_ascii_hexdigit).take(5).count();
     let digits = (1..=digits).rev().find(|&digits| suffix_of(&name[digits..]).is_some())?;
@@ -146,7 +146,7 @@ fn hex_sub(text: &str) -> Option<u8> {
     if digits { u8::from_str_radix(text, 16).ok() } else { None }
 }
 
-/// An object or sub-index with leading zeros, blanks, or marks of hex numbers.
+/// An object or sub-index with leading zeros, spaces, or hex prefixes and suffixes.
 fn odd_object(name: &str) -> Option<SectionName> {
     let plain = unmarked(&name.split_ascii_whitespace().collect::<String>())?;
     let text = without_zeros(&plain);
@@ -167,8 +167,8 @@ fn odd_object(name: &str) -> Option<SectionName> {
     Some(SectionName { part, spelling })
 }
 
-/// The hex digits at the start of a text without their mark (`0x1018`, `$1018`, `16#1018`, `1018h`), the text behind them, and whether
-/// they have one.
+/// The hex digits at the start of a text without their prefix or suffix (`0x1018`, `$1018`, `16#1018`, `1018h`), the
+/// text after them, and whether they had one.
 fn unmarked_digits(text: &str) -> (&str, &str, bool) {
     let marks = ["0x", "0X", "$", "16#"];
     let number = marks.iter().find_map(|mark| text.strip_prefix(mark)).unwrap_or(text);
@@ -221,7 +221,7 @@ fn module_section(name: &str) -> Option<SectionName> {
     Some(SectionName { part: Part::Module(number, part), spelling })
 }
 
-/// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the index has the same spellings as that of an object of
+/// `SubExt6000`, `Fixed6423` or `Fixed6423sub1`; the index can be spelled like the index of an object of
 /// the device.
 fn module_object(name: &str) -> Option<(ModulePart, NameSpelling)> {
     let behind = |word: &str| {

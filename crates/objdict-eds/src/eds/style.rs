@@ -3,14 +3,14 @@
 use crate::literal::RealSpelling;
 use crate::source::Encoding;
 
-/// How a new EDS or DCF is written, as opposed to an edit of an existing text.
+/// The style of a new EDS or DCF, as opposed to an edit of an existing text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Style {
     /// How REAL numbers are spelled.
     pub real: RealSpelling,
     /// Whether string values are quoted, as dcfgen and dcf2dev require.
     pub quote_strings: bool,
-    /// Whether compact storage is kept (`CompactSubObj`), with the names of all entries; otherwise every
+    /// Whether compact storage (`CompactSubObj`) is kept, with the names of all entries; otherwise every
     /// entry gets a section, because many readers do not support compact storage.
     pub compact: bool,
     /// Whether entries have the keys `Unit`, `Factor` and `Description`, which CiA 306 does not define and python-canopen reads.

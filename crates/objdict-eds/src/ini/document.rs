@@ -27,7 +27,7 @@ pub struct Section {
 /// The header of a section.
 #[derive(Clone, Copy, Debug)]
 pub struct Header {
-    /// The name, without the brackets and surrounding blanks.
+    /// The name, without the brackets and surrounding whitespace.
     pub name: Span,
     /// The whole line.
     pub line: Span,
@@ -38,7 +38,7 @@ pub struct Header {
 pub struct IniEntry {
     /// The key, not empty.
     pub key: Span,
-    /// The value, without surrounding blanks.
+    /// The value, without surrounding whitespace.
     pub value: Span,
 }
 
@@ -101,7 +101,7 @@ impl Document {
         self.source.encode(&text).unwrap_or_else(|_| self.source.to_bytes())
     }
 
-    /// The line end of new lines: that of the first line, or CR LF if it has none.
+    /// The line end of new lines: as in the first line, or CR LF if it has none.
     pub fn line_end(&self) -> &'static str {
         match self.lines().next().map(|line| Span::new(line.span.end, line.next).of(self.text())) {
             Some("\n") => "\n",
@@ -135,8 +135,8 @@ impl Document {
         Section::of(None, self.lines())
     }
 
-    /// The lines that an edit may have changed: the first one contains the byte before the edit, because a line feed behind a carriage
-    /// return is part of its line end, and the line behind the last one starts behind the edit.
+    /// The lines that an edit may have changed. The first one contains the byte before the edit, because a line feed
+    /// after a carriage return is part of its line end; the line after the last one starts after the edit.
     pub(crate) fn changed_lines(&self, edited: EditedSpan) -> impl Iterator<Item = Line> {
         let first = self.line_at(edited.start.saturating_sub(2));
         let start = first.map_or(edited.start, |line| line.span.start);

@@ -1,4 +1,4 @@
-//! Edits of a document by spans: the rest of the text stays unchanged, byte for byte.
+//! Edits a document by spans: the rest of the text remains unchanged, byte for byte.
 
 use super::{Document, Line, LineKind, Section};
 use crate::source::{EditError, Edits, Span};
@@ -14,8 +14,8 @@ pub struct IniEditor<'a> {
 }
 
 impl<'a> IniEditor<'a> {
-    /// An editor without changes. New lines end like the first line of the document, or with CR LF if it has
-    /// none.
+    /// Creates an editor without changes. New lines end like the first line of the document, or with CR LF
+    /// if it has none.
     pub fn new(document: &'a Document) -> Self {
         let line_end = document.line_end();
         Self { document, line_end, edits: Edits::new(document.source()), many_lines: None }
@@ -31,7 +31,7 @@ impl<'a> IniEditor<'a> {
         self.replace(span, "");
     }
 
-    /// Sets a key: in its place, or in a new line after the last key of the section.
+    /// Sets a key: in its existing line, or in a new line after the last key of the section.
     pub fn set(&mut self, section: &Section, key: &str, value: &str) {
         self.check_line(key);
         self.check_line(value);
@@ -46,12 +46,12 @@ impl<'a> IniEditor<'a> {
         }
     }
 
-    /// Gives a section another name.
+    /// Renames a section.
     pub fn rename_section(&mut self, section: &Section, name: &str) {
         self.check_line(name);
         let Some(header) = section.header else { return };
         let line = header.line.of(self.document.text());
-        // blanks between brackets and name are part of the name for some tools
+        // for some tools, spaces between brackets and name are part of the name
         let inside = line.find('[').zip(line.rfind(']')).filter(|(open, close)| open < close);
         let inside = inside.map(|(open, close)| {
             let at = |offset: usize| header.line.start + u32::try_from(offset).unwrap_or_default();
@@ -70,7 +70,7 @@ impl<'a> IniEditor<'a> {
     }
 
     /// Removes a section: its header, its entries and the blank lines after them. Comments after the last
-    /// entry stay, because they probably belong to the following section.
+    /// entry are kept, because they probably belong to the following section.
     pub fn remove_section(&mut self, section: &Section) {
         let Some(first) = section.header.and_then(|header| self.line_at(header.line.start)) else { return };
         let last = self.line_at(end_of(section)).unwrap_or(first);
@@ -80,7 +80,7 @@ impl<'a> IniEditor<'a> {
         self.remove(Span::new(first.span.start, end));
     }
 
-    /// Adds a section after another one, or at the start of the document.
+    /// Inserts a section after the given one, or at the start of the document.
     pub fn insert_section(&mut self, behind: Option<&Section>, name: &str, entries: &[(&str, String)]) {
         self.check_line(name);
         for (key, value) in entries {
@@ -109,7 +109,7 @@ impl<'a> IniEditor<'a> {
         }
     }
 
-    /// Adds lines after the line that contains `offset`, which may be the last one and without line end.
+    /// Adds lines after the line that contains `offset`, which may be the last one and lack a line end.
     fn insert_lines(&mut self, offset: u32, lines: &[String]) {
         let at = self.line_at(offset).map_or(offset, |line| line.span.end);
         let text: String = lines.iter().flat_map(|line| [self.line_end, line.as_str()]).collect();
@@ -123,7 +123,7 @@ impl<'a> IniEditor<'a> {
     /// The edited text.
     ///
     /// # Errors
-    /// When two changes overlap, or a new text contains a line end.
+    /// If two changes overlap, or a new text contains a line end.
     pub fn text(&self) -> Result<String, EditError> {
         self.sound()?.text()
     }
@@ -131,7 +131,7 @@ impl<'a> IniEditor<'a> {
     /// The edited document in the encoding of the file; without changes, the original bytes.
     ///
     /// # Errors
-    /// When two changes overlap, a new text contains a line end, or the document cannot be written in the
+    /// If two changes overlap, a new text contains a line end, or the document cannot be written in the
     /// encoding of the file.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         self.sound()?.to_bytes()

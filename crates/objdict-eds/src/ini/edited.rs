@@ -1,21 +1,21 @@
-//! What an edit changed.
+//! The extent of an edit.
 
-/// The bytes in which two texts differ: from `start` to an end in each of them.
+/// The bytes in which two texts differ: from `start` to a different end in each text.
 #[derive(Clone, Copy, Debug)]
 pub struct EditedSpan {
-    /// The length of what both begin with.
+    /// The length of the common start.
     pub start: u32,
-    /// The end in the old text; what follows is equal.
+    /// The end in the old text; the rest is equal.
     pub old_end: u32,
     /// The end in the new text.
     pub new_end: u32,
 }
 
-/// So many bytes are compared at once.
+/// The number of bytes compared at once.
 const CHUNK: usize = 256;
 
 impl EditedSpan {
-    /// What differs between two texts.
+    /// The difference between two texts.
     pub fn of(old: &str, new: &str) -> Self {
         let (old, new) = (old.as_bytes(), new.as_bytes());
         let chunks = old.chunks_exact(CHUNK).zip(new.chunks_exact(CHUNK));

@@ -16,24 +16,24 @@ pub struct Line {
 /// The kind of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
-    /// Only blanks.
+    /// Only whitespace.
     Blank,
     /// A comment: `;` by the standard (CiA 306-1 §4.2), `#` and `//` in real files.
     Comment,
-    /// `[name]`; also with blanks before it, with text after it, or without the `]`. The sections of CiA 306 may have a few
-    /// characters of junk before them.
+    /// `[name]`; also with whitespace before it, with text after it, or without the `]`. The sections of CiA 306 may
+    /// follow a few characters of junk.
     Section {
-        /// The name, without the brackets and surrounding blanks.
+        /// The name, without the brackets and surrounding whitespace.
         name: Span,
     },
     /// `key=value`.
     Entry {
-        /// The text before the first `=` without surrounding blanks; never empty.
+        /// The text before the first `=`, without surrounding whitespace; never empty.
         key: Span,
-        /// The text after the `=` without surrounding blanks.
+        /// The text after the `=`, without surrounding whitespace.
         value: Span,
     },
-    /// Anything else.
+    /// Any other line.
     Junk,
 }
 
@@ -43,7 +43,7 @@ pub struct Lines<'a> {
     bytes: &'a [u8],
     /// The start of the next line.
     at: usize,
-    /// The bytes that are not scanned yet; scanning takes eight at a time.
+    /// The bytes that are not scanned yet; eight are scanned at a time.
     rest: &'a [u8],
     /// The start of the word scanned last.
     word: usize,
@@ -78,7 +78,7 @@ pub(crate) fn headers(text: &str) -> impl Iterator<Item = Line> {
         let junk = window.iter().rev().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count();
         let line = start - junk;
         let is_first = line == 0 || matches!(bytes[line - 1], b'\n' | b'\r');
-        // another bracket before this one is that of the header
+        // a previous bracket in the line is the start of the header
         let is_only = !bytes[line..start].contains(&b'[');
         if !is_first || !is_only {
             return None;
@@ -122,8 +122,8 @@ impl Lines<'_> {
         Some(Line { kind, span: span(start, end), next: self.at as u32 })
     }
 
-    /// The next `=` or line end, and finally the end of the text. Lines are short, so the start of a search
-    /// with larger vectors costs more than looking at eight bytes at a time, each of them once.
+    /// The next `=` or line end, and finally the end of the text. Lines are short, so starting a search
+    /// with larger vectors costs more than checking eight bytes at a time.
     #[inline(always)]
     fn mark(&mut self) -> usize {
         loop {
@@ -149,8 +149,8 @@ impl Lines<'_> {
 /// A one in each byte of a word.
 const ONES: u64 = u64::from_ne_bytes([1; 8]);
 
-/// The top bits of the bytes of a word that are less than `limit`, at most 80h; the result may be wrong for
-/// bytes after the first match.
+/// Sets the top bit of each byte of a word that is less than `limit`, at most 80h; the result may be wrong
+/// for bytes after the first match.
 #[inline]
 const fn below(word: u64, limit: u8) -> u64 {
     word.wrapping_sub(ONES * limit as u64) & !word & (ONES << 7)
@@ -167,7 +167,7 @@ fn span(start: usize, end: usize) -> Span {
     Span::new(start as u32, end as u32)
 }
 
-/// Fast path for most lines: an entry without blanks at its ends and around the `=`.
+/// Fast path for most lines: an entry without whitespace at its ends and around the `=`.
 #[inline]
 fn plain_entry(bytes: &[u8], start: usize, equals: usize, end: usize) -> Option<LineKind> {
     let around = [bytes[equals - 1], bytes[end - 1], *bytes.get(equals + 1)?];
@@ -207,10 +207,11 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
     }
 }
 
-/// The most bytes of junk before the header of a known section.
+/// The maximum number of junk bytes before the header of a known section.
 const MAX_JUNK: usize = 16;
 
-/// Whether a text is the header of a section that CiA 306 defines: a general one, or one of an object or module.
+/// Whether a text is the header of a section that CiA 306 defines: a general section, or one of an object or
+/// module.
 fn is_known(text: &[u8]) -> bool {
     const NAMES: [&[u8]; 13] = [
         b"FileInfo",
@@ -257,7 +258,7 @@ fn is_module(name: &[u8]) -> bool {
     digits > 0 && (of_object || WORDS.iter().any(|word| word.eq_ignore_ascii_case(rest)))
 }
 
-/// Blanks and tabs, and the NUL and Ctrl-Z that DOS and C leave at the end of a file.
+/// Spaces and tabs, and the NUL and Ctrl-Z that DOS and C leave at the end of a file.
 const fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0 | 0x1A)
 }
@@ -294,7 +295,7 @@ mod tests {
         assert_eq!(kinds(text), expected);
     }
 
-    /// Lines before and in which there is junk.
+    /// Lines that contain or follow junk.
     const JUNK: &str = "50[FileInfo]\n \u{FEFF}x [comments] \nsee [12]\n;[Comments]\n=[DummyUsage]\nk=[DeviceInfo]\n\
                         50[1018sub1]\n2[1003Value]\nx[M1ModuleInfo]\nsee [1018sub]\n\
                         v[10180]\na[x][FileInfo]\n[x][FileInfo]\n50[FileInfo] x\n0123456789abcdef[DeviceInfo]\n\

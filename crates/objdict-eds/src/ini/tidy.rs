@@ -15,7 +15,7 @@ pub(crate) fn tidy(document: &Document, what: Tidy, edits: &mut Edits<'_>) -> Op
     Some(())
 }
 
-/// Gives all lines the line end of most of them, LF or CR LF.
+/// Converts all lines to the most frequent line end, LF or CR LF.
 fn line_ends(document: &Document, edits: &mut Edits<'_>) {
     let text = document.text();
     let spans = || document.lines().map(|line| Span::new(line.span.end, line.next));
@@ -60,7 +60,7 @@ fn keys(document: &Document, edits: &mut Edits<'_>) {
     }
 }
 
-/// Replaces all other characters by those of ISO 646.
+/// Transliterates all other characters to ISO 646.
 fn iso646(document: &Document, edits: &mut Edits<'_>) -> Option<()> {
     for (at, c) in document.text().char_indices().filter(|(_, c)| !c.is_ascii()) {
         edits.append(Span::new(at as u32, (at + c.len_utf8()) as u32), transliterate(c)?);

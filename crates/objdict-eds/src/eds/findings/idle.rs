@@ -1,4 +1,4 @@
-//! Findings in sections that say nothing of an entry.
+//! Findings in sections that do not describe entries.
 
 use super::{DUPLICATE_KEY, DUPLICATE_SECTION};
 use crate::diagnostic::{At, Diagnostic, Findings};
@@ -10,8 +10,8 @@ use crate::ini::findings::{JUNK_LINE, KEY_BEFORE_SECTION};
 use crate::ini::{LineKind, Lines, headers};
 use crate::model::Part;
 
-/// Marks repeated keys and sections, and lines that are no key, as [understood](Diagnostic::understood) where no entry can depend on
-/// them: in `[FileInfo]`, `[Comments]` and the like, before the first section and in a comment.
+/// Marks repeated keys and sections, and lines that are not keys, as [understood](Diagnostic::understood) if no entry
+/// can depend on them: in `[FileInfo]`, `[Comments]` and the like, before the first section and in comments.
 pub fn idle(text: &str, findings: Findings) -> Findings {
     let rules = [&JUNK_LINE, &DUPLICATE_KEY, &DUPLICATE_SECTION];
     let is_meant = |finding: &Diagnostic| rules.iter().any(|rule| rule.id == finding.rule.id);
@@ -24,7 +24,7 @@ pub fn idle(text: &str, findings: Findings) -> Findings {
             _ => None,
         })
         .collect();
-    // keys below what may have been a header
+    // keys below a possible header
     let has_headless_key = findings.iter().any(|finding| finding.rule.id == KEY_BEFORE_SECTION.id);
     let is_beside = |finding: &Diagnostic| {
         let Some(At::Span(at)) = finding.labels.first().map(|label| &label.at) else { return false };
@@ -45,7 +45,7 @@ pub fn idle(text: &str, findings: Findings) -> Findings {
     })
 }
 
-/// Whether a section has nothing that a table is made of.
+/// Whether no generated table depends on a section.
 fn is_idle(name: &str) -> bool {
     !matches!(
         SectionName::parse(name).part,
@@ -58,17 +58,17 @@ fn is_idle(name: &str) -> bool {
     )
 }
 
-/// Whether a line that is not a key may be the malformed header of an object, or marks a merge.
+/// Whether a line that is not a key may be the malformed header of an object or a merge marker.
 fn may_begin_object(line: &str) -> bool {
     let name = line.trim_matches(|c: char| !c.is_ascii_alphanumeric());
     line.trim_end().ends_with(']') || !is_idle(name)
 }
 
-/// The most lines of a wrapped comment that are looked at.
+/// The maximum number of examined lines of a wrapped comment.
 const MOST_WRAPPED: usize = 8;
 
-/// Whether a line that is not a key cannot be meant as one: it has no letter or digit, or is the rest of a wrapped comment, and its
-/// first word is neither a number nor like a key.
+/// Whether a line that is not a key cannot be intended as one: it has no letter or digit, or continues a wrapped
+/// comment, and its first word is neither a number nor similar to a key.
 fn is_prose(line: &str, before: &str) -> bool {
     let is_word = |word: &str| {
         let is_number = word.starts_with(|c: char| c.is_ascii_digit());

@@ -29,7 +29,7 @@ text_rules! {
     example: "`[1018sub1]` and later `[1018SUB01]`",
     remedy: "Keep one of them.",
 
-    // one number of a list twice, and another one missing
+    // a list contains one number twice and lacks a different one
     "cia306/duplicate-key" = DUPLICATE_KEY, Error, fix Safe,
         explains Section ["wrong-count"], explains Value ["object-not-listed"], stops "*";
     summary: "a key is defined twice in a section",
@@ -38,7 +38,8 @@ text_rules! {
     example: "`DefaultValue=4` and later `DefaultValue=5`",
     remedy: "Keep one of them.",
 
-    // the keys belong to another sub-index of the same object, or to an object that is listed or has sub-indexes
+    // the keys belong to a different sub-index of the same object, or to an object that is listed or has
+    // sub-indexes
     "cia306/missing-header" = MISSING_HEADER, Error,
         explains Section ["unknown-key", "unsupported-key", "invalid-value", "value-outside-limits"],
         explains File ["wrong-pdo-count"],
@@ -118,7 +119,7 @@ text_rules! {
     remedy: "Correct the count.",
     source: "CiA 306-1 §4.6.3.1",
 
-    // a number is missing, and so is the entry
+    // a number is missing, and therefore the entry
     "cia306/list-numbering" = LIST_NUMBERING, Error, fix Safe,
         explains Section ["wrong-count"], explains List ["object-not-listed"];
     summary: "the keys of a list are not consecutive",

@@ -35,7 +35,7 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
     if is_idle { finding.understood() } else { finding }
 }
 
-/// The keys of another section begin with `item`, which repeats `first`, in the section `name`.
+/// The keys of a different section begin with `item`, which repeats `first`, in the section `name`.
 pub(in crate::eds) fn missing_header(name: &str, item: &Item<'_>, first: &Item<'_>) -> Diagnostic {
     let message = say!("`{}` starts a new section inside `[{}]`, but its header is missing", item.name, name);
     Diagnostic::new(&MISSING_HEADER, item.name_at, message)
@@ -43,7 +43,7 @@ pub(in crate::eds) fn missing_header(name: &str, item: &Item<'_>, first: &Item<'
         .help("write the header above this line")
 }
 
-/// `item` of a list has the number of `other`, and only `number` is left for it.
+/// `item` of a list has the number of `other`; only `number` is unused.
 pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number: u32) -> Diagnostic {
     let which = if item.name_at.start > other.name_at.start { "second" } else { "first" };
     let message = say!(
@@ -60,7 +60,7 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
         .understood()
 }
 
-/// The first of `number` entries that PDOs of another direction map than their access type names.
+/// The first of `number` entries that are mapped in a direction that their access type excludes.
 pub(in crate::eds) fn mapped_otherwise(
     device: &Device,
     (index, sub): (u16, u8),
@@ -80,7 +80,7 @@ pub(in crate::eds) fn mapped_otherwise(
         .help("write the direction: `rww` for an output, `rwr` for an input, `rw` for both")
 }
 
-/// Removes a line that is not read; what says something else is kept as a comment.
+/// Removes a line that is not read, or comments it out if its content differs.
 fn without_line(item: &Item<'_>, is_idle: bool) -> Fix {
     match is_idle {
         true => Fix::safe("remove the second, unread line").with(Change::RemoveLine(item.name_at)),
@@ -88,14 +88,14 @@ fn without_line(item: &Item<'_>, is_idle: bool) -> Fix {
     }
 }
 
-/// How a section relates to an earlier one of the same name.
+/// The relation of a section to an earlier one with the same name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::eds) enum DuplicateKind {
     /// Both are merged.
     Joined,
-    /// The second one is equal and not read.
+    /// The second section is equal and not read.
     Equal,
-    /// The second one differs, or was not compared, and is not read.
+    /// The second section differs, or was not compared, and is not read.
     Other,
 }
 
@@ -147,7 +147,7 @@ pub(in crate::eds) fn unknown_section(name: &str, at: Span) -> Diagnostic {
     }
 }
 
-/// The index and the number of a section whose sub-index was written in decimal: `[2000sub100]`.
+/// The index and sub-index of a section whose sub-index is written in decimal: `[2000sub100]`.
 fn decimal_sub(name: &str) -> Option<(&str, u8)> {
     let (index, sub) = name.split_at_checked(4)?;
     let digits = sub.get(..3).filter(|word| word.eq_ignore_ascii_case("sub")).map(|_| &sub[3..])?;
@@ -155,7 +155,7 @@ fn decimal_sub(name: &str) -> Option<(&str, u8)> {
     u16::from_str_radix(index, 16).ok().map(|_| (index, number))
 }
 
-/// Whether the name looks like that of an object: hex digits with optional `0x`, optionally followed by
+/// Whether the name looks like an object's: hex digits with optional `0x`, optionally followed by
 /// `sub`.
 fn looks_like_object(name: &str) -> bool {
     let name = name.strip_prefix("0x").unwrap_or(name);
@@ -193,9 +193,9 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
     )
 }
 
-/// Reports a key that is read as another one.
+/// Reports a misspelt key that is read as `meant`.
 pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: FieldKey) -> Diagnostic {
-    // as severe as the missing key or count that it hides
+    // as severe as the resulting missing key or count
     let (severity, effect) = match meant.field() {
         Field::SupportedObjects | Field::NrOfEntries => (Severity::Error, "see no entry or reject the file"),
         Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber => {
@@ -213,7 +213,7 @@ pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: FieldKey) -> Diagnost
         .fix(fix)
 }
 
-/// Reports a date or time that is not spelled as `meant`; `is_certain` if it can mean nothing else.
+/// Reports a date or time that is not spelled as `meant`; `is_certain` if it is unambiguous.
 pub(in crate::eds) fn date_spelling(item: &Item<'_>, meant: String, is_certain: bool) -> Diagnostic {
     let form = if meant.contains(':') { "`hh:mmAM` or `hh:mmPM`" } else { "`mm-dd-yyyy`" };
     let title = say!("write `{}`", meant);
@@ -223,7 +223,7 @@ pub(in crate::eds) fn date_spelling(item: &Item<'_>, meant: String, is_certain: 
         .fix(fix.replace(item.value_at, meant))
 }
 
-/// Reports a section that is read as another one.
+/// Reports a misspelt section that is read as `part`.
 pub(in crate::eds) fn misspelt_section(name: &str, part: &Part, at: Span) -> Diagnostic {
     let meant = section_name(part).unwrap_or_default();
     let message = say!("unknown section `[{}]`, probably a misspelt `[{}]`", name, meant);
@@ -288,7 +288,7 @@ pub(in crate::eds) fn list_numbering(item: &Item<'_>, expected: &str, fix: Fix) 
 pub(in crate::eds) fn invalid_list_entry(item: &Item<'_>, reason: &Reason) -> Diagnostic {
     let message = say!("`{}` is not a valid index", item.value);
     let finding = Diagnostic::new(&INVALID_LIST_ENTRY, item.value_at, message);
-    // `16#1000`, or as in the name of a section: `1000h`
+    // `16#1000`, or `1000h` as in section names
     let of_section = || SectionName::parse(item.value).part.object().map(|index| format!("0x{index:04X}"));
     match iec_number(item.value, reason).or_else(of_section) {
         Some(index) => {
@@ -320,7 +320,7 @@ pub(in crate::eds) fn stray_compact_entry(item: &Item<'_>, count: u8) -> Diagnos
         .help(say!("use the numbers 1 to {}", count))
 }
 
-/// Reports a name or other text in quotes.
+/// Reports a quoted name or other string.
 pub(in crate::eds) fn quoted_name(item: &Item<'_>) -> Diagnostic {
     let message = say!("`{}` is in quotes, which become part of the string", item.value);
     let inner = item.value.trim_matches('"').trim_ascii();

@@ -34,7 +34,7 @@ impl EdsRewriter<'_> {
         })
     }
 
-    /// Lines whose index stays in order are kept, and renumbered if needed. Items that are not an index are
+    /// Keeps lines whose index is in order, and renumbers them if needed. Items that are not an index are
     /// also kept and numbered.
     fn rewrite_items(&mut self, section: Section, part: &Part, indexes: &[u16]) -> Option<()> {
         let text = self.document.text();
@@ -101,7 +101,7 @@ fn number(lines: &mut Vec<KeyLine>, part: &Part, counter: &Field) {
     }
 }
 
-/// Whether a key is that of an item, in any spelling.
+/// Whether a key belongs to an item, in any spelling.
 fn is_item(key: &str) -> bool {
     key.bytes().next().is_some_and(|byte| byte.is_ascii_digit())
 }

@@ -1,4 +1,5 @@
-//! Changes of a description as edits of its text: the rest of the text stays unchanged, byte for byte.
+//! Applies changes of a description as edits of its text: the rest of the text remains unchanged, byte for
+//! byte.
 
 mod list;
 mod section;
@@ -16,7 +17,7 @@ use crate::literal::{self, Quirks};
 use crate::model::{Device, Field, ModulePart, Part, Place};
 use crate::source::{Edits, Span};
 
-/// The edits for the changes, in the order of the text; `None` if one of them has no place in the text.
+/// The edits for the changes, in text order; `None` if a change cannot be expressed as an edit.
 pub fn edits(
     document: &Document,
     locator: &SectionLocator,
@@ -78,7 +79,7 @@ impl<'a> EdsRewriter<'a> {
         is_line.then(|| self.edits.replace(Span::empty(at), line))
     }
 
-    /// Makes comments of a line, or of the header and the keys of a section.
+    /// Comments out a line, or the header and keys of a section.
     fn comment_out(&mut self, span: Span) -> Option<()> {
         let line = self.document.line_at(span.start)?;
         let mut starts = vec![line.span.start];
@@ -111,8 +112,8 @@ impl<'a> EdsRewriter<'a> {
         Some(())
     }
 
-    /// The section that holds a field, and its key there: an entry of a compactly stored object has no own
-    /// section.
+    /// The section that contains a field, and its key there: an entry of a compactly stored object has no
+    /// section of its own.
     fn holder(&self, part: &Part, field: &Field) -> Option<(Section, Field)> {
         match (self.section(part), part) {
             (Some(section), _) => Some((section, field.clone())),
@@ -159,8 +160,8 @@ impl<'a> EdsRewriter<'a> {
         (!sections.is_empty()).then_some(())
     }
 
-    /// Removes a section with the blank lines after it. Comments after the last key stay if they probably
-    /// belong to the following section.
+    /// Removes a section with the blank lines after it. Comments after the last key are kept if they
+    /// probably belong to the following section.
     fn remove_section(&mut self, section: &Section) -> Option<()> {
         let header = section.header?;
         let last = self.document.line_at(end_of(self.document, section))?;
@@ -183,7 +184,7 @@ impl<'a> EdsRewriter<'a> {
         Some(())
     }
 
-    /// The section of a part; of several, the first.
+    /// The section of a part; the first if there are several.
     fn section(&self, part: &Part) -> Option<Section> {
         self.locator.sections(self.document, part).next()
     }
@@ -247,8 +248,8 @@ impl<'a> EdsRewriter<'a> {
     }
 }
 
-/// An offset in the last line of a section: its last key, or a comment directly after it that is a setting
-/// of a tool.
+/// An offset in the last line of a section: its last key, or a tool setting in a comment directly after
+/// it.
 fn end_of(document: &Document, section: &Section) -> u32 {
     let header = section.header.map_or(0, |header| header.line.start);
     let last = section.entries.last().map_or(header, |entry| entry.key.start);

@@ -13,7 +13,7 @@ pub(super) struct SectionEdit {
     section: Section,
     part: Part,
     lines: Vec<KeyLine>,
-    /// The key that counts the items, if the count was correct.
+    /// The key with the number of items, if that number was correct.
     counter: Option<Field>,
 }
 
@@ -59,7 +59,7 @@ impl SectionEdit {
         Self { section, part, lines, counter }
     }
 
-    /// Sets a key: in its place, or in a new line after its predecessors in the canonical order.
+    /// Sets a key: in its existing line, or in a new line after its predecessors in canonical order.
     pub(super) fn set(&mut self, key: String, value: String) {
         if let Some(line) = line_of(&mut self.lines, &self.part, &key) {
             line.value = Some(value);
@@ -69,7 +69,7 @@ impl SectionEdit {
         self.lines.insert(position, KeyLine { entry: None, key, value: Some(value), is_removed: false });
     }
 
-    /// Removes a key at any place; `false` if the section does not have it.
+    /// Removes all lines of a key; `false` if the section does not have it.
     pub(super) fn remove(&mut self, key: &str) -> bool {
         let mut found = false;
         let is_of =
@@ -88,7 +88,8 @@ impl SectionEdit {
         &mut self.lines
     }
 
-    /// After the last key that precedes `key`, or after all keys if `key` has no defined place.
+    /// The position after the last key that precedes `key`, or after all keys if `key` has no defined
+    /// position.
     fn position_of(&self, key: &str) -> usize {
         let Some(rank) = key_rank(key) else { return self.lines.len() };
         let before = self
@@ -156,17 +157,17 @@ pub(super) fn line_of<'a>(lines: &'a mut [KeyLine], part: &Part, key: &str) -> O
     Some(line)
 }
 
-/// Whether a key is that of a field.
+/// Whether a key names a field.
 pub(super) fn is_key(key: &str, field: &Field) -> bool {
     key.eq_ignore_ascii_case(&field.name())
 }
 
-/// Whether a key counts others.
+/// Whether a key contains a number of items.
 pub(super) fn is_counter(key: &str) -> bool {
     COUNTERS.iter().any(|counter| is_key(key, counter))
 }
 
-/// `key=value`, if a reader reads back the same key and value.
+/// Formats `key=value`, if a reader reads back the same key and value.
 pub(super) fn key_line(key: &str, value: &str) -> Option<String> {
     let line = format!("{key}={value}");
     let mut lines = Lines::new(&line);

@@ -1,5 +1,5 @@
-//! A text in canonical order and spelling. Sections and keys are moved unchanged with their comments, so
-//! nothing is lost that the model does not contain.
+//! Rewrites a text in canonical order and spelling. Sections and keys are moved unchanged with their
+//! comments, so content without a place in the model is kept.
 
 mod section;
 mod spell;
@@ -34,7 +34,7 @@ pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
     text.text
 }
 
-/// Where the lines start that a section may take with it: behind the last header or key before it.
+/// For each section, the start of the lines that may move with it: after the last preceding header or key.
 fn starts(document: &Document) -> Vec<(Rank, u32)> {
     let (mut starts, mut start) = (Vec::new(), 0);
     for line in document.lines() {
@@ -42,14 +42,15 @@ fn starts(document: &Document) -> Vec<(Rank, u32)> {
             starts.push((Rank::of(&SectionName::parse(name.of(document.text())).part), start));
         }
         if let LineKind::Section { .. } | LineKind::Entry { .. } = line.kind {
-            // of keys without a section, the first section takes the lines that it has as the start of the text
+            // if there are keys without a section, the first section takes its preceding lines as the start
+            // of the text
             start = if starts.is_empty() { 0 } else { line.next };
         }
     }
     starts
 }
 
-/// A section as a block that is moved as a whole, and what is beside it in the text.
+/// A section as a block that is moved as a whole, and its surrounding lines.
 #[derive(Default)]
 struct Stretch<'a> {
     /// The lines before the first section.
@@ -88,8 +89,8 @@ impl<'a> Notes<'a> {
         self.paragraphs.into_iter().flatten().collect()
     }
 
-    /// The lines that belong to the section before: those directly after it. If they are directly above the
-    /// next header, only the settings of tools among them.
+    /// The lines that belong to the preceding section: those directly after it. If they are directly above
+    /// the next header, only tool settings among them.
     fn split_behind(&mut self, is_end: bool) -> Vec<&'a str> {
         if self.is_apart || self.paragraphs.is_empty() {
             return Vec::new();
@@ -105,13 +106,13 @@ impl<'a> Notes<'a> {
     }
 }
 
-/// Whether a comment is a setting for a tool, such as `;StorageLocation=RAM`.
+/// Whether a comment is a tool setting, such as `;StorageLocation=RAM`.
 fn is_setting(line: &str) -> bool {
     (line.starts_with(";S") || line.starts_with(";C")) && line.contains('=')
 }
 
 impl<'a> Stretch<'a> {
-    /// The section behind the first header from an offset on.
+    /// The section after the first header from an offset on.
     fn of(document: &'a Document, offset: u32) -> Self {
         let text = document.text();
         let mut stretch = Self::default();
@@ -121,7 +122,7 @@ impl<'a> Stretch<'a> {
             match line.kind {
                 LineKind::Blank => notes.blank(),
                 LineKind::Comment | LineKind::Junk => match line.span.of(text).trim_end() {
-                    // of blanks that are none to the reader of lines
+                    // whitespace that the line scanner does not treat as blank
                     "" => notes.blank(),
                     line => notes.line(line),
                 },
@@ -140,7 +141,7 @@ impl<'a> Stretch<'a> {
                             let (rank, line) = (block.rank_of(name), line.span.start);
                             block.keys.push(ArrangedKey { rank, above, line, name, value });
                         }
-                        // lines without a section keep their place
+                        // lines without a section keep their position
                         None => stretch.before_sections(notes.all(), line.span.of(text).trim()),
                     }
                 }
@@ -154,7 +155,7 @@ impl<'a> Stretch<'a> {
         stretch
     }
 
-    /// Keeps the place of a key without a section.
+    /// Keeps the position of a key without a section.
     fn before_sections(&mut self, notes: Vec<&'a str>, line: &'a str) {
         if self.start.is_empty() {
             self.start.push(Vec::new());
@@ -165,7 +166,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// Adds notes that belong to the section before, or to the start of the text.
+    /// Adds notes that belong to the preceding section, or to the start of the text.
     fn end_section(&mut self, notes: &mut Notes<'a>, is_start: bool, is_end: bool) {
         match &mut self.block {
             Some(block) => block.behind = notes.split_behind(is_end),
@@ -180,7 +181,7 @@ impl<'a> Stretch<'a> {
     }
 }
 
-/// A section without its keys yet. Text after the header becomes a comment above it.
+/// A section, still without its keys. Text after the header becomes a comment above it.
 fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> SectionBlock<'a> {
     let part = SectionName::parse(name).part;
     let line = header.span.of(text);

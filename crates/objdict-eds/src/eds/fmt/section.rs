@@ -12,9 +12,9 @@ use crate::source::Span;
 
 /// A key of a section with its value.
 pub(super) struct ArrangedKey<'a> {
-    /// Its place among the keys of the section.
+    /// Its position among the keys of the section.
     pub(super) rank: u32,
-    /// Where the lines above it start, and where its own line does.
+    /// The start of the lines above it, and of its own line.
     pub(super) above: u32,
     pub(super) line: u32,
     pub(super) name: &'a str,
@@ -69,8 +69,8 @@ impl<'a> SectionBlock<'a> {
         text.lines(&self.behind);
     }
 
-    /// The rank of a key. In a list only the count has one, because the items are read in the order of the
-    /// text; unknown keys come last.
+    /// The rank of a key. In a list, only the count has one, because the items keep their order; unknown
+    /// keys come last.
     pub(super) fn rank_of(&self, key: &str) -> u32 {
         let has_order = matches!(
             self.part,

@@ -6,7 +6,7 @@ use super::section::ArrangedKey;
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, DataType, Device, Field, ModulePart, ObjectType, Part, TypeKind};
 
-/// The value of a key of a part, which is that of a field unless the standard does not define it.
+/// The value of a key in a part; the key belongs to a field unless the standard does not define it.
 pub(super) fn value<'a>(
     device: &Device,
     part: &Part,
@@ -54,7 +54,7 @@ fn of_item(device: &Device, part: &Part, key: &str, text: &str) -> Option<String
 
 /// A number or a formula of an integer type.
 fn of_type(data_type: DataType, text: &str) -> Option<String> {
-    // nothing is spelled in two ways but hexadecimal digits and `$NODEID`
+    // only hexadecimal digits and `$NODEID` have several spellings
     if !text.contains(['x', 'X', '$']) {
         return None;
     }

@@ -1,6 +1,7 @@
-//! The text that is arranged, and how much of it is changed.
+//! The arranged text, and the extent of its changes.
 
-/// How much is changed. If the complete rearrangement would change the meaning of a text, less is changed.
+/// The extent of the changes. If the complete rearrangement would change the meaning of a text, the extent is
+/// reduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
     /// The order of the keys in a section.
@@ -21,7 +22,7 @@ impl Extent {
     ];
 }
 
-/// A text while it is arranged.
+/// An arranged text under construction.
 pub(super) struct ArrangedText {
     pub text: String,
     pub line_end: &'static str,

@@ -1,4 +1,5 @@
-//! What a reader that makes a dictionary of the lists of objects, and gives up at the first surprise, stops at.
+//! Errors of a reader that creates a dictionary from the lists of objects and stops at the first unexpected
+//! content.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::ini::Document;
 use crate::model::{ObjectList, Part};
 
-/// The sections and keys of a text, without regard to case; the last of two equal keys counts.
+/// The sections and keys of a text, case-insensitive; the last of two equal keys is used.
 struct LoadedConfig<'a> {
     text: &'a str,
     sections: BTreeMap<String, LoadedSection<'a>>,
@@ -19,7 +20,7 @@ struct LoadedSection<'a> {
     keys: BTreeMap<String, (&'a str, Span)>,
 }
 
-/// Where reading stops, and why.
+/// The position where reading stops, and the reason.
 type LoadingStop = (Span, Text);
 
 /// Reports where reading stops.
@@ -34,7 +35,7 @@ impl<'a> LoadedConfig<'a> {
     fn of(document: &'a Document) -> Self {
         let text = document.text();
         let mut sections: BTreeMap<String, LoadedSection<'a>> = BTreeMap::new();
-        // a text of C ends there
+        // a C string ends there
         let end = text.find('\0').and_then(|at| u32::try_from(at).ok()).unwrap_or(u32::MAX);
         document.visit(
             |section| {
@@ -185,7 +186,7 @@ impl<'a> LoadedConfig<'a> {
 }
 
 impl<'a> LoadedSection<'a> {
-    /// The value of a key; `None` for an empty one.
+    /// The value of a key; `None` if empty.
     fn value(&self, key: &str) -> Option<(&'a str, Span)> {
         self.keys.get(key).copied().filter(|(value, _)| !value.is_empty())
     }
@@ -193,7 +194,7 @@ impl<'a> LoadedSection<'a> {
 
 const DOMAIN: u16 = 0x0F;
 
-/// Whether the text begins with a value of the type.
+/// Whether the text begins with a value of this type.
 fn can_be_read(data_type: u16, text: &str) -> bool {
     let is_number = |text: &str| {
         let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
@@ -221,7 +222,7 @@ fn plain(value: &str) -> &str {
     value.split([';', '#']).next().unwrap_or(value).trim_end()
 }
 
-/// The number that a text begins with; 0 without one.
+/// The number at the start of a text; 0 if there is none.
 fn unsigned(text: &str) -> u64 {
     let text = text.trim_start();
     let (digits, radix) = match text.get(..2) {

@@ -99,7 +99,7 @@ impl SectionLine<'_> {
     }
 }
 
-/// Reports a place, with the text that the fix writes: there, or at another span.
+/// Reports a span, with a fix that writes `text` there or at a different span.
 fn report(
     (rule, at): (&'static RuleInfo, Span),
     help: &'static str,

@@ -108,7 +108,7 @@ fn whole_line(text: &str, line: &SectionLine<'_>) -> crate::source::Span {
     crate::source::Span::new(start as u32, line.value_at.end + (end + line_end) as u32)
 }
 
-/// `Dummy0005` for `dummy0005`; the unchanged name if it has another prefix.
+/// `Dummy0005` for `dummy0005`; the unchanged name if its prefix is different.
 fn with_head(name: &str, head: &str) -> String {
     match name.get(..head.len()) {
         Some(start) if start.eq_ignore_ascii_case(head) => format!("{head}{}", &name[head.len()..]),

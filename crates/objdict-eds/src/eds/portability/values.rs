@@ -1,4 +1,4 @@
-//! Values in a form that some tools misread.
+//! Values in a notation that some tools misread.
 
 use super::rules::{
     BARE_NODE_ID, HASH_IN_TEXT, LIMIT_NOT_READ, NEGATIVE_HEX, REAL_AS_DECIMAL, SEMICOLON_IN_TEXT,
@@ -82,7 +82,7 @@ fn check_limit(data_type: Option<DataType>, field: &Field, line: &SectionLine<'_
     let message = || say!("`{}` is {}", field, reason);
     report((&LIMIT_NOT_READ, line.value_at), "check the limits in the application", None, message, findings);
 }
-/// The bits of a REAL in hex; `None` where a comment would be lost.
+/// The bits of a REAL in hex; `None` if a comment would be lost.
 fn bits_of(text: &str, data_type: Option<DataType>) -> Option<String> {
     let mut quirks = Quirks::default();
     let value = literal::value_in_line(text, data_type, &mut quirks).ok()?;
@@ -104,7 +104,7 @@ fn check_bare_node_id(data_type: Option<DataType>, line: &SectionLine<'_>, findi
     }
 }
 
-/// Whether a value is text with any characters; `data_type` is the type of a value of the device.
+/// Whether a value may contain any characters; `data_type` is the type of a device's value.
 fn is_text(section: &CheckedSection<'_>, line: &SectionLine<'_>, data_type: Option<DataType>) -> bool {
     if let Some(data_type) = data_type {
         return matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::UnicodeString);
@@ -135,7 +135,7 @@ fn is_text(section: &CheckedSection<'_>, line: &SectionLine<'_>, data_type: Opti
 
 /// A `;` or `#` after a space starts a comment in Python's INI reader, if configured so.
 fn check_text(section: &CheckedSection<'_>, line: &SectionLine<'_>, findings: &mut Findings) {
-    // spaces between `=` and the value count
+    // spaces between `=` and the value are part of it
     let behind_key = crate::source::Span::new(line.name_at.end, line.value_at.end).of(section.text);
     let is_behind_blank = |mark: char| {
         behind_key.match_indices(mark).any(|(at, _)| behind_key[..at].ends_with(|c: char| c.is_whitespace()))

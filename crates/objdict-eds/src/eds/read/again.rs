@@ -1,4 +1,5 @@
-//! Reading a text that an edit made of another one: objects of which no section changed are taken from what was read before.
+//! Reads a text again after an edit: objects whose sections are unchanged are reused from the previous
+//! result.
 
 use std::collections::BTreeSet;
 
@@ -6,7 +7,7 @@ use crate::eds::section::SectionName;
 use crate::ini::{Document, EditedSpan, Line, LineKind};
 use crate::model::{EMBEDDED_COMMENT, Objects};
 
-/// What was read of another text of the file.
+/// The previous result, for the text before the edit.
 #[derive(Clone, Copy, Debug)]
 pub struct BeforeEdit<'a> {
     /// Its [plain objects](super::ReadDocument::plain).
@@ -17,7 +18,7 @@ pub struct BeforeEdit<'a> {
     pub edited: EditedSpan,
 }
 
-/// The starts of the headers of a document, in order, each with the object that the section belongs to.
+/// The starts of a document's headers, in order, each with the object of its section.
 #[derive(Clone, Debug, Default)]
 pub struct SectionStarts(Vec<(u32, Option<u16>)>);
 
@@ -27,7 +28,8 @@ impl SectionStarts {
         Self(document.headers().filter_map(|line| start_of(document, &line)).collect())
     }
 
-    /// Finds the sections of the document after an edit, and the objects of the sections that the edit touched, before it or after it.
+    /// Finds the sections of the document after an edit, and the objects of the sections that the edit
+    /// changed, added or removed.
     fn after(&self, document: &Document, edited: EditedSpan) -> (Self, BTreeSet<u16>) {
         let EditedSpan { old_end, new_end, .. } = edited;
         let mut lines = document.changed_lines(edited).peekable();
@@ -51,14 +53,14 @@ impl SectionStarts {
     }
 }
 
-/// The start of a header, and the object that its section belongs to.
+/// The start of a header, and the object of its section.
 fn start_of(document: &Document, line: &Line) -> Option<(u32, Option<u16>)> {
     let LineKind::Section { name } = line.kind else { return None };
     Some((line.span.start, SectionName::parse(name.of(document.text())).part.object()))
 }
 
-/// The sections after an edit, and the objects that need not be read: nothing but their own sections says what they are, and the edit
-/// touched none of these.
+/// The sections after an edit, and the objects that need not be read again: only their own sections describe them, and
+/// the edit did not touch these.
 pub(super) fn unchanged(document: &Document, before: &BeforeEdit<'_>) -> (SectionStarts, Objects) {
     let (sections, touched) = before.sections.after(document, before.edited);
     let mut objects = before.plain.clone();

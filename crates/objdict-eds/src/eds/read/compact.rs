@@ -32,7 +32,7 @@ impl EdsReader<'_> {
         let object = self.objects.get_mut(index);
         let object_type = object.as_ref().map(|object| object.object_type());
         let data_type = object.as_ref().and_then(|object| object.main.data_type);
-        // another finding reports the count
+        // another finding already reports the count
         let is_invalid = object
             .as_ref()
             .is_some_and(|object| object.main.invalid_values.get(&Field::CompactSubObj).is_some());

@@ -1,4 +1,4 @@
-//! The objects of a description while it is read.
+//! The objects of a description during reading.
 //!
 //! Objects are appended to a list in the order of the file, and the map is built at the end.
 
@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 
 use crate::model::{Object, Objects};
 
-/// The objects in the order of the file. A section is usually of the last object or of a new one and needs
-/// no lookup, and a tree built at the end from sorted objects is faster and smaller than a growing one.
+/// The objects in file order. A section usually belongs to the last object or to a new one and needs no
+/// lookup, and a tree built at the end from sorted objects is faster and smaller than a growing one.
 pub(super) struct DictionaryReader {
     objects: Vec<(u16, Object)>,
     /// The known indexes, one bit each.

@@ -1,5 +1,5 @@
-//! What CANopenEditor means by `rwr` and `rww`: its EDS has the pair the other way round in some versions, so the default
-//! mapping decides.
+//! The meaning of `rwr` and `rww` in files of CANopenEditor: some versions swap them in an EDS, so the default mapping
+//! decides.
 
 use std::collections::BTreeSet;
 
@@ -7,8 +7,8 @@ use crate::diagnostic::Findings;
 use crate::eds::findings;
 use crate::model::{Access, Device, Entry, Object, PdoKind, PdoMapping};
 
-/// Gives both directions to the entries that PDOs of the direction that their access type excludes map by default, if the
-/// editor wrote the file.
+/// Allows both directions for entries that are mapped by default in the direction that their access type excludes, if
+/// the editor wrote the file.
 pub(super) fn unite(device: &mut Device, findings: &mut Findings) {
     if !is_of_editor(device) {
         return;
@@ -35,7 +35,7 @@ pub(super) fn unite(device: &mut Device, findings: &mut Findings) {
     }
 }
 
-/// Whether the file has the comments in which the editor keeps the storage of entries.
+/// Whether the file contains the comments in which the editor stores the storage location of entries.
 fn is_of_editor(device: &Device) -> bool {
     let is_stored = |entry: &Entry| entry.stack.as_ref().is_some_and(|stack| stack.storage_group.is_some());
     device.objects.values().any(|object| is_stored(&object.main))

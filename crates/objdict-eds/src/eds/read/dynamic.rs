@@ -92,7 +92,7 @@ enum SegmentKey {
     Offset,
 }
 
-/// The word and the 1-based number of a key such as `Range2`.
+/// The keyword and the 1-based number of a key such as `Range2`.
 fn segment_key(name: &str) -> Option<(SegmentKey, usize)> {
     let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();
     let number: usize = name.get(digits..)?.parse().ok()?;

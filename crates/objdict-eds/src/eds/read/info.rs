@@ -174,14 +174,14 @@ fn check_numbers(lines: &[(u32, Item<'_>)], items: &mut Items<'_>) {
     items.findings.push(finding.severity(Severity::Warning));
 }
 
-/// `mm-dd-yyyy`, or another spelling of a date.
+/// `mm-dd-yyyy`, or a different spelling of a date.
 fn date(items: &mut Items<'_>, item: &Item<'_>, invalid_values: &mut InvalidValues) -> Option<Date> {
     let (date, is_clear) = or_invalid(item, literal::date(item.value), Reason::NotADate, invalid_values)?;
     spelling(items, item, date.to_string(), is_clear);
     Some(date)
 }
 
-/// `hh:mmAM`, or another spelling of a time of day.
+/// `hh:mmAM`, or a different spelling of a time of day.
 fn clock_time(
     items: &mut Items<'_>,
     item: &Item<'_>,
@@ -189,13 +189,13 @@ fn clock_time(
 ) -> Option<ClockTime> {
     let time = or_invalid(item, literal::clock_time(item.value), Reason::NotAClockTime, invalid_values)?;
     let meant = time.to_string();
-    // the standard has no place for seconds
+    // the standard has no field for seconds
     let is_whole = literal::clock_time(&meant) == Some(time);
     spelling(items, item, meant, is_whole);
     Some(time)
 }
 
-/// Reports a date or time that is not spelled as the standard demands.
+/// Reports a date or time that is not spelled as the standard requires.
 fn spelling(items: &mut Items<'_>, item: &Item<'_>, meant: String, is_certain: bool) {
     if item.value != meant {
         items.findings.push(findings::date_spelling(item, meant, is_certain));

@@ -1,4 +1,4 @@
-//! The keys of one section, and their values as numbers and words.
+//! The keys of one section, and their values as numbers and keywords.
 
 use std::cell::OnceCell;
 use std::collections::HashSet;
@@ -14,7 +14,7 @@ use crate::literal::{self, Quirks};
 use crate::model::{Extra, Field, InvalidValues, Part, Reason};
 use crate::source::Span;
 
-/// A section while it is read: its text, and its findings.
+/// A section during reading: its text, and its findings.
 pub(crate) struct Items<'a> {
     text: &'a str,
     section: &'a ini::Section,
@@ -38,7 +38,7 @@ impl<'a> Items<'a> {
         self.section.header.map_or("", |header| header.name.of(self.text))
     }
 
-    /// The span of the name of the section.
+    /// The span of the section name.
     pub(crate) fn section_at(&self) -> Span {
         self.section.header.map_or(Span::empty(0), |header| header.name)
     }
@@ -67,13 +67,14 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// Calls `take` for each key. A key that is defined twice is reported, and only the first one is taken,
+    /// Calls `take` for each key. A key that is defined twice is reported, and only the first one is used,
     /// as in other readers.
     pub(crate) fn each(&mut self, take: impl FnMut(&mut Self, &Item<'a>)) {
         self.each_with(None, take);
     }
 
-    /// Calls `take` for each key as [`each`](Self::each) does, and for the key at `renumbered`, which is read as another one.
+    /// Calls `take` for each key, like [`each`](Self::each), and for the key at `renumbered`, which is read
+    /// with its corrected number.
     pub(crate) fn each_with(&mut self, renumbered: Option<Span>, mut take: impl FnMut(&mut Self, &Item<'a>)) {
         let mut seen = KeySet::default();
         let mut others = Others::default();
@@ -117,7 +118,8 @@ impl<'a> Items<'a> {
         misspelt::key(part, item.name).filter(|&meant| !keys.contains(meant))
     }
 
-    /// Whether the keys of another object or sub-index begin at a repeated key, because its header is missing.
+    /// Whether the keys of a different object or sub-index begin at a repeated key, because their header is
+    /// missing.
     fn begins_section(&self, position: usize, item: &Item<'a>, seen: &KeySet) -> bool {
         let mut next = self.section.entries.iter().skip(position + 1).take(3);
         let repeats =
@@ -131,7 +133,7 @@ impl<'a> Items<'a> {
     }
 
     fn duplicate(&mut self, position: usize, item: &Item<'a>, is_other_section: bool) {
-        // the search for the first one would take quadratic time in a file of duplicates
+        // searching for the first one would need quadratic time in a file of duplicates
         if self.findings.is_full(&findings::DUPLICATE_KEY) {
             return;
         }
@@ -184,7 +186,7 @@ impl<'a> Items<'a> {
         }
     }
 
-    /// A name or similar text. Quotes around it are kept, because they may be part of it.
+    /// A name or similar string. Quotes around it are kept, because they may be part of it.
     pub(crate) fn text(&mut self, item: &Item<'a>) -> &'a str {
         let text = item.value;
         if text.len() > 1 && text.starts_with('"') && text.ends_with('"') {
@@ -240,8 +242,8 @@ impl Item<'_> {
     }
 }
 
-/// The keys without a fixed name so far. Numbered keys in ascending order, by far the most common, need no
-/// memory.
+/// The keys so far that have no fixed name. Numbered keys in ascending order, by far the most common, need
+/// no memory.
 enum Others {
     /// Only numbers up to this one, in ascending order.
     Ascending(u32),

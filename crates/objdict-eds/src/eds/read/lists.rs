@@ -37,8 +37,8 @@ impl EdsReader<'_> {
     }
 }
 
-/// The indexes of a list in the order of the file; checks the count and the numbering. Items that are not an
-/// index go to `extra`.
+/// The indexes of a list in file order; checks the count and the numbering. Items that are not an index are
+/// added to `extra`.
 pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Extra) -> Vec<u16> {
     numbered(items, counter, extra, |items, item, extra| {
         let mut quirks = Quirks::default();
@@ -57,7 +57,7 @@ pub(super) fn index_list(items: &mut Items<'_>, counter: &Field, extra: &mut Ext
     })
 }
 
-/// The items of a list in the order of the file; checks the count and the numbering.
+/// The items of a list in file order; checks the count and the numbering.
 pub(super) fn numbered<'a, T>(
     items: &mut Items<'a>,
     counter: &Field,
@@ -66,7 +66,7 @@ pub(super) fn numbered<'a, T>(
 ) -> Vec<T> {
     let mut count = None;
     let mut expected = 1;
-    // later wrong entries have the same cause as the first one
+    // later incorrect entries have the same cause as the first one
     let mut wrong: Option<(Item<'_>, u32, Fix)> = None;
     let can_be_fixed = items.len() <= MAX_FIX_LINES;
     let mut entries = 0;
@@ -101,16 +101,16 @@ pub(super) fn numbered<'a, T>(
     list
 }
 
-/// An item of a list with the number of another item.
+/// An item of a list with the number of a different item.
 struct Renumbered<'a> {
     item: Item<'a>,
     other: Item<'a>,
-    /// The number that it takes the place of, which no item has.
+    /// The correct number, which no item has.
     number: u32,
 }
 
-/// The one item that is out of place in a list whose count is right, if its number is that of another item: then only
-/// one number is left for it.
+/// The only item out of order in a list with a correct count, if its number is used twice: then only one number is
+/// unused.
 fn repeated_number<'a>(items: &Items<'a>, counter: &Field) -> Option<Renumbered<'a>> {
     let all = || (0..items.len()).map(|position| items.item(position));
     let mut stated = None;

@@ -1,5 +1,5 @@
-//! From EDS and DCF texts to the model. Reading never fails: what cannot be read becomes a finding or an
-//! invalid value.
+//! Reads EDS and DCF texts into the model. Reading never fails: unreadable content becomes a finding or
+//! an invalid value.
 //!
 //! If a key or section occurs twice, the first one is used; object lists are merged. Findings report both cases.
 
@@ -36,18 +36,18 @@ pub fn read(document: &Document, kind: DeviceKind) -> (Device, Findings) {
     (read.device, read.findings)
 }
 
-/// What was read of a document.
+/// The result of reading a document.
 #[derive(Debug)]
 pub struct ReadDocument {
     /// The device.
     pub device: Device,
     /// The findings of the reader.
     pub findings: Findings,
-    /// The objects that nothing but their own sections describes, if nothing was found in these.
+    /// Objects described only by their own sections, if these have no findings.
     pub plain: Objects,
 }
 
-/// As [`read`], with what it takes to read the document again after an edit.
+/// Like [`read`], with the data that is needed to read the document again after an edit.
 pub fn read_first(document: &Document, kind: DeviceKind) -> ReadDocument {
     let mut reader = EdsReader::new(document.text());
     let mut embedded = Extra::default();
@@ -63,7 +63,7 @@ pub fn read_first(document: &Document, kind: DeviceKind) -> ReadDocument {
     reader.finish(kind, Objects::default())
 }
 
-/// As [`read_first`], from what was read of the text before an edit: the objects that the edit left as they were are not read again.
+/// Like [`read_first`], based on the result before an edit: unchanged objects are not read again.
 pub fn read_after(
     document: &Document,
     kind: DeviceKind,
@@ -80,13 +80,13 @@ pub fn read_after(
     (reader.finish(kind, unchanged), sections)
 }
 
-/// The datum in a comment line that holds what the format has no place for.
+/// The embedded content in a comment line, which the format does not support otherwise.
 pub(super) fn embedded_in(line: &str) -> Option<(&str, &str)> {
     let (key, value) = line.trim().strip_prefix(';')?.strip_prefix(EMBEDDED_COMMENT)?.split_once('=')?;
     Some((key.trim(), value.trim()))
 }
 
-/// The comment lines that hold neither an embedded datum nor a setting of CANopenEditor.
+/// The comment lines that contain neither embedded content nor a setting of CANopenEditor.
 pub fn comments(document: &Document) -> impl Iterator<Item = Span> {
     let is_read = |span: &Span| {
         let mut entry = Entry::default();
@@ -97,14 +97,14 @@ pub fn comments(document: &Document) -> impl Iterator<Item = Span> {
     comments.filter(move |span| !is_read(span))
 }
 
-/// A description while it is read.
+/// A description during reading.
 struct EdsReader<'a> {
     text: &'a str,
     device: Device,
     /// The objects of the device.
     objects: DictionaryReader,
     findings: Findings,
-    /// The objects of which something was found, or more than their own sections say what they are.
+    /// Objects with findings, or that more than their own sections describe.
     odd: BTreeSet<u16>,
     /// The parts found so far, except objects and their entries, which are in the dictionary.
     seen: HashSet<Part>,
@@ -112,7 +112,7 @@ struct EdsReader<'a> {
     compact: Vec<(Part, ini::Section)>,
     /// Sections with misspelt names, read once it is known that no section has the correct name.
     misspelt: Vec<(Part, ini::Section)>,
-    /// The hashes of the names of unknown sections, to find duplicates. There may be a million of them.
+    /// The hashes of unknown section names, to find duplicates. There may be a million of them.
     unknown: HashSet<u64>,
     hasher: RandomState,
 }
@@ -164,12 +164,12 @@ impl<'a> EdsReader<'a> {
         }
     }
 
-    /// The name of a section as written, with its span; an empty span at the start before the first header.
+    /// The section name as written, with its span; an empty span at the start before the first header.
     fn header_of(&self, section: &ini::Section) -> (&'a str, Span) {
         section.header.map_or(("", Span::empty(0)), |header| (header.name.of(self.text), header.name))
     }
 
-    /// A section of anything but an object.
+    /// A section of any part except an object.
     fn other_part(&mut self, part: Part, section: &ini::Section) {
         let is_list = matches!(part, Part::List(_));
         if !self.seen.insert(part.clone()) {
@@ -209,7 +209,7 @@ impl<'a> EdsReader<'a> {
         }
     }
 
-    /// Keys before the first header belong to no section but are kept. The check of the lines reports them.
+    /// Keys before the first header belong to no section but are kept. The line check reports them.
     fn before_first_section(&mut self, section: &ini::Section) {
         if section.entries.is_empty() {
             return;
@@ -249,7 +249,7 @@ impl<'a> EdsReader<'a> {
         }
     }
 
-    /// Keeps keys without a place in the model, in a section of the same name.
+    /// Keeps unknown keys in a section of the same name.
     fn keep(&mut self, name: &str, entries: &Extra) {
         if !entries.is_empty() {
             self.device.extra.push(ExtraSection::new(name, entries));
@@ -261,7 +261,7 @@ impl<'a> EdsReader<'a> {
         self.apply_compact();
         self.device.objects = self.objects.into_objects(unchanged);
         let mut plain = self.device.objects.clone();
-        // with more findings, later ones are only counted
+        // after this many findings, later ones are only counted
         let is_known = self.findings.len() < MAX_PER_RULE as usize;
         plain.retain(|index, _| is_known && !self.odd.contains(index));
         self.device.extra.shrink_to_fit();

@@ -11,7 +11,7 @@ use crate::model::{
     ObjFlags, Object, ObjectType, PdoMapping, Place, Reason, SafetyMapping, StackOptions, Unit, Value,
 };
 
-/// The keys of the section of an object or module that are not part of the entry.
+/// The keys in the section of an object or module that are not part of the entry.
 #[derive(Default)]
 pub(super) struct ObjectKeys {
     sub_number: Option<u8>,
@@ -20,7 +20,7 @@ pub(super) struct ObjectKeys {
     pub obj_extend: Option<u8>,
 }
 
-/// The keys that a section may have besides those of every entry.
+/// The keys that a section may have in addition to those of every entry.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum SectionKind {
     Object,
@@ -75,14 +75,14 @@ pub(super) fn read_object(items: &mut Items<'_>, object: &mut Object) {
     object.compact = read.compact_count.map(|count| Box::new(Compact { count, ..Compact::default() }));
 }
 
-/// The values of a section, which can only be read once the data type is known.
+/// The values of a section, which can be read only once the data type is known.
 #[derive(Default)]
 struct SectionValues<'a> {
     default: Option<Item<'a>>,
     low: Option<Item<'a>>,
     high: Option<Item<'a>>,
     configured: Option<Item<'a>>,
-    /// Whether the object cannot have values, which another finding reports.
+    /// Whether the object cannot have values, which is reported elsewhere.
     is_unsupported: bool,
 }
 
@@ -119,8 +119,8 @@ pub(super) fn read_object_section(items: &mut Items<'_>, kind: SectionKind, entr
     read
 }
 
-/// A comment with a setting of CANopenEditor for the generators of CANopenNode: `;StorageLocation=RAM`,
-/// `;CO_countLabel=TPDO`. Of two equal settings, the first counts.
+/// A comment with a setting of CANopenEditor for CANopenNode generators: `;StorageLocation=RAM`,
+/// `;CO_countLabel=TPDO`. Of two equal settings, the first is used.
 pub(super) fn stack_option(entry: &mut Entry, comment: &str) {
     let setting = comment.strip_prefix(';').and_then(|comment| comment.split_once('='));
     if let Some((name, value)) = setting.filter(|(name, _)| name.starts_with(['S', 'C'])) {
@@ -179,7 +179,7 @@ fn unknown<'a>(entry: &mut Entry, items: &mut Items<'a>, item: &Item<'a>) {
     items.report_unknown(item);
 }
 
-/// The text if it is not empty.
+/// The string if it is not empty.
 fn text<'a>(items: &mut Items<'a>, item: &Item<'a>) -> Option<Box<str>> {
     Some(items.text(item)).filter(|text| !text.is_empty()).map(Into::into)
 }
@@ -197,8 +197,8 @@ fn object_type<'a>(
     object_type
 }
 
-/// 1 to 254; 0 means that the object is not stored compactly. 255 is invalid, because FFh is no element (CiA 301 §7.4.7.1), and
-/// plainly means all of them.
+/// 1 to 254; 0 means that the object is not stored compactly. 255 is invalid, because FFh is not an element (CiA 301
+/// §7.4.7.1), and obviously means all of them.
 fn compact_count<'a>(
     items: &mut Items<'a>,
     item: &Item<'a>,
@@ -239,7 +239,7 @@ fn read_values(entry: &mut Entry, values: &SectionValues<'_>, items: &mut Items<
     if let Some(value) = read(&values.configured, entry) {
         entry.configured_mut().value = Some(value);
     }
-    // what it means depends on the others
+    // its meaning depends on the other values
     entry.high_limit = read(&values.high, entry);
 }
 

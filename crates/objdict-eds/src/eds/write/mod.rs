@@ -10,8 +10,8 @@ use self::section_writer::SectionWriter;
 use crate::eds::Style;
 use crate::model::{Device, LANGUAGE, Meanings};
 
-/// The canonical text of a device in the encoding of the options. What the format or the encoding cannot
-/// represent is approximated; reading the text back shows the loss.
+/// The canonical text of a device in the encoding of the options. Content that the format or the
+/// encoding cannot represent is approximated; reading the text back shows the loss.
 pub fn write(device: &Device, options: &Style) -> Vec<u8> {
     let mut sections = SectionWriter::new(options, &device.extra);
     let meanings = options.meanings.then(|| device.meanings_in(LANGUAGE));
@@ -25,9 +25,9 @@ pub fn write(device: &Device, options: &Style) -> Vec<u8> {
     bytes.unwrap_or(text.into_bytes())
 }
 
-/// A device while it is written.
+/// A device during writing.
 struct EdsWriter<'a> {
     device: &'a Device,
-    /// What the values mean, for a reader that has keys for it.
+    /// The meanings of values, for a reader that supports keys for them.
     meanings: Option<Meanings<'a>>,
 }

@@ -36,7 +36,7 @@ impl ObjectOwner {
     }
 }
 
-/// The keys that only the section of an object has, and the array of an element.
+/// The keys that occur only in the section of an object, and the array of an element.
 #[derive(Default)]
 struct Own<'a> {
     array: Option<&'a Entry>,
@@ -185,7 +185,7 @@ impl EdsWriter<'_> {
             sections.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
         }
         if let Some(meanings) = &self.meanings {
-            // an element without a meaning takes the meaning of its array
+            // an element without a meaning uses the meaning of its array
             let array = own.array.filter(|_| entry.parameter.is_none());
             meaning(sections, meanings, array.unwrap_or(entry));
         }
@@ -217,7 +217,7 @@ impl EdsWriter<'_> {
     }
 }
 
-/// The keys of python-canopen, which knows no offset.
+/// The keys of python-canopen, which does not support offsets.
 fn meaning(sections: &mut SectionWriter<'_>, meanings: &Meanings<'_>, entry: &Entry) {
     let scaling = meanings.scaling_of(entry);
     let name = scaling.unit.and_then(|unit| unit.labels.name_in(LANGUAGE));
@@ -228,7 +228,7 @@ fn meaning(sections: &mut SectionWriter<'_>, meanings: &Meanings<'_>, entry: &En
     sections.put_some(&Field::Named("Description".into()), description.filter(in_line));
 }
 
-/// A section with an item for each sub-index that has a text.
+/// A section with an item for each sub-index that has a string.
 fn sub_section<T>(
     sections: &mut SectionWriter<'_>,
     part: Part,
@@ -243,7 +243,7 @@ fn sub_section<T>(
     sections.close();
 }
 
-/// The access type that says which PDOs carry the entry, as `PDOMapping` of CiA 306 has no direction.
+/// The access type that states which PDOs carry the entry, because `PDOMapping` of CiA 306 has no direction.
 const fn directed(access: Access, mapping: Option<PdoMapping>) -> Access {
     match (access, mapping) {
         (Access::Rw, Some(PdoMapping::Tpdo)) => Access::Rwr,
@@ -274,7 +274,7 @@ fn count_text(count: ExtensionCount) -> String {
     }
 }
 
-/// The lists of the device; a device without lists gets those of CiA 306-1 §4.6.3.1.
+/// The object lists of the device; if there are none, those that CiA 306-1 §4.6.3.1 requires.
 fn lists(device: &Device) -> ObjectLists {
     let is_stated = ObjectList::ALL.into_iter().any(|list| stated(&device.lists, list).is_some());
     if is_stated || device.objects.is_empty() {

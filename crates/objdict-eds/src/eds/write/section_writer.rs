@@ -1,5 +1,4 @@
-//! Collects sections while they are written: every text passes through here, so that none can contain a line
-//! end.
+//! Collects sections during writing: every string passes through here, so that none can contain a line end.
 
 use std::borrow::Cow;
 
@@ -14,7 +13,7 @@ pub(super) struct SectionWriter<'a> {
     sections: Vec<CleanSection>,
     /// Keys without a field in the model, by the known section they belong to.
     extras: Vec<(Part, Extra)>,
-    /// The comment lines at the end, with what the format has no place for.
+    /// The comment lines at the end, for content that the format does not support.
     embedded: Vec<String>,
 }
 
@@ -35,14 +34,14 @@ impl<'a> SectionWriter<'a> {
         Self { options, sections: Vec::new(), extras, embedded: Vec::new() }
     }
 
-    /// Starts the section of a part; the following keys go into it.
+    /// Starts the section of a part; the following keys are added to it.
     pub(super) fn open(&mut self, part: Part) {
         let name = section_name(&part).unwrap_or_default();
         self.sections.push(CleanSection { part, name, entries: Vec::new() });
     }
 
-    /// A key with its value, unless the unknown keys of the section already contain it: the original text
-    /// has priority.
+    /// Writes a key with its value, unless the unknown keys of the section already contain it: the
+    /// original text has priority.
     pub(super) fn put(&mut self, field: &Field, value: impl AsRef<str>) {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         let key = field.name().into_owned();
@@ -53,19 +52,19 @@ impl<'a> SectionWriter<'a> {
         self.push(key, value);
     }
 
-    /// A key with its value, if there is one.
+    /// Writes a key if it has a value.
     pub(super) fn put_some(&mut self, field: &Field, value: Option<impl AsRef<str>>) {
         if let Some(value) = value {
             self.put(field, value);
         }
     }
 
-    /// A key with 0 or 1, if there is a value.
+    /// Writes a key with 0 or 1 if it has a value.
     pub(super) fn put_flag(&mut self, field: &Field, flag: Option<bool>) {
         self.put_some(field, flag.map(|flag| if flag { "1" } else { "0" }));
     }
 
-    /// A key with a decimal number, if there is one.
+    /// Writes a key with a decimal number if it has a value.
     pub(super) fn put_number(&mut self, field: &Field, number: Option<impl Into<u64>>) {
         self.put_some(field, number.map(|number| number.into().to_string()));
     }
@@ -112,14 +111,14 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// Closes the section with what is not parsed.
+    /// Ends the section with its unparsed content.
     pub(super) fn close_with(&mut self, extra: &Extra, invalid_values: &InvalidValues) {
         self.extra(extra.iter());
         self.invalid_values(invalid_values);
         self.close();
     }
 
-    /// Ends the section: unknown keys of it come last.
+    /// Ends the section with its unknown keys.
     pub(super) fn close(&mut self) {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };
         while let Some(position) = self.extras.iter().position(|(other, _)| *other == part) {
@@ -128,8 +127,8 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
-    /// Unknown sections, and unknown keys of known sections that were not written. What only an XDD has a place for is no
-    /// section.
+    /// Writes unknown sections, and unknown keys of known sections that were not written. Content that only an XDD
+    /// supports does not become a section.
     pub(super) fn rest(&mut self, extra: &[ExtraSection]) {
         for section in extra {
             let part = SectionName::parse(section.name()).part;
@@ -175,7 +174,7 @@ impl<'a> SectionWriter<'a> {
                 text.extend([key, "=", value, END]);
             }
         }
-        // apart from the last section, so that they do not move with it
+        // separated from the last section, so that they do not move with it
         let apart = self.embedded.first().map(|_| "");
         apart
             .into_iter()
@@ -198,12 +197,12 @@ impl<'a> SectionWriter<'a> {
         self.extra_of(part).is_some_and(|extra| extra.get(key).is_some())
     }
 
-    /// A text without line ends, in the encoding, that is read back unchanged.
+    /// A string without line ends, in the encoding, that is read back unchanged.
     fn clean(&self, text: &str) -> String {
         self.clean_characters(text).trim_matches(BLANKS).to_owned()
     }
 
-    /// A text that is read back as a key.
+    /// A string that is read back as a key.
     fn clean_key(&self, key: &str) -> String {
         let clean = self.clean_characters(key).replace('=', " ");
         let trimmed = clean.trim_matches(BLANKS);
@@ -212,8 +211,8 @@ impl<'a> SectionWriter<'a> {
         if is_key { trimmed.to_owned() } else { format!("_{trimmed}") }
     }
 
-    /// A text that is read back as a section name. An empty name is that of the keys before the first
-    /// section.
+    /// A string that is read back as a section name. The empty name belongs to the keys before the
+    /// first section.
     fn clean_name(&self, name: &str) -> String {
         let written = self.clean_characters(name).replace(']', " ").trim_matches(BLANKS).to_owned();
         if written.is_empty() && !name.is_empty() { "_".to_owned() } else { written }
@@ -235,7 +234,7 @@ impl<'a> SectionWriter<'a> {
     }
 }
 
-/// What a reader trims from the ends of keys and values.
+/// The characters that a reader trims from the ends of keys and values.
 const BLANKS: [char; 2] = [' ', '\t'];
 
 /// Whether a reader may end the line or the text at this character.

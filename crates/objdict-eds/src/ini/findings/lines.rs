@@ -23,7 +23,8 @@ pub fn check(document: &Document, findings: &mut Findings) {
     lines.finish();
 }
 
-/// Whether nothing is found, as in the document `before` an edit: only the lines of the edit are looked at. `false` decides nothing.
+/// Whether the document still has no findings, like the document `before` an edit: only the lines of the edit
+/// are checked. `false` means undecided.
 pub fn stays_clean(document: &Document, before: &Document, edited: EditedSpan) -> bool {
     let text = document.text();
     let (first, section) = (document.lines().next(), document.headers().next());
@@ -57,7 +58,7 @@ fn check_characters(document: &Document, findings: &mut Findings) {
             .severity(if wide { Severity::Error } else { Severity::Warning })
             .help("save the file as ASCII or as UTF-8 without byte order mark");
         let title = "save the file as UTF-8 without byte order mark";
-        // without the mark, a tool may decode other characters in its own encoding
+        // without the byte order mark, a tool may decode other characters in its own encoding
         let fix = if wide || text.is_ascii() { Fix::safe(title) } else { Fix::risky(title) };
         findings.push(finding.fix(fix.with(Change::Encode(Encoding::Utf8))));
     }
@@ -95,7 +96,7 @@ fn check_characters(document: &Document, findings: &mut Findings) {
     }
 }
 
-/// Removes the control characters from a line, in one edit however many there are. In an otherwise blank line this is safe.
+/// Removes all control characters from a line in one edit. In an otherwise blank line this is safe.
 fn without_controls(line: &Line, text: &str) -> Fix {
     let title = "remove the control characters from the line";
     let fix = if line.kind == LineKind::Blank { Fix::safe(title) } else { Fix::risky(title) };
@@ -117,9 +118,9 @@ struct LineCheck<'a> {
     first_section: Option<Span>,
     /// The first line end of the file.
     line_end: Option<LineEnd>,
-    /// The first line with another line end.
+    /// The first line with a different line end.
     mixed: Option<Diagnostic>,
-    /// Whether a line ends with CR alone.
+    /// Whether a line ends with a lone CR.
     lone_cr: bool,
     comment: Option<(Span, u32)>,
     blank: Option<(Span, u32)>,
@@ -244,7 +245,7 @@ impl LineCheck<'_> {
             without_text(finding, before, self.text, Fix::risky)
         } else {
             let title = "change the line to a comment";
-            // without what may be its header, a section would be read into the one above
+            // without its possible header, a section would be read as part of the previous one
             let fix = if text.contains(['[', ']']) { Fix::risky(title) } else { Fix::safe(title) };
             let fix = fix.with(Change::CommentOut(line.span));
             finding.help("remove the line, or put a `;` before it").fix(fix)
@@ -263,14 +264,14 @@ impl LineCheck<'_> {
             let message = say!("`{}` precedes the section header", span.of(self.text).trim());
             let finding = Diagnostic::new(&JUNK_LINE, span, message);
             let finding = without_text(finding, span, self.text, Fix::safe);
-            // the section is read, unless there is another version of it
+            // the section is read, unless there is a second version of it
             self.findings.push(if is_merge_mark(text) { finding } else { finding.understood() });
         } else if indent > 0 {
             let finding = Diagnostic::new(&INDENTED_SECTION, span, "spaces before the section header");
             let fix = Fix::safe("remove the spaces").replace(span, "");
             self.findings.push(finding.help("write the `[` in the first column").fix(fix));
         }
-        // one in the junk before the header ends nothing
+        // a bracket in the junk before the header ends nothing
         let Some(close) = text[indent as usize..].find(']').map(|length| indent as usize + length) else {
             let finding = Diagnostic::new(&UNCLOSED_SECTION, line.span, say!("`{}` has no `]`", text.trim()));
             let fix = Fix::risky("add the `]`").replace(Span::empty(name.end), "]");
@@ -330,7 +331,7 @@ impl LineCheck<'_> {
     }
 }
 
-/// Whether a line is one of the marks around the versions of a merge.
+/// Whether a line is a conflict marker of a merge.
 pub(crate) fn is_merge_mark(line: &str) -> bool {
     ["<<<<<<<", "=======", ">>>>>>>", "|||||||"].iter().any(|mark| line.trim_start().starts_with(mark))
 }
@@ -341,7 +342,7 @@ fn before_header(text: &str) -> Option<&str> {
     (!name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric())).then_some(before)
 }
 
-/// A finding about text before a section header, with a fix that puts it into a comment.
+/// A finding about text before a section header, with a fix that moves it to a comment.
 fn without_text(finding: Diagnostic, before: Span, text: &str, kind: fn(&'static str) -> Fix) -> Diagnostic {
     let comment = Change::Comment(before, before.of(text).trim().to_owned());
     let fix = kind("put the text before the header in a separate comment line");
