@@ -1,4 +1,4 @@
-//! Files that people write as keys and values: a tree with the place of each value, and tables of the keys that a file may have.
+//! Files that users write as keys and values: a tree with the position of each value, and tables of the allowed keys.
 //! Part of `objdict`, which is the crate to depend on.
 
 pub mod notation;

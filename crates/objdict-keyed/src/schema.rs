@@ -1,4 +1,4 @@
-//! JSON Schemas of the tables of keys.
+//! JSON Schemas of the key tables.
 
 use serde_json::{Map, Value, json};
 
@@ -36,14 +36,14 @@ fn property(key: &Key) -> Value {
     value
 }
 
-/// A text in a notation.
+/// A string in a notation.
 pub fn text(notation: Notation) -> Value {
     let types = TYPES.map(|(word, _)| word).join("|");
     let parts = PARTS.iter().fold(notation.to_owned(), |text, (name, part)| text.replace(name, part));
     json!({ "type": "string", "pattern": parts.replace("{words}", &types) })
 }
 
-/// One of these, or a list of them.
+/// Accepts one of these, or a list of them.
 pub fn one_or_list(item: &Value) -> Value {
     json!({ "anyOf": [item, { "type": "array", "items": item }] })
 }
@@ -91,12 +91,12 @@ fn with(type_name: &str, key: &str, value: Value) -> Value {
 }
 
 fn integer(low: i128, high: i128) -> Value {
-    // all ranges are of objects of 32 bits
+    // all ranges belong to 32-bit objects
     json!({ "type": "integer", "minimum": i64::try_from(low).ok(), "maximum": i64::try_from(high).ok() })
 }
 
-/// A map by number. JSON has no keys but texts, so the pattern has those of the range: shorter ones, those that are less at a
-/// digit, and the highest.
+/// A map by number. JSON keys are strings, so the pattern covers the numbers of the range: shorter ones, those that are
+/// less at a digit, and the highest.
 fn by_number(low: i128, high: i128, values: Value) -> Value {
     let highest = high.to_string();
     let mut numbers = if low == 0 { vec!["0".to_owned()] } else { Vec::new() };

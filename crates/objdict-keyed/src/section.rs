@@ -1,4 +1,4 @@
-//! Reading maps by a table of their keys, which also makes their JSON Schema.
+//! Reads maps with a table of their keys, from which the JSON Schema is generated as well.
 
 use super::rules::{FORMER_KEY, MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{KeyedTree, Kind, Pair};
@@ -6,7 +6,7 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspel
 use objdict_model::literal::nanoseconds;
 use objdict_model::source::{Said, Span};
 
-/// The pattern of a whole text, with [parts](crate::notation::PARTS).
+/// The pattern of a whole string, with [placeholders](crate::notation::PARTS).
 pub type Notation = &'static str;
 
 /// A key that a map may have.
@@ -14,23 +14,23 @@ pub type Notation = &'static str;
 pub struct Key {
     /// The name in the file.
     pub name: &'static str,
-    /// What its value is.
+    /// The type of its value.
     pub shape: Shape,
-    /// What it means: a sentence for the JSON Schema and the documentation.
+    /// Its meaning: a sentence for the JSON Schema and the documentation.
     pub meaning: &'static str,
-    /// A name that it had in this kind of file, which means the same.
+    /// An earlier name in this kind of file, with the same meaning.
     pub former: Option<&'static str>,
     /// Whether no map can do without it.
     pub is_required: bool,
 }
 
-/// A key without a former name, which a map need not have.
+/// An optional key without a former name.
 pub const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
     Key { name, shape, meaning, former: None, is_required: false }
 }
 
 impl Key {
-    /// The key with a former name, which is a finding beside the present one only.
+    /// Adds a former name, which is a finding only if the present one exists too.
     #[must_use]
     pub const fn formerly(self, former: &'static str) -> Self {
         Self { former: Some(former), ..self }
@@ -43,12 +43,12 @@ impl Key {
     }
 }
 
-/// The present name of a key that tables of some kind had under another one.
+/// The present name of a key that some tables contained under a different one.
 pub fn present_name<'k>(keys: &[Key], name: &'k str) -> &'k str {
     keys.iter().find(|key| key.former == Some(name)).map_or(name, |key| key.name)
 }
 
-/// What a value is.
+/// The type of a value.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     /// A whole number in a range.
@@ -57,21 +57,22 @@ pub enum Shape {
     Number,
     /// True or false.
     Flag,
-    /// A text.
+    /// A string.
     Text,
-    /// A text that is spelled so; a number is none.
+    /// A string in this notation; a number is invalid.
     Spelled(Notation),
-    /// One of these words.
+    /// One of these keywords.
     Word(&'static [&'static str]),
-    /// A whole number in a range, or this word.
+    /// A whole number in a range, or this keyword.
     IntegerOr(i128, i128, &'static str),
-    /// A whole number in a range, or a text that is spelled so.
+    /// A whole number in a range, or a string in this notation.
     IntegerOrText(i128, i128, Notation),
-    /// A time: a text with a unit, or a whole number up to the first one of units of so many nanoseconds.
+    /// A time: a string with a unit, or a whole number up to the first value, in units of the second one in
+    /// nanoseconds.
     Time(i128, u64),
-    /// A number or a text.
+    /// A number or a string.
     Value,
-    /// Such a value, or a list of them.
+    /// A value, or a list of values.
     ValueOrList,
     /// A map of values by any names.
     Values,
@@ -79,25 +80,25 @@ pub enum Shape {
     ValuesOf(Notation),
     /// A map of texts that are spelled so, by any names.
     SpelledByName(Notation),
-    /// A map of values by any names, or a list of values.
+    /// A map of values by arbitrary names, or a list of values.
     ValuesOrList,
-    /// A text, or a list of texts.
+    /// A string, or a list of strings.
     Texts,
-    /// A text, or a list of texts that are spelled so.
+    /// A string, or a list of strings, in this notation.
     AllSpelled(Notation),
     /// A list of whole numbers in a range.
     Numerals(i128, i128),
-    /// Such a map.
+    /// A map with these keys.
     Map(&'static [Key]),
-    /// A map of such maps by any names.
+    /// A map, by arbitrary names, of maps with these keys.
     Named(&'static [Key]),
-    /// A list of such maps.
+    /// A list of maps with these keys.
     List(&'static [Key]),
-    /// A map of such maps by number.
+    /// A map, by number, of maps with these keys.
     Numbered(i128, i128, &'static [Key]),
     /// A map of numbers in the second range by numbers in the first one.
     Numbers((i128, i128), (i128, i128)),
-    /// Something for other programs.
+    /// Content for other programs.
     Foreign,
 }
 
@@ -106,7 +107,7 @@ pub const fn bits(bits: u32) -> Shape {
     Shape::Integer(0, (1 << bits) - 1)
 }
 
-/// A map of the file with the table of its keys.
+/// A map of the file with its key table.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyedTable<'t> {
     span: Span,
@@ -115,7 +116,7 @@ pub struct KeyedTable<'t> {
 }
 
 impl<'t> KeyedTable<'t> {
-    /// Reports a value that is no map, and unknown keys.
+    /// Reports a value that is not a map, and unknown keys.
     pub fn new(
         name: &str,
         tree: &'t KeyedTree,
@@ -125,8 +126,8 @@ impl<'t> KeyedTable<'t> {
         Self::with_unknown(name, tree, keys, |finding, _| finding, findings)
     }
 
-    /// The same for a map in which other programs may have keys: an unknown key is a warning, unless it is plainly another
-    /// one that is misspelled.
+    /// Like `new`, for a map that may contain keys of other programs: an unknown key is a warning, unless it is
+    /// obviously a misspelled known one.
     pub fn shared(
         name: &str,
         tree: &'t KeyedTree,
@@ -171,7 +172,7 @@ impl<'t> KeyedTable<'t> {
         Some(section)
     }
 
-    /// Where the map is.
+    /// The span of the map.
     pub const fn span(&self) -> Span {
         self.span
     }
@@ -181,7 +182,7 @@ impl<'t> KeyedTable<'t> {
         let key = self.keys.iter().find(|key| key.name == name);
         debug_assert!(key.is_some(), "{name} is not in the table");
         let position = |name: &str| self.entries.iter().position(|entry| entry.key.text() == Some(name));
-        // of both names, the last one counts
+        // if both names exist, the last one is used
         let at = position(name).max(key.and_then(|key| key.former).and_then(position))?;
         Some(&self.entries[at].value)
     }
@@ -197,7 +198,7 @@ impl<'t> KeyedTable<'t> {
         value
     }
 
-    /// What the table says of a value.
+    /// The type of a key's value according to the table.
     fn shape(&self, name: &str) -> Option<&'static Shape> {
         self.keys.iter().find(|key| key.name == name).map(|key| &key.shape)
     }
@@ -341,7 +342,7 @@ impl<'t> KeyedTable<'t> {
         Some(Said::new(T::try_from(number).ok()?, tree.span))
     }
 
-    /// A text or several ones.
+    /// A string, or several.
     pub fn texts(&self, name: &str, findings: &mut Findings) -> Vec<Said<&'t str>> {
         let items = self.get(name).map_or(&[][..], |tree| match &*tree.kind {
             Kind::List(items) => items,
@@ -379,7 +380,8 @@ impl<'t> KeyedTable<'t> {
         })
     }
 
-    /// A text; numbers are taken as they are spelled, but where a [notation](Shape::Spelled) would read them as others.
+    /// A string; numbers are used as spelled, unless a [notation](Shape::Spelled) would interpret them as
+    /// different ones.
     pub fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
         let tree = self.get(name)?;
         let is_spelled = matches!(self.shape(name), Some(Shape::Spelled(_)));
@@ -393,7 +395,7 @@ impl<'t> KeyedTable<'t> {
         }
     }
 
-    /// What `parse` reads in a text; `expected` is what it is not otherwise, and a help.
+    /// The result of `parse` for a string; `expected` describes valid strings, with a help.
     pub fn parsed<T>(
         &self,
         name: &str,
@@ -410,7 +412,7 @@ impl<'t> KeyedTable<'t> {
         Some(Said::new(parsed?, text.at))
     }
 
-    /// A text that is one of the words of the key.
+    /// A string that is one of the keywords of the key.
     pub fn word(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
         let text = self.text(name, findings)?;
         let key = self.keys.iter().find(|key| key.name == name);
@@ -464,8 +466,8 @@ impl<'t> KeyedTable<'t> {
     }
 }
 
-/// Reports what the table does not allow in a map and in the maps below it, at places without a finding so far: values that
-/// are read only sometimes, or in another form.
+/// Reports content of a map and its nested maps that the table does not allow, where there is no finding yet: values
+/// that are read only in some cases, or in a different notation.
 pub fn check(name: &str, tree: &KeyedTree, keys: &'static [Key], findings: &mut Findings) {
     let mut found = Findings::new();
     check_map(name, tree, keys, &mut found);
@@ -493,7 +495,8 @@ fn check_scalar(name: &str, tree: &KeyedTree, findings: &mut Findings) {
     }
 }
 
-/// A finding about an unknown key that another program may know, if it is not one of these words, misspelled.
+/// A finding about an unknown key, which is a warning if it may belong to a different program, that is, if it
+/// is not a misspelled known key.
 pub fn or_foreign<'a>(
     finding: Diagnostic,
     key: &str,
@@ -516,7 +519,8 @@ pub fn with_cuts(findings: Findings) -> Findings {
     findings.filter_map(|finding| Some(cut(finding)))
 }
 
-/// A whole number in a range. What else dcfgen silently reads as one is a warning; a fraction is one [in its files](with_cuts).
+/// A whole number in a range. Other values that dcfgen silently reads as one are warnings; a fraction is a
+/// warning [in its files](with_cuts).
 pub fn integer(
     name: &str,
     tree: &KeyedTree,
@@ -576,7 +580,7 @@ fn spelled_time(nanoseconds: i128) -> String {
     )
 }
 
-/// `cob_id` is a text where a number belongs.
+/// `cob_id` is a string, but a number is required.
 pub fn wrong(name: &str, tree: &KeyedTree, expected: &'static str) -> Diagnostic {
     let message = say!("`{}` is `{}`, {} instead of {}", name, tree.spelled(), tree.kind_name(), expected);
     Diagnostic::new(&WRONG_TYPE, tree.span, message)

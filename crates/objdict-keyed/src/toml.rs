@@ -1,4 +1,4 @@
-//! TOML as a tree, in the order of the text.
+//! TOML as a tree, in text order.
 
 use std::ops::Range;
 
@@ -19,12 +19,12 @@ pub fn is_toml(text: &str) -> bool {
     lines.take(1).any(is_toml)
 }
 
-/// Reads a text; `None` if it is no TOML, which is a finding.
+/// Reads a text; `None` with a finding if it is not TOML.
 pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     let (table, errors) = DeTable::parse_recoverable(text);
     let is_duplicate = |error: &toml::de::Error| error.message().contains("duplicate key");
     let (duplicates, broken): (Vec<_>, Vec<_>) = errors.iter().partition(|error| is_duplicate(error));
-    // what follows the first of the other errors is a consequence
+    // errors after the first syntax error are consequences of it
     for error in duplicates.into_iter().chain(broken.into_iter().take(1)) {
         let span = error.span().map_or(Span::empty(0), |range| span_of(&range));
         let message = error.message().lines().next().unwrap_or("this is not valid TOML").to_owned();
@@ -37,7 +37,7 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     errors.is_empty().then(|| KeyedTree::new(Span::empty(0), map(table.into_inner())))
 }
 
-/// The parts of the parser's table are given up one by one, so that not all of a text is in memory twice.
+/// Consumes the parser's table piece by piece, so that the text is not in memory twice.
 fn map(table: DeTable<'_>) -> Kind {
     let entries = table.into_iter().map(|(key, value)| Pair { key: key_of(&key), value: tree(value) });
     let mut entries: Vec<Pair> = entries.collect();
@@ -45,7 +45,7 @@ fn map(table: DeTable<'_>) -> Kind {
     Kind::Map(entries)
 }
 
-/// TOML has no keys but texts; those of digits are numbers, as in YAML.
+/// TOML keys are strings; those of digits become numbers, as in YAML.
 fn key_of(key: &Spanned<std::borrow::Cow<'_, str>>) -> KeyedTree {
     let text = &**key.get_ref();
     let is_number = !text.starts_with('0') && text.bytes().all(|byte| byte.is_ascii_digit());

@@ -1,23 +1,23 @@
-//! Values with places: what YAML and TOML have in common.
+//! Values with positions: the common model of YAML and TOML.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use objdict_model::source::Span;
 
-/// A value and its place.
+/// A value and its position.
 #[derive(Clone, Debug)]
 pub struct KeyedTree {
     /// The bytes of the value in the text.
     pub span: Span,
-    /// Shared, because an anchor of YAML may be named more often than the text is long.
+    /// Shared, because YAML aliases may refer to an anchor more often than the text is long.
     pub kind: Arc<Kind>,
 }
 
-/// What a value is.
+/// The kind of a value.
 #[derive(Clone, Debug)]
 pub enum Kind {
-    /// Nothing.
+    /// No value.
     Null,
     /// A truth value.
     Bool(bool),
@@ -25,30 +25,30 @@ pub enum Kind {
     Integer(i128),
     /// A number with a fraction.
     Float(f64),
-    /// A text.
+    /// A string.
     Text(String),
     /// A list.
     List(Vec<KeyedTree>),
-    /// A table, in the order of the text.
+    /// A table, in text order.
     Map(Vec<Pair>),
 }
 
 /// A key and its value.
 #[derive(Clone, Debug)]
 pub struct Pair {
-    /// The key, which is a text.
+    /// The key, which is a string.
     pub key: KeyedTree,
     /// Its value.
     pub value: KeyedTree,
 }
 
 impl KeyedTree {
-    /// A value at a place of the text.
+    /// A value at a span of the text.
     pub fn new(span: Span, kind: Kind) -> Self {
         Self { span, kind: Arc::new(kind) }
     }
 
-    /// The value as a text; `None` for anything else.
+    /// The value as a string; `None` for any other kind.
     pub fn text(&self) -> Option<&str> {
         match &*self.kind {
             Kind::Text(text) => Some(text),
@@ -56,7 +56,7 @@ impl KeyedTree {
         }
     }
 
-    /// The entries of a map; `None` for anything else.
+    /// The entries of a map; `None` for any other kind.
     pub fn entries(&self) -> Option<&[Pair]> {
         match &*self.kind {
             Kind::Map(entries) => Some(entries),
@@ -70,8 +70,8 @@ impl KeyedTree {
         entries.iter().find(|entry| entry.key.text() == Some(key)).map(|entry| &entry.value)
     }
 
-    /// The value on top of another one: tables are joined key by key, of anything else this value counts. Keys are the same that
-    /// `name` makes equal.
+    /// Merges this value over `far`: tables are merged key by key, any other value is replaced. Keys are equal if
+    /// `name` returns the same for both.
     #[must_use]
     pub fn on(&self, far: &Self, name: &impl Fn(&str) -> String) -> Self {
         let (Some(above), Some(below)) = (self.entries(), far.entries()) else { return self.clone() };
@@ -88,7 +88,7 @@ impl KeyedTree {
         Self::new(self.span, Kind::Map(entries))
     }
 
-    /// What the value is, for messages.
+    /// The kind of the value, for messages.
     pub fn kind_name(&self) -> &'static str {
         match &*self.kind {
             Kind::Null => "nothing",

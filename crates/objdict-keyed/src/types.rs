@@ -1,14 +1,14 @@
-//! The words for data types, object types and access, which files that people write have in common.
+//! The names of data types, object types and access types in files that users write.
 
 use objdict_model::model::DataType;
 
-/// The words for the access of the network.
+/// The keywords for access from the network.
 pub const ACCESS: &[&str] = &["ro", "wo", "rw", "rwr", "rww", "const"];
 
-/// The words for object types.
+/// The keywords for object types.
 pub const OBJECT_TYPES: &[&str] = &["null", "domain", "deftype", "defstruct", "var", "array", "record"];
 
-/// The words of data types.
+/// The keywords for data types.
 pub const TYPES: [(&str, DataType); 25] = [
     ("bool", DataType::BOOLEAN),
     ("i8", DataType::INTEGER8),

@@ -1,5 +1,5 @@
-//! YAML 1.1 as PyYAML reads it, because that is what the authors of `bus.yml` test their files with: `010` is 8, `on` is true,
-//! and `1e3` is a text.
+//! YAML 1.1 as in PyYAML, because authors of `bus.yml` test their files with it: `010` is 8, `on` is true, and `1e3` is
+//! a string.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ use objdict_model::source::Span;
 /// The maximum depth of lists and maps.
 const MAX_DEPTH: usize = 64;
 
-/// Reads a text of one document; `None` if it is not YAML, or has a second document, which is a finding.
+/// Reads a text of one document; `None` with a finding if it is not YAML or has a second document.
 pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     let mut builder =
         YamlBuilder { offsets: offsets(text), anchors: BTreeMap::new(), open: Vec::new(), findings };
@@ -51,7 +51,7 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     document.or_else(|| Some(KeyedTree::new(Span::empty(0), Kind::Null)))
 }
 
-/// The offset in bytes of each character; empty for a text of which each character is a byte.
+/// The byte offset of each character; empty if every character is a single byte.
 fn offsets(text: &str) -> Vec<u32> {
     if text.is_ascii() {
         return Vec::new();
@@ -60,7 +60,7 @@ fn offsets(text: &str) -> Vec<u32> {
     starts.map(|offset| u32::try_from(offset).unwrap_or(u32::MAX)).collect()
 }
 
-/// A list or map that is not at its end.
+/// A list or map that has not ended yet.
 struct OpenCollection {
     start: u32,
     anchor: usize,
@@ -83,7 +83,7 @@ impl YamlBuilder<'_> {
         }
     }
 
-    /// Takes the next event; the document at its end.
+    /// Processes the next event; returns the document at its end.
     fn take(&mut self, event: Event<'_>, span: Span) -> Result<Option<KeyedTree>, Box<Diagnostic>> {
         match event {
             Event::Scalar(text, style, anchor, tag) => {
@@ -110,7 +110,7 @@ impl YamlBuilder<'_> {
             }
             Event::SequenceEnd | Event::MappingEnd => {
                 let Some(open) = self.open.pop() else { return Ok(None) };
-                // the end of a block is the start of what follows, and has no length
+                // the end of a block has no length and is at the start of the next token
                 let last = open.items.last().map_or(open.start, |last| last.span.end.max(open.start));
                 let end = if span.is_empty() { last } else { span.end };
                 let kind = if open.is_map { self.map(open.items) } else { Kind::List(open.items) };
@@ -128,7 +128,7 @@ impl YamlBuilder<'_> {
         self.place(tree)
     }
 
-    /// Puts a value into what is open; the document itself is returned.
+    /// Adds a value to the open collection; returns the document itself.
     fn place(&mut self, tree: KeyedTree) -> Option<KeyedTree> {
         match self.open.last_mut() {
             Some(open) => {
@@ -139,7 +139,8 @@ impl YamlBuilder<'_> {
         }
     }
 
-    /// The entries of a map: merged ones (`<<`) first, own ones override them; of a key that is there twice the last one counts.
+    /// The entries of a map: merged ones (`<<`) first, then its own, which override them; the last of two
+    /// equal keys is used.
     fn map(&mut self, items: Vec<KeyedTree>) -> Kind {
         let mut merged = Vec::new();
         let mut own = Vec::new();
@@ -212,7 +213,7 @@ fn scalar(text: Cow<'_, str>, style: ScalarStyle, tag: Option<&Tag>) -> Kind {
     }
 }
 
-/// A whole number; `None` also for one beyond 128 bits.
+/// A whole number; `None` also if it exceeds 128 bits.
 fn integer(text: &str) -> Option<i128> {
     let (is_negative, digits) = signed(text);
     let radix = |digits: &str, radix| {
@@ -257,7 +258,7 @@ fn sexagesimal(text: &str) -> Option<i128> {
     })
 }
 
-/// A number with a point; one without (`1e3`) is a text.
+/// A number with a decimal point; without a point (`1e3`) it is a string.
 fn float(text: &str) -> Option<f64> {
     let (_, digits) = signed(text);
     match digits {
