@@ -1,4 +1,4 @@
-//! XDD and XDC (CiA 311): elements with positions, the model read from them and written to them. Part of
+//! XDD and XDC (CiA 311): elements with positions, and conversion to and from the model. Part of
 //! `objdict`, which is the crate to depend on.
 
 pub mod xdd;

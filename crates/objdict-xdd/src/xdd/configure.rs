@@ -1,5 +1,5 @@
-//! Conversion between XDD and XDC, and new objects, by edits of the text, so that comments, order, spelling, line ends and
-//! encoding are kept.
+//! Conversion between XDD and XDC, and insertion of objects, by edits of the text, so that comments, order, spelling,
+//! line ends and encoding are kept.
 
 use super::layout::{Layout, with_subs};
 use super::schema::network::DEVICE_COMMISSIONING;
@@ -11,9 +11,9 @@ use crate::model::{Commissioning, Device};
 use crate::source::{EditError, SourceFile};
 use crate::xml::{Element, Name, Tree, XmlEditor, escaped_value, n};
 
-/// The bytes of `tree` as an XDC with the name `file_name` for the node `node`; the values of `node` replace
-/// those of the text. `None` if the file has no place for them: without a communication network profile, and
-/// in a project with several devices.
+/// Converts `tree` to an XDC named `file_name` for the node `node`, whose values replace those of the text.
+/// `None` if the file cannot contain them: without a communication network profile, or in a project with
+/// several devices.
 pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Result<Vec<u8>, EditError>> {
     let layout = Layout::of_document(tree)?;
     let body = layout.network?.body;
@@ -34,8 +34,8 @@ pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Resu
     Some(editor.to_bytes())
 }
 
-/// The bytes of `tree` as an XDD with the name `file_name`: without the node and its configured values.
-/// `None` for a project with several devices.
+/// Converts `tree` to an XDD named `file_name`, without the node and its configured values. `None` for
+/// a project with several devices.
 pub fn to_xdd(tree: &Tree, file_name: &str) -> Option<Result<Vec<u8>, EditError>> {
     let layout = Layout::of_document(tree)?;
     let mut editor = XmlEditor::new(tree);
@@ -73,8 +73,8 @@ fn parameters<'a>(layout: &Layout<'a>) -> impl Iterator<Item = Element<'a>> {
     })
 }
 
-/// Inserts the node into `NetworkManagement` after the features, or `NetworkManagement` with the node at the
-/// end of the body. The new elements get the prefix of their neighbours and thus the same namespace.
+/// Inserts the node into `NetworkManagement` after the features, or a `NetworkManagement` with the node at
+/// the end of the body. The new elements get the prefix of their siblings and thus the same namespace.
 fn insert<'a>(
     body: Element<'a>,
     management: Option<Element<'a>>,
@@ -110,8 +110,8 @@ fn insert<'a>(
     }
 }
 
-/// The bytes of `tree`, whose root is the container, with those objects of `device` that it lacks. `None` for a text without
-/// a list of objects.
+/// Adds the objects of `device` that `tree`, whose root is the container, lacks. `None` for a text without a list of
+/// objects.
 pub fn with_objects(tree: &Tree, device: &Device) -> Option<Result<Vec<u8>, EditError>> {
     let (list, objects) = object_list(tree)?;
     let complete = parsed(write(device, XddVersion::default()));
@@ -149,7 +149,7 @@ fn object_list(tree: &Tree) -> Option<(Element<'_>, Vec<(u32, Element<'_>)>)> {
     Some((list, objects))
 }
 
-/// The text without the references of objects to parameters, which are in another profile of the file.
+/// The text without references from objects to parameters, which are in a different profile of the file.
 fn without_references(tree: &Tree) -> Option<Result<String, EditError>> {
     let mut editor = XmlEditor::new(tree);
     for element in Layout::of_document(tree)?.objects().flat_map(with_subs) {

@@ -1,4 +1,4 @@
-//! Placeholders for what the standard requires and the model does not have. The reader recognises them and
+//! Placeholders for content that the standard requires and the model lacks. The reader recognises and
 //! drops them.
 
 use crate::model::{
@@ -7,23 +7,23 @@ use crate::model::{
 };
 use crate::xml::{Name, n};
 
-/// What a reader makes of placeholders.
+/// How a reader treats placeholders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Placeholders {
-    /// They say nothing.
+    /// Ignores them.
     Dropped,
     /// They are values, as for a tool that does not know them.
     Kept,
 }
 
 impl Placeholders {
-    /// Whether a text that is a placeholder says nothing.
+    /// Whether placeholders are ignored.
     pub(crate) const fn are_dropped(self) -> bool {
         matches!(self, Self::Dropped)
     }
 }
 
-/// A missing text: the author of the file, the vendor, the product.
+/// A missing string: the author of the file, the vendor, the product.
 pub(crate) const NOT_STATED: &str = "not stated";
 
 /// The name of a file without a name.
@@ -32,7 +32,7 @@ pub(crate) const FILE_NAME: &str = "unnamed.xdd";
 /// The creation date of a file without one.
 pub(crate) const DATE: &str = "1970-01-01";
 
-/// The bit rate of a device that supports none: the default of the standard. It is written twice.
+/// The bit rate of a device that supports none: the standard's default. It is written twice.
 pub(crate) const BIT_RATE: &str = "250 Kbps";
 
 /// The index of the only object of a device without objects: CiA 301 does not use it.
@@ -54,7 +54,7 @@ pub(crate) const ORPHAN: &str = "09";
 /// A missing number: the granularity, the node-ID, the network number.
 pub(crate) const NUMBER: &str = "00";
 
-/// A missing Boolean: false, with a leading blank that other tools ignore.
+/// A missing Boolean: false, with a leading space that other tools ignore.
 pub(crate) const FLAG: &str = " false";
 
 /// The missing name of a node or network.
@@ -72,7 +72,7 @@ pub(crate) fn header(identification: &str) -> ProfileHeader {
     }
 }
 
-/// The text about a product without one, which version 1.0 always has.
+/// The description of a product without one, which version 1.0 always has.
 pub(crate) fn product_text() -> Labels {
     Labels(vec![Label::Description { lang: LANGUAGE.into(), text: NOT_STATED.into(), uri: None }])
 }
@@ -92,7 +92,7 @@ pub(crate) fn is_function_invented(functions: &[DeviceFunction]) -> bool {
     functions.iter().all(|function| *function == empty) || functions == [function()]
 }
 
-/// The attribute that counts the objects of a list.
+/// The attribute with the number of objects in a list.
 pub(crate) const fn count_attribute(list: ObjectList) -> Name {
     match list {
         ObjectList::Mandatory => n::mandatoryObjects,
@@ -110,7 +110,7 @@ pub(crate) fn channel_attribute(word: &str) -> Name {
     CHANNEL_KEYS.iter().find(|(_, key)| *key == word).map_or_else(|| Name::of(word), |(name, _)| *name)
 }
 
-/// The field of an attribute of a channel. An EDS has one field for both ends of the range.
+/// The field of an attribute of a channel. An EDS has one field for both range limits.
 pub(crate) fn channel_field(name: Name, number: usize) -> Field {
     let key = CHANNEL_KEYS.iter().find(|(known, _)| *known == name && name != n::startIndex);
     Field::Named(format!("{}{number}", key.map_or(name.text(), |(_, key)| key)).into())
@@ -135,8 +135,8 @@ pub(crate) fn default_rate_field() -> Field {
     Field::Named("defaultBaudRate".into())
 }
 
-/// The number of the given indexes that `CANopenObjectList` counts in a list. Definitions of data types
-/// count as optional objects, because they have no count of their own.
+/// How many of the given indexes `CANopenObjectList` counts in a list. Definitions of data types are
+/// counted as optional objects, because they have no separate count.
 pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
     indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
 }

@@ -26,9 +26,9 @@ pub(crate) struct SchemaAttribute {
     pub name: Name,
     pub kind: TextKind,
     pub need: Occurrence,
-    /// The field of the model, if it is not a plain text.
+    /// The field of the model, if it is not a plain string.
     pub field: Option<fn() -> Field>,
-    /// The maximum, if it is lower than that of the type.
+    /// The maximum, if it is lower than the type's.
     pub most: Option<u64>,
     /// The placeholder for a missing value. The reader drops it.
     pub unstated: Option<&'static str>,
@@ -40,17 +40,16 @@ pub(crate) enum Occurrence {
     Optional,
     /// Required by the standard, optional for readers.
     Required,
-    /// Without it the element has no meaning.
+    /// The element is meaningless without it.
     Key,
-    /// Not defined by the standard at this place but part of the model: reported, and still read and
-    /// written.
+    /// Not allowed here by the standard but part of the model: reported, and still read and written.
     Stray,
 }
 
-/// Names of elements with the values of their marks.
+/// Names of elements with their Boolean marks.
 pub(crate) type Marks = Vec<(Box<str>, bool)>;
 
-/// A place in the order of the children: one element, or a choice of several.
+/// A position in the order of the children: one element, or a choice of several.
 #[derive(Debug)]
 pub(crate) struct Child {
     pub of: &'static [&'static SchemaElement],
@@ -106,19 +105,20 @@ impl SchemaElement {
         slots().skip(from).find_map(find).or_else(|| slots().take(from).find_map(find))
     }
 
-    /// What holds the value of an element with one value: its first attribute, else its text.
+    /// The location of the value of an element with one value: its first attribute, otherwise its text.
     pub(crate) fn holder(&self) -> Name {
         self.attributes.first().filter(|_| self.text.is_none()).map_or(n::text, |attribute| attribute.name)
     }
 }
 
 impl SchemaAttribute {
-    /// The field of the model, if it is not a plain text.
+    /// The field of the model, if it is not a plain string.
     pub(crate) fn field(&self) -> Option<Field> {
         self.field.map(|field| field())
     }
 
-    /// The text for a required attribute without a value; `None` if the element has no meaning without it.
+    /// The placeholder for a required attribute without a value; `None` if the element is meaningless without
+    /// it.
     pub(crate) fn placeholder(&self) -> Option<&'static str> {
         self.unstated.or(match self.kind {
             TextKind::Language => Some(super::defaults::LANGUAGE),

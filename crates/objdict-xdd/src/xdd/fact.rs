@@ -14,10 +14,10 @@ use crate::model::{
 use crate::source::Span;
 use crate::xml::{self, Element};
 
-/// A text with its position.
+/// A string with its position.
 #[derive(Clone, Debug)]
 pub(crate) struct PlacedText<'a> {
-    /// For the text of an element: without blanks at its ends.
+    /// For the text of an element: without surrounding whitespace.
     pub(crate) text: Cow<'a, str>,
     /// The position of the text.
     pub(crate) at: Span,
@@ -25,7 +25,7 @@ pub(crate) struct PlacedText<'a> {
 
 /// A part of the model with fields that an EDS has too.
 pub(crate) trait SharedFields {
-    /// The texts that are not valid in their fields.
+    /// The strings that are not valid in their fields.
     fn invalid_values(&self) -> &InvalidValues;
 
     /// Mutable access for reading.
@@ -48,9 +48,9 @@ macro_rules! facts {
 
 facts! { Commissioning, DeviceInfo, Entry, FileInfo }
 
-/// A field that CiA 311 spells in one way, and real files in many.
+/// A field with one notation in CiA 311 and several in real files.
 pub(crate) trait Fact {
-    /// Reads a non-empty text.
+    /// Reads a non-empty string.
     fn take(
         &mut self,
         text: &PlacedText<'_>,
@@ -58,7 +58,7 @@ pub(crate) trait Fact {
         findings: &mut Findings,
     ) -> Result<(), Reason>;
 
-    /// The text of the value; `None` without a value.
+    /// The string for the value; `None` without a value.
     fn text(&self, known: &SchemaAttribute) -> Option<String>;
 }
 
@@ -68,18 +68,18 @@ impl<'a> PlacedText<'a> {
         Self { text: attribute.value(), at: attribute.value_span() }
     }
 
-    /// The text of an element, without blanks at its ends.
+    /// The text of an element, without surrounding whitespace.
     pub(crate) fn in_element(element: Element<'a>) -> Self {
         Self { text: trimmed(element.text()), at: element.text_span() }
     }
 
-    /// The text without blanks at its ends.
+    /// The string without surrounding whitespace.
     pub(crate) fn trimmed(&self) -> &str {
         self.text.trim_ascii()
     }
 
     /// A whole number from 0 to `most`, in decimal or, with the prefix `0x`, in hex; `None` for an empty
-    /// text.
+    /// string.
     pub(crate) fn integer<T: TryFrom<i128>>(
         &self,
         most: u64,
@@ -95,7 +95,7 @@ impl<'a> PlacedText<'a> {
         Ok(T::try_from(number).ok())
     }
 
-    /// A word that `find` knows; `None` for an empty text.
+    /// A keyword that `find` accepts; `None` for an empty string.
     pub(crate) fn word<T>(
         &self,
         find: impl FnOnce(&str) -> Option<T>,
@@ -112,7 +112,7 @@ impl<'a> PlacedText<'a> {
         self.word(|text| hex(text, digits), Reason::NotANumber)
     }
 
-    /// A value of a data type; `None` for an empty text.
+    /// A value of a data type; `None` for an empty string.
     pub(crate) fn value(
         &self,
         data_type: Option<DataType>,
@@ -142,7 +142,7 @@ impl<'a> PlacedText<'a> {
     }
 }
 
-/// A text without blanks at its ends.
+/// A string without surrounding whitespace.
 pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
     match text {
         Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
@@ -150,7 +150,7 @@ pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
     }
 }
 
-/// Fields of one word: how the word is read, the reason if it is invalid, and how it is written.
+/// Fields with a single keyword: how to read it, the reason if it is invalid, and how to write it.
 macro_rules! words {
     ($($Value:ty: $reason:ident, $read:expr, $write:expr;)+) => {$(
         impl Fact for Option<$Value> {
@@ -202,7 +202,7 @@ macro_rules! numbers {
                 *self = None;
                 let most = known.most.unwrap_or(u64::from(<$Number>::MAX));
                 *self = match known.kind {
-                    // 0 is what version 1.0 says of a node whose bit rate is not known
+                    // version 1.0 writes 0 for a node whose bit rate is unknown
                     TextKind::Rate => text
                         .word(|text| bit_rate(text)?.try_into().ok(), Reason::UnknownWord)?
                         .filter(|kbit| *kbit != 0),
@@ -231,7 +231,7 @@ impl Fact for Option<String> {
     }
 }
 
-/// Words separated by blanks.
+/// Keywords separated by spaces.
 impl Fact for Vec<Box<str>> {
     fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         *self = text.text.split_ascii_whitespace().map(Into::into).collect();
@@ -243,7 +243,7 @@ impl Fact for Vec<Box<str>> {
     }
 }
 
-/// `version.revision`, or the version alone.
+/// `version.revision`, or only the version.
 impl Fact for FileInfo {
     fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         // only numbers that are written back unchanged
@@ -267,7 +267,7 @@ impl Fact for FileInfo {
     }
 }
 
-/// A decimal object code, or the name of one.
+/// A decimal object code, or the name of an object type.
 impl Fact for Option<ObjectType> {
     fn take(&mut self, text: &PlacedText<'_>, _: &SchemaAttribute, _: &mut Findings) -> Result<(), Reason> {
         let word = text.trimmed();
@@ -310,8 +310,8 @@ fn pdo_mapping(word: &str) -> Option<PdoMapping> {
     known.or_else(flag)
 }
 
-/// The part of a text that is the value: blanks at the ends are significant only in strings. `None` for an
-/// empty text, and for the `0` that editors for CANopenNode write for a DOMAIN, which has no value.
+/// The part of a string that is the value: surrounding whitespace is significant only in strings. `None`
+/// for an empty string, and for the `0` that CANopenNode editors write for a DOMAIN, which has no value.
 pub fn stated_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
     let is_string = matches!(data_type, Some(DataType::VISIBLE_STRING | DataType::UNICODE_STRING));
     let text = if is_string { text } else { text.trim_ascii() };
@@ -319,8 +319,8 @@ pub fn stated_text(text: &str, data_type: Option<DataType>) -> Option<&str> {
     Some(text).filter(|text| !text.is_empty() && !is_filler)
 }
 
-/// The value of a text. Blanks between the bytes of an OCTET_STRING are no quirk: without them CANopenEditor reads
-/// a single byte.
+/// The value of a string. Spaces between the bytes of an OCTET_STRING are not a quirk: without them CANopenEditor
+/// reads a single byte.
 pub fn read_value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Result<Value, Reason> {
     let mut bytes = text.split_ascii_whitespace();
     let are_pairs = data_type == Some(DataType::OCTET_STRING) && bytes.all(|byte| byte.len() == 2);
@@ -349,7 +349,7 @@ pub(crate) fn boolean(text: &str) -> Option<bool> {
     }
 }
 
-/// A bit rate: `250 Kbps`, or a spelling of other tools.
+/// A bit rate: `250 Kbps`, or a notation of other tools.
 pub(crate) fn bit_rate(text: &str) -> Option<u16> {
     let digits = text.bytes().take_while(u8::is_ascii_digit).count();
     let unit = text[digits..].trim_ascii().to_ascii_lowercase();

@@ -1,5 +1,5 @@
-//! Changes of a description as edits of its elements and attributes. Changes without a unique counterpart in
-//! CiA 311 are not made.
+//! Applies changes of a description as edits of its elements and attributes. Changes without a unique
+//! counterpart in CiA 311 are not applied.
 
 use super::locate::{ElementLocator, attribute_of};
 use super::schema::{self, DEVICE_BODY, GENERAL_FEATURES, OBJECT};
@@ -8,14 +8,14 @@ use crate::model::{Field, Part, Place};
 use crate::source::Span;
 use crate::xml::{Element, Tree, XmlEditor, n};
 
-/// The edits for the changes, in the order of the text; `None` if one of them has no place in the file.
+/// The edits for the changes, in text order; `None` if a change cannot be expressed as an edit.
 pub fn edits(tree: &Tree, locator: &ElementLocator, changes: &[Change]) -> Option<Vec<(Span, String)>> {
     let mut rewriter = XddRewriter { tree, locator, editor: XmlEditor::new(tree) };
     changes.iter().try_for_each(|change| rewriter.change(change))?;
     rewriter.editor.into_list().ok()
 }
 
-/// A text while it is rewritten.
+/// A text during rewriting.
 struct XddRewriter<'a> {
     tree: &'a Tree,
     locator: &'a ElementLocator,
@@ -71,7 +71,7 @@ impl<'a> XddRewriter<'a> {
         Some(())
     }
 
-    /// A value about the file, which both profiles have.
+    /// Sets a value about the file, which both profiles contain.
     fn set_fact(&mut self, field: &Field, value: &str) -> Option<()> {
         let known = match field {
             // behind the version, in one attribute

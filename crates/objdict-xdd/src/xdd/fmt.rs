@@ -1,13 +1,13 @@
-//! A text in canonical order and form: elements and attributes in the order of CiA 311, objects in ascending order, two blanks
-//! a level. Names, values, texts and comments stay as they are written.
+//! Formats a text in canonical order: elements and attributes in the order of CiA 311, objects in ascending order, two
+//! spaces per level. Names, values, texts and comments are kept as written.
 
 use super::fact;
 use super::findings::body_schema;
 use super::schema::{self, CONTAINER};
 use crate::xml::{Element, Tree, n};
 
-/// The rearranged text of a document; `None` for one that is not well-formed or has a document type. Without `sorted`, elements
-/// stay in their order.
+/// The rearranged text of a document; `None` if it is not well-formed or has a document type. Without `sorted`,
+/// elements keep their order.
 pub fn arrange(tree: &Tree, sorted: bool) -> Option<String> {
     let text = tree.text();
     let root = tree.root().filter(|_| tree.is_complete())?;
@@ -36,7 +36,7 @@ pub fn arrange(tree: &Tree, sorted: bool) -> Option<String> {
     Some(out.text)
 }
 
-/// The comments and processing instructions of a text without elements.
+/// The comments and processing instructions in a text without elements.
 fn pieces(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {
@@ -56,7 +56,7 @@ const fn is_blank(character: char) -> bool {
     matches!(character, ' ' | '\t' | '\n' | '\r' | '\u{feff}')
 }
 
-/// A child with the comments in front of it, and one behind it in the same line.
+/// A child with the comments before it, and one after it on the same line.
 struct ChildBlock<'a> {
     comments: Vec<&'a str>,
     child: Element<'a>,
@@ -65,7 +65,7 @@ struct ChildBlock<'a> {
     rank: (usize, u32),
 }
 
-/// A text while it is arranged.
+/// A text during formatting.
 struct Arranged<'a> {
     source: &'a str,
     text: String,
@@ -87,7 +87,7 @@ impl<'a> Arranged<'a> {
         self.is_in_container |= is_container;
         let is_preserved =
             || element.attributes().any(|attribute| attribute.name_span().of(self.source) == "xml:space");
-        // what the standard does not have, the model keeps as it is written
+        // the model keeps non-standard elements as written
         let is_foreign = known.is_none() && self.is_in_container;
         if is_foreign || is_preserved() {
             self.text.push_str(element.span().of(self.source));
@@ -101,7 +101,7 @@ impl<'a> Arranged<'a> {
         }
         self.text.push('>');
         match element.children().next().is_none() && !inner.contains("<!--") || element.has_text() {
-            // the blanks of a text are a part of it
+            // whitespace in a text is part of it
             true => self.text.push_str(inner),
             false => self.children(element, known, depth),
         }
@@ -110,7 +110,8 @@ impl<'a> Arranged<'a> {
         self.text.push('>');
     }
 
-    /// A start tag without its end. Declarations and attributes with a prefix come first, unknown attributes last.
+    /// A start tag without its closing bracket. Declarations and attributes with a prefix come first, unknown
+    /// attributes last.
     fn tag(&mut self, element: Element<'a>, known: Option<&'static schema::SchemaElement>) {
         self.text.push('<');
         self.text.push_str(element.name_span().of(self.source));
@@ -160,7 +161,7 @@ impl<'a> Arranged<'a> {
         self.line(depth);
     }
 
-    /// The children of an element in the order of the text, and the comments behind the last one.
+    /// The children of an element in text order, and the comments after the last one.
     fn blocks(
         &self,
         element: Element<'a>,
@@ -182,7 +183,7 @@ impl<'a> Arranged<'a> {
         for child in element.children() {
             let comments = comments(at, child.span().start, blocks.last_mut());
             at = child.span().end;
-            // what has no place in the order stays behind what it follows
+            // elements without a defined position remain after the element that they follow
             let found = known.and_then(|known| known.slot(child.tag(), rank.0));
             if let Some((slot, _)) = found {
                 let number = match child.tag() {

@@ -1,4 +1,4 @@
-//! Where the parts of a description are in a tree: containers, profiles, bodies.
+//! Locates the parts of a description in a tree: containers, profiles, bodies.
 
 use super::defaults;
 use super::profile_class::ProfileClass;
@@ -45,7 +45,7 @@ pub(crate) struct DescriptionProfile<'a> {
 }
 
 /// The containers of a tree. A description has one; a project of CANopenEditor has one for each device. In a
-/// malformed file without a container, the root counts as one.
+/// malformed file without a container, the root is used instead.
 pub fn containers(tree: &Tree) -> Vec<Element<'_>> {
     let Some(root) = tree.root() else { return Vec::new() };
     if root.tag() == n::ISO15745ProfileContainer {
@@ -56,7 +56,7 @@ pub fn containers(tree: &Tree) -> Vec<Element<'_>> {
     if inner.is_empty() { vec![root] } else { inner }
 }
 
-/// The root element of a project of the editors for CANopenNode from before XDD.
+/// The root element of a CANopenNode editor project from before XDD.
 const PROJECT: &str = "device";
 
 /// Whether a document is a project of the editors for CANopenNode from before XDD.
@@ -64,7 +64,7 @@ pub fn is_project(tree: &Tree) -> bool {
     tree.root().is_some_and(|root| root.name() == PROJECT)
 }
 
-/// Whether a document is a network: descriptions inside another element.
+/// Whether a document is a network: descriptions inside a common element.
 pub fn is_network(tree: &Tree) -> bool {
     containers(tree).first().is_some_and(|container| container.parent().is_some())
 }
@@ -80,7 +80,7 @@ impl<'a> Layout<'a> {
         tree.root().filter(|root| root.tag() == n::ISO15745ProfileContainer).map(Self::of_container)
     }
 
-    /// The profiles in a container. Of two profiles of one class, the first counts.
+    /// The profiles in a container. Of two profiles of one class, the first is used.
     pub(crate) fn of_container(container: Element<'a>) -> Self {
         let mut layout = Self { container, device: None, network: None };
         for (class, profile) in profiles(container) {
@@ -121,7 +121,7 @@ pub(crate) fn with_subs<'a>(object: Element<'a>) -> impl Iterator<Item = Element
     std::iter::once(object).chain(object.children_named(n::CANopenSubObject))
 }
 
-/// The element at a path of names; of several with one name, the first.
+/// The element at a path of names; the first one if there are several.
 pub(crate) fn below<'a>(element: Element<'a>, path: &[Name]) -> Option<Element<'a>> {
     path.iter().try_fold(element, |element, name| element.child(*name))
 }
@@ -146,7 +146,7 @@ fn profiles<'a>(container: Element<'a>) -> Vec<(ProfileClass, DescriptionProfile
     found.into_iter().map(profile).collect()
 }
 
-/// The class of a profile: by the type of its body, else by its header, else by its content.
+/// The class of a profile: by the type of its body, otherwise by its header or content.
 fn class_of(header: Option<Element<'_>>, body: Element<'_>) -> ProfileClass {
     let of_word = |word: &str| {
         let classes = [ProfileClass::Network, ProfileClass::Device];

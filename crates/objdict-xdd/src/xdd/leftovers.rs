@@ -1,4 +1,4 @@
-//! Content of an XDD that the reader does not use, kept so that it is not lost.
+//! Content of an XDD that the reader does not use, which is kept.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,10 +8,10 @@ use crate::xml::{Attribute, Element, ElementId, n};
 /// The key of an element's text.
 const TEXT: &str = n::text.text();
 
-/// Attributes, elements and texts without a place in the model, and texts that are not valid in their
-/// fields.
+/// Attributes, elements and texts without a place in the model, and strings that are not valid in
+/// their fields.
 ///
-/// Memory use is proportional to the text: a path that would be longer than the file allows is shortened.
+/// Memory use is proportional to the text: overlong paths are shortened.
 #[derive(Debug, Default)]
 pub struct Leftovers<'a> {
     found: Vec<(Element<'a>, Extra)>,
@@ -48,9 +48,9 @@ impl<'a> Leftovers<'a> {
 
     /// One section for each element with leftovers, in the order of the file.
     ///
-    /// The name is `xml:` and the path of the element below its `ProfileBody` or EtherCAT `Device` (else below the root), such as
-    /// `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several lines
-    /// becomes several entries with one key.
+    /// The name is `xml:` and the path of the element relative to its `ProfileBody` or EtherCAT `Device` (otherwise the
+    /// root), such as `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several
+    /// lines becomes several entries with the same key.
     pub fn into_sections(mut self) -> Vec<ExtraSection> {
         self.found.sort_by_key(|(element, _)| element.id());
         let length = self.found.first().map_or(0, |(element, _)| element.tree().text().len());
@@ -156,7 +156,7 @@ mod tests {
         let mut leftovers = Leftovers::default();
         let elements =
             tree.root().into_iter().flat_map(|root| std::iter::once(root).chain(root.descendants()));
-        // in reverse: the result must not depend on the order of reading
+        // reversed: the result must not depend on the order of reading
         let mut elements: Vec<_> = elements.filter(|element| names.contains(&element.name())).collect();
         elements.reverse();
         elements.into_iter().for_each(|element| leftovers.element(element));
@@ -218,7 +218,7 @@ mod tests {
         assert_eq!(entries, [vec![("b", "2"), ("a", "1")], vec![("d", "3")]]);
     }
 
-    /// Many elements at the end of a long path, or side by side, need memory proportional to their text.
+    /// Many elements at the end of a long path, or siblings, need memory proportional to their text.
     #[test]
     fn hostile_files_take_about_their_text() {
         let name = "n".repeat(1000);

@@ -6,8 +6,8 @@ use crate::model::{
     TypeDefinition, TypeKind, TypeShape, VarDeclaration,
 };
 
-/// The data types with simple types that may denote their values: the nearest one first. The first data type of a simple type is what
-/// CANopenEditor makes of it.
+/// The data types with simple types that may denote their values: the nearest one first. CANopenEditor converts a
+/// simple type to the first data type in its row.
 const SIMPLE_TYPES: [(DataType, &[SimpleType]); 13] = [
     (DataType::BOOLEAN, &[SimpleType::Bool]),
     (DataType::REAL32, &[SimpleType::Real]),
@@ -60,7 +60,7 @@ pub(crate) fn index_of(id: &str) -> Option<u16> {
     if digits.len() == 4 { u16::from_str_radix(digits, 16).ok() } else { None }
 }
 
-/// A parameter with a type, which the standard requires: without one a placeholder.
+/// A parameter with a type, which the standard requires; a placeholder if it has none.
 pub(crate) fn with_type(mut parameter: Parameter) -> Parameter {
     if parameter.data_type.is_none() {
         parameter.data_type = Some(DataTypeRef::Simple(SimpleType::Bitstring));

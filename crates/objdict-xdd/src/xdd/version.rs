@@ -1,7 +1,7 @@
 //! The versions of CiA 311.
 
 objdict_model::named! {
-    /// A version of CiA 311, which a file states by the namespace of its elements.
+    /// A version of CiA 311, which a file states as the namespace of its elements.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub enum XddVersion {
         /// 1.0: every element is in the namespace.
@@ -18,7 +18,7 @@ impl XddVersion {
         Self::ALL.into_iter().find(|version| version.name() == name)
     }
 
-    /// The namespace of its elements.
+    /// The namespace of elements.
     pub const fn namespace(self) -> &'static str {
         match self {
             Self::V1_0 => "http://www.canopen.org/xml/1.0",

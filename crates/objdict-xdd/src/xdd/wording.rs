@@ -1,6 +1,6 @@
 //! Findings about the model, adapted to an XDD: selects the findings that apply, and replaces the terms of
-//! CiA 306 by those of CiA 311. The rules of the model use sections and keys, the terms of its fields; the
-//! author of an XDD looks for attributes.
+//! CiA 306 by those of CiA 311. The rules of the model use its terms, sections and keys; the author of an
+//! XDD looks for attributes.
 
 use std::collections::HashSet;
 
@@ -15,8 +15,8 @@ use crate::source::Span;
 use crate::xdd::types::simple_type;
 use crate::xml::{Name, n};
 
-/// Rules that check the form of an EDS against CiA 306. The corresponding rules for an XDD are in the group
-/// `cia311`.
+/// Rules that check the notation of an EDS against CiA 306. The corresponding rules for an XDD are in the
+/// group `cia311`.
 const OF_EDS: [&str; 7] = [
     "cia306/eds-version",
     "cia306/missing-device-info-key",
@@ -123,7 +123,7 @@ impl What {
         }
     }
 
-    /// The value as an XDD spells it, from the spelling of an EDS; `None` if both are the same.
+    /// The XDD spelling of a value in EDS spelling; `None` if both are the same.
     fn spelled(&self, value: &str) -> Option<String> {
         match (self.field, &self.form, value) {
             (Field::AccessType, _, "rwr") => Some("readWriteInput".to_owned()),
@@ -166,8 +166,8 @@ fn section(name: &str) -> Option<String> {
     }
 }
 
-/// The findings about an XDD in the terms of CiA 311, without those that only apply to an EDS and those at a
-/// place that a rule of CiA 311 already reports.
+/// The findings about an XDD in the terms of CiA 311, without those that apply only to an EDS, and without
+/// those at a place for which a rule of CiA 311 already has a finding.
 pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> Findings {
     let span = |finding: &Diagnostic| finding.labels.first().map(|label| span_of(&label.at));
     let of_structure = findings.iter().filter(|finding| finding.rule.group() == "cia311");
@@ -198,7 +198,7 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
         if finding.rule.id == "cia306/file-name" && written() > Some(1) {
             finding.help = finding.help.take().map(|help| say!("{} in both profiles", help));
         }
-        // access, data type and limits of an entry may be those of its parameter
+        // access, data type and limits of an entry may come from its parameter
         let is_at = |field: Field, attribute: &str| {
             let At::Place(place) = &finding.labels.first()?.at else { return None };
             let start = span_of(&At::Place(place.clone().field(field))).start as usize;
@@ -217,7 +217,7 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
             },
         };
         let finding = finding.in_words(words);
-        // the element denotes all data types without a simple type, so it does not state another one
+        // the element denotes all data types without a simple type, so it does not contradict them
         let is_bits = |text: &str| text.contains("BITSTRING");
         let is_spoken = finding.rule.name() == "wrong-data-type"
             && span(&finding).is_some_and(|span| is_bits(span.of(text)))

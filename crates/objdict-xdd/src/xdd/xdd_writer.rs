@@ -1,5 +1,5 @@
-//! Writes elements of CiA 311 in the namespaces of each version. Each id of a document is an XML name, and is there once; a
-//! reference leads to one.
+//! Writes elements of CiA 311 in the namespaces of each version. Each id of a document is an XML name and unique; each
+//! reference resolves to an id.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -11,32 +11,32 @@ use super::schema::{TextKind, is_name, is_name_character};
 use super::version::XddVersion;
 use crate::xml::{Name, WriterMark, XmlWriter, n};
 
-/// Writes an XML document of CiA 311: takes names without prefixes and writes them as the version requires.
+/// Writes an XML document of CiA 311: accepts names without prefixes and writes them as the version requires.
 ///
-/// In version 1.1, local elements of the schema are in no namespace, and the others have the prefix that the
-/// `ProfileBody` around them declares, as in CANopenEditor. In version 1.0 nothing has a prefix, and
-/// additions of version 1.1 are not written.
+/// In version 1.1, local elements of the schema are in no namespace, and the others have the prefix that
+/// their `ProfileBody` declares, as in CANopenEditor. In version 1.0 nothing has a prefix, and additions of
+/// version 1.1 are not written.
 ///
-/// Only what the table takes is written: a text that an attribute does not take is left out, and so is an
-/// element without what the table requires in it, up to one that may be missing. What reads back differently
-/// is known to the caller, who compares.
+/// Only content that the table allows is written: an invalid string is omitted, and so is an element without
+/// its required content, up to the nearest optional element. The caller detects such losses by reading the
+/// result back.
 #[derive(Debug)]
 pub(crate) struct XddWriter {
     writer: XmlWriter,
     version: XddVersion,
     body: Option<ProfileClass>,
-    /// The start tags that are not written yet, from the outermost to the innermost.
+    /// The start tags that are not written yet, outermost first.
     pending: Vec<StartTag>,
     /// The open elements whose start tags are written.
     open: Vec<OpenTag>,
-    /// The number of open elements that are not written: the version does not have them, something that the
-    /// table requires is missing, or they are inside such an element.
+    /// The number of open elements that are not written: the version does not support them, required
+    /// content is missing, or they are inside such an element.
     skipped: usize,
-    /// The marks of the part that is written, and which of its name in it the element is.
+    /// The marks of the written part, and the position of the element among those with the same name.
     pub(super) marks: Marks,
     pub(super) number: u32,
     ids: WrittenIds,
-    /// Whether only what the table takes is written; `false` in tests of single elements.
+    /// Whether only content that the table allows is written; `false` in tests of single elements.
     is_checked: bool,
 }
 
@@ -84,7 +84,7 @@ impl XddWriter {
         }
     }
 
-    /// An empty document that takes everything.
+    /// An empty document that accepts everything.
     #[cfg(test)]
     pub(crate) fn unchecked(version: XddVersion) -> Self {
         Self { is_checked: false, ..Self::new(version, None) }
@@ -134,7 +134,7 @@ impl XddWriter {
         self.close();
     }
 
-    /// Opens an element at a place that the standard does not define: it is not written.
+    /// Opens an element at a position that the standard does not allow: it is not written.
     pub(crate) fn open_stray(&mut self, element: &'static SchemaElement) {
         if self.is_checked {
             self.skipped += 1;
@@ -143,12 +143,12 @@ impl XddWriter {
         }
     }
 
-    /// Opens an element that is only written if it gets attributes, a text or elements.
+    /// Opens an element that is written only if it gets attributes, a text or elements.
     pub(crate) fn open_unless_empty(&mut self, element: &'static SchemaElement) {
         self.start(element, element.is_global, true);
     }
 
-    /// Adds an attribute to the element opened last, before any of its children, if it takes the text.
+    /// Adds an attribute to the element opened last, before any of its children, if its value is valid.
     pub(crate) fn attribute(&mut self, name: Name, value: &str) {
         if self.skipped > 0 || self.is_too_new(name) {
             return;
@@ -168,7 +168,7 @@ impl XddWriter {
         }
     }
 
-    /// Marks the element opened last as the list of marks says.
+    /// Applies the marks to the element opened last.
     pub(super) fn mark(&mut self, name: &str) {
         if let Some((_, mark)) = self.marks.iter().rev().find(|(marked, _)| **marked == *name) {
             self.attribute(n::readOnly, if *mark { "true" } else { "false" });
@@ -182,7 +182,7 @@ impl XddWriter {
         }
     }
 
-    /// Sets the text of the element opened last, which must not get children then.
+    /// Sets the text of the element opened last, which then cannot have children.
     pub(crate) fn text(&mut self, text: &str) {
         if self.skipped > 0 {
             return;
@@ -232,7 +232,7 @@ impl XddWriter {
         }
     }
 
-    /// How many children of a name the innermost element has; of a choice, of all of its names.
+    /// The number of children with this name in the innermost element; for a choice, of all its names.
     pub(crate) fn count_of(&self, name: Name) -> u32 {
         match self.open.last().filter(|_| self.pending.is_empty()) {
             Some(open) => open.element.slot(name, 0).map_or(0, |(number, _)| open.counts[number]),
@@ -240,8 +240,8 @@ impl XddWriter {
         }
     }
 
-    /// The document, and whether a reference leads to nothing: then the ids to write it again with. Closes all
-    /// open elements.
+    /// Closes all open elements and returns the document. If a reference is dangling, also returns the ids for
+    /// writing it again.
     pub(crate) fn finish(mut self) -> (String, Option<HashSet<Rc<str>>>) {
         while self.skipped > 0 || !self.pending.is_empty() || !self.open.is_empty() {
             self.close();
@@ -296,7 +296,7 @@ impl XddWriter {
         }
     }
 
-    /// Whether the innermost element takes no further child of this name.
+    /// Whether the innermost element accepts no further child of this name.
     fn is_full(&self, child: &SchemaElement) -> bool {
         let Some(open) = self.open.last().filter(|_| self.pending.is_empty()) else { return false };
         let slot = open.element.slot(child.name, 0);
@@ -318,7 +318,7 @@ impl StartTag {
         true
     }
 
-    /// Whether the element, which has no children, needs none, and takes its text.
+    /// Whether the element, which has no children, needs none and its text is valid.
     fn is_whole(&self) -> bool {
         let takes = |kind: TextKind| kind.accepts(self.text.as_deref().unwrap_or_default());
         self.element.content.iter().all(|slot| slot.least == 0)
@@ -333,21 +333,21 @@ impl StartTag {
 /// The ids and the references written so far.
 #[derive(Debug, Default)]
 pub(crate) struct WrittenIds {
-    /// In the order of the document.
+    /// In document order.
     defined: Vec<Rc<str>>,
     set: HashSet<Rc<str>>,
     references: Vec<Rc<str>>,
-    /// What may be referred to; `None` for anything.
+    /// The valid targets of references; `None` allows any.
     known: Option<HashSet<Rc<str>>>,
 }
 
 impl WrittenIds {
-    /// Without ids. With `known`, other references are not written.
+    /// Starts without ids. With `known`, other references are not written.
     pub(crate) fn new(known: Option<HashSet<Rc<str>>>) -> Self {
         Self { known, ..Self::default() }
     }
 
-    /// The id for an element: the text as a name that no other element has.
+    /// The id for an element: the string as a unique name.
     pub(crate) fn define<'t>(&mut self, text: &'t str) -> Cow<'t, str> {
         let name = name_of(text);
         let mut free = name.clone();
@@ -362,7 +362,7 @@ impl WrittenIds {
         free
     }
 
-    /// The id for a reference; `None` if nothing has it.
+    /// The id for a reference; `None` if no element has it.
     pub(crate) fn refer<'t>(&mut self, text: &'t str) -> Option<Cow<'t, str>> {
         let name = name_of(text);
         let leads = self.known.as_ref().is_none_or(|known| known.contains(&*name));
@@ -378,7 +378,7 @@ impl WrittenIds {
         (self.defined.len(), self.references.len())
     }
 
-    /// Forgets what came after a mark.
+    /// Discards all ids and references after a mark.
     pub(crate) fn reset(&mut self, (defined, references): (usize, usize)) {
         for id in self.defined.drain(defined..) {
             self.set.remove(&id);
@@ -386,13 +386,13 @@ impl WrittenIds {
         self.references.truncate(references);
     }
 
-    /// The ids that there are, if a reference leads to another one.
+    /// The existing ids, if a reference is dangling.
     pub(crate) fn into_known(self) -> Option<HashSet<Rc<str>>> {
         let Self { set, references, known, .. } = self;
         if references.iter().all(|reference| set.contains(reference)) {
             return None;
         }
-        // fewer each time, so that writing again comes to an end
+        // the set shrinks each round, so rewriting terminates
         Some(match known {
             Some(known) => set.into_iter().filter(|id| known.contains(id)).collect(),
             None => set,
@@ -400,7 +400,7 @@ impl WrittenIds {
     }
 }
 
-/// A text as a name: the same text if it is one, and always the same name for it.
+/// Converts a string to an XML name: unchanged if it is one, and always the same name for the same string.
 fn name_of(text: &str) -> Cow<'_, str> {
     let text = text.trim_ascii();
     if is_name(text) {

@@ -20,9 +20,9 @@ const MAX_ATTRIBUTES: usize = 256;
 const FEW: usize = 16;
 
 impl<'a> TreeBuilder<'a, '_> {
-    /// Fast path for almost all tags: takes the attributes from `at` on if all are well-formed, have names
-    /// of CiA 311 without prefix and values without references. Returns the end of the tag and whether it is
-    /// `<a/>`; `None` if nothing was taken.
+    /// Fast path for almost all tags: reads the attributes from `at` on if all are well-formed, have CiA 311
+    /// names without prefix and values without references. Returns the end of the tag and whether it is
+    /// `<a/>`; `None` if nothing was read.
     pub(super) fn plain_attributes(&mut self, at: usize) -> Option<(usize, bool)> {
         let first = self.parts.attributes.len();
         let found = self.plain_attributes_behind(first, at);
@@ -239,7 +239,7 @@ impl<'a> TreeBuilder<'a, '_> {
         }
     }
 
-    /// Takes a namespace declaration, unless Namespaces in XML forbids it.
+    /// Adds a namespace declaration, unless Namespaces in XML forbids it.
     fn declare(&mut self, attribute: RawAttribute) {
         let text = self.text;
         let prefix = attribute.name.of(text).strip_prefix("xmlns:").unwrap_or_default();

@@ -1,5 +1,5 @@
-//! From a text to the tree. Nothing stops the builder: behind malformed markup it continues where the author most
-//! likely meant the markup to end.
+//! Builds the tree from a text. The builder never stops: after malformed markup it continues where the author
+//! most likely intended the markup to end.
 
 use quick_xml::Reader;
 
@@ -20,7 +20,7 @@ const MAX_DEPTH: usize = 256;
 /// The maximum number of elements of a tree.
 const MAX_ELEMENTS: usize = 4_000_000;
 
-/// The maximum length of a name in bytes; the length field also holds a flag.
+/// The maximum length of a name in bytes; the length field also contains a flag.
 pub(super) const MAX_NAME: usize = 32_000;
 
 /// The tree of a source.
@@ -55,11 +55,11 @@ pub(super) struct TreeBuilder<'a, 'f> {
     endless: [bool; 3],
     has_endless_type: bool,
     is_stopped: bool,
-    /// Whether something was left out because of a limit.
+    /// Whether content was omitted because of a limit.
     is_limited: bool,
 }
 
-/// An element whose end tag is not read yet.
+/// An element whose end tag has not been read yet.
 pub(super) struct OpenElement {
     id: u32,
     last_child: u32,
@@ -99,7 +99,7 @@ impl<'a, 'f> TreeBuilder<'a, 'f> {
     }
 
     pub(super) fn report(&mut self, rule: &'static RuleInfo, make: impl FnOnce() -> Diagnostic) {
-        // a finding that is only counted needs no text
+        // a finding that is only counted needs no message
         let is_full = self.findings.is_full(rule);
         let mut finding = if is_full { Diagnostic::new(rule, Span::default(), "") } else { make() };
         if !is_full && finding.help.is_none() {
@@ -109,7 +109,7 @@ impl<'a, 'f> TreeBuilder<'a, 'f> {
         self.findings.push(finding);
     }
 
-    /// Reports a rule at a place, with a message from the text there.
+    /// Reports a rule at a place, with a message based on the text there.
     pub(super) fn defect(
         &mut self,
         rule: &'static RuleInfo,
@@ -129,7 +129,7 @@ impl<'a, 'f> TreeBuilder<'a, 'f> {
         Span::new(start as u32, end as u32)
     }
 
-    /// The position of `needle` in the text from `start` on.
+    /// The position of the first match of `needle` in the text from `start` on.
     pub(super) fn find(&self, start: usize, needle: impl Fn(u8) -> bool) -> usize {
         let rest = self.text.as_bytes().get(start..).unwrap_or_default();
         rest.iter().position(|&byte| needle(byte)).map_or(self.text.len(), |length| start + length)
@@ -188,14 +188,14 @@ impl<'a, 'f> TreeBuilder<'a, 'f> {
         self.defect(&rules::LIMIT, Span::empty(at as u32), |_| message);
     }
 
-    /// Reads what starts with `<!` or `<?`; returns where to continue.
+    /// Reads markup that starts with `<!` or `<?`; returns where to continue.
     fn markup(&mut self, start: usize) -> usize {
         let rest = &self.text.as_bytes()[start..];
         let Some(markup) = Markup::at(rest) else {
             let is_type = rest.get(..9).is_some_and(|mark| mark.eq_ignore_ascii_case(b"<!DOCTYPE"));
             return if is_type { self.type_at(start) } else { self.unknown_markup(start) };
         };
-        // a search in vain is not repeated: it would take quadratic time
+        // a failed search is not repeated: that would need quadratic time
         let is_endless = &mut self.endless[markup as usize];
         let length = if *is_endless { None } else { markup.length(rest) };
         *is_endless = length.is_none();

@@ -60,7 +60,7 @@ pub(super) fn plain_value_length(bytes: &[u8]) -> usize {
     bytes.iter().take_while(|byte| CLASSES[usize::from(**byte)] & STOP == 0).count()
 }
 
-/// Whether `text` contains only white space.
+/// Whether `text` contains only whitespace.
 pub(super) fn is_blank_text(text: &str) -> bool {
     text.bytes().all(is_blank)
 }

@@ -1,10 +1,10 @@
-//! The comments of a text, at any place.
+//! The comments of a text, at any position.
 
 use super::markup::Markup;
 use crate::source::Span;
 
 /// The comments of a text in order, from `<!--` to `-->`. Similar text in a CDATA section, a processing
-/// instruction or the value of an attribute is not a comment.
+/// instruction or an attribute value is not a comment.
 pub fn comments(text: &str) -> impl Iterator<Item = Span> {
     let bytes = text.as_bytes();
     let mut at = 0;

@@ -1,4 +1,4 @@
-//! Content between tags: text, references, comments, instructions, and everything before the root.
+//! Content between tags: text, references, comments and instructions, and everything before the root.
 
 use super::build::TreeBuilder;
 use super::chars::{is_blank, is_blank_text, is_name};

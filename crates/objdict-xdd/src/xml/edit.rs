@@ -1,5 +1,5 @@
-//! Edits of a tree by spans: the rest of the text is unchanged, and new text is laid out like its
-//! neighbours.
+//! Edits a tree by spans: the rest of the text is unchanged, and new text is indented like its
+//! siblings.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ pub struct XmlEditor<'a> {
 }
 
 impl<'a> XmlEditor<'a> {
-    /// An editor without changes. New lines end like the first line of the document.
+    /// Creates an editor without changes. New lines end like the first line of the document.
     pub fn new(tree: &'a Tree) -> Self {
         let (edits, opened) = (Edits::new(tree.source()), BTreeMap::new());
         Self { tree, edits, line_end: tree.line_end(), opened, not_xml: None }
@@ -32,8 +32,8 @@ impl<'a> XmlEditor<'a> {
         self.edits.replace(span, text);
     }
 
-    /// Sets an attribute: in its place, or after the last attribute. `name` is the spelling with prefix; two
-    /// calls for one missing attribute add it twice.
+    /// Sets an attribute: at its existing position, or after the last attribute. `name` is the spelling with
+    /// prefix; two calls for one missing attribute add it twice.
     pub fn set_attribute(&mut self, element: Element<'a>, name: &str, value: &str) {
         self.check(value);
         match self.attribute(element, name) {
@@ -51,7 +51,7 @@ impl<'a> XmlEditor<'a> {
         }
     }
 
-    /// Removes an attribute and the blanks before it.
+    /// Removes an attribute and the whitespace before it.
     pub fn remove_attribute(&mut self, element: Element<'a>, name: &str) {
         if let Some(attribute) = self.attribute(element, name) {
             let span = attribute.span();
@@ -91,7 +91,7 @@ impl<'a> XmlEditor<'a> {
         let next = behind.iter().find(|&&byte| !matches!(byte, b' ' | b'\t'));
         let before = self.blanks_before(span.start);
         let blanks = before.of(self.tree.text());
-        // the line end before the element is removed and the one after it stays
+        // the line end before the element is removed and the one after it remains
         let start = match blanks.rfind('\n').or(blanks.rfind('\r')) {
             Some(line_end) if matches!(next, None | Some(b'\n' | b'\r')) => {
                 let is_crlf = blanks[..line_end].ends_with('\r') && blanks[line_end..].starts_with('\n');
@@ -120,7 +120,7 @@ impl<'a> XmlEditor<'a> {
     /// The edited text.
     ///
     /// # Errors
-    /// When two changes overlap, or a new text contains a character that XML cannot represent.
+    /// If two changes overlap, or a new text contains a character that XML cannot represent.
     pub fn text(&self) -> Result<String, EditError> {
         self.complete()?.text()
     }
@@ -128,7 +128,7 @@ impl<'a> XmlEditor<'a> {
     /// The edited document in the encoding of the file; without changes, the original bytes.
     ///
     /// # Errors
-    /// When two changes overlap, a new text contains a character that XML cannot represent, or the document
+    /// If two changes overlap, a new text contains a character that XML cannot represent, or the document
     /// cannot be written in the encoding of the file.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EditError> {
         self.complete()?.to_bytes()
@@ -137,7 +137,7 @@ impl<'a> XmlEditor<'a> {
     /// The changes as spans with their new texts, in the order of the document.
     ///
     /// # Errors
-    /// When two changes overlap, or a new text contains a character that XML cannot represent.
+    /// If two changes overlap, or a new text contains a character that XML cannot represent.
     pub fn into_list(self) -> Result<Vec<(Span, String)>, EditError> {
         self.complete()?.into_list()
     }
@@ -189,7 +189,8 @@ impl<'a> XmlEditor<'a> {
         }
     }
 
-    /// The offset after the last attribute, else after the name, and the blanks before that attribute.
+    /// The offset after the last attribute, otherwise after the name, and the whitespace before that
+    /// attribute.
     fn behind_attributes(&self, element: Element<'a>) -> (u32, Span) {
         match element.all_attributes().last() {
             Some(last) => (last.span().end, self.blanks_before(last.span().start)),
@@ -197,7 +198,7 @@ impl<'a> XmlEditor<'a> {
         }
     }
 
-    /// The blanks and line ends before an offset.
+    /// The whitespace before an offset.
     fn blanks_before(&self, offset: u32) -> Span {
         let before = &self.tree.text().as_bytes()[..offset as usize];
         let length = before.iter().rev().take_while(|&&byte| is_blank(byte)).count();
@@ -211,14 +212,13 @@ impl<'a> XmlEditor<'a> {
         blanks.start == 0 || blanks.of(self.tree.text()).contains(['\n', '\r'])
     }
 
-    /// The blanks before an element on its line.
+    /// The indentation of an element.
     fn indent(&self, element: Element<'a>) -> &'a str {
         let blanks = self.blanks_before(element.span().start).of(self.tree.text());
         blanks.rsplit(['\n', '\r']).next().unwrap_or_default()
     }
 
-    /// A line end and the indentation of the children of an element; empty if they do not have their own
-    /// lines.
+    /// A line end and the indentation of an element's children; empty if they are not on separate lines.
     fn child_indent(&self, parent: Element<'a>) -> String {
         if !self.has_lines(parent) {
             return String::new();
@@ -236,7 +236,7 @@ impl<'a> XmlEditor<'a> {
     }
 
     /// Elements as text, with `indent` before each and the line ends of the file. Only line ends between
-    /// tags are followed by indentation, because those in texts are part of the text.
+    /// tags are followed by indentation, because line ends in texts are significant.
     fn indented(&self, xml: &str, indent: &str) -> String {
         let mut indented = indent.to_owned();
         let mut lines = xml.trim_ascii().split_inclusive('\n').peekable();

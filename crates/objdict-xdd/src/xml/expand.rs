@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::chars::{is_forbidden, is_name};
 
-/// The maximum number of bytes that references to entities of the document may add to its text.
+/// The maximum number of bytes that references to entities may add to the text.
 pub(super) const MAX_EXPANSION: usize = 1 << 20;
 
 /// The entities that the internal subset of a document type declares.
@@ -30,7 +30,7 @@ pub(super) enum EntityReference<'a> {
     Character(char),
     /// An entity of the document.
     Entity(&'a str),
-    /// A number that is not a character of XML, or not a number.
+    /// Not a number, or not the number of an XML character.
     BadNumber,
     /// A `&` that starts no valid reference.
     Lone,
@@ -86,7 +86,7 @@ impl Entities {
         }
     }
 
-    /// An attribute value with references resolved, and a blank for each literal line end and tab (§3.3.3).
+    /// An attribute value with references resolved, and a space for each literal line end and tab (§3.3.3).
     pub(super) fn value<'a>(&self, raw: &'a str) -> Cow<'a, str> {
         if !raw.bytes().any(|byte| matches!(byte, b'&' | b'\t' | b'\n' | b'\r')) {
             return Cow::Borrowed(raw);

@@ -1,4 +1,4 @@
-//! The rules about XML itself, reported while the tree is built because only the text shows the errors.
+//! The rules about XML itself, reported while the tree is built because only the text reveals the errors.
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use crate::diagnostic::{RuleInfo, text_rules};
 text_rules! {
     source: "XML 1.0 §3.1";
 
-    // what is behind the element is read as a part of it, or not at all
+    // content after the element is read as part of it, or not at all
     "xml/unclosed-element" = UNCLOSED_ELEMENT, Error, explains File [
         "unknown-element", "missing-element", "stray-text", "missing-profile", "dangling-unique-id-ref",
         "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",
@@ -23,7 +23,7 @@ text_rules! {
     example: r#"`<label lang="en">Device type` and then `</CANopenObject>`"#,
     remedy: "Add the end tag; if the file is truncated, get it again.",
 
-    // the same, if the start tag is missing
+    // likewise, if the start tag is missing
     "xml/stray-end-tag" = STRAY_END_TAG, Error, explains File [
         "unknown-element", "missing-element", "stray-text", "missing-profile", "dangling-unique-id-ref",
         "dangling-data-type-id-ref", "missing-key", "missing-sub-0", "sub-number-mismatch", "wrong-pdo-count",

@@ -1,4 +1,4 @@
-//! Markup that starts with `<!` or `<?` and whose end can be anywhere behind it.
+//! Markup that starts with `<!` or `<?` and whose end may be anywhere after it.
 
 /// A kind of markup.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,7 +27,7 @@ impl Markup {
     /// The length of the markup at the start of a text; `None` if it has no end.
     pub(super) fn length(self, text: &[u8]) -> Option<usize> {
         let (start, end) = self.marks();
-        // `<?>` ends, and is malformed
+        // `<?>` is terminated, but malformed
         let from = if self == Self::Instruction { 1 } else { start.len() };
         memchr::memmem::find(text.get(from..)?, end.as_bytes()).map(|length| from + length + end.len())
     }

@@ -8,7 +8,7 @@ pub struct Name(u16);
 /// The size of the hash table: a power of two, several times the number of names.
 const PLACES: usize = 1024;
 
-/// The number of each name in the slot of its hash, or in the next free one.
+/// The number of each name in its hash slot, or in the next free one.
 static TABLE: [u16; PLACES] = {
     let mut table = [0; PLACES];
     let mut number = 1;
@@ -38,12 +38,12 @@ impl Name {
     /// Any name that CiA 311 does not have.
     pub const OTHER: Self = Self(0);
 
-    /// The name that equals a text.
+    /// The name for a string.
     pub fn of(text: &str) -> Self {
         Self::of_bytes(text.as_bytes())
     }
 
-    /// The name that equals the bytes of a text.
+    /// The name for the bytes of a string.
     pub(super) fn of_bytes(text: &[u8]) -> Self {
         let mut place = hash(text);
         loop {
@@ -61,7 +61,7 @@ impl Name {
     }
 }
 
-/// Declares a constant for each name; a name that is a Rust keyword is followed by its text.
+/// Declares a constant for each name; a name that is a Rust keyword is followed by its spelling.
 macro_rules! names {
     ($($name:ident $($text:literal)?)+) => {
         /// One constant for each name.

@@ -10,14 +10,14 @@ pub(super) const XML: &str = "http://www.w3.org/XML/1998/namespace";
 /// The namespace of the declarations themselves.
 pub(super) const XMLNS: &str = "http://www.w3.org/2000/xmlns/";
 
-/// The prefixes declared at the current position of the text.
+/// The prefixes declared at the current position.
 pub(super) struct Namespaces<'a> {
     /// The namespace of each prefix; the empty prefix has the default namespace.
     current: HashMap<&'a str, u32>,
     default: u32,
     /// The last prefix looked up, and its namespace: most elements have the same.
     last: Option<(&'a str, u32)>,
-    /// What a declaration replaced, to be restored at the end of its element.
+    /// The bindings that declarations replaced, to be restored at the end of their elements.
     hidden: Vec<(&'a str, Option<u32>)>,
     uris: Vec<Box<str>>,
     numbers: HashMap<Box<str>, u32>,

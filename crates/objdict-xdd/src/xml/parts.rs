@@ -1,4 +1,4 @@
-//! Elements and attributes as they are stored: their positions in the text.
+//! Elements and attributes as stored: their positions in the text.
 
 use super::expand::Entities;
 use super::names::Name;
@@ -7,7 +7,7 @@ use crate::source::Span;
 /// The result of the builder.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
-    /// The elements in the order of their start tags; the first one is the root.
+    /// The elements in the order of their start tags; the root is first.
     pub(super) elements: Vec<Record>,
     /// The attributes of all elements in order, including namespace declarations.
     pub(super) attributes: Vec<AttributeRecord>,
@@ -32,14 +32,14 @@ pub(super) struct Record {
     pub(super) end: u32,
     pub(super) parent: u32,
     pub(super) next: u32,
-    /// The first attribute; the attributes of the next element follow the last one.
+    /// The first attribute; the next element's attributes follow the last one.
     pub(super) attributes: u32,
     pub(super) namespace: u32,
     pub(super) name_length: u16,
     /// Length of the prefix with its colon.
     pub(super) prefix_length: u16,
     pub(super) tag: Name,
-    /// Whether the element may contain more than blanks, elements, comments and processing instructions.
+    /// Whether the element may contain more than whitespace, elements, comments and processing instructions.
     pub(super) has_text: bool,
 }
 

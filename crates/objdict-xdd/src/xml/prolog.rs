@@ -71,7 +71,7 @@ fn value_defect(text: &str, attribute: RawAttribute) -> Option<(Span, String)> {
     (!is_good).then(|| (attribute.value, format!("`{value}` is not a valid `{name}` of an XML declaration")))
 }
 
-/// Why the declared encoding cannot be that of the file; `None` if it can.
+/// The reason why the declared encoding cannot be correct; `None` if it can.
 pub(super) fn encoding_defect(declared: Option<&str>, actual: Encoding, text: &str) -> Option<String> {
     let is_utf8 = matches!(actual, Encoding::Utf8 | Encoding::Utf8Bom);
     let is_utf16 = matches!(actual, Encoding::Utf16Le | Encoding::Utf16Be);
@@ -89,7 +89,7 @@ pub(super) fn encoding_defect(declared: Option<&str>, actual: Encoding, text: &s
             actual == Encoding::Windows1252 || actual == Encoding::Utf8 && text.is_ascii()
         }
         "cp850" | "ibm850" => actual == Encoding::Cp850 || actual == Encoding::Utf8 && text.is_ascii(),
-        // for other names, only text in ASCII is safe: almost all encodings contain ASCII
+        // for other names, only ASCII text is safe, because almost all encodings contain ASCII
         _ => actual == Encoding::Utf8 && text.is_ascii(),
     };
     (!agrees).then(|| format!("the file declares the encoding `{declared}`, but is read as {actual}"))
@@ -140,7 +140,7 @@ impl EntityResolver<'_> {
         if let Some(entity) = self.entities.declared.get(name) {
             return entity.clone();
         }
-        // an entity that is found again while it is resolved contains itself
+        // an entity that is found again during its own resolution contains itself
         self.entities.declared.insert(name.into(), Entity::Unread("it contains itself"));
         let entity = match self.expanded(name, depth) {
             Ok(text) => Entity::Text(text.into()),
@@ -271,7 +271,7 @@ impl<'a> Scan<'a> {
         };
         self.skip_blanks();
         self.expect(">")?;
-        // the first declaration counts (XML 1.0 §4.2)
+        // the first declaration is used (XML 1.0 §4.2)
         if let Entry::Vacant(entry) = declared.values.entry(name) {
             entry.insert(value);
             declared.order.push(name);

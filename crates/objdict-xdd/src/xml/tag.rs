@@ -1,4 +1,4 @@
-//! The content of a tag, step by step. A tag ends at a `>` outside quotes; if a quote is missing, that can be
+//! The content of a tag, step by step. A tag ends at a `>` outside quotes; if a quote is missing, that may be
 //! anywhere. These steps find the intended end, and every attribute before it.
 
 use super::chars::{ends_name, is_blank};
@@ -30,13 +30,13 @@ pub(super) enum TagStep {
     Attribute(RawAttribute),
     /// A name without a value.
     MissingValue(Span),
-    /// No blank before an attribute.
+    /// A missing space before an attribute.
     MissingBlank(u32),
     /// Text that is not an attribute.
     Junk(Span),
     /// The offset after the tag. The last step.
     End(u32),
-    /// The tag has no end; the following content starts at this offset. The last step.
+    /// The tag is unclosed; the following content starts at this offset. The last step.
     Unclosed(u32),
 }
 
@@ -44,9 +44,9 @@ pub(super) enum TagStep {
 pub(super) struct Steps<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Whether the steps are those of `<?xml … ?>` and not of `<a …>`.
+    /// Whether the steps belong to `<?xml … ?>` rather than `<a …>`.
     declaration: bool,
-    /// The offset for which a missing blank was last reported.
+    /// The offset for which a missing space was last reported.
     reported: usize,
 }
 
@@ -108,8 +108,8 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The end of text that starts with `byte` and is not an attribute: a quoted text if it is closed on its
-    /// line, else one byte.
+    /// The end of junk that starts with `byte`: a quoted string if it is closed on its line, otherwise one
+    /// byte.
     fn end_of_junk(&self, byte: u8) -> usize {
         let behind = self.at + 1;
         if !matches!(byte, b'"' | b'\'') {
@@ -175,7 +175,7 @@ impl<'a> Steps<'a> {
             None | Some(b'/' | b'>' | b'?') => true,
             Some(&byte) => is_blank(byte),
         };
-        // the quote that seems to close this value opens the next value
+        // the quote that seems to close this value opens the next one
         let opens_next = rest[..close].ends_with(b"=");
         if opens_next && (!is_delimited || less_than.is_some()) || less_than.is_some() && !is_delimited {
             return self.unclosed(start, close);

@@ -13,7 +13,7 @@ use crate::source::{SourceFile, Span};
 
 /// An XML document, well-formed or not: its text, and the positions of elements and attributes.
 ///
-/// An element takes 40 bytes and an attribute 20; texts and values are read from the source on demand.
+/// An element needs 40 bytes and an attribute 20; texts and values are read from the source on demand.
 pub struct Tree {
     source: SourceFile,
     parts: Parts,
@@ -38,7 +38,7 @@ pub struct Attribute<'a> {
     number: u32,
 }
 
-/// A name to search elements and attributes for: a name of CiA 311, or any text.
+/// A name for searching elements and attributes: a CiA 311 name, or any string.
 pub trait Called: Copy {
     /// Whether an element has the name, with any prefix.
     fn is_element(self, element: Element<'_>) -> bool;
@@ -68,7 +68,8 @@ impl Called for &str {
 }
 
 impl Tree {
-    /// Reads the text of a source. Errors are added to `findings`, and the tree contains what can be read.
+    /// Reads the text of a source. Errors are added to `findings`, and the tree contains all readable
+    /// content.
     pub fn new(source: SourceFile, findings: &mut Findings) -> Self {
         let parts = build(&source, findings);
         Self { source, parts }
@@ -89,7 +90,7 @@ impl Tree {
         self.source.text()
     }
 
-    /// The line end of its first line, with which new lines end too.
+    /// The line end of its first line, also used for new lines.
     pub fn line_end(&self) -> &'static str {
         let text = self.text();
         match memchr::memchr2(b'\n', b'\r', text.as_bytes()).map(|at| &text[at..]) {
@@ -104,10 +105,10 @@ impl Tree {
         self.get(0)
     }
 
-    /// The element of an id of this tree; the root for any other id.
+    /// The element with this id in this tree; the root for any other id.
     ///
     /// # Panics
-    /// When the tree has no element, so that the id belongs to another tree.
+    /// If the tree has no elements, so that the id belongs to a different tree.
     pub fn element(&self, id: ElementId) -> Element<'_> {
         let id = if (id.0 as usize) < self.parts.elements.len() { id.0 } else { 0 };
         Element { tree: self, id }
@@ -137,7 +138,7 @@ impl Tree {
         self.parts.elements.len()
     }
 
-    /// Whether there is no element.
+    /// Whether there are no elements.
     pub fn is_empty(&self) -> bool {
         self.parts.elements.is_empty()
     }
@@ -189,7 +190,7 @@ impl<'a> Element<'a> {
         self.at(name.start + u32::from(self.record().prefix_length), name.end)
     }
 
-    /// The local name, if it is one of CiA 311.
+    /// The local name, if CiA 311 defines it.
     pub fn tag(self) -> Name {
         self.record().tag
     }
@@ -269,15 +270,15 @@ impl<'a> Element<'a> {
         self.children().filter(move |child| name.is_element(*child))
     }
 
-    /// All elements below this one, at any depth, in the order of their start tags.
+    /// All descendants, in the order of their start tags.
     pub fn descendants(self) -> impl Iterator<Item = Element<'a>> {
         let end = self.record().end;
         let is_inside = move |element: &Element<'a>| element.record().start < end;
         (self.id + 1..).map_while(move |id| self.tree.get(id)).take_while(is_inside)
     }
 
-    /// The character data of the element itself, without that of its children: CDATA sections and references
-    /// are resolved, each line end is one LF, and blanks are kept.
+    /// The character data of the element, without that of its children: CDATA sections and references are
+    /// resolved, each line end is one LF, and whitespace is kept.
     pub fn text(self) -> Cow<'a, str> {
         // most elements with text contain nothing else
         let inner = self.inner_span().of(self.tree.text());
@@ -291,7 +292,7 @@ impl<'a> Element<'a> {
         text
     }
 
-    /// Whether [`text`](Self::text) has anything but blanks, determined without building the text.
+    /// Whether [`text`](Self::text) contains more than whitespace, determined without building the text.
     pub fn has_text(self) -> bool {
         if !self.record().has_text {
             return false;
@@ -301,13 +302,13 @@ impl<'a> Element<'a> {
             let range = span.start as usize..span.end as usize;
             bytes.get(range).unwrap_or_default().iter().all(|&byte| is_blank(byte))
         };
-        // most gaps contain only line ends and blanks
+        // most gaps contain only whitespace
         let mut gaps = self.gaps().filter(|gap| !is_blank_span(*gap));
         gaps.any(|gap| self.tree.pieces(gap).any(|piece| !is_blank_span(piece.span)))
     }
 
-    /// The source of [`text`](Self::text) from its first to its last non-blank character; without one, the
-    /// empty span after the start tag.
+    /// The source of [`text`](Self::text) from its first to its last non-whitespace character; without
+    /// one, the empty span after the start tag.
     pub fn text_span(self) -> Span {
         if !self.record().has_text {
             return Span::empty(self.record().tag_end);
@@ -357,7 +358,7 @@ impl<'a> Attribute<'a> {
             .of(self.tree.text())
     }
 
-    /// The local name, if it is one of CiA 311.
+    /// The local name, if CiA 311 defines it.
     pub fn tag(self) -> Name {
         self.record().tag
     }
@@ -382,7 +383,7 @@ impl<'a> Attribute<'a> {
         ancestors.find_map(|element| self.tree.declared(element.id, prefix))
     }
 
-    /// The value: references are resolved, literal line ends and tabs are replaced by blanks.
+    /// The value: references are resolved, literal line ends and tabs are replaced by spaces.
     pub fn value(self) -> Cow<'a, str> {
         if self.record().is_plain {
             return Cow::Borrowed(self.value_span().of(self.tree.text()));

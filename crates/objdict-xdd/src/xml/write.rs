@@ -1,4 +1,4 @@
-//! XML documents as text: output is deterministic, and all names and texts are escaped.
+//! Writes XML documents: output is deterministic, and all names and texts are escaped.
 
 use std::borrow::Cow;
 
@@ -6,7 +6,7 @@ use quick_xml::escape::partial_escape;
 
 use super::chars::{is_forbidden, is_name, is_name_char, prefix_length};
 
-/// Writes a document: an XML declaration, two blanks per level, LF as line end.
+/// Writes a document: an XML declaration, two spaces per level, LF as line end.
 #[derive(Debug, Default)]
 pub struct XmlWriter {
     text: String,
@@ -15,7 +15,7 @@ pub struct XmlWriter {
     is_empty: bool,
 }
 
-/// The state of a document at an element that is going to be written.
+/// The state of a document before an element is written.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WriterMark {
     length: usize,
@@ -29,7 +29,7 @@ impl XmlWriter {
         Self { text: "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n".to_owned(), ..Self::default() }
     }
 
-    /// Opens an element. What follows is its content, until it is closed.
+    /// Opens an element; the following calls write its content until it is closed.
     pub fn open<'t>(&mut self, name: &str, attributes: impl IntoIterator<Item = (&'t str, &'t str)>) {
         let name = self.tag(name, attributes).into_owned();
         self.text.push_str(">\n");
@@ -83,15 +83,15 @@ impl XmlWriter {
         WriterMark { length: self.text.len(), depth: self.open.len(), is_empty: self.is_empty }
     }
 
-    /// Takes back what was written since a mark, if nothing before it was closed or [taken](Self::take).
+    /// Discards the output since a mark, if nothing before it was closed or [taken](Self::take).
     pub(crate) fn reset(&mut self, mark: WriterMark) {
         self.text.truncate(mark.length);
         self.open.truncate(mark.depth);
         self.is_empty = mark.is_empty;
     }
 
-    /// Takes the text written so far, unless the last call opened an element; later calls continue it. A
-    /// long document thus need not be in memory at once.
+    /// Returns and removes the output so far, unless the last call opened an element; later calls
+    /// continue it. A long document thus need not be in memory at once.
     pub fn take(&mut self) -> String {
         // an element without content is closed by changing its start tag
         if self.is_empty { String::new() } else { std::mem::take(&mut self.text) }
@@ -154,18 +154,18 @@ fn allowed(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Whether a text or value is written as it is.
+/// Whether a text or value needs no escaping.
 fn is_plain(text: &str) -> bool {
     text.bytes().all(|byte| matches!(byte, b' '..=b'~') && !matches!(byte, b'<' | b'>' | b'&' | b'"'))
 }
 
-/// A text, escaped for an element. A CR is written as a number because it would be read as LF.
+/// A text, escaped for an element. A CR is written as a character reference because it would be read as LF.
 pub(super) fn escaped_text(text: &str) -> Cow<'_, str> {
     partial_escape(text)
 }
 
-/// A value, escaped for double quotes. Tabs and line ends are written as numbers because they would be read
-/// as blanks.
+/// A value, escaped for double quotes. Tabs and line ends are written as character references because they
+/// would be read as spaces.
 pub(crate) fn escaped_value(value: &str) -> Cow<'_, str> {
     let escaped = partial_escape(value);
     if !escaped.contains(['"', '\t', '\n']) {

@@ -21,7 +21,7 @@ text_rules! {
     remedy: "Change one of the ids and its references.",
     source: "CiA 311 annex A, XML Schema (ID)",
 
-    // an object takes its data type, access and value from the parameter
+    // an object gets its data type, access and value from the parameter
     "cia311/dangling-unique-id-ref" = DANGLING_UNIQUE_ID_REF, Error,
         explains Around ["missing-key", "device-type-without-value", "missing-constant"];
     summary: "an object refers to a parameter that does not exist",
@@ -94,7 +94,7 @@ text_rules! {
     remedy: "Remove one of the references.",
 }
 
-/// The rules about what XML Schema validates: ids are unique, and references lead to one.
+/// The rules about constraints of the XML Schema: ids are unique, and references resolve to one.
 pub(super) static OF_SCHEMA: &[&RuleInfo] = &[
     &DUPLICATE_UNIQUE_ID,
     &DANGLING_UNIQUE_ID_REF,
@@ -123,7 +123,7 @@ pub(super) struct IdReference<'a> {
 }
 
 impl<'a> Ids<'a> {
-    /// Assigns an id to its element, unless another one has it.
+    /// Assigns an id to its element, unless it is already taken.
     pub(super) fn define(&mut self, element: Element<'a>, attribute: Attribute<'a>, findings: &mut Findings) {
         let id = trimmed(attribute.value());
         if let Some((first, first_at)) = self.elements.get(&id) {
@@ -156,13 +156,13 @@ impl<'a> Ids<'a> {
         self.uses(element) == 1
     }
 
-    /// An id that differs from another one only in case.
+    /// An id that differs from `id` only in case.
     fn similar(&self, id: &str) -> Option<&str> {
         self.elements.keys().map(|known| &**known).find(|known| known.eq_ignore_ascii_case(id))
     }
 }
 
-/// Follows all references.
+/// Checks all references.
 pub(super) fn check(walk: &mut Walk<'_, '_>) {
     for reference in std::mem::take(&mut walk.references) {
         let found = walk.ids.elements.get(&trimmed(reference.attribute.value())).copied();
@@ -184,7 +184,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
 fn dangling(reference: &IdReference<'_>, ids: &Ids<'_>, findings: &mut Findings) {
     let (rule, what, _) = about(reference.target);
     if findings.is_full(rule) {
-        // a finding above the limit is only counted and needs no text
+        // a finding above the limit is only counted and needs no message
         findings.push(Diagnostic::new(rule, reference.attribute.value_span(), String::new()));
         return;
     }
@@ -297,8 +297,8 @@ fn type_reference(element: Element<'_>) -> Option<Attribute<'_>> {
     element.child(n::dataTypeIDRef)?.attribute(n::uniqueIDRef)
 }
 
-/// The references that form cycles, one of each cycle. Iterative, because a hostile file can have a chain of
-/// any length.
+/// One reference from each reference cycle. Iterative, because a hostile file can contain a chain of any
+/// length.
 fn cycles<'a>(
     elements: Vec<Element<'a>>,
     ids: &Ids<'a>,

@@ -1,4 +1,4 @@
-//! The rules about the structure of CiA 311, which need the text of an XDD or XDC.
+//! The rules about the structure of CiA 311, which depend on the text of an XDD or XDC.
 
 mod ids;
 mod objects;
@@ -37,7 +37,7 @@ pub fn check(tree: &Tree, findings: &mut Findings) {
     }
 }
 
-/// What schema validation rejects in a document.
+/// The findings of schema validation in a document.
 pub fn violations(tree: &Tree) -> Findings {
     let mut all = Findings::new();
     for container in containers(tree) {
@@ -69,7 +69,7 @@ pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
     texts::check_dictionaries(&mut walk);
 }
 
-/// The element of the schema that a profile body is; `None` for any other element, and a body of another type.
+/// The schema element of a profile body; `None` for any other element, and for a body of an unknown type.
 pub(super) fn body_schema(element: Element<'_>) -> Option<&'static super::schema::SchemaElement> {
     profiles::body(element)?.schema
 }

@@ -222,7 +222,7 @@ fn mapping(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Find
         .push(finding.label(attribute.value_span(), "the object").help(format!("write `{right}`")).fix(fix));
 }
 
-/// An end of the range of a parameter whose allowed values are a single range.
+/// A limit of a parameter whose allowed values are a single range.
 fn single_range<'a>(parameter: Element<'a>, end: Name) -> Option<Element<'a>> {
     let mut allowed = parameter.child(n::allowedValues)?.children();
     let range = allowed.next().filter(|range| range.tag() == n::range)?;
@@ -243,7 +243,7 @@ fn value(
     let (stated, text) = (stated.trim_ascii(), text.trim_ascii());
     let is_same = match (Number::parse(stated), Number::parse(text)) {
         (Some(a), Some(b)) => a.is_same(&b),
-        // a number and a text may differ only in spelling
+        // a number and a string may differ only in spelling
         (Some(_), None) | (None, Some(_)) => return,
         (None, None) => spelling(stated) == spelling(text),
     };
@@ -271,7 +271,7 @@ fn label(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findin
     findings.push(finding.label(first.text_span(), "the parameter").help(help));
 }
 
-/// A text without differences of spelling: blanks and capital letters.
+/// A string normalised for comparison: without spaces and capital letters.
 fn spelling(text: &str) -> String {
     text.split_ascii_whitespace().collect::<String>().to_ascii_lowercase()
 }
@@ -279,7 +279,7 @@ fn spelling(text: &str) -> String {
 fn counts(list: Element<'_>, findings: &mut Findings) {
     let indexes = list.children_named(n::CANopenObject).filter_map(|object| hex(object.attribute(n::index)?));
     let (ours, others): (Vec<u16>, Vec<u16>) = indexes.partition(|index| (0x2000..0x6000).contains(index));
-    // an EDS does not list the definitions of data types, so some tools do not count them
+    // an EDS does not list the definitions of data types, so some tools omit them from the count
     let definitions = others.iter().filter(|&&index| index < 0x1000).count();
     let number = |name: Name| {
         let attribute = list.attribute(name)?;

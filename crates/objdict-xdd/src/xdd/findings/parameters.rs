@@ -1,4 +1,4 @@
-//! The rules about parameters and their allowed values, and about the data types that a description defines.
+//! The rules about parameters and their allowed values, and about data types that a description defines.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -101,7 +101,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
     }
     let all = walk.seen.of([n::parameter]).chain(walk.seen.of([n::parameterTemplate, n::varDeclaration]));
     for element in all.filter(|element| !walk.ids.belongs_to_entry(*element)) {
-        // entries take the values of a parameter that they share
+        // entries inherit the values of a parameter that they share
         let is_taken = walk.ids.uses(element) > 0;
         if let Some(data_type) = own_type(element) {
             fit(element, data_type, |_| is_taken, walk.findings);
@@ -121,7 +121,7 @@ pub(super) fn own_type(parameter: Element<'_>) -> Option<DataType> {
     Some(types::data_type(simple, None)).filter(|_| simple != SimpleType::Bitstring)
 }
 
-/// Reports values of a parameter that do not fit the data type, but for those that an entry takes.
+/// Reports values of a parameter that do not fit the data type, except those that an entry inherits.
 pub(super) fn fit(
     parameter: Element<'_>,
     data_type: DataType,
@@ -248,7 +248,7 @@ fn values(parameter: Element<'_>, allowed: Element<'_>, findings: &mut Findings)
         let Some((attribute, value)) = parameter.child(name).and_then(number) else { continue };
         let orders = singles.iter().chain(ranges.iter().flat_map(|(low, high, _)| [low, high]));
         let mut orders = orders.map(|other| value.compare(other));
-        // hex digits may be meant as a negative number
+        // the hex digits may represent a negative number
         if orders.any(|order| order.is_none()) || is_bits(&attribute.value(), &singles, &ranges) {
             continue;
         }

@@ -177,7 +177,7 @@ fn check_class(body: Element<'_>, class: ProfileClass, findings: &mut Findings) 
     let Some(id) = id else { return };
     let text = id.text();
     let (stated, right) = (text.trim_ascii(), class.name());
-    // other words are not classes of CiA 311
+    // other names are not classes of CiA 311
     if stated != right && ProfileClass::ALL.iter().any(|class| class.name() == stated) {
         let message = format!("the class in the header is `{stated}`, but the body is of class `{right}`");
         let finding = Diagnostic::new(&PROFILE_CLASS_MISMATCH, id.text_span(), message);
@@ -220,7 +220,7 @@ fn check_file_attributes(device: Element<'_>, network: Element<'_>, findings: &m
     }
 }
 
-/// The value of `name` in the device profile, and the different one in the communication network profile.
+/// The value of `name` in the device profile, and the contradicting one in the communication network profile.
 fn contradiction(
     rule: &'static RuleInfo,
     name: Name,

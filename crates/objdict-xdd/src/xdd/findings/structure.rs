@@ -17,7 +17,7 @@ text_rules! {
     example: "`<DeviceFunction/>` without `capabilities`",
     remedy: "Add the element.",
 
-    // an object is not read whole without its index, and an entry not without its sub-index
+    // an object without an index, or an entry without a sub-index, is not read completely
     "cia311/missing-attribute" = MISSING_ATTRIBUTE, Warning,
         explains Object [
             "missing-key", "sub-number-mismatch", "missing-sub-0", "wrong-highest-sub-index", "wrong-mapping-count",
@@ -101,7 +101,7 @@ text_rules! {
     remedy: "Declare one namespace in the whole file.",
 }
 
-/// Reports an attribute that is not known; the known one whose name differs only in case is meant.
+/// Reports an unknown attribute; a known one whose name differs only in case is suggested.
 pub(super) fn unknown_attribute(
     element: Element<'_>,
     schema: &'static schema::SchemaElement,
@@ -126,7 +126,7 @@ pub(super) fn unknown_attribute(
     meant
 }
 
-/// Reports a child that is not known; the known one whose name differs only in case is meant.
+/// Reports an unknown child; a known one whose name differs only in case is suggested.
 pub(super) fn unknown_element(
     parent: Element<'_>,
     schema: &'static schema::SchemaElement,
@@ -224,7 +224,7 @@ pub(super) fn stray_text(element: Element<'_>, at: Span) -> Diagnostic {
         .help("move it into a `label` or `description`, or make it a comment")
 }
 
-/// Version 1.0 does not have `what`.
+/// Reports that version 1.0 does not support `what`.
 pub(super) fn newer(at: Span, what: &str) -> Diagnostic {
     Diagnostic::new(&NEWER_VERSION, at, format!("version 1.0 has no {what}"))
         .help("remove it or change the namespace of the file to version 1.1")
@@ -263,7 +263,7 @@ impl<'a> Forms<'a> {
         self.version == Some(XddVersion::V1_0)
     }
 
-    /// Whether an element is in the namespace of the container or in none, and so is meant as an element of
+    /// Whether an element is in the container's namespace or in none, and so is intended as an element of
     /// CiA 311.
     pub(super) fn is_ours(&self, element: Element<'_>) -> bool {
         let namespace = element.namespace();

@@ -180,7 +180,8 @@ fn finding(text: &str, kind: TextKind, at: Span, name: &str) -> Diagnostic {
     }
 }
 
-/// A finding about a text that is read all the same, with the spelling of the standard, and whether it is certain.
+/// A finding about a string that is nevertheless read, with the standard notation, and whether that is
+/// certain.
 fn respelled(finding: Diagnostic, read: Option<(String, bool)>, at: Span) -> Diagnostic {
     let Some((text, is_certain)) = read else { return finding };
     let fix = if is_certain { Fix::safe } else { Fix::risky };
@@ -209,7 +210,7 @@ fn invalid_number(text: &str, shown: &Text, name: &str, (low, high): (i128, i128
     Diagnostic::new(&INVALID_NUMBER, at, message).help(help)
 }
 
-/// The intended hex digits, padded with zeros; `None` if they are open.
+/// The intended hex digits, padded with zeros; `None` if they are ambiguous.
 fn hex_digits(text: &str, least: usize) -> Option<String> {
     let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(text);
     let digits = digits.strip_suffix(['h', 'H']).unwrap_or(digits);

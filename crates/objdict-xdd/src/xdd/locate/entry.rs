@@ -1,4 +1,4 @@
-//! Places of objects and sub-objects: their attributes, or the parameter that replaces them.
+//! Locates objects and sub-objects: their attributes, or the parameter that replaces them.
 
 use super::{ElementLocator, attribute_of, text_of, value_of};
 use crate::model::{Field, SimpleType};
@@ -9,7 +9,7 @@ use crate::xdd::schema::OBJECT;
 use crate::xml::{Element, Name, Tree, n};
 
 impl ElementLocator {
-    /// The span of a field of an object or sub-object; for a missing sub-object, that of its object.
+    /// The span of a field of an object or sub-object; for a missing sub-object, the span of its object.
     pub(super) fn entry(
         &self,
         tree: &Tree,

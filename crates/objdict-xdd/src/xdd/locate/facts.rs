@@ -1,4 +1,4 @@
-//! Places of everything except objects.
+//! Locates everything except objects.
 
 use super::{attribute_of, text_of, value_of};
 use crate::model::{BaudRates, Field, Part};
@@ -11,7 +11,7 @@ use crate::xdd::schema::{
 };
 use crate::xml::{Element, n};
 
-/// The span of a field of a part, else the tag of the part.
+/// The span of a field of a part, otherwise the tag of the part.
 pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) -> Option<Span> {
     if let Some(device) = layout.project() {
         return in_project(device, part, field);
@@ -63,7 +63,7 @@ fn element<'a>(layout: &Layout<'a>, part: &Part) -> Option<Element<'a>> {
     }
 }
 
-/// The characteristics that hold what CiA 311 has no place for, by category.
+/// The characteristics with content that CiA 311 does not support, by category.
 pub(super) fn carried(layout: &Layout<'_>, name: &str) -> Option<Span> {
     let capabilities = layout.in_device(&[n::DeviceFunction, n::capabilities])?;
     let is_it = |list: &Element<'_>| {
@@ -138,7 +138,7 @@ fn rate_of(field: &Field) -> Option<RateField> {
     }
 }
 
-/// The element of a bit rate, else the element around all of them.
+/// The element of a bit rate, otherwise the element that contains all of them.
 fn bit_rates(layout: &Layout<'_>, rate: RateField) -> Option<Span> {
     let list = layout.in_network(&[n::TransportLayers, n::PhysicalLayer, n::baudRate])?;
     let mut values =

@@ -1,5 +1,5 @@
-//! From places to spans. The locator stores little: the place names its element and attribute, and the tree
-//! is searched when a finding is shown. A file without findings costs nothing.
+//! Converts places to spans. The locator stores little: the place names its element and attribute, and the
+//! tree is searched only when a finding is shown.
 
 mod entry;
 mod facts;
@@ -58,8 +58,8 @@ impl ElementLocator {
         found
     }
 
-    /// The span of a place: its attribute or element if that exists, else the tag of its part. `None` for
-    /// the device as a whole, and for parts that do not exist.
+    /// The span of a place: its attribute or element if that exists, otherwise the tag of its part.
+    /// `None` for the device as a whole, and for parts that do not exist.
     pub fn locate(&self, tree: &Tree, place: &Place) -> Option<Span> {
         let layout = Layout::of(tree, self.number)?;
         let field = place.field.as_ref();
@@ -74,7 +74,8 @@ impl ElementLocator {
         }
     }
 
-    /// The object or sub-object of an offset, with the field of its attribute. `None` outside the object list.
+    /// The object or sub-object at an offset, with the field of its attribute. `None` outside the object
+    /// list.
     pub fn place_at(&self, tree: &Tree, offset: u32) -> Option<Place> {
         let innermost = tree.element_at(offset)?;
         let is_entry =
@@ -95,7 +96,7 @@ impl ElementLocator {
         Some(Place { part, field: known.and_then(|(_, known)| known.field()) })
     }
 
-    /// The element of each object, in the order of the text; of an index that is defined twice, the first.
+    /// The element of each object, in text order; the first one if an index is defined twice.
     pub fn objects(&self, tree: &Tree) -> Vec<(u16, Span)> {
         let mut found: Vec<_> =
             self.objects.iter().map(|(&index, &id)| (index, tree.element(id).span())).collect();

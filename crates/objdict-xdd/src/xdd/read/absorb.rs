@@ -1,4 +1,4 @@
-//! Moves the properties of an entry from its parameter to the entry; the rest stays in the parameter.
+//! Moves the properties of an entry from its parameter to the entry; the others remain in the parameter.
 
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
@@ -12,7 +12,8 @@ use crate::xdd::schema::Slots;
 use crate::xdd::types;
 
 /// Fills the entry at `place`, whose data type is known, from its parameter, and removes the used properties
-/// from the parameter. The attributes of the entry have priority; the parameter keeps different values.
+/// from the parameter. The attributes of the entry have priority; conflicting values remain in the
+/// parameter.
 pub(crate) fn absorb(
     entry: &mut Entry,
     parameter: &mut Parameter,
@@ -103,22 +104,23 @@ struct EntryValues<'a> {
 }
 
 impl EntryValues<'_> {
-    /// Takes all values of a parameter.
+    /// Moves all values of a parameter.
     fn take(&mut self, parameter: &mut Parameter, definitions: &Definitions<'_>) {
         self.absorb(Slots::Default, &mut parameter.default_value);
         self.range(&mut parameter.allowed_values, definitions);
         self.absorb(Slots::Actual, &mut parameter.actual_value);
     }
 
-    /// Takes a value from the parameter, and removes it there if the entry has all of it.
+    /// Moves a value from the parameter to the entry; it remains in the parameter if the entry cannot store
+    /// all of it.
     fn absorb(&mut self, slot: Slots, value: &mut Option<ScaledValue>) {
         if value.as_ref().is_some_and(|value| self.fill(slot, value)) {
             *value = None;
         }
     }
 
-    /// Takes the limits if the parameter allows only ranges; of several, the outer limits. The parameter keeps
-    /// what the limits do not express.
+    /// Moves the limits if the parameter allows only ranges; of several, the outer limits. The parameter keeps
+    /// the rest.
     fn range(&mut self, allowed: &mut Option<AllowedValues>, definitions: &Definitions<'_>) {
         let Some(stated) = allowed.as_ref() else { return };
         let AllowedValues { values, ranges, .. } = definitions.allowed(stated);
@@ -135,7 +137,7 @@ impl EntryValues<'_> {
         }
     }
 
-    /// Fills a missing value. Returns whether the entry then has everything that the parameter has.
+    /// Fills a missing value. Returns whether the entry then contains everything that the parameter states.
     fn fill(&mut self, slot: Slots, value: &ScaledValue) -> bool {
         let is_plain = value.offset.is_none() && value.multiplier.is_none() && value.labels.is_empty();
         let Some(text) = stated_text(&value.value, self.data_type) else { return is_plain };
@@ -162,7 +164,7 @@ impl EntryValues<'_> {
     }
 }
 
-/// The lowest minimum and the highest maximum; `None` if several ranges cannot be compared.
+/// The lowest minimum and the highest maximum; `None` if there are several ranges that cannot be compared.
 fn outer_limits(ranges: &[ValueRange], data_type: Option<DataType>) -> Option<(&ScaledValue, &ScaledValue)> {
     if let [ValueRange { min, max, .. }] = ranges {
         return Some((min, max));
@@ -183,8 +185,8 @@ fn outer_limits(ranges: &[ValueRange], data_type: Option<DataType>) -> Option<(&
         .map(|(low, high)| (low.1, high.1))
 }
 
-/// The name of the entry in the application. An English name moves to the entry; others also stay in the
-/// parameter.
+/// The name of the entry in the application. An English name moves to the entry; others also remain in
+/// the parameter.
 fn denotation(entry: &mut Entry, labels: &mut Labels) {
     let Some(name) = labels.name_in("en") else { return };
     let own = entry.configured.as_ref().and_then(|configured| configured.denotation.clone());

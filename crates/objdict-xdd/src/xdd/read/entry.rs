@@ -14,7 +14,7 @@ const COUNT: usize = OBJECT.element.attributes.len();
 
 /// The unparsed attributes of a `CANopenObject` or `CANopenSubObject`.
 pub(crate) struct EntryAttributes<'a> {
-    /// In the order of the schema; the first is `index` or `subIndex`.
+    /// In schema order; the first is `index` or `subIndex`.
     known: [Option<Attribute<'a>>; COUNT],
     /// The attributes that the standard does not define.
     unknown: Vec<Attribute<'a>>,
@@ -27,7 +27,7 @@ impl<'a> EntryAttributes<'a> {
         for attribute in element.attributes() {
             let name = match attribute.tag() {
                 n::subIndex => n::index,
-                // the model has no place for it
+                // the model has no field for it
                 n::rangeSelector => Name::OTHER,
                 Name::OTHER => match attribute.name() {
                     // projects of CANopenNode
@@ -57,7 +57,7 @@ impl<'a> EntryAttributes<'a> {
         self.get(n::objectType).is_some_and(|code| code.value() == defaults::ORPHAN)
     }
 
-    /// Whether the element is that of a device without objects.
+    /// Whether the element is the placeholder of a device without objects.
     pub(crate) fn is_placeholder(&self) -> bool {
         let is = |name: Name, text: &str| self.get(name).is_some_and(|attribute| attribute.value() == text);
         is(n::index, defaults::INDEX) && is(n::name, defaults::NOT_STATED)
@@ -108,7 +108,7 @@ impl<'a> EntryAttributes<'a> {
             let (&AttributePlace::Value(place), Some(attribute)) = (at, attribute) else { continue };
             let text = PlacedText::of(attribute);
             let value = match place {
-                // its spelling is judged once the default is known
+                // its spelling is checked once the default is known
                 Slots::High => text.value(data_type, &mut Findings::new()),
                 _ => text.value(data_type, findings),
             };
@@ -120,7 +120,7 @@ impl<'a> EntryAttributes<'a> {
         }
     }
 
-    /// Reads the high limit again beside the other values, of which the parameter may have stated some.
+    /// Reads the high limit again, now that the other values are known, which may come from the parameter.
     pub(crate) fn settle_high_limit(&self, entry: &mut Entry, findings: &mut Findings) {
         let Some(text) = self.get(n::highLimit).map(PlacedText::of) else { return };
         if let Ok(Some(value)) = text.high_limit(entry, findings) {

@@ -44,7 +44,7 @@ impl<'a> XddReader<'a> {
         self.device.identity = Some(Box::new(identity.rest));
     }
 
-    /// The identity in the communication network profile, without what equals the device profile.
+    /// The identity in the communication network profile, without fields that equal the device profile.
     pub(super) fn network_identity(&mut self, element: Element<'a>) {
         let read = shape::read(element, &IDENTITY, &mut self.leftovers);
         let mut identity = read.rest;
@@ -91,7 +91,7 @@ fn numbers(element: Element<'_>, info: &mut DeviceInfo, placeholders: Placeholde
     (info.vendor_number, info.product_number) = (vendor, product);
 }
 
-/// Whether the labels are a single English description, which is all an EDS has.
+/// Whether the labels are a single English description, which is all that an EDS supports.
 fn is_plain_description(labels: &Labels) -> bool {
     matches!(&labels.0[..], [Label::Description { lang, uri: None, .. }] if &**lang == defaults::LANGUAGE)
 }
@@ -111,7 +111,7 @@ impl<'a> XddReader<'a> {
         Some(header).filter(|_| !says_nothing)
     }
 
-    /// The file attributes of the bodies. Of the communication network profile, only differences are kept.
+    /// The file attributes of the bodies. For the communication network profile, only differences are kept.
     pub(super) fn files(&mut self) {
         let placeholders = self.placeholders;
         let mut info = |profile: Option<DescriptionProfile<'a>>| {

@@ -1,5 +1,5 @@
-//! From XDD and XDC texts to the model. Reading never fails: what cannot be read becomes a finding, an
-//! invalid value or a leftover.
+//! Reads XDD and XDC texts into the model. Reading never fails: unreadable content becomes a finding,
+//! an invalid value or a leftover.
 
 mod absorb;
 mod entry;
@@ -20,7 +20,7 @@ use crate::diagnostic::Findings;
 use crate::model::{ApplicationProcess, Device, DeviceInfo, DeviceKind, FileInfo};
 use crate::xml::{Element, Tree, n};
 
-/// Empties the fields of the communication network profile that equal those of the device profile.
+/// Clears the fields of the communication network profile that are equal in the device profile.
 macro_rules! drop_same {
     ($own:ident, $device:ident: $($field:ident)+) => {
         $(if $own.$field == $device.$field {
@@ -53,8 +53,8 @@ fn read_container(container: Element<'_>, kind: DeviceKind) -> (Device, Findings
     reader.finish(kind)
 }
 
-/// What the first of the [`containers`] says of file, device and node to a tool that does not know the placeholders of the
-/// writer. Objects are not read.
+/// The file, device and node of the first of the [`containers`], as seen by a tool that does not know the writer's
+/// placeholders. Objects are not read.
 pub fn read_literally(tree: &Tree, kind: DeviceKind) -> Device {
     let Some(&container) = containers(tree).first() else { return Device::default() };
     let mut reader = XddReader::new(Layout::of_container(container), Placeholders::Kept);
@@ -67,7 +67,7 @@ pub fn read_literally(tree: &Tree, kind: DeviceKind) -> Device {
     reader.finish(kind).0
 }
 
-/// A description while it is read.
+/// A description during reading.
 struct XddReader<'a> {
     layout: Layout<'a>,
     device: Device,

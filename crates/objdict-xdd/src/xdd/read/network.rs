@@ -30,7 +30,7 @@ impl<'a> XddReader<'a> {
         self.leftovers.text(body);
     }
 
-    /// Passes each child to `read`. Children that it does not read, and the second child of a name, become
+    /// Passes each child to `read`. Children that it does not read, and repeated children, become
     /// leftovers.
     fn children(&mut self, parent: Element<'a>, mut read: impl FnMut(&mut Self, Element<'a>) -> bool) {
         let mut seen = Vec::new();
@@ -78,7 +78,7 @@ impl<'a> XddReader<'a> {
         true
     }
 
-    /// The attributes of an object list. A count that is not the number of objects becomes a leftover.
+    /// The attributes of an object list. A count that differs from the number of objects becomes a leftover.
     fn object_list(&mut self, list: Element<'a>) {
         self.derive_lists();
         for attribute in list.attributes() {
@@ -204,7 +204,7 @@ impl<'a> XddReader<'a> {
                 }
             }
         }
-        // a placeholder for none
+        // a placeholder for no bit rate
         let is_twice = rates.len() == 2 && rates.iter().all(|text| text.text == defaults::BIT_RATE);
         let is_placeholder = is_twice && self.placeholders.are_dropped();
         if !rates.is_empty() && !is_placeholder {

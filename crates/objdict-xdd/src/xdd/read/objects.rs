@@ -1,4 +1,4 @@
-//! The object list: objects, sub-objects, and the parameters they refer to.
+//! The object list: objects, sub-objects, and the parameters that they refer to.
 
 use super::absorb::{self, absorb};
 use super::entry::EntryAttributes;
@@ -16,8 +16,8 @@ use crate::xdd::types;
 use crate::xml::{Element, n};
 
 impl<'a> XddReader<'a> {
-    /// Reads all objects. Parameters that belong to no entry, or to several, go to the application
-    /// processes.
+    /// Reads all objects. Parameters that belong to no entry, or to several, are added to the
+    /// application processes.
     pub(super) fn objects(&mut self, application: &mut [ApplicationProcess], slots: Vec<ParameterSlot<'a>>) {
         let mut parameters = Parameters::new(slots, application, &self.layout);
         let definitions = Definitions::of(application);
@@ -113,7 +113,7 @@ impl<'t> Entries<'t, '_> {
     }
 
     /// The data type that an element inherits from an ARRAY: older versions of CANopenEditor state it there, and
-    /// for the elements `0000`; projects may state nothing for the elements.
+    /// `0000` for the elements; projects may omit it for the elements.
     fn element_type(&self, array: &Entry, attributes: &EntryAttributes<'_>, sub: u8) -> Option<DataType> {
         let of_elements = array.data_type.filter(|_| array.object_type == Some(ObjectType::Array))?;
         let is_stated = match attributes.get(n::dataType) {
@@ -124,7 +124,8 @@ impl<'t> Entries<'t, '_> {
         (!is_stated).then_some(inherited)
     }
 
-    /// The children of an object or sub-object that are no sub-objects: texts in a project, else unknown.
+    /// The children of an object or sub-object that are not sub-objects: texts in a project, otherwise
+    /// unknown.
     fn texts(&mut self, entry: &mut Entry, element: Element<'t>) {
         let mut texts = Vec::new();
         for child in element.children().filter(|child| child.tag() != n::CANopenSubObject) {
@@ -184,7 +185,7 @@ impl<'t> Entries<'t, '_> {
         entry
     }
 
-    /// The parameter from which an entry takes what its attributes do not have, and whether it belongs to the entry alone; else
+    /// The parameter that supplies an entry's missing attributes, and whether it belongs only to that entry; otherwise
     /// it is a copy.
     fn source(&mut self, reference: Reference) -> Option<(Parameter, bool)> {
         match reference {
@@ -209,7 +210,7 @@ impl<'t> Entries<'t, '_> {
     }
 }
 
-/// Sorts the invalid values by field: attributes are read before parameters, and both can have some.
+/// Sorts the invalid values by field: attributes are read before parameters, and both may add some.
 fn in_order(invalid_values: &mut InvalidValues) {
     if invalid_values.iter().is_sorted_by_key(|invalid| &invalid.field) {
         return;

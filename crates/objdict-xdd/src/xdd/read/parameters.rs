@@ -1,4 +1,4 @@
-//! The parameters of the application process, and which entry each belongs to.
+//! The parameters of the application process, and the entry that each belongs to.
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -11,10 +11,10 @@ use crate::xdd::shape;
 use crate::xdd::types::without_placeholder;
 use crate::xml::{Attribute, Element, n};
 
-/// All parameters of a description. They are read once it is known which entry they belong to.
+/// All parameters of a description. They are read once their entries are known.
 pub(crate) struct Parameters<'a> {
     slots: Vec<ParameterSlot<'a>>,
-    /// What each object and sub-object refers to, in the order of the file.
+    /// The reference of each object and sub-object, in file order.
     references: Vec<Reference>,
     /// The ids that groups and conditions refer to.
     named: HashSet<Box<str>>,
@@ -30,7 +30,7 @@ pub(crate) struct ParameterSlot<'a> {
     uses: u32,
     /// Whether it belongs to an entry.
     is_own: bool,
-    /// The parsed parameter, if several entries refer to it and the first of them was read.
+    /// The parsed parameter, if several entries refer to it and the first of them has been read.
     shared: Option<Box<Parameter>>,
 }
 
@@ -117,8 +117,8 @@ fn read<'a>(element: Element<'a>, leftovers: &mut Leftovers<'a>) -> Parameter {
     without_placeholder(shape::read(element, &PARAMETER, leftovers))
 }
 
-/// Resolves `uniqueIDRef` of every object and sub-object in the order of the file. Of two equal ids, the
-/// first counts.
+/// Resolves `uniqueIDRef` of every object and sub-object in file order. Of two equal ids, the first is
+/// used.
 fn references(
     slots: &[ParameterSlot<'_>],
     application: &[ApplicationProcess],

@@ -1,5 +1,5 @@
-//! The projects of the editors for CANopenNode from before XDD: an element `device`, whose objects have the
-//! attributes of CiA 311 and some for the stack. The reader of objects knows both.
+//! Projects of CANopenNode editors from before XDD: an element `device`, whose objects have the attributes
+//! of CiA 311 and some for the stack. The object reader supports both.
 
 use std::borrow::Cow;
 
@@ -16,9 +16,9 @@ impl<'a> XddReader<'a> {
     /// Everything except the objects.
     pub(super) fn project(&mut self, device: Element<'a>) {
         for object in self.device.objects.values_mut() {
-            // one of the editors counts the sub-indexes of a variable too
+            // one of the editors also counts the sub-indexes of a variable
             object.sub_number = object.sub_number.filter(|&number| number > 0 || !object.subs.is_empty());
-            // what the editors state of an ARRAY or RECORD is that of its elements
+            // the editors state the properties of elements at their ARRAY or RECORD
             if object.object_type().has_subs() {
                 let main = &mut object.main;
                 (main.data_type, main.access, main.pdo_mapping) = (None, None, None);
@@ -119,7 +119,7 @@ impl<'a> XddReader<'a> {
         }
     }
 
-    /// `Dummy0005=1`, or only `True` at the place of the data type.
+    /// `Dummy0005=1`, or only `True` at the position of the data type.
     fn project_dummies(&mut self, element: Element<'a>) {
         let entries = element.children_named(n::dummy).filter_map(|dummy| dummy.attribute(n::entry));
         let flags: Option<Vec<bool>> = entries.map(|entry| boolean(entry.value().trim_ascii())).collect();
@@ -166,7 +166,7 @@ fn set<T>(field: &mut Option<T>, value: Option<T>) -> bool {
     is_set
 }
 
-/// A text of an object of a project; `None` for any other element.
+/// A text of a project object; `None` for any other element.
 pub(super) fn label(element: Element<'_>) -> Option<Label> {
     let lang = element.attribute(n::lang).map_or(Cow::Borrowed(defaults::LANGUAGE), Attribute::value);
     let (lang, text) = (lang.as_ref().into(), PlacedText::in_element(element).text.as_ref().into());
@@ -180,7 +180,7 @@ pub(super) fn label(element: Element<'_>) -> Option<Label> {
     }
 }
 
-/// The texts that say something.
+/// The labels that are not empty.
 pub(super) fn labels(labels: Vec<Label>) -> Labels {
     let says = |label: &Label| match label {
         Label::Name { text, .. } | Label::Description { text, .. } => !text.is_empty(),

@@ -19,7 +19,7 @@ const ACCESS: TextKind =
 const COUNT_ACCESS: TextKind = TextKind::Word(&["const", "read", "write", "readWrite", "noAccess"]);
 const SUPPORT: TextKind = TextKind::Word(&["mandatory", "optional", "conditional"]);
 
-/// Declares the simple types, and the list of them followed by a type that the description defines and a variable.
+/// Declares the simple types, and their list followed by a type that the description defines and a variable.
 macro_rules! simple_types {
     ($($NAME:ident $Type:ident)+) => {
         elements! { $($NAME local $NAME of SimpleType as (SimpleType::$Type, SimpleType::$Type);)+ }
@@ -154,7 +154,7 @@ fn of_shape(shape: TypeShape) -> TypeDefinition {
     TypeDefinition { shape, ..TypeDefinition::default() }
 }
 
-/// Declares the elements that hold a value with its own scaling.
+/// Declares the elements that contain a value with its own scaling.
 macro_rules! values {
     ($($NAME:ident $form:ident $name:ident)+) => {elements! {
         $($NAME $form $name of ScaledValue (

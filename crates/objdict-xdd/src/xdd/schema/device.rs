@@ -17,7 +17,7 @@ choice! { LABELS of Label: LABEL DESCRIPTION LABEL_REF DESCRIPTION_REF }
 
 const FLAG: TextKind = TextKind::Boolean;
 
-/// An element with only a text and a mark.
+/// An element with only a text and a Boolean mark.
 type MarkedText = Box<str>;
 
 elements! {

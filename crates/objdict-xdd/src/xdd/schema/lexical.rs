@@ -1,16 +1,16 @@
-//! The texts that attributes and elements take, as XML Schema spells them.
+//! The types of attribute values and texts in XML Schema notation.
 
 use crate::model::Date;
 use crate::xml;
 
 impl TextKind {
-    /// Whether the schema takes a text.
+    /// Whether the schema allows a string.
     pub(crate) fn accepts(self, text: &str) -> bool {
         let trimmed = text.trim_ascii();
         match self {
             // the standard declares the numbers with a fraction as strings
             Self::Text | Self::Rate | Self::Decimal => true,
-            // a blank for the functions about ASCII, but not for XML
+            // whitespace for ASCII functions, but not in XML
             _ if text.contains('\u{c}') => false,
             Self::Boolean => matches!(trimmed, "true" | "false" | "1" | "0"),
             Self::Number(low, high) => {
@@ -62,7 +62,7 @@ fn without_zone(text: &str) -> &str {
     if is_zone { rest } else { text }
 }
 
-/// Numbers with the given lengths, separated by a character.
+/// Numbers with the given lengths, delimited by a character.
 fn numbers(text: &str, between: char, lengths: &[usize]) -> Option<Vec<u32>> {
     let parts: Vec<&str> = text.split(between).collect();
     let fits = parts.len() == lengths.len()
@@ -115,14 +115,14 @@ pub(crate) fn is_language(text: &str) -> bool {
     first && parts.all(|part| fits(part) && part.bytes().all(|byte| byte.is_ascii_alphanumeric()))
 }
 
-/// The kind of a text.
+/// The type of a string.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum TextKind {
-    /// Any text.
+    /// Any string.
     Text,
     /// `true`, `false`, `1` or `0`.
     Boolean,
-    /// A whole number in decimal, from the first to the second.
+    /// A whole number in decimal within a range.
     Number(i128, i128),
     /// A number with or without a fraction. The standard declares a string.
     Decimal,
@@ -132,9 +132,9 @@ pub(crate) enum TextKind {
     Date,
     /// `hh:mm:ss`, with or without a fraction and a time zone.
     Time,
-    /// One of these words.
+    /// One of these keywords.
     Word(&'static [&'static str]),
-    /// Some of these words, separated by blanks.
+    /// Several of these keywords, separated by spaces.
     Words(&'static [&'static str]),
     /// A bit rate of the list.
     BaudRate,
@@ -150,16 +150,16 @@ pub(crate) enum TextKind {
     Name,
     /// A language such as `en` or `de-at`.
     Language,
-    /// Languages, separated by blanks.
+    /// Languages, separated by spaces.
     Languages,
-    /// Names, separated by blanks.
+    /// Names, separated by spaces.
     Names,
 }
 
 /// The possible target of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ReferenceTarget {
-    /// The counterpart of an object of the dictionary in the application.
+    /// The counterpart of a dictionary object in the application.
     Application,
     Parameter,
     DataType,

@@ -2,8 +2,9 @@
 //! their attributes, and their fields in the model. Reading, writing, checking, locating and the wording of
 //! findings use this table.
 //!
-//! *Stray* elements and attributes are those that the model has and the standard does not allow in this place.
-//! The table is here, a module for each body of CiA 311; `element` has its types, and `shape` how parts of the model keep elements.
+//! *Stray* elements and attributes belong to the model, but the standard does not allow them at their position. The
+//! table is here, with a module for each body of CiA 311; `element` contains its types, and `shape` maps elements to
+//! parts of the model.
 
 pub(crate) mod application;
 pub(crate) mod container;
@@ -25,7 +26,7 @@ pub use self::xsd::xsd;
 pub(crate) use super::element::{Child, MANY, MAX_SLOTS, Occurrence, SchemaAttribute, SchemaElement};
 pub(crate) use super::shape::{AttributePlace, ElementChoice, Lens, Shape, Slots};
 
-/// The words that an attribute of an object or sub-object may be; none where it is no word.
+/// The keywords that an attribute of an object or sub-object may contain; empty if it is not a keyword.
 pub fn words_of(element: crate::xml::Element<'_>, name: &str) -> &'static [&'static str] {
     let schema = match element.tag() {
         crate::xml::n::CANopenObject => Some(OBJECT),
@@ -47,7 +48,7 @@ pub(crate) static GENERAL_FEATURES: &SchemaElement = &network::GENERAL_FEATURES.
 pub(crate) static MASTER_FEATURES: &SchemaElement = &network::MASTER_FEATURES.element;
 pub(crate) static DEVICE_COMMISSIONING: &SchemaElement = &network::DEVICE_COMMISSIONING.element;
 
-/// The element of the identity whose text is a field of an EDS.
+/// The element of the identity whose text is an EDS field.
 pub(crate) fn identity_element(field: &Field) -> Option<&'static SchemaElement> {
     Some(match field {
         Field::VendorName => &device::VENDOR_NAME,
@@ -59,7 +60,8 @@ pub(crate) fn identity_element(field: &Field) -> Option<&'static SchemaElement> 
     })
 }
 
-/// A field of a part: the part itself, a path of fields, or a variable of a pattern that the part or a field has.
+/// A field of a part: the part itself, a path of fields, or a variable of a pattern that matches the part or
+/// a field.
 macro_rules! lens {
     (self) => { $crate::xdd::schema::Lens { get: |part| Some(part), get_mut: |part| Some(part) } };
     (in self $pattern:pat => $field:ident) => {
@@ -83,8 +85,9 @@ macro_rules! lens {
 }
 use lens;
 
-/// Where the value of an attribute is kept: `[field]` takes texts, `{Field field}` has that name in an EDS (`Named`: that of the
-/// attribute), `(value Which)` is a value of an entry, `mark` is kept by the element around it, and `(field Field)` is kept by the code that reads the element.
+/// The storage of an attribute value: `[field]` stores strings, `{Field field}` has this name in an EDS (`Named`: the
+/// attribute's name), `(value Which)` is a value of an entry, `mark` is stored in the parent element, and
+/// `(field Field)` is stored by the code that reads the element.
 macro_rules! at {
     () => { AttributePlace::Nowhere };
     (mark) => { AttributePlace::Mark };
@@ -95,7 +98,7 @@ macro_rules! at {
 }
 use at;
 
-/// The attribute beside its [`at!`].
+/// The attribute that belongs to an [`at!`].
 macro_rules! attribute {
     ($name:ident $kind:expr, $need:expr) => { attribute!(@ $name $kind, $need, None, , ) };
     ($name:ident $kind:expr, $need:expr, mark) => { attribute!(@ $name $kind, $need, None, , ) };
@@ -136,7 +139,7 @@ macro_rules! of {
 }
 use of;
 
-/// How elements are kept: `[field]` as parts, `{field}` as values, `same` in the same part.
+/// The storage of elements: `[field]` as parts, `{field}` as values, `same` in the same part.
 macro_rules! kept {
     ($Part:ident $of:tt) => { &[] };
     ($Part:ident $of:ident same) => { &[&Same(&$of)] };
@@ -170,12 +173,12 @@ use slot;
 
 /// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names], marks [field];`
 ///
-/// The part of an element of a [`ElementChoice`] is `Part as (new part, pattern of the part)`, and that of an element that is not kept, or
-/// by the code that reads it, is `Nothing`. The mark after the name of an attribute is `?` (optional), `!` (required), `*` (without it
-/// the element has no meaning) or `+` (stray).
+/// The part of an element of a [`ElementChoice`] is `Part as (new part, pattern of the part)`; it is `Nothing` for an
+/// element that is not stored, or stored by the code that reads it. The mark after the name of an attribute is `?`
+/// (optional), `!` (required), `*` (the element is meaningless without it) or `+` (stray).
 ///
-/// A child is `count WHAT`, where the count is `one`, `key` (one; the element has no meaning without it), `maybe`, `some`, `two` (at
-/// least), `any` or `stray`. `=>` is followed by where the part keeps it.
+/// A child is `count WHAT`, where the count is `one`, `key` (one; the element is meaningless without it), `maybe`,
+/// `some`, `two` (at least), `any` or `stray`. `=>` precedes its storage in the part.
 macro_rules! elements {
     ($($NAME:ident $form:ident $name:ident of $Part:ident $(as ($new:expr, $is:pat))?
         $(($($attribute:ident $need:tt: $kind:expr $(=> $at:tt)?),+ $(,)?))?

@@ -1,5 +1,5 @@
-//! The table as an XML Schema of the structure, for validators. Its text is of this project; the schema of CiA
-//! 311 is not needed.
+//! Generates an XML Schema of the structure from the table, for validators. It does not depend on the schema
+//! of CiA 311.
 
 use std::fmt::Write;
 
@@ -52,13 +52,13 @@ pub fn xsd(version: XddVersion) -> String {
 struct Xsd {
     version: XddVersion,
     text: String,
-    /// The elements with a type, in the order of their numbers.
+    /// The elements with a type, in numerical order.
     elements: Vec<&'static SchemaElement>,
 }
 
 impl Xsd {
     fn line(&mut self, depth: usize, text: &str) {
-        // a `String` takes every text
+        // writing to a `String` never fails
         let _ = writeln!(self.text, "{:1$}{text}", "", 2 * depth);
     }
 

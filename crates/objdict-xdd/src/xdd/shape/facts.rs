@@ -7,7 +7,7 @@ use crate::xdd::element::SchemaAttribute;
 use crate::xdd::fact::{PlacedText, SharedFields};
 use crate::xml::{Name, n};
 
-/// Passes a text to the field of the attribute with a name; `false` if there is none.
+/// Passes a string to the field of the named attribute; `false` if there is none.
 pub(crate) fn take<P: SharedFields>(
     part: &mut P,
     shape: &'static Shape<P>,
@@ -20,7 +20,7 @@ pub(crate) fn take<P: SharedFields>(
     known.is_some_and(|(known, at)| take_at(part, known, at, text, placeholders, findings))
 }
 
-/// Passes a text to the field of an attribute; `false` if it has none.
+/// Passes a string to the field of an attribute; `false` if it has none.
 pub(crate) fn take_at<P: SharedFields>(
     part: &mut P,
     known: &SchemaAttribute,
@@ -42,7 +42,7 @@ pub(crate) fn take_at<P: SharedFields>(
     true
 }
 
-/// The text of an attribute with a field: its value, or else the invalid text.
+/// The string of an attribute with a field: its value, otherwise the invalid string.
 pub(crate) fn text<P: SharedFields>(
     part: &P,
     known: &SchemaAttribute,
@@ -52,7 +52,8 @@ pub(crate) fn text<P: SharedFields>(
     let value = || (field.get)(part).and_then(|fact| fact.text(known));
     let invalid = || Some(part.invalid_values().get(&known.field()?)?.text.to_string());
     match known.name {
-        // the revision of an EDS and the data type of the parameter can be set beside an invalid text
+        // the revision of an EDS and the data type of the parameter can be set in addition to an invalid
+        // string
         n::fileVersion | n::dataType => invalid().or_else(value),
         _ => value().or_else(invalid),
     }

@@ -1,5 +1,5 @@
-//! The fields of parts: for texts, and for other parts; the values of an entry, `DeviceIdentity` or `identity`, and the settings
-//! for the generators of CANopenNode as CANopenEditor spells them.
+//! The fields of parts: for strings, and for other parts; the values of an entry, `DeviceIdentity` or `identity`, and
+//! the settings for CANopenNode generators in the spelling of CANopenEditor.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use crate::model::{
 
 /// A field for an attribute or the text of an element.
 pub(crate) trait TextField {
-    /// Takes a value; `false` if the field already has one or the text is not valid.
+    /// Stores a value; `false` if the field already has one or the string is not valid.
     fn accept(&mut self, text: &str) -> bool;
 
     /// Whether it has a value.
@@ -29,7 +29,7 @@ pub(crate) trait ValueFields {
     fn each(&self, put: &mut dyn FnMut(&str));
 }
 
-/// A text that always exists; a missing one is empty.
+/// A string that always exists; a missing one is empty.
 impl TextField for Box<str> {
     fn accept(&mut self, text: &str) -> bool {
         let is_first = !self.is_set();
@@ -231,19 +231,19 @@ pub(crate) struct IdentityContent {
     /// As written.
     pub(crate) product_id: Option<Box<str>>,
     pub(crate) order_numbers: Vec<Box<str>>,
-    /// What an EDS does not have, without further order numbers.
+    /// Fields that an EDS lacks, without further order numbers.
     pub(crate) rest: DeviceIdentity,
 }
 
-/// Takes the properties that CANopenEditor defines out of a list. Invalid values and repeated properties
-/// stay in the list.
+/// Moves the properties that CANopenEditor defines out of a list. Invalid values and repeated properties
+/// remain in the list.
 pub(crate) fn take_stack_options(options: &mut Option<Box<StackOptions>>, properties: &mut Vec<Property>) {
     let mut taken = options.take().unwrap_or_default();
     properties.retain(|property| !take(&mut taken, &property.name, &property.value));
     *options = Some(taken).filter(|taken| **taken != StackOptions::default());
 }
 
-/// Takes a setting if its value is spelled as the writer spells it.
+/// Stores a setting if its value is spelled as the writer spells it.
 fn take(options: &mut StackOptions, name: &str, value: &str) -> bool {
     let mut alone = StackOptions::default();
     let is_whole = alone.set(name, value) && alone.settings().all(|(_, written)| written == value);
@@ -257,11 +257,11 @@ pub(crate) fn stack_properties(options: &StackOptions) -> Vec<Property> {
     options.settings().map(property).collect()
 }
 
-/// Takes an attribute of a `CANopenObject` or `CANopenSubObject` that older versions of CANopenEditor, and the
-/// projects before, used instead; `false` for any other attribute or an invalid value.
+/// Stores an attribute of a `CANopenObject` or `CANopenSubObject` that older versions of CANopenEditor and
+/// earlier projects used instead; `false` for any other attribute or an invalid value.
 pub(crate) fn stack_attribute(options: &mut StackOptions, name: &str, value: &str) -> bool {
     let property = match name {
-        // the first spelling is an error of CANopenEditor
+        // the first spelling is a typo in CANopenEditor
         "edseditor_extenstion_storagelocation" | "edseditor_extension_storagelocation" | "memoryType" => {
             "CO_storageGroup"
         }

@@ -1,11 +1,11 @@
-//! The ways in which a part keeps the children of its element: how each is read, written and visited.
+//! The storage of child elements in a part: how each is read, written and visited.
 
 use super::{Holds, Keep, Lens, Reader, Shape, ValueFields, WriteFirst, text, visit, write_content};
 use crate::xdd::element::{Child, Occurrence, SchemaAttribute, SchemaElement};
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{self, n};
 
-/// The element groups others of the same part.
+/// The element groups other elements of the same part.
 pub(crate) struct Same<P: 'static>(pub &'static Shape<P>);
 
 /// The element has this constant content.
@@ -17,7 +17,7 @@ pub(crate) struct PartsIn<P, C: 'static> {
     pub field: Lens<P, dyn Holds<C>>,
 }
 
-/// As values: the first attribute of the element, or its text.
+/// As values: the first attribute of the element, otherwise its text.
 pub(crate) struct ValuesIn<P> {
     pub element: &'static SchemaElement,
     pub field: Lens<P, dyn ValueFields>,

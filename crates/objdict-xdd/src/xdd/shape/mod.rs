@@ -3,8 +3,8 @@
 //! A `Shape<P>` links an element to the part `P` of the model that stores it: `Lens` pairs access one field,
 //! `Keep` states how children are stored. A field of a different part therefore does not compile.
 //!
-//! Reading compares local names and never fails: of two values for one field the first counts, and
-//! everything without a place in the model goes to the [`Leftovers`].
+//! Reading compares local names and never fails: of two values for one field the first is used, and
+//! content without a place in the model is added to the [`Leftovers`].
 
 pub(crate) mod facts;
 mod fields;
@@ -29,18 +29,18 @@ use super::leftovers::Leftovers;
 use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
-/// An element, and where a part `P` of the model keeps what is in it.
+/// An element, and the mapping of its content to a part `P` of the model.
 pub(crate) struct Shape<P: 'static> {
     pub element: SchemaElement,
     /// An empty part.
     pub new: fn() -> P,
-    /// Whether a part is this element and not another one of the same choice.
+    /// Whether a part is this element and not a different one of the same choice.
     pub is: fn(&P) -> bool,
-    /// Where the part keeps each attribute, and behind them the text.
+    /// The storage of each attribute, followed by that of the text.
     pub values: &'static [AttributePlace<P>],
     /// How the part keeps the children of each slot.
     pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
-    /// Where the part keeps the marks of its children.
+    /// The storage of the children's marks.
     pub marks: Option<Lens<P, Marks>>,
 }
 
@@ -58,18 +58,18 @@ pub(crate) struct Lens<P, T: ?Sized + 'static> {
     pub get_mut: fn(&mut P) -> Option<&mut T>,
 }
 
-/// Where a part keeps the value of an attribute.
+/// The storage of an attribute value.
 pub(crate) enum AttributePlace<P> {
     /// Not stored, or stored by the code that reads the element.
     Nowhere,
-    /// In a field for texts; a text it does not accept becomes a leftover.
+    /// In a field for strings; a string that it does not accept becomes a leftover.
     Text(Lens<P, dyn TextField>),
-    /// In a field that an EDS has too; a text it does not accept becomes an invalid value.
+    /// In a field that an EDS has too; a string that it does not accept becomes an invalid value.
     Fact(Lens<P, dyn Fact>),
     /// Among the values of an entry, which are read once the data type is known.
     Value(Slots),
-    /// Among the marks that the part of the element around it keeps, under the name of the element; the second element of a
-    /// name is `orderNumber[2]`.
+    /// Among the marks that the part of the parent element keeps, under the name of the element; the second element of
+    /// a name is `orderNumber[2]`.
     Mark,
 }
 
@@ -79,22 +79,22 @@ pub(crate) struct ElementChoice<C: 'static> {
     pub shapes: &'static [&'static Shape<C>],
 }
 
-/// What writes, for each list of parts by its name, what comes before it.
+/// A callback that writes content before each list of parts, by the name of the list.
 pub(crate) type WriteFirst<'a> = dyn FnMut(Name, &mut XddWriter) + 'a;
 
 /// How a part `P` keeps children.
 pub(crate) trait Keep<P> {
-    /// Reads a child; `false` if it is not kept so, or the part has no room for it.
+    /// Reads a child; `false` if it has a different storage, or if the part is full.
     fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool;
 
-    /// Writes the children that are kept so. `first` is that of [`write_with`].
+    /// Writes the children with this storage. For `first`, see [`write_with`].
     fn write(&self, part: &P, slot: &Child, out: &mut XddWriter, first: &mut WriteFirst<'_>);
 
     /// Visits the texts of nested parts.
     fn visit(&self, _part: &P, _see: &mut dyn FnMut(&SchemaAttribute, &str)) {}
 }
 
-/// The part of an element that is not kept, or by the code that reads it.
+/// The part of an element that is not stored, or stored by the code that reads it.
 #[derive(Debug, Default)]
 pub(crate) struct Nothing;
 
@@ -125,7 +125,7 @@ pub(crate) fn read_without<'a, P>(
 pub(crate) struct Reader<'r, 'a> {
     leftovers: &'r mut Leftovers<'a>,
     passed_over: Option<(Name, Vec<xml::Element<'a>>)>,
-    /// Which of its name in its part the element is that is read.
+    /// The position of the element among those with the same name in its part.
     number: u32,
     marks: Marks,
 }
@@ -169,7 +169,7 @@ impl<'r, 'a> Reader<'r, 'a> {
         }
     }
 
-    /// Collects a child that is read later.
+    /// Collects a child for later reading.
     fn passes_over(&mut self, child: xml::Element<'a>) -> bool {
         let Some((later, found)) = &mut self.passed_over else { return false };
         let is_later = child.tag() == *later;
@@ -177,21 +177,22 @@ impl<'r, 'a> Reader<'r, 'a> {
         is_later
     }
 
-    /// Reads the value of an element that holds only this: in an attribute or the text. All else in it becomes leftovers.
+    /// Reads the value of an element without other content: from an attribute or the text. Other content
+    /// becomes leftovers.
     fn value(&mut self, element: xml::Element<'a>, holder: Name, accept: &mut dyn FnMut(&str) -> bool) {
         self.attributes(element, |name, text| Some(name == holder && accept(text)));
         element.children().for_each(|unknown| self.leftovers.element(unknown));
     }
 
-    /// Passes each attribute and the text of an element to `accept`. What it does not accept becomes a
-    /// leftover.
+    /// Passes each attribute and the text of an element to `accept`. Rejected strings become
+    /// leftovers.
     fn attributes(&mut self, element: xml::Element<'a>, mut accept: impl FnMut(Name, &str) -> Option<bool>) {
         for attribute in element.attributes() {
             if accept(attribute.tag(), &attribute.value()) != Some(true) {
                 self.leftovers.attribute(element, attribute);
             }
         }
-        // an element with children contains blanks between them
+        // an element with children contains whitespace between them
         if element.has_text() {
             if accept(n::text, &element.text()) != Some(true) {
                 self.leftovers.text(element);
@@ -207,8 +208,8 @@ pub(crate) fn write<P>(part: &P, shape: &'static Shape<P>, out: &mut XddWriter) 
     write_with(part, shape, out, &mut |_, _| {});
 }
 
-/// Writes a part as an element. `first` is called with the name of each list of parts before those of the part are written,
-/// and writes what comes before them: so a long list need not be in memory.
+/// Writes a part as an element. `first` is called with the name of each list of parts before the list is written, and
+/// can write items before it, so a long list need not be in memory.
 pub(crate) fn write_with<P>(
     part: &P,
     shape: &'static Shape<P>,
@@ -238,7 +239,7 @@ fn write_content<P>(part: &P, shape: &'static Shape<P>, out: &mut XddWriter, fir
     }
 }
 
-/// Visits each text of a part and of its nested parts, with the attribute that holds it.
+/// Visits each string of a part and of its nested parts, with its attribute.
 pub(crate) fn visit<P>(part: &P, shape: &'static Shape<P>, see: &mut dyn FnMut(&SchemaAttribute, &str)) {
     texts(part, shape).for_each(|(attribute, text)| see(attribute, &text));
     shape.children.iter().copied().flatten().for_each(|kept| kept.visit(part, see));

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use crate::model::{Date, LedColor, LedColors, LedOn, LedType, ParameterAccess, Support};
 
-/// A value with a text.
+/// A value with a string notation.
 pub(crate) trait TextForm: Sized {
-    /// The value of a text; `None` if it is not valid.
+    /// Parses a string; `None` if it is not valid.
     fn parse(text: &str) -> Option<Self>;
 
-    /// The text of the value.
+    /// The string notation of the value.
     fn print(&self) -> Cow<'_, str>;
 }
 
@@ -66,7 +66,7 @@ macro_rules! numbers {
 
 numbers! { u8 u32 }
 
-/// The words of an enumeration of the schema.
+/// The keywords of a schema enumeration.
 macro_rules! words {
     ($($Words:ty)+) => {$(
         impl TextForm for $Words {
@@ -83,7 +83,7 @@ macro_rules! words {
 
 words! { LedColor LedColors LedOn LedType ParameterAccess Support }
 
-/// The text without surrounding white space, which is not significant in values of XML Schema.
+/// The string without surrounding whitespace, which is not significant in values of XML Schema.
 pub(super) fn collapsed(text: &str) -> &str {
     text.trim_matches([' ', '\t', '\n', '\r'])
 }

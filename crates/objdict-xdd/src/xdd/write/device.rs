@@ -28,13 +28,13 @@ impl Writer<'_> {
         self.application(out);
     }
 
-    /// `DeviceIdentity`; `None` if nothing is known.
+    /// `DeviceIdentity`; `None` if it would be empty.
     fn identity(&self, version: XddVersion) -> Option<IdentityContent> {
         let unknown = DeviceInfo::default();
         let info = self.device.device_info.as_ref().unwrap_or(&unknown);
         let mut rest = self.device.identity.as_deref().cloned().unwrap_or_default();
         let description = self.device.file_info.as_ref().and_then(|info| info.description.as_deref());
-        // CANopenEditor crashes at an empty text in version 1.0
+        // CANopenEditor crashes on an empty text in version 1.0
         let description = description.filter(|text| version == XddVersion::V1_1 || !text.is_empty());
         if let Some(text) = description.filter(|_| rest.product_text.is_empty()) {
             let label = Label::Description { lang: defaults::LANGUAGE.into(), text: text.into(), uri: None };
@@ -76,8 +76,8 @@ impl Writer<'_> {
         Some(identity)
     }
 
-    /// The application processes; the first one has the parameters of the entries and the types of their
-    /// objects.
+    /// The application processes; the first one contains the parameters of the entries and the types of
+    /// their objects.
     fn application(&self, out: &mut XddWriter) {
         let mut processes = self.device.application.iter().map(complete_process);
         let mut first = processes.next().unwrap_or_default();

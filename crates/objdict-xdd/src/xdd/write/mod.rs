@@ -31,13 +31,13 @@ pub fn write(device: &Device, version: XddVersion) -> String {
         out.close();
         match out.finish() {
             (text, None) => return text,
-            // again without the references to nothing
+            // again, without the dangling references
             (_, ids) => known = ids,
         }
     }
 }
 
-/// A device while it is written.
+/// A device during writing.
 struct Writer<'a> {
     device: &'a Device,
     parameters: &'a EntryParameters,

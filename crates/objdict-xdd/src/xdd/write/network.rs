@@ -85,7 +85,7 @@ impl Writer<'_> {
     }
 }
 
-/// Writes the bit rate as a number alone, which CANopenEditor demands in version 1.0.
+/// Removes the unit of the bit rate, because CANopenEditor requires a plain number in version 1.0.
 fn without_unit((name, text): &mut (Name, String)) {
     if *name == n::actualBaudRate {
         let kbit = fact::bit_rate(text).unwrap_or_default();

@@ -82,7 +82,7 @@ impl Writer<'_> {
 /// DOMAIN as `dataType`.
 const DOMAIN_TYPE: &str = "000F";
 
-/// What an object of type DOMAIN has if it does not state it (CiA 306-1 §4.6.3.2).
+/// The implied property of an object of type DOMAIN (CiA 306-1 §4.6.3.2).
 fn unstated(entry: &Entry, text: &str) -> Option<String> {
     (entry.object_type == Some(ObjectType::Domain)).then(|| text.to_owned())
 }

@@ -1,5 +1,5 @@
-//! The parameters of entries: the content of the application process, and a copy of the attributes of the
-//! entries, where most tools look for it; with the types that they refer to.
+//! The parameters of entries: the content of the application process, with a copy of the entries'
+//! attributes, where most tools expect them, and the referenced types.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -16,15 +16,15 @@ use crate::xdd::shape::{self, stack_properties};
 use crate::xdd::types::{definition_of, simple_type};
 use crate::xml::n;
 
-/// Which entries of a device have parameters, and the types of its ARRAYs and RECORDs. The parameters are made when they are
-/// written: entries in compact storage become many.
+/// The entries of a device that have parameters, and the types of its ARRAYs and RECORDs. The parameters are created
+/// during writing: entries in compact storage become many.
 #[derive(Debug, Default)]
 pub(super) struct EntryParameters {
     /// The ids of the parameters of objects and sub-indexes.
     ids: HashMap<(u16, Option<u8>), Rc<str>>,
     /// The ids of the types.
     types: BTreeMap<u16, Box<str>>,
-    /// The types, which take more memory than all else; who writes them takes them.
+    /// The types, which need more memory than all else; writing consumes them.
     pub(super) definitions: RefCell<Vec<TypeDefinition>>,
 }
 
@@ -56,12 +56,12 @@ impl EntryParameters {
         made
     }
 
-    /// Whether there are none.
+    /// Whether there are no parameters.
     pub(super) fn is_empty(&self) -> bool {
         self.ids.is_empty()
     }
 
-    /// Makes all parameters of the device, one after the other, in the order of the objects.
+    /// Creates all parameters of the device one by one, in the order of the objects.
     pub(super) fn each(&self, device: &Device, see: &mut dyn FnMut(Parameter)) {
         for (&index, object) in &device.objects {
             let object = &*object.expanded();
@@ -84,11 +84,11 @@ impl EntryParameters {
         if maker.sub.is_some() || !object.object_type().has_subs() {
             return maker.parameter();
         }
-        // the type of an ARRAY or RECORD is composed from those of its sub-indexes
+        // the type of an ARRAY or RECORD is composed from the types of its sub-indexes
         let mut parameter = maker.start()?;
         let composed = || Some(DataTypeRef::Defined(self.types.get(&maker.index)?.clone()));
         parameter.data_type = parameter.data_type.take().or_else(composed);
-        // without one it is only written if it has other content
+        // without a type, it is written only if it has other content
         let is_needed = parameter.data_type.is_some() || maker.says_more(&parameter);
         maker.finish(&mut parameter);
         Some(parameter).filter(|_| is_needed)
@@ -137,8 +137,8 @@ impl ParameterMaker<'_> {
         Some(parameter)
     }
 
-    /// The content of the application process for the entry; `None` if the entry refers to a parameter of
-    /// others.
+    /// The content of the application process for the entry; `None` if the entry refers to a shared
+    /// parameter.
     fn start(&self) -> Option<Parameter> {
         if self.entry.extra.get(REFERENCE).is_some() {
             return None;
@@ -146,7 +146,7 @@ impl ParameterMaker<'_> {
         Some(self.entry.parameter.as_deref().cloned().unwrap_or_default())
     }
 
-    /// Whether the parameter has content with no other place.
+    /// Whether the parameter has content that is stored nowhere else.
     fn says_more(&self, parameter: &Parameter) -> bool {
         *parameter != Parameter::default() || self.entry.stack.is_some()
     }
@@ -169,7 +169,7 @@ impl ParameterMaker<'_> {
         Some(AllowedValues { ranges: vec![range], ..AllowedValues::default() })
     }
 
-    /// A value, or the invalid text.
+    /// A value, or the invalid string.
     fn value(&self, value: Option<&Value>, field: &Field) -> Option<ScaledValue> {
         let text = print_value(self.index, self.entry, value, field)?;
         Some(ScaledValue { value: text.into(), ..ScaledValue::default() })
@@ -181,7 +181,7 @@ impl ParameterMaker<'_> {
 pub(super) struct UsedIds(HashSet<Rc<str>>);
 
 impl UsedIds {
-    /// The ids of everything in a device.
+    /// The ids of all parts of a device.
     pub(super) fn of(device: &Device) -> Self {
         let mut ids = Self::default();
         device.application.iter().for_each(|process| ids.note(process, &APPLICATION_PROCESS));
@@ -240,7 +240,7 @@ impl UsedIds {
 /// a parameter of others.
 pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
 
-/// The text of a value, or the invalid text. CiA 311 knows no default of a DOMAIN.
+/// The string for a value, or the invalid string. CiA 311 does not support a default for a DOMAIN.
 pub fn print_value(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
     let is_domain = entry.implied_type() == Some(DataType::DOMAIN);
     match value {
@@ -251,7 +251,8 @@ pub fn print_value(index: u16, entry: &Entry, value: Option<&Value>, field: &Fie
 }
 
 /// COB-IDs, mappings and other communication parameters are printed in hex, as in an EDS, and the bytes of an
-/// OCTET_STRING with blanks between them, without which CANopenEditor reads only the first. XML preserves blanks, so a string needs quotes only if it is empty or contains quotes.
+/// OCTET_STRING with spaces between them, without which CANopenEditor reads only the first. XML preserves spaces, so a
+/// string needs quotes only if it is empty or contains quotes.
 fn print(index: u16, data_type: Option<DataType>, value: &Value) -> String {
     match value {
         Value::Text(text) if !text.is_empty() && !is_quoted(text) => text.to_string(),

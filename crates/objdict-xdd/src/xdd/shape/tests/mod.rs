@@ -28,13 +28,13 @@ fn in_body<T>(body: &str, schema: &'static Shape<T>) -> (T, Vec<ExtraSection>) {
     (part.unwrap_or_else(|| panic!("no element in {body}")), leftovers.into_sections())
 }
 
-/// What is written in a `ProfileBody`, without its indentation. Texts must not have line ends with two
-/// blanks.
+/// The output inside a `ProfileBody`, without its indentation. Texts must not contain line ends with
+/// two spaces.
 fn unindented(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
     format!("\n{}", written(version, body, put)).replace("\n  ", "\n").trim_start_matches('\n').to_owned()
 }
 
-/// What is written in a `ProfileBody`, without the elements around it.
+/// The output inside a `ProfileBody`, without the surrounding elements.
 fn written(version: XddVersion, body: ProfileClass, put: impl FnOnce(&mut XddWriter)) -> String {
     let mut out = XddWriter::unchecked(version);
     out.open_body(body, body.body());
@@ -209,7 +209,7 @@ fn fields(part: &impl std::fmt::Debug) -> Vec<String> {
 }
 
 /// All content that the table allows has a place in the model and survives a round trip. Version 1.0 may
-/// lose something once. Every field is named in the table.
+/// lose content once. Every field is named in the table.
 fn survives<T: PartialEq + std::fmt::Debug>(schema: &'static Shape<T>, body: ProfileClass) {
     let again = |version: XddVersion, part: &T| -> T {
         read_whole(&written(version, body, |out| write(part, schema, out)), schema)
