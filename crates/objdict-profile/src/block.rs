@@ -9,7 +9,7 @@ pub(super) const BLOCK: u16 = 0x800;
 /// Maximum number of logical devices in a module.
 pub const MAX_BLOCKS: u8 = 8;
 
-/// Converts an index of the first logical device to another one, counted from 0.
+/// Converts an index of the first logical device to the corresponding one of `block`, numbered from 0.
 pub const fn index_in(block: u8, index: u16) -> u16 {
     if index < FIRST_INDEX { index } else { index.saturating_add(BLOCK.saturating_mul(block as u16)) }
 }

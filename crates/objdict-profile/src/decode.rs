@@ -52,13 +52,13 @@ pub fn of_object(
         let profile = profile.filter(|profile| block == 0 || profile.repeats)?;
         Some((profile, profile.object_in(block, index)?))
     });
-    // an object of managers is one of CiA 302 in a device that has no other of them, too
+    // an object of the managers also belongs to CiA 302 in a device that has no other of them
     let is_manager = OF_MANAGERS.iter().any(|range| range.contains(&index)) || has_object_of_managers(device);
     let for_it = below_profiles(is_manager).filter(move |_| !blocks.is_empty());
     own.chain(for_it.filter_map(move |profile| Some((profile, profile.object(index)?))))
 }
 
-/// The name and the data type that the first of the documents with this entry gives it.
+/// The name and the data type in the first document that defines this entry.
 pub fn entry(device: &Device, index: u16, sub: u8) -> Option<(&'static str, Option<DataType>)> {
     let (object, facts) =
         of_object(device, index).find_map(|(_, object)| Some((object, object.entry(sub)?)))?;
@@ -67,7 +67,7 @@ pub fn entry(device: &Device, index: u16, sub: u8) -> Option<(&'static str, Opti
 }
 
 /// The bit fields of an entry in several documents, the lowest first: all of the first document, and from the
-/// others only those for bits not yet defined.
+/// others only those for undefined bits.
 pub fn bits<'a>(documents: impl IntoIterator<Item = ObjectFacts<'a>>, sub: u8) -> Vec<BitFieldFacts<'a>> {
     let mut fields: Vec<BitFieldFacts<'a>> = Vec::new();
     for entry in documents.into_iter().filter_map(|facts| facts.entry(sub)) {
@@ -99,7 +99,8 @@ pub enum Values {
 }
 
 impl<'a> BitFieldFacts<'a> {
-    /// The meanings in ascending order; single values with one meaning are a mask where that has all of them and no other.
+    /// The meanings in ascending order; single values with the same meaning become a mask if it matches
+    /// exactly these.
     pub fn masked(&self) -> Vec<(Values, &'a str)> {
         let is_single = |range: &RangeInclusive<u64>| range.start() == range.end();
         let mut singles: BTreeMap<&str, Vec<u64>> = BTreeMap::new();
@@ -119,7 +120,7 @@ impl<'a> BitFieldFacts<'a> {
         shown.collect()
     }
 
-    /// The mask that has these values and no others; `None` for one value, or if there is none.
+    /// The mask that matches exactly these values; `None` for a single value, or if there is none.
     fn mask(&self, values: &[u64]) -> Option<String> {
         let all = values.iter().fold(u64::MAX, |bits, value| bits & value);
         let free = values.iter().fold(0, |bits, value| bits | value) & !all;

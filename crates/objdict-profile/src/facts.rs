@@ -25,12 +25,12 @@ pub struct ObjectFacts<'a> {
     pub need: Need<'a>,
     /// The condition under which the object is meaningful; `None`: always.
     pub only: Option<&'a Condition>,
-    /// Objects with the same number of elements, of which the first existing ones apply. Empty if the
+    /// Objects with the same number of elements; the first existing one applies. Empty if the
     /// document does not state any.
     pub as_many_as: &'a [u16],
     /// The section of the document, or another source.
     pub source: Option<&'a str>,
-    /// Its purpose in one English sentence, in the words of this project.
+    /// Its purpose in one original English sentence.
     pub about: Option<&'a str>,
     /// How sure the source is: a demand of medium confidence is never an error.
     pub confidence: Confidence,
@@ -54,7 +54,7 @@ pub struct EntryFacts<'a> {
     pub access: &'a [Access],
     /// Whether the entry is mandatory if the object exists.
     pub need: Need<'a>,
-    /// The PDOs that may map it; `None` if the document does not state it.
+    /// The PDOs that may map it; `None` if not stated.
     pub mapping: Option<Mapping>,
     /// The allowed values; empty for all values of the data type.
     pub values: &'a [RangeInclusive<i128>],
@@ -88,7 +88,7 @@ impl<'a> Need<'a> {
         }
     }
 
-    /// Whether the object or entry is certainly mandatory for a logical device, see [`Condition::holds`].
+    /// Whether the object or entry is certainly mandatory for a logical device; see [`Condition::holds`].
     pub fn is_there(&self, device: &Device, block: u8) -> bool {
         match self {
             Self::Optional => false,
@@ -116,8 +116,8 @@ impl<'a> ObjectFacts<'a> {
         }
     }
 
-    /// Whether the object certainly applies to a logical device, see [`Condition::holds`], and not only to
-    /// others.
+    /// Whether the object certainly applies to a logical device, and not only to others; see
+    /// [`Condition::holds`].
     pub fn is_for(&self, device: &Device, block: u8) -> bool {
         self.only.is_none_or(|only| only.holds(device, block) == Some(true))
     }
@@ -192,8 +192,8 @@ impl<'a> EntryFacts<'a> {
         self.data_types.is_empty() || self.data_types.contains(&data_type)
     }
 
-    /// Whether an entry may have this access type. `ro` and `const` are interchangeable, because they are
-    /// swapped between editions of CiA 301; `rwr` and `rww` are more specific forms of `rw`.
+    /// Whether an entry may have this access type. `ro` and `const` are interchangeable, because editions
+    /// of CiA 301 swap them; `rwr` and `rww` are more specific than `rw`.
     pub fn accepts_access(&self, access: Access) -> bool {
         let stands_for = |allowed: Access| match allowed {
             Access::Ro | Access::Const => matches!(access, Access::Ro | Access::Const),
@@ -220,7 +220,7 @@ impl<'a> EntryFacts<'a> {
 }
 
 impl<'a> BitFieldFacts<'a> {
-    /// The value of its bits.
+    /// The value of its bits in `value`.
     pub fn of(&self, value: u64) -> u64 {
         let width = u32::from(self.last.saturating_sub(self.first)) + 1;
         let mask = u64::MAX.checked_shr(64u32.saturating_sub(width)).unwrap_or(0);

@@ -2,8 +2,8 @@
 //! profiles` generates constants (`constants/`), and custom profiles in the same format. Rules, generators
 //! and the command query these tables and contain none of their own.
 //!
-//! It is a separate crate because rules, pages, units of settings, names in generated code and new devices need
-//! these facts and do not need each other.
+//! It is a separate crate because rules, pages, setting units, names in generated code and new devices need
+//! these facts and are independent of each other.
 //!
 //! `docs/reference/profile.md` describes the format.
 

@@ -1,4 +1,4 @@
-//! The state machine that a document defines, and its error codes.
+//! The state machine and error codes of a document.
 
 use std::ops::RangeInclusive;
 
@@ -9,13 +9,13 @@ use super::{Profile, Values};
 pub struct StateMachine<'a> {
     /// The index of the object that has the state.
     pub status: u16,
-    /// The index of the object that takes the commands.
+    /// The index of the object that receives commands.
     pub command: u16,
     /// The states, as values of the state object.
     pub states: Vec<(Values, &'a str)>,
     /// The commands with their bits in the command object: `0xxx x110`, shutdown.
     pub commands: Vec<(&'a str, &'a str)>,
-    /// What leads from state to state.
+    /// The transitions between states.
     pub transitions: Vec<Transition<'a>>,
 }
 
@@ -54,13 +54,13 @@ impl Profile {
         })
     }
 
-    /// The error codes of EMCY that it defines beyond those of CiA 301, in ascending order.
+    /// The EMCY error codes that it defines beyond CiA 301, in ascending order.
     pub fn errors(&self) -> impl ExactSizeIterator<Item = (RangeInclusive<u64>, &str)> {
         let rows = self.tables.errors.of(&self.tables.meanings);
         rows.iter().map(|row| (row.first..=row.last, row.text.of_text(&self.tables.texts)))
     }
 
-    /// What an error code of EMCY means.
+    /// The meaning of an EMCY error code.
     pub fn error(&self, code: u64) -> Option<&str> {
         self.errors().find(|(codes, _)| codes.contains(&code)).map(|(_, text)| text)
     }

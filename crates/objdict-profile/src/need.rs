@@ -1,4 +1,4 @@
-//! What a document demands of an object or an entry, and how sure that is.
+//! The requirements of a document for an object or entry, and their certainty.
 
 use super::condition::Condition;
 
@@ -34,6 +34,6 @@ pub enum Confidence {
     /// The document itself, or two sources that agree.
     #[default]
     High,
-    /// One secondary source, or a matter of the edition.
+    /// One secondary source, or dependent on the edition.
     Medium,
 }

@@ -61,7 +61,7 @@ impl Profile {
 /// Opens the profile with a number such as `401` or `CiA 401`, or a file with a path relative to `folder`.
 ///
 /// # Errors
-/// Fails if there is no such profile, or if the file cannot be read or is not a valid profile.
+/// If there is no such profile, or the file cannot be read or is not a valid profile.
 pub fn open(name: &str, folder: &Path) -> Result<Arc<Profile>, OpenError> {
     if let Some(profile) = named(name) {
         return Ok(Arc::new(profile.clone()));

@@ -40,8 +40,8 @@ impl Profile {
         row.map(|row| ObjectFacts::of(row, &self.tables))
     }
 
-    /// The definition of the object at `index` for a logical device, counted from 0. Communication objects
-    /// belong to the first logical device.
+    /// The definition of the object at `index` for a logical device, numbered from 0. Communication
+    /// objects belong to the first logical device.
     pub fn object_in(&self, block: u8, index: u16) -> Option<ObjectFacts<'_>> {
         match block {
             0 => self.object(index),

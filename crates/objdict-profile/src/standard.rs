@@ -26,7 +26,7 @@ pub fn of_number(number: u16) -> Option<&'static Profile> {
     standard().find(|profile| profile.number == Some(number))
 }
 
-/// The device profile of a device; of a module with several logical devices that of the first one.
+/// The device profile of a device; for a module with several logical devices, that of the first.
 pub fn of_device(device: &Device) -> Option<&'static Profile> {
     of_number(super::number_of(device, 0)?)
 }
@@ -44,8 +44,8 @@ pub(super) fn below_profiles(is_manager: bool) -> impl Iterator<Item = &'static 
     for_it.map(|&(_, profile)| profile)
 }
 
-/// The only data type that the documents for all devices allow for an entry. The sub-index `None` means what the object itself
-/// describes: its value, or all of its compact sub-objects.
+/// The only data type that the documents for all devices allow for an entry. The sub-index `None` refers to the content
+/// of the object itself: its value, or all of its compact sub-objects.
 pub fn data_type(device: &Device, index: u16, sub: Option<u8>) -> Option<DataType> {
     let only = |entry: EntryFacts<'static>| match *entry.data_types {
         [data_type] => Some(data_type),
@@ -59,7 +59,7 @@ pub fn access(device: &Device, index: u16, sub: Option<u8>) -> Option<Access> {
     common(device, index, sub, |entry| entry.access.first().copied())
 }
 
-/// What the documents say of all entries that a section describes.
+/// The common property, in the documents, of all entries that a section describes.
 fn common<T: PartialEq>(
     device: &Device,
     index: u16,
@@ -77,7 +77,7 @@ fn common<T: PartialEq>(
     facts.reduce(|one, other| one.filter(|one| Some(one) == other.as_ref()))?
 }
 
-/// The objects of CiA 302, which are only required if the device has at least one of them.
+/// The objects of CiA 302, which are required only if the device has at least one of them.
 pub(super) const OF_MANAGERS: [RangeInclusive<u16>; 2] = [0x102A..=0x102A, 0x1F00..=0x1FFF];
 
 pub(super) fn has_object_of_managers(device: &Device) -> bool {

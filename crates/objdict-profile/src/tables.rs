@@ -1,6 +1,6 @@
 //! Storage of profiles: rows refer to their lists by position. So the tables of built-in documents are plain
-//! data without pointers, and a check only touches the parts it uses; tables of custom profiles are built
-//! when their TOML is read.
+//! data without pointers, and a check touches only the parts that it uses; tables of custom profiles are
+//! built when their TOML is read.
 
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -39,7 +39,7 @@ pub struct Tables {
     pub defaults: Cow<'static, [Value]>,
     /// Indexes of objects.
     pub indexes: Cow<'static, [u16]>,
-    /// In the meanings: the error codes of EMCY.
+    /// In the meanings: the EMCY error codes.
     pub errors: SubList,
     /// The objects of the state machine.
     pub machine: Option<MachineRow>,
@@ -51,7 +51,7 @@ pub struct Tables {
     pub texts: Cow<'static, str>,
 }
 
-/// A table of rows: the names of their fields are in front of all rows, and each row has its values in this order.
+/// A table of rows: the field names precede all rows, and each row lists its values in this order.
 macro_rules! table {
     ($row:ident $fields:tt: $($values:tt)*) => { &[$($crate::tables::table!(@row $row $fields $values)),*] };
     (@row $row:ident { $($field:ident),* } ($($value:expr),*)) => { $row { $($field: $value),* } };
@@ -152,7 +152,7 @@ pub struct MeaningRow {
 pub struct MachineRow {
     /// The index of the object whose lowest bit field is the state.
     pub status: u16,
-    /// The index of the object that takes the commands.
+    /// The index of the object that receives commands.
     pub command: u16,
 }
 
@@ -192,7 +192,7 @@ impl SubList {
         from.and_then(|items| items.get(..self.1 as usize)).unwrap_or_default()
     }
 
-    /// The part of a text; empty if it is out of bounds.
+    /// The section of a text; empty if it is out of bounds.
     pub fn of_text(self, text: &str) -> &str {
         let from = text.get(self.0 as usize..);
         from.and_then(|text| text.get(..self.1 as usize)).unwrap_or_default()

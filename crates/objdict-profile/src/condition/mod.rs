@@ -1,4 +1,4 @@
-//! Conditions of profiles, which decide whether an object is mandatory: a text form for authors, and its
+//! Conditions of profiles, which decide whether an object is mandatory: a notation for authors, and its
 //! evaluation.
 //!
 //! Conditions are three-valued: if the description does not state a value, the condition is undecided and the
@@ -34,7 +34,7 @@ pub struct Condition {
 pub enum Term {
     /// This number of terms are all true.
     All(u32),
-    /// At least one of this number of terms is true.
+    /// At least one of this many terms is true.
     OneOf(u32),
     /// A term is false.
     Not,
@@ -48,7 +48,7 @@ pub enum Term {
     Range(i128, i128),
 }
 
-/// Why a text is not a valid condition.
+/// The reason why a text is not a valid condition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConditionError {
     expected: &'static str,
@@ -78,13 +78,13 @@ impl Condition {
         &self.terms
     }
 
-    /// Whether the condition is true for a logical device, counted from 0; `None` if the description does not
-    /// determine it. 1000h means the device type of the logical device.
+    /// Whether the condition is true for a logical device, numbered from 0; `None` if the description does
+    /// not determine it. 1000h stands for the device type of the logical device.
     pub fn holds(&self, device: &Device, block: u8) -> Option<bool> {
         Terms { rest: &self.terms, device, block }.next()
     }
 
-    /// Whether the condition tests this bit of a value, alone.
+    /// Whether the condition only tests this bit of a value.
     pub fn tests_bit(&self, index: u16, bit: u8) -> bool {
         self.terms
             .iter()
@@ -118,7 +118,7 @@ impl std::str::FromStr for Condition {
 
 objdict_model::messages! { Condition: { Self { text, .. } => "{text}"; } }
 
-/// The index that a condition means in a logical device: 1000h is its device type.
+/// The index that a condition refers to in a logical device: 1000h is its device type.
 fn place_of(index: u16, device: &Device, block: u8) -> u16 {
     match index {
         0x1000 => device_type_index(device, block),
@@ -162,7 +162,7 @@ impl Terms<'_> {
         }
     }
 
-    /// Returns `deciding` if one of the next terms has that value, else the opposite if all are known.
+    /// Returns `deciding` if one of the next terms has that value, otherwise the opposite if all are known.
     fn decided(&mut self, count: u32, deciding: bool) -> Option<bool> {
         let (mut known, mut decided) = (true, false);
         for _ in 0..count {
@@ -207,7 +207,7 @@ impl ConditionParser<'_> {
         self.joined("and", Term::All, Self::one)
     }
 
-    /// One part, or several separated by a word.
+    /// One part, or several joined by a keyword.
     fn joined(
         &mut self,
         word: &str,

@@ -118,7 +118,7 @@ impl ConditionWords<'_> {
         }
     }
 
-    /// A subject and its predicate, without what the previous clause already contains.
+    /// A subject and its predicate, without parts that the previous clause already contains.
     fn clause(&mut self, index: u16, part: Option<&str>, is: &'static str) {
         let index = place_of(index, self.device, self.block);
         let before = self.last.filter(|(other, _)| *other == index).map(|(_, is)| is);

@@ -55,7 +55,7 @@ pub(super) trait Word: Sized {
     fn of(word: &str) -> Option<Self>;
 }
 
-/// Types with the keywords that are expected, and what a word of a profile means.
+/// Types with the expected keywords, and their values.
 macro_rules! keywords {
     ($($Type:ty, $expected:literal: |$word:ident| $meaning:expr;)+) => {$(
         impl Word for $Type {
@@ -102,7 +102,7 @@ pub(super) fn word<'de, D: Deserializer<'de>, T: Word>(deserializer: D) -> Resul
     Named::deserialize(deserializer).map(|word| Some(word.0))
 }
 
-/// `"mandatory"`, `"optional"`, or the condition on which it is mandatory.
+/// `"mandatory"`, `"optional"`, or the condition under which it is mandatory.
 pub(super) enum NeedText {
     Optional,
     Mandatory,
@@ -137,7 +137,7 @@ impl<'de> Deserialize<'de> for ConditionText {
     }
 }
 
-/// Numbers, and pairs of a smallest and a largest number.
+/// Numbers, and pairs of a minimum and a maximum.
 pub(super) fn ranges<'de, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<Vec<RangeInclusive<i128>>, D::Error> {

@@ -1,5 +1,5 @@
-//! Profiles from TOML. Built-in documents and custom profiles use the same format, described in
-//! `docs/reference/profile.md`.
+//! Reads profiles from TOML. Built-in documents and custom profiles use the same format, described
+//! in `docs/reference/profile.md`.
 
 mod fields;
 mod pack;
@@ -18,12 +18,12 @@ use crate::source::Span;
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Why a text is not a valid profile.
+/// The reason why a text is not a valid profile.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProfileError {
     /// The message.
     pub message: String,
-    /// The position in bytes of the text.
+    /// The byte position in the text.
     pub span: Option<Span>,
     /// A suggestion or an instruction.
     pub help: Option<String>,
@@ -38,8 +38,7 @@ impl ProfileError {
     }
 }
 
-/// A suggestion for a word reported as unknown: one of the words listed in the message, or the name of a data
-/// type.
+/// A suggestion for an unknown word: one of the words listed in the message, or the name of a data type.
 fn meant(message: &str) -> Option<&str> {
     let mut words = message.split('`').skip(1).step_by(2);
     let unknown = words.next().filter(|_| message.contains("unknown"))?;

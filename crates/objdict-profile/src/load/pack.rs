@@ -42,7 +42,7 @@ fn number(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }
 
-/// The position of an item, which is appended if it is new.
+/// The position of an item, which is appended if new.
 fn position<T>(items: &mut Vec<T>, known: &mut HashMap<String, u32>, key: String, item: T) -> u32 {
     *known.entry(key).or_insert_with(|| {
         items.push(item);
@@ -70,7 +70,7 @@ pub(super) struct Packer {
 }
 
 impl Packer {
-    /// The tables of what is packed.
+    /// The packed tables.
     pub(super) fn tables(self) -> Tables {
         Tables {
             entries: self.entries.items.into(),
