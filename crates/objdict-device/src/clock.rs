@@ -1,31 +1,31 @@
-//! When something is due. Times are in microseconds from an arbitrary start.
+//! Due times. Times are in microseconds from an arbitrary start.
 
-/// What is sent once each period. It keeps its phase, and skips the periods in which it was not polled.
+/// A periodic transmission. It keeps its phase, and skips the periods in which it was not polled.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Periodic {
     /// In microseconds; 0 while nothing is sent.
     period: u64,
-    /// `None` before the first time, which is due at once.
+    /// `None` before the first transmission, which is due at once.
     due: Option<u64>,
 }
 
 impl Periodic {
-    /// Nothing is sent. No constant, of which the compiler would make bytes to copy.
+    /// Never due. A function instead of a constant, which would become data to copy.
     pub(crate) const fn never() -> Self {
         Self { period: 0, due: None }
     }
 
-    /// Changes the period; the first time is due at once.
+    /// Changes the period; the first transmission is due at once.
     pub(crate) fn restart(&mut self, period: u64) {
         *self = Self { period, due: None };
     }
 
-    /// The first time is due a period from now.
+    /// Schedules the first transmission a period from now.
     pub(crate) const fn wait(&mut self, now: u64) {
         self.due = Some(now.saturating_add(self.period));
     }
 
-    /// Whether it is due, and then the next time begins.
+    /// Whether a transmission is due; if so, the next period begins.
     pub(crate) fn take(&mut self, now: u64) -> bool {
         let due = self.due.unwrap_or(now);
         if self.period == 0 || due > now {
@@ -40,7 +40,7 @@ impl Periodic {
         true
     }
 
-    /// When it is due; `None` for never.
+    /// The due time; `None` for never.
     pub(crate) fn next(&self, now: u64) -> Option<u64> {
         (self.period != 0).then(|| self.due.unwrap_or(now))
     }

@@ -1,15 +1,15 @@
-//! What the services need of an object dictionary.
+//! The services' view of an object dictionary.
 //!
-//! The services know only this trait. They take frames and the time, return frames, and report when they are due
-//! (`next`), so they are tested without a bus.
+//! The services depend only on this trait. They accept frames and the time, return frames, and report their next
+//! due time (`next`), so they are tested without a bus.
 
 use crate::table::{Data, Entry, Table};
 use crate::{Abort, ObjectSet};
 
-/// What is known of an entry without its value.
+/// The properties of an entry except its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Attributes {
-    /// The longest value in bytes; 0 for a DOMAIN whose data the application transfers.
+    /// The maximum length of a value in bytes; 0 for a DOMAIN whose data the application transfers.
     pub size: usize,
     /// The index of the data type, such as 07h for UNSIGNED32; 0 for a type of the device.
     pub data_type: u8,
@@ -24,30 +24,30 @@ pub struct Attributes {
 }
 
 impl Attributes {
-    /// Whether values have lengths of their own, up to the size: texts, bytes and DOMAIN.
+    /// Whether the length of values varies, up to the size: strings, bytes and DOMAIN.
     #[must_use]
     pub const fn has_length(&self) -> bool {
         matches!(self.data_type, 0x09..=0x0B | 0x0F)
     }
 }
 
-/// Where a dictionary has an entry, so that a PDO does not search for it again. The dictionary alone knows what the number means;
-/// all ones mean no entry.
+/// The location of an entry in a dictionary, so that a PDO need not search for it again. Only the dictionary interprets
+/// the number; all ones mean no entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place(pub u32);
 
-/// Which values a reset gives back (CiA 301 §7.3.2.2.1).
+/// The values that a reset restores (CiA 301 §7.3.2.2.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Scope {
-    /// Those of 1000h to 1FFFh: reset communication.
+    /// Values of 1000h to 1FFFh: reset communication.
     Communication,
     /// All: power-on and reset node.
     All,
 }
 
 impl Scope {
-    /// Whether the values of an object are given back.
+    /// Whether the values of an object are restored.
     #[must_use]
     pub const fn contains(self, index: u16) -> bool {
         matches!(self, Self::All) || matches!(index, 0x1000..=0x1FFF)
@@ -56,7 +56,7 @@ impl Scope {
 
 /// An object dictionary as SDO servers and PDOs use it: values are little-endian bytes.
 ///
-/// The methods with a default serve dictionaries that can do more: values that are transferred in pieces, and storage.
+/// Override the methods with a default for more features: values that are transferred in pieces, and storage.
 pub trait Dictionary {
     /// The attributes of an entry.
     ///
@@ -76,19 +76,20 @@ pub trait Dictionary {
     /// Why an SDO download to this entry is aborted; the value is unchanged.
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
 
-    /// Replaces a value that the device itself changes, such as the error register, whatever its access by SDO.
+    /// Replaces a value that the device itself changes, such as the error register, regardless of its SDO
+    /// access.
     ///
     /// # Errors
-    /// Why the value stays as it is: there is no such entry, it is a constant, or the value does not fit.
+    /// If there is no such entry, it is a constant, or the value does not fit; the value is unchanged.
     fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
 
-    /// Gives values back what they had at power-on, with another node-ID if it has changed.
+    /// Restores the power-on values, for a different node-ID if it has changed.
     fn restart(&mut self, scope: Scope, node_id: u8);
 
     /// The value of an entry as an unsigned number.
     ///
     /// # Errors
-    /// Those of [`Dictionary::read`]; [`Abort::OutOfMemory`] for more than eight bytes.
+    /// Like [`Dictionary::read`]; [`Abort::OutOfMemory`] for more than eight bytes.
     fn number(&mut self, index: u16, sub: u8) -> Result<u64, Abort> {
         let mut bytes = [0; 8];
         // a dictionary may use the rest of the buffer
@@ -96,10 +97,10 @@ pub trait Dictionary {
         Ok(number(bytes.get(..length).unwrap_or(&bytes)))
     }
 
-    /// Where an entry is, for [`Dictionary::number_at`] and [`Dictionary::write_at`].
+    /// Locates an entry, for [`Dictionary::number_at`] and [`Dictionary::write_at`].
     ///
     /// # Errors
-    /// Those of [`Dictionary::attributes`].
+    /// Like [`Dictionary::attributes`].
     fn locate(&self, index: u16, sub: u8) -> Result<Place, Abort> {
         self.attributes(index, sub).map(|_| Place(u32::from(index) << 8 | u32::from(sub)))
     }
@@ -107,7 +108,7 @@ pub trait Dictionary {
     /// The attributes of an entry.
     ///
     /// # Errors
-    /// Those of [`Dictionary::attributes`].
+    /// Like [`Dictionary::attributes`].
     fn attributes_at(&self, place: Place) -> Result<Attributes, Abort> {
         self.attributes((place.0 >> 8) as u16, place.0 as u8)
     }
@@ -115,7 +116,7 @@ pub trait Dictionary {
     /// The value of an entry as an unsigned number.
     ///
     /// # Errors
-    /// Those of [`Dictionary::number`].
+    /// Like [`Dictionary::number`].
     fn number_at(&mut self, place: Place) -> Result<u64, Abort> {
         self.number((place.0 >> 8) as u16, place.0 as u8)
     }
@@ -123,13 +124,13 @@ pub trait Dictionary {
     /// Replaces a value as an RPDO does.
     ///
     /// # Errors
-    /// Those of [`Dictionary::write`].
+    /// Like [`Dictionary::write`].
     fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {
         self.write((place.0 >> 8) as u16, place.0 as u8, bytes)
     }
 
-    /// Begins an upload. `None` for a value that [`Dictionary::read`] copies as a whole; the length in bytes of one that is then
-    /// read in pieces, so that it may be longer than the buffer of the server.
+    /// Begins an upload. Returns `None` if [`Dictionary::read`] copies the value as a whole, or the length in bytes of
+    /// a value that is then read in pieces, so that it may be longer than the server's buffer.
     ///
     /// # Errors
     /// Why the upload is aborted.
@@ -147,9 +148,9 @@ pub trait Dictionary {
         Err(Abort::NoData)
     }
 
-    /// Begins a download, whose length in bytes a client may state. Returns whether it comes in pieces, so that it may be longer than
-    /// the buffer of the server; else [`Dictionary::write`] gets the value as a whole. A download that was begun and not ended is
-    /// given up.
+    /// Begins a download, whose length in bytes a client may state. Returns whether it arrives in pieces, so that it
+    /// may be longer than the server's buffer; otherwise [`Dictionary::write`] gets the value as a whole. An unfinished
+    /// previous download is abandoned.
     ///
     /// # Errors
     /// Why the download cannot succeed.
@@ -158,7 +159,7 @@ pub trait Dictionary {
         Ok(false)
     }
 
-    /// Takes a piece of a download. The pieces come in order and without gaps.
+    /// Writes a piece of a download. The pieces arrive in order and without gaps.
     ///
     /// # Errors
     /// Why the download is aborted.
@@ -167,7 +168,7 @@ pub trait Dictionary {
         Err(Abort::CannotStore)
     }
 
-    /// Ends a download in pieces, whose bytes have all arrived.
+    /// Ends a download in pieces, all of which have arrived.
     ///
     /// # Errors
     /// Why the download is aborted.
@@ -176,20 +177,20 @@ pub trait Dictionary {
         Err(Abort::CannotStore)
     }
 
-    /// Whether the application serves what this crate does not: TPDOs on request (transmission types 252 and 253), multiplexed PDOs,
-    /// CAN-IDs of 29 bits, sending TIME, and more SDO channels and monitored nodes than a [`Node`](crate::Node) has. Else writes that
-    /// ask for it are refused.
+    /// Whether the application serves features that this crate does not: TPDOs on request (transmission types 252 and
+    /// 253), multiplexed PDOs, 29-bit CAN-IDs, sending TIME, and more SDO channels and monitored nodes than a
+    /// [`Node`](crate::Node) has. Otherwise writes that require them are rejected.
     fn serves_more(&self) -> bool {
         false
     }
 
-    /// Its communication objects, if the compiler is to leave out the services of the others. A dictionary that adds objects to those of
-    /// a table, or transfers values in pieces, keeps the default.
+    /// The communication objects, to omit services of missing ones at compile time. A dictionary that adds objects to a
+    /// table, or transfers values in pieces, keeps the default.
     fn objects(&self) -> ObjectSet {
         ObjectSet::ANY
     }
 
-    /// The node-ID of the values, if it is known: a node does not monitor itself.
+    /// The node-ID of the values, if known: a node does not monitor itself.
     fn own_node_id(&self) -> Option<u8> {
         None
     }
@@ -203,34 +204,36 @@ pub trait Dictionary {
     /// Stores the values that a sub-index of 1010h names. The signature was correct.
     ///
     /// # Errors
-    /// Why they are not stored.
+    /// The reason why the values are not stored.
     fn store(&mut self, sub: u8) -> Result<(), Abort> {
         let _ = sub;
         Err(Abort::CannotStore)
     }
 
-    /// Lets the values that a sub-index of 1011h names be the defaults at the next reset. The signature was correct.
+    /// Restores the defaults of the values that a sub-index of 1011h selects at the next reset. The signature
+    /// was correct.
     ///
     /// # Errors
-    /// Why they stay as they are stored.
+    /// The reason why the stored values are kept.
     fn restore(&mut self, sub: u8) -> Result<(), Abort> {
         let _ = sub;
         Err(Abort::CannotStore)
     }
 }
 
-/// At most eight bytes as a number.
+/// Converts at most eight bytes to a number.
 pub(crate) fn number(bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
 }
 
-/// The lowest 32 bits of a number, or a default without it. Not inlined: it has many callers, and takes less flash than its result.
+/// The lowest 32 bits of a number, or a default if it is missing. Not inlined: it has many callers, and needs
+/// less flash than its result.
 #[inline(never)]
 pub(crate) fn word<D: Dictionary + ?Sized>(dictionary: &mut D, index: u16, sub: u8, default: u32) -> u32 {
     dictionary.number(index, sub).map_or(default, |number| number as u32)
 }
 
-/// Methods of [`Dictionary`] that another dictionary, in a field, has.
+/// Methods of [`Dictionary`] that forward to the dictionary in a field.
 macro_rules! forward {
     ($field:ident: $(fn $name:ident($this:ident: $Receiver:ty $(, $argument:ident: $Type:ty)*) $(-> $Answer:ty)?;)+) => {
         $(fn $name($this: $Receiver $(, $argument: $Type)*) $(-> $Answer)? {
@@ -313,7 +316,7 @@ impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
     }
 
     fn begin_write(&mut self, index: u16, sub: u8, _: Option<usize>) -> Result<bool, Abort> {
-        // a constant, or a DOMAIN without room
+        // a constant, or a DOMAIN without storage
         if Entry::<D>::find(index, sub)?.is_variable() { Ok(false) } else { Err(Abort::CannotStore) }
     }
 }

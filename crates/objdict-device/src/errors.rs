@@ -6,7 +6,7 @@ use crate::{Abort, Dictionary, Frame};
 
 /// The error register.
 const REGISTER: u16 = 0x1001;
-/// The history of errors, the last one first.
+/// The error history, newest first.
 pub(crate) const HISTORY: u16 = 0x1003;
 /// The COB-ID of emergency messages.
 pub(crate) const COB_ID: u16 = 0x1014;
@@ -16,7 +16,8 @@ pub(crate) const INHIBIT_TIME: u16 = 0x1015;
 /// As many errors can be active at a time.
 const ACTIVE: usize = 8;
 
-/// As many messages wait for the inhibit time or until the node may send; those beyond are in the history alone.
+/// The maximum number of messages that wait for the inhibit time or until the node may send; further ones are
+/// only in the history.
 const WAITING: usize = 4;
 
 /// Error codes that the services of a node report (CiA 301 §7.2.7.1).
@@ -35,21 +36,21 @@ pub mod error_code {
     pub const PDO_TOO_SHORT: u16 = 0x8210;
     /// A PDO was too long; its first bytes were processed.
     pub const PDO_TOO_LONG: u16 = 0x8220;
-    /// A SYNC had another length.
+    /// A SYNC with an unexpected length.
     pub const SYNC_LENGTH: u16 = 0x8240;
-    /// An RPDO did not come within its event timer.
+    /// An RPDO that did not arrive within its event timer.
     pub const RPDO_TIMEOUT: u16 = 0x8250;
 }
 
-/// The errors of a node. An error is named by its code and two bytes, such as the number of a PDO, so that each is reported once until
-/// it is gone.
+/// The errors of a node. An error is identified by its code and two bytes, such as the number of a PDO, so that each is
+/// reported only once while it is active.
 #[derive(Clone, Debug)]
 pub struct Errors {
     node_id: u8,
     active: [Option<(u16, [u8; 2])>; ACTIVE],
-    /// The first ones are the oldest.
+    /// Oldest first.
     waiting: [Option<[u8; 8]>; WAITING],
-    /// `None` while messages are not valid.
+    /// `None` while EMCY is not valid.
     cob_id: Option<u32>,
     /// In microseconds.
     inhibit_time: u64,
@@ -85,7 +86,8 @@ impl Errors {
         }
     }
 
-    /// Reads 1014h and 1015h, after a write to one of them. A device without 1014h sends no messages (CiA 301 §7.5.2.17).
+    /// Reads 1014h and 1015h, after a write to one of them. A device without 1014h does not send EMCY (CiA
+    /// 301 §7.5.2.17).
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         let cob_id = word(dictionary, COB_ID, 0, NOT_VALID);
         self.cob_id = (cob_id & (NOT_VALID | EXTENDED) == 0).then_some(cob_id);
@@ -99,8 +101,8 @@ impl Errors {
         bits.fold(0, |register, bit| register | 1 | bit)
     }
 
-    /// Reports an error with a code, such as 8130h, and bytes of the vendor, unless the error of this code and the first two bytes is
-    /// active already. Returns whether it is new.
+    /// Reports an error with a code, such as 8130h, and vendor-specific bytes, unless the error with this code and
+    /// first two bytes is already active. Returns whether it is new.
     pub fn report<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, code: u16, vendor: [u8; 5]) -> bool {
         let [low, high, ..] = vendor;
         let error = Some((code, [low, high]));
@@ -146,7 +148,7 @@ impl Errors {
         }
     }
 
-    /// The next emergency message that may be sent at a time in microseconds.
+    /// The next emergency message that may be sent at `now`, in microseconds.
     pub fn poll(&mut self, now: u64) -> Option<Frame> {
         if self.next(now)? > now {
             return None;
@@ -159,7 +161,7 @@ impl Errors {
         self.cob_id.map(|cob_id| Frame::full(cob_id, bytes))
     }
 
-    /// When the next message may be sent.
+    /// The time at which the next message may be sent.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         let waits = self.waiting.iter().any(Option::is_some);
@@ -204,7 +206,7 @@ fn remember<D: Dictionary + ?Sized>(dictionary: &mut D, error: [u8; 4]) {
     let _ = put(dictionary, HISTORY, 0, u32::from(sub));
 }
 
-/// Replaces a number, in as many bytes as the description gives it.
+/// Replaces a number, using the length from the description.
 fn put<D: Dictionary + ?Sized>(dictionary: &mut D, index: u16, sub: u8, value: u32) -> Result<(), Abort> {
     let size = dictionary.attributes(index, sub)?.size;
     let bytes = value.to_le_bytes();

@@ -4,10 +4,10 @@ use embedded_storage::nor_flash::NorFlash;
 
 use crate::{Abort, Storage, crc};
 
-/// Room for the unit in which a flash is written, in bytes.
+/// The maximum write unit of a flash, in bytes.
 pub(crate) const UNIT: usize = 64;
 
-/// A part of a flash memory, from an address to another one, which are multiples of its erase size.
+/// An address range of a flash memory; both addresses are multiples of the erase size.
 #[derive(Clone, Debug)]
 pub struct Region<F> {
     /// The driver.
@@ -17,8 +17,8 @@ pub struct Region<F> {
 }
 
 impl<F: NorFlash> Region<F> {
-    /// The part between two addresses; `None` if it is beyond the flash or not a multiple of its erase size, or the flash is written in
-    /// units that do not divide 64 bytes.
+    /// The range between two addresses; `None` if it exceeds the flash or is not a multiple of its erase size, or the
+    /// flash's write unit does not divide 64 bytes.
     pub fn new(flash: F, start: u32, end: u32) -> Option<Self> {
         let is_multiple = |address: u32| (address as usize).is_multiple_of(F::ERASE_SIZE);
         let is_accepted = start <= end
@@ -34,7 +34,7 @@ impl<F: NorFlash> Region<F> {
         self.end - self.start
     }
 
-    /// Writes whole units; the last one is filled up with FFh.
+    /// Writes whole units; the last one is padded with FFh.
     pub(crate) fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Abort> {
         for (number, part) in bytes.chunks(UNIT).enumerate() {
             let mut unit = [0xFF; UNIT];
@@ -48,7 +48,7 @@ impl<F: NorFlash> Region<F> {
         Ok(())
     }
 
-    /// Reads bytes, whose units the driver reads whole.
+    /// Reads bytes; the driver reads whole units.
     pub(crate) fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Abort> {
         self.within(offset, bytes.len())?;
         let mut bytes = bytes.iter_mut();
@@ -76,8 +76,9 @@ impl<F: NorFlash> Region<F> {
     }
 }
 
-/// Storage groups in a flash, each in two banks that are written in turn: the last image stays valid until the next one is written, so a
-/// power failure at any time loses nothing that was stored. Each image erases one bank: a bank wears out by every second one.
+/// Storage groups in a flash, each in two banks that are written in turn: the last image remains valid until the next
+/// one is written, so a power failure at any time does not lose stored values. Each image erases one bank, so only
+/// every second image wears out the same bank.
 #[derive(Clone, Debug)]
 pub struct FlashStorage<F> {
     region: Region<F>,
@@ -85,13 +86,14 @@ pub struct FlashStorage<F> {
     bank: u32,
 }
 
-/// What is written to a bank after its image: number of the image, its length and a CRC of all, little-endian.
+/// The trailer after the image in a bank: number of the image, its length and a CRC of everything,
+/// little-endian.
 const HEADER: usize = 10;
 
 /// The last image of a group.
 #[derive(Clone, Copy)]
 struct KeptImage {
-    /// Where its bank starts.
+    /// The start of its bank.
     offset: u32,
     number: u32,
     /// 0 if the group was erased.
@@ -99,7 +101,7 @@ struct KeptImage {
 }
 
 impl<F: NorFlash> FlashStorage<F> {
-    /// Two banks of the same size for each of a number of groups; `None` if there is no room.
+    /// Creates two banks of the same size for each group; `None` if there is not enough space.
     pub fn new(region: Region<F>, groups: usize) -> Option<Self> {
         let units = (region.length() as usize / F::ERASE_SIZE).checked_div(groups.checked_mul(2)?)?;
         let bank = u32::try_from(units * F::ERASE_SIZE).ok()?;
@@ -111,7 +113,7 @@ impl<F: NorFlash> FlashStorage<F> {
         self.region
     }
 
-    /// Where the banks of a group start.
+    /// The starts of a group's banks.
     fn banks(&self, group: usize) -> Result<[u32; 2], Abort> {
         let first = u32::try_from(group).ok().and_then(|group| group.checked_mul(2 * self.bank));
         let first = first.ok_or(Abort::OutOfMemory)?;
@@ -148,7 +150,7 @@ impl<F: NorFlash> FlashStorage<F> {
         })
     }
 
-    /// Whether nothing was ever written to a group.
+    /// Whether a group has never been written.
     fn is_blank(&mut self, group: usize) -> Result<bool, Abort> {
         let mut headers = [0; 2 * HEADER];
         for (offset, header) in self.banks(group)?.into_iter().zip(headers.chunks_exact_mut(HEADER)) {

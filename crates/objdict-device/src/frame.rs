@@ -1,6 +1,6 @@
 //! Frames of classical CAN with 11-bit identifiers.
 
-/// A data frame. Frames with 29-bit identifiers and remote frames are not for this crate.
+/// A data frame. This crate does not support frames with 29-bit identifiers and remote frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame {
@@ -10,7 +10,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A frame; `None` for an identifier of more than 11 bits or more than eight bytes.
+    /// A frame; `None` if the identifier exceeds 11 bits or the data exceed eight bytes.
     #[must_use]
     pub fn new(id: u16, data: &[u8]) -> Option<Self> {
         let mut bytes = [0; 8];
@@ -26,7 +26,7 @@ impl Frame {
         Self { id: can_id(cob_id), length: 8, bytes }
     }
 
-    /// The first `length` of the bytes, at most eight.
+    /// Shortens the data to the first `length` bytes, at most eight.
     pub(crate) const fn shortened(mut self, length: u8) -> Self {
         if length < self.length {
             self.length = length;
@@ -46,16 +46,16 @@ impl Frame {
         self.bytes.get(..usize::from(self.length)).unwrap_or(&self.bytes)
     }
 
-    /// The data and what is left of eight bytes, as zeros.
+    /// The data, padded with zeros to eight bytes.
     pub(crate) const fn bytes(&self) -> [u8; 8] {
         self.bytes
     }
 }
 
-/// The bit of a COB-ID that says that the communication object is not valid.
+/// The bit of a COB-ID that marks the communication object as not valid.
 pub(crate) const NOT_VALID: u32 = 1 << 31;
 
-/// The bit of a COB-ID that says that the CAN-ID has 29 bits.
+/// The bit of a COB-ID that selects a 29-bit CAN-ID.
 pub(crate) const EXTENDED: u32 = 1 << 29;
 
 /// The lower 11 bits of a COB-ID.
@@ -65,7 +65,7 @@ pub(crate) const fn can_id(cob_id: u32) -> u16 {
 
 #[cfg(feature = "embedded-can")]
 impl Frame {
-    /// A frame of a driver; `None` for a remote frame or an identifier of 29 bits.
+    /// Converts a frame of a driver; `None` for a remote frame or a 29-bit identifier.
     #[must_use]
     pub fn from_driver(frame: &impl embedded_can::Frame) -> Option<Self> {
         match frame.id() {
@@ -74,7 +74,7 @@ impl Frame {
         }
     }
 
-    /// The frame in the type of a driver; `None` if the driver refuses it.
+    /// Converts the frame to the type of a driver; `None` if the driver rejects it.
     #[must_use]
     pub fn to_driver<F: embedded_can::Frame>(&self) -> Option<F> {
         F::new(embedded_can::StandardId::new(self.id)?, self.data())

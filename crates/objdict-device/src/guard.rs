@@ -1,13 +1,13 @@
 //! The dictionary as SDO servers have it.
 //!
-//! SDO writes go through it. It asks `rules` about values that no service could follow, and passes the others on
+//! A filter for SDO writes. It asks `rules` to reject values that no service supports, and passes the others on
 //! to the services.
 
 use crate::dictionary::{Dictionary, Scope, forward, number};
 use crate::services::{RESTORE, STORE, Services};
 use crate::{Abort, Attributes, ObjectSet, errors, rules};
 
-/// A dictionary that refuses what communication objects cannot be, and whose services follow what is written to it; see
+/// A dictionary that rejects invalid values of communication objects, and whose services apply each write; see
 /// [`Pdos::guard`](crate::Pdos::guard) and [`Node::guard`](crate::Node::guard).
 #[derive(Debug)]
 pub struct Guarded<'a, D: ?Sized, S> {
@@ -15,17 +15,18 @@ pub struct Guarded<'a, D: ?Sized, S> {
     pub(crate) services: S,
 }
 
-/// Date and time of the configuration in sub-indexes 1 and 2, by which a manager knows it again.
+/// Date and time of the configuration in sub-indexes 1 and 2, with which a manager recognises it.
 const CONFIGURATION: u16 = 0x1020;
 
 impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
-    /// Whether an entry of 1010h or 1011h does what a signature says; if so, it is not a value.
+    /// Whether an entry of 1010h or 1011h executes a command when a signature is written; if so, it has no
+    /// stored value.
     fn is_command(&self, index: u16, sub: u8) -> bool {
         let objects = self.dictionary.objects();
         (objects.has(STORE) || objects.has(RESTORE)) && matches!(index, STORE | RESTORE) && sub > 0
     }
 
-    /// Clears the date of the configuration, which is another one now (CiA 301 §7.5.2.23).
+    /// Clears the date of the configuration, which has changed (CiA 301 §7.5.2.23).
     fn forget_configuration(&mut self, index: u16) {
         if self.dictionary.objects().has(CONFIGURATION) && index != CONFIGURATION {
             for sub in 1..=2 {
@@ -49,7 +50,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
     }
 
     fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
-        // what is read is what the device can do
+        // reading returns the capabilities of the device
         if self.is_command(index, sub)
             && self.attributes(index, sub)?.readable
             && !self.dictionary.can_store(sub)
@@ -75,7 +76,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
         let entry = self.dictionary.attributes(index, sub)?;
         let has_date = self.dictionary.objects().has(CONFIGURATION);
         let mut stays = false;
-        // the dictionary itself knows why it refuses others
+        // the dictionary itself reports why it rejects other values
         if entry.writable && bytes.len() == entry.size && bytes.len() <= 8 {
             let number = number(bytes);
             rules::check::<_, S>(self.dictionary, index, sub, number)?;
@@ -97,7 +98,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
     }
 
     fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
-        // nothing of a signature is kept
+        // signatures are not stored
         if self.is_command(index, sub) { Ok(false) } else { self.dictionary.begin_write(index, sub, length) }
     }
 

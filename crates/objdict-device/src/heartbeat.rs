@@ -4,10 +4,10 @@ use crate::clock::milliseconds;
 use crate::nmt::ERROR_CONTROL;
 use crate::{Dictionary, Frame, NmtState};
 
-/// The object that says which nodes are monitored.
+/// The object with the monitored nodes.
 pub(crate) const CONSUMER_TIME: u16 = 0x1016;
 
-/// Monitors the heartbeats of at most `N` other nodes: those of 1016h.
+/// Monitors the heartbeats of at most `N` other nodes, which are listed in 1016h.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct HeartbeatConsumer<const N: usize> {
@@ -25,14 +25,14 @@ struct Monitored {
 /// The last heartbeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Last {
-    /// None came yet.
+    /// No heartbeat yet.
     Never,
     At(u64, NmtState),
     /// The node is lost.
     Lost,
 }
 
-/// What became known of another node.
+/// A change in the state of a monitored node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Heartbeat {
@@ -44,7 +44,7 @@ pub enum Heartbeat {
     Lost(u8),
 }
 
-/// The node and the time in milliseconds of an entry of 1016h, if it is used.
+/// The node and the time in milliseconds of an entry of 1016h, if it is in use.
 pub(crate) fn monitored(value: u64) -> Option<(u8, u16)> {
     let (node_id, time) = ((value >> 16) as u8, value as u16);
     (value >> 23 == 0 && node_id != 0 && time != 0).then_some((node_id, time))
@@ -58,7 +58,7 @@ impl Monitored {
         value.map_or(Self::NONE, |(node_id, time)| Self { node_id, time, last: Last::Never })
     }
 
-    /// When the node is lost if no heartbeat comes.
+    /// The time at which the node is lost unless a heartbeat arrives.
     fn deadline(&self) -> Option<u64> {
         match self.last {
             Last::At(at, _) => Some(at.saturating_add(milliseconds(self.time))),
@@ -79,7 +79,7 @@ impl<const N: usize> HeartbeatConsumer<N> {
         (1..=N.min(0x7F) as u8).for_each(|sub| self.load_entry(dictionary, sub));
     }
 
-    /// Reads an entry of 1016h, after a write to it. The others go on.
+    /// Reads an entry of 1016h, after a write to it. Monitoring of other nodes continues.
     pub fn load_entry<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, sub: u8) {
         let node = usize::from(sub).checked_sub(1).and_then(|at| self.nodes.get_mut(at));
         if let Some(node) = node {
@@ -87,7 +87,7 @@ impl<const N: usize> HeartbeatConsumer<N> {
         }
     }
 
-    /// Takes a frame at a time in microseconds. A node is monitored from its first heartbeat on.
+    /// Processes a frame received at `now`, in microseconds. A node is monitored from its first heartbeat on.
     pub fn receive(&mut self, frame: &Frame, now: u64) -> Option<Heartbeat> {
         let is_sender = |node: &&mut Monitored| {
             node.node_id != 0 && u32::from(frame.id()) == ERROR_CONTROL + u32::from(node.node_id)
@@ -110,7 +110,7 @@ impl<const N: usize> HeartbeatConsumer<N> {
         Some(Heartbeat::Lost(node.node_id))
     }
 
-    /// When the next node is lost if its heartbeat does not come.
+    /// The time at which the next node is lost unless its heartbeat arrives.
     #[must_use]
     pub fn next(&self) -> Option<u64> {
         // it is lost when the time has passed

@@ -4,25 +4,25 @@ use crate::Frame;
 
 /// The CAN-ID of the master's requests.
 const REQUEST: u16 = 0x7E5;
-/// The CAN-ID of answers.
+/// The CAN-ID of responses.
 const ANSWER: u32 = 0x7E4;
 
-/// The node-ID of a node that has none.
+/// The node-ID of a node without one.
 const NO_NODE_ID: u8 = 0xFF;
 
-/// The answers of identified slaves.
+/// The responses of identified slaves.
 const SELECTED: u8 = 0x44;
 const IDENTIFIED: u8 = 0x4F;
 const NOT_CONFIGURED: u8 = 0x50;
 
-/// The error code of a value that is out of range or not supported, and of a service that is not supported.
+/// The error code for an unsupported service, and for a value that is out of range or not supported.
 const REFUSED: u8 = 1;
 
-/// The LSS slave: state, identity and what the master configured.
+/// The LSS slave: state, identity and the settings of the master.
 ///
-/// It knows no driver and no clock: [`LssSlave::receive`] takes a frame, and returns an answer or what the application has to do;
-/// [`LssSlave::poll`] takes the time. It works in each NMT state. A node without node-ID has no other service: it sends no boot-up message
-/// before [`LssReceived::NodeId`].
+/// It is independent of drivers and clocks: [`LssSlave::receive`] processes a frame, and returns a response or the
+/// action required of the application; [`LssSlave::poll`] processes the time. It works in every NMT state. A node
+/// without node-ID has no other service: it sends no boot-up message before [`LssReceived::NodeId`].
 #[derive(Clone, Debug)]
 pub struct LssSlave {
     /// Vendor-ID, product code, revision and serial number (1018h).
@@ -30,12 +30,12 @@ pub struct LssSlave {
     node_id: Option<u8>,
     /// The node-ID from the next reset on.
     next_node_id: Option<u8>,
-    /// In kbit/s; 0 for a bit rate that the device finds out itself.
+    /// In kbit/s; 0 for automatic bit rate detection.
     bit_rates: &'static [u16],
     bit_rate: Option<u16>,
     stores: bool,
     is_in_configuration: bool,
-    /// The command that continues a selection or an identification, for which all numbers so far are right.
+    /// The command that continues a selection or an identification in which all numbers so far match.
     selection: u8,
     /// The part of the identity that is scanned.
     scanned: u8,
@@ -52,26 +52,26 @@ struct Switch {
     bit_rate: Option<u16>,
 }
 
-/// What became of a frame that the LSS slave received.
+/// The effect of a frame that the LSS slave received.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LssReceived {
-    /// It is not for this node, or has no answer.
+    /// The frame is not for this node, or needs no response.
     Ignored,
-    /// The answer.
+    /// The response.
     Answer(Frame),
     /// The node without node-ID has this one now: it starts as after a reset of the communication.
     NodeId(u8),
-    /// Both have to be stored for the next power-on; then send [`LssSlave::answer_store`].
+    /// Both must be stored for the next power-on; then send [`LssSlave::answer_store`].
     Store {
-        /// `None` for a node that is to have none.
+        /// `None` if the node-ID is removed.
         node_id: Option<u8>,
         /// In kbit/s, 0 for automatic; `None` if the master has not configured it.
         bit_rate: Option<u16>,
     },
 }
 
-/// Why the configuration is not stored.
+/// The reason why the configuration is not stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LssStoreError {
@@ -82,8 +82,8 @@ pub enum LssStoreError {
 }
 
 impl LssSlave {
-    /// A slave in the waiting state with vendor-ID, product code, revision and serial number as in 1018h. `node_id` is that of power-on;
-    /// `None`, and what is not 1 to 127, for a node without.
+    /// A slave in the waiting state with vendor-ID, product code, revision and serial number as in 1018h. `node_id` is
+    /// the node-ID at power-on; `None`, or a value outside 1 to 127, for a node without one.
     #[must_use]
     pub const fn new(identity: [u32; 4], node_id: Option<u8>) -> Self {
         let node_id = match node_id {
@@ -111,7 +111,8 @@ impl LssSlave {
         self
     }
 
-    /// The application stores node-ID and bit rate ([`LssReceived::Store`]). Otherwise, the master is answered that this is not supported.
+    /// Lets the application store node-ID and bit rate ([`LssReceived::Store`]). Otherwise the slave responds
+    /// that this is not supported.
     #[must_use]
     pub const fn with_storage(mut self) -> Self {
         self.stores = true;
@@ -130,20 +131,21 @@ impl LssSlave {
         self.is_in_configuration
     }
 
-    /// Whether nothing may be sent, by no service, because the bit rate of the network is about to change.
+    /// Whether no service may send because the bit rate of the network is about to change.
     #[must_use]
     pub const fn is_silent(&self) -> bool {
         self.switch.is_some()
     }
 
-    /// The node-ID after a reset of the node or of its communication: the one that the master configured.
+    /// Resets the slave, and returns the node-ID after a reset of the node or its communication, as
+    /// configured by the master.
     pub const fn reset(&mut self) -> Option<u8> {
         self.node_id = self.next_node_id;
         self.is_in_configuration = false;
         self.node_id
     }
 
-    /// Takes a frame at a time in microseconds.
+    /// Processes a frame received at `now`, in microseconds.
     pub fn receive(&mut self, frame: &Frame, now: u64) -> LssReceived {
         if frame.id() != REQUEST || frame.data().len() != 8 || self.is_silent() {
             return LssReceived::Ignored;
@@ -169,7 +171,7 @@ impl LssSlave {
         answer.map_or(LssReceived::Ignored, |bytes| LssReceived::Answer(full(bytes)))
     }
 
-    /// The answer to [`LssReceived::Store`], when it is done or has failed.
+    /// The response to [`LssReceived::Store`], for success or failure.
     #[must_use]
     pub const fn answer_store(result: Result<(), LssStoreError>) -> Frame {
         let (error, reason) = match result {
@@ -180,7 +182,7 @@ impl LssSlave {
         full([0x17, error, reason, 0, 0])
     }
 
-    /// The bit rate in kbit/s, 0 for automatic, that the driver has to change to now.
+    /// The bit rate in kbit/s, 0 for automatic, to which the driver must change now.
     pub const fn poll(&mut self, now: u64) -> Option<u16> {
         let Some(Switch { at, delay, bit_rate }) = self.switch else { return None };
         if now < at {
@@ -193,7 +195,7 @@ impl LssSlave {
         bit_rate
     }
 
-    /// When [`LssSlave::poll`] has to be called.
+    /// The time at which [`LssSlave::poll`] must be called.
     #[must_use]
     pub const fn next(&self) -> Option<u64> {
         match self.switch {
@@ -221,7 +223,7 @@ impl LssSlave {
         }
     }
 
-    /// Whether the numbers of a selection or an identification are those of this node up to this command.
+    /// Whether the numbers of a selection or an identification match this node up to this command.
     fn fits(&mut self, command: u8, number: u32) -> bool {
         let [vendor, product, revision, serial] = self.identity;
         let fits = match command {
@@ -253,8 +255,8 @@ impl LssSlave {
         (fits && command == 0x4B).then_some([IDENTIFIED, 0, 0, 0, 0])
     }
 
-    /// A step of fastscan: whether the bits from `bit` on of a part of the identity are those of the number. All nodes without node-ID
-    /// answer at the same time, with the same frame.
+    /// A step of fastscan: whether a part of the identity matches the number from bit `bit` on. All nodes without
+    /// node-ID send the same response at the same time.
     fn scan(&mut self, number: u32, [bit, part, next]: [u8; 3]) -> Option<[u8; 5]> {
         const START: u8 = 0x80;
         if !self.has_no_node_id() || next > 3 {
@@ -273,7 +275,7 @@ impl LssSlave {
         Some([IDENTIFIED, 0, 0, 0, 0])
     }
 
-    /// The services of the configuration state but those with an event.
+    /// The services of the configuration state except those with an event.
     fn configure(&mut self, command: u8, [a, b]: [u8; 2]) -> Option<[u8; 5]> {
         let inquired = |number: u32| {
             let [a, b, c, d] = number.to_le_bytes();
@@ -283,13 +285,13 @@ impl LssSlave {
         Some(match command {
             0x11 => [command, self.configure_node_id(a), 0, 0, 0],
             0x13 => [command, self.configure_bit_rate(a, b), 0, 0, 0],
-            // with storage this is an event
+            // with storage, this is an event
             0x17 => [command, REFUSED, 0, 0, 0],
             0x5A => inquired(vendor),
             0x5B => inquired(product),
             0x5C => inquired(revision),
             0x5D => inquired(serial),
-            // before the node has a node-ID, the one that it will have
+            // before the node has a node-ID, its next one
             0x5E => [command, self.node_id.or(self.next_node_id).unwrap_or(NO_NODE_ID), 0, 0, 0],
             _ => return None,
         })
@@ -304,7 +306,7 @@ impl LssSlave {
         0
     }
 
-    /// Table 0 is that of CiA 305; a vendor may have others.
+    /// CiA 305 defines table 0; vendors may define others.
     fn configure_bit_rate(&mut self, table: u8, row: u8) -> u8 {
         let bit_rate = match row {
             0 => 1000,
@@ -325,7 +327,7 @@ impl LssSlave {
         0
     }
 
-    /// Begins the first delay, in milliseconds. Without a configured bit rate there is nothing to change to.
+    /// Begins the first delay, in milliseconds. Does nothing without a configured bit rate.
     fn start_switch(&mut self, delay: u16, now: u64) {
         let delay = u64::from(delay) * 1000;
         let at = now.saturating_add(delay);

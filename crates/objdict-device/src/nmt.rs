@@ -4,7 +4,7 @@ use crate::clock::{Periodic, milliseconds};
 use crate::dictionary::word;
 use crate::{Dictionary, Frame};
 
-/// The first CAN-ID of boot-up and heartbeat, to which the node-ID is added.
+/// The base CAN-ID of boot-up and heartbeat, to which the node-ID is added.
 pub(crate) const ERROR_CONTROL: u32 = 0x700;
 
 /// The NMT state of a node (CiA 301 §7.3.2.2).
@@ -33,7 +33,7 @@ impl NmtState {
         }
     }
 
-    /// The state of a heartbeat; bit 7 is reserved. `None` for other values.
+    /// The state in a heartbeat; bit 7 is reserved. `None` for other values.
     #[must_use]
     pub fn from_code(code: u8) -> Option<Self> {
         let states = [Self::Initialising, Self::Stopped, Self::Operational, Self::PreOperational];
@@ -41,7 +41,7 @@ impl NmtState {
     }
 }
 
-/// What the NMT master orders.
+/// A command of the NMT master.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NmtCommand {
@@ -51,9 +51,9 @@ pub enum NmtCommand {
     Stop,
     /// Become pre-operational.
     EnterPreOperational,
-    /// Restart the application: all values are those of power-on.
+    /// Restart the application: restore all power-on values.
     ResetNode,
-    /// Restart the communication: the values of 1000h to 1FFFh are those of power-on.
+    /// Restart the communication: restore the power-on values of 1000h to 1FFFh.
     ResetCommunication,
 }
 
@@ -87,7 +87,7 @@ impl Nmt {
         self.state
     }
 
-    /// Changes the state as the node itself decides, such as after an error.
+    /// Changes the state without a command, such as after an error.
     pub(crate) const fn enter(&mut self, state: NmtState) {
         self.state = state;
     }
@@ -97,7 +97,7 @@ impl Nmt {
         matches!(self.state, NmtState::PreOperational | NmtState::Operational)
     }
 
-    /// Takes a frame, and returns the command that it has for this node. A reset leads to [`NmtState::Initialising`]; call
+    /// Processes a frame, and returns its command for this node. A reset leads to [`NmtState::Initialising`]; call
     /// [`Nmt::boot`] when the values are restored.
     pub fn receive(&mut self, frame: &Frame) -> Option<NmtCommand> {
         let (0, &[command, node_id]) = (frame.id(), frame.data()) else { return None };
@@ -122,7 +122,8 @@ impl Nmt {
         self.heartbeat.restart(milliseconds(period));
     }
 
-    /// Ends the initialisation: the boot-up message, which counts as a heartbeat. The node is pre-operational then.
+    /// Ends the initialisation and returns the boot-up message, which also acts as a heartbeat. The node is
+    /// then pre-operational.
     pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Frame {
         self.load(dictionary);
         self.heartbeat.wait(now);
@@ -131,7 +132,8 @@ impl Nmt {
         self.error_control(NmtState::Initialising)
     }
 
-    /// The heartbeat when it is due at a time in microseconds. A new state is sent at once; the next period does not begin with it.
+    /// The heartbeat if it is due at `now`, in microseconds. A new state is sent at once, without restarting
+    /// the period.
     pub fn poll(&mut self, now: u64) -> Option<Frame> {
         if self.next(now)? > now {
             return None;
@@ -141,7 +143,7 @@ impl Nmt {
         Some(self.error_control(self.state))
     }
 
-    /// When the next heartbeat is due.
+    /// The time at which the next heartbeat is due.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         let due = self.heartbeat.next(now).filter(|_| self.state != NmtState::Initialising);

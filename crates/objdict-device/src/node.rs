@@ -10,12 +10,12 @@ use crate::{
     Scope, SdoServer, SyncProducer, sync,
 };
 
-/// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, `R` RPDOs, `T` TPDOs and room to monitor `N` other nodes,
-/// where each service works in the NMT states that CiA 301 gives it. The generated file has a type and a constructor with the numbers
-/// of its device.
+/// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, `R` RPDOs, `T` TPDOs and capacity to
+/// monitor `N` other nodes. Each service works in the NMT states that CiA 301 specifies. The generated file contains a
+/// type and a constructor with the numbers of its device.
 ///
-/// The application gives [`Node::receive`] all frames and calls [`Node::poll`] until there is no frame to send, in one loop with its
-/// own work on the dictionary; [`Node::next`] says how long it may sleep.
+/// The application passes all frames to [`Node::receive`] and calls [`Node::poll`] until there is no frame to send, in
+/// one loop with its own work on the dictionary; [`Node::next`] returns how long it may sleep.
 #[derive(Clone, Debug)]
 pub struct Node<D, const BUFFER: usize, const CHANNELS: usize, const R: usize, const T: usize, const N: usize>
 {
@@ -28,27 +28,28 @@ pub struct Node<D, const BUFFER: usize, const CHANNELS: usize, const R: usize, c
     consumers: HeartbeatConsumer<N>,
     errors: Errors,
     servers: [SdoServer<BUFFER>; CHANNELS],
-    /// Whether the node stops after its emergency message, which it could not send in this state.
+    /// Whether the node stops after its emergency message, which it cannot send once stopped.
     is_stopping: bool,
 }
 
-/// What became of a frame that the node received.
+/// The effect of a frame that the node received.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Received {
-    /// It is not for this node.
+    /// The frame is not for this node.
     Ignored,
-    /// The answer of an SDO server.
+    /// The response of an SDO server.
     Answer(Frame),
-    /// A command of the NMT master. After a reset, whose values the node has restored, the application calls [`Node::boot`].
+    /// A command of the NMT master. After a reset, the node has restored its values; the application then
+    /// calls [`Node::boot`].
     Nmt(NmtCommand),
     /// An RPDO or SYNC.
     Pdo(Reception),
-    /// A heartbeat that says something new.
+    /// A heartbeat with new information.
     Heartbeat(Heartbeat),
 }
 
-/// The services that follow writes of SDOs.
+/// The services that apply SDO writes.
 struct Followers<'a, const CHANNELS: usize, const R: usize, const T: usize, const N: usize> {
     pdos: &'a mut Pdos<R, T>,
     nmt: &'a mut Nmt,
@@ -105,9 +106,9 @@ impl<
         }
     }
 
-    /// Gives a node that waits for [`Node::boot`] another node-ID, such as the one that LSS configured. All values
-    /// become what they are at power-on: what was stored, otherwise the defaults. A default that was stored for another node-ID becomes
-    /// the default for this one.
+    /// Changes the node-ID of a node that waits for [`Node::boot`], for example to the one that LSS configured. All
+    /// values return to their power-on state: the stored values, otherwise the defaults. A default that was stored for
+    /// a different node-ID becomes the default for this one.
     pub fn set_node_id(&mut self, node_id: u8) {
         self.nmt = Nmt::new(node_id);
         self.errors = Errors::new(node_id);
@@ -127,7 +128,8 @@ impl<
         self.nmt.state()
     }
 
-    /// The dictionary as SDO servers have it, for an application that writes as they do: what no service would follow is refused.
+    /// The dictionary as SDO servers access it, for an application that writes in the same way: values that
+    /// no service supports are rejected.
     pub fn guard(&mut self) -> Guarded<'_, D, impl Services> {
         self.split().0
     }
@@ -143,8 +145,8 @@ impl<
         (Guarded { dictionary: &mut self.dictionary, services }, &mut self.servers)
     }
 
-    /// Starts the services with the values of the dictionary, and returns the boot-up message: after power-on, and after a reset.
-    /// The node becomes operational if bit 2 of 1F80h is 0 (CiA 302-2).
+    /// Starts the services with the values of the dictionary, and returns the boot-up message. Call it after power-on
+    /// and after a reset. The node becomes operational if bit 2 of 1F80h is 0 (CiA 302-2).
     pub fn boot(&mut self, now: u64) -> Frame {
         self.pdos.load(&mut self.dictionary);
         self.pdos.stop();
@@ -161,7 +163,7 @@ impl<
         frame
     }
 
-    /// Takes a frame at a time in microseconds.
+    /// Processes a frame received at `now`, in microseconds.
     pub fn receive(&mut self, frame: &Frame, now: u64) -> Received {
         if let Some(command) = self.nmt.receive(frame) {
             self.obey(command);
@@ -224,10 +226,11 @@ impl<
         answer.map_or(Received::Ignored, Received::Answer)
     }
 
-    /// Reports an error of the device: the error register and the history have it, and an emergency message says it. `code` is that
-    /// of CiA 301 or of a device profile, such as 8110h or 2310h; the first two bytes distinguish errors of one code, and each is
-    /// reported once until [`Node::resolve`]. After a communication error, bus-off or a lost heartbeat, the node does what 1029h says; if
-    /// it stops, its emergency message leaves before, unless its inhibit time is not over.
+    /// Reports an error of the device: sets the error register, adds it to the history and sends an emergency message.
+    /// `code` is defined by CiA 301 or a device profile, such as 8110h or 2310h; the first two bytes distinguish errors
+    /// with the same code, and each is reported once until [`Node::resolve`]. After a communication error, bus-off or a
+    /// lost heartbeat, the node behaves as 1029h specifies; if it stops, its emergency message is sent first, unless
+    /// its inhibit time is not over.
     pub fn report(&mut self, code: u16, vendor: [u8; 5]) {
         let is_new = self.errors.report(&mut self.dictionary, code, vendor);
         if is_new && matches!(code, error_code::HEARTBEAT | error_code::BUS_OFF) {
@@ -275,7 +278,8 @@ impl<
         self.pdos.stop();
     }
 
-    /// The next frame to send at a time in microseconds: heartbeat, SYNC, emergency message, TPDO, or what an SDO server has to say.
+    /// The next frame to send at `now`, in microseconds: heartbeat, SYNC, emergency message, TPDO, or an SDO
+    /// server frame.
     pub fn poll(&mut self, now: u64) -> Option<Frame> {
         self.look_for_losses(now);
         let objects = self.dictionary.objects();
@@ -316,8 +320,8 @@ impl<
         }
     }
 
-    /// When [`Node::poll`] has to be called again if no frame arrives, in microseconds as `now`: not later than `now` if there is
-    /// something to send, `None` if nothing is due at any time. What the application requests is due at once.
+    /// The time in microseconds at which [`Node::poll`] must be called again if no frame arrives: not later than `now`
+    /// if there is a frame to send, `None` if nothing is scheduled. Requests of the application are due at once.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         let always = earlier(self.nmt.next(now), self.consumers.next());
@@ -345,7 +349,7 @@ const fn servers<const BUFFER: usize, const CHANNELS: usize>(node_id: u8) -> [Sd
     servers
 }
 
-/// The number of a PDO, from 1 on, by the index of its communication parameters.
+/// The number of a PDO, from 1, by the index of its communication parameters.
 const fn number_of(index: u16) -> [u8; 2] {
     ((index & 0x1FF) + 1).to_le_bytes()
 }

@@ -2,12 +2,12 @@
 
 use crate::table::Table;
 
-/// The communication objects of a dictionary, for [`Dictionary::objects`](crate::Dictionary::objects). What serves an object that is not
-/// among them is not linked.
+/// The communication objects of a dictionary, for [`Dictionary::objects`](crate::Dictionary::objects). Code for objects
+/// that are not included is not linked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectSet {
     present: u64,
-    /// Those with an entry that SDOs can write.
+    /// Objects with an entry that SDOs can write.
     writable: u64,
 }
 
@@ -15,7 +15,7 @@ impl ObjectSet {
     /// No object.
     pub const NONE: Self = Self { present: 0, writable: 0 };
 
-    /// Possibly all: the dictionary knows them at run time alone.
+    /// All objects: the dictionary knows them only at run time.
     pub const ANY: Self = Self { present: u64::MAX, writable: u64::MAX };
 
     /// The objects of a table.
@@ -29,7 +29,7 @@ impl ObjectSet {
         objects
     }
 
-    /// These and the object of one more entry, which SDOs can write or not.
+    /// Adds the object of an entry, which SDOs may be able to write.
     #[must_use]
     pub const fn with(mut self, index: u16, is_writable: bool) -> Self {
         self.present |= bit(index);
@@ -39,9 +39,9 @@ impl ObjectSet {
         self
     }
 
-    // always inline: what is left out has to follow from constants
+    // always inline: omitted code must follow from constants
 
-    /// Whether there may be an object, or one of its kind.
+    /// Whether an object, or one of its kind, may exist.
     #[inline(always)]
     pub(crate) const fn has(self, index: u16) -> bool {
         self.present & bit(index) != 0
@@ -54,7 +54,7 @@ impl ObjectSet {
     }
 }
 
-/// The bit of an object or of its kind; 0 for objects that no service asks for.
+/// The bit of an object or of its kind; 0 for objects that no service uses.
 #[inline(always)]
 const fn bit(index: u16) -> u64 {
     match index {

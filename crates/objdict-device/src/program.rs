@@ -18,21 +18,21 @@ const NO_PROGRAM: u8 = 1;
 const NOT_CLEARED: u8 = 4;
 const WRITE_ERROR: u8 = 5;
 
-/// What the memory of a program holds.
+/// The content of the program memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProgramState {
     /// The program runs.
     Running,
-    /// The program does not run, and may be cleared.
+    /// The program does not run and may be cleared.
     Stopped,
-    /// There is no program: the memory is erased.
+    /// There is no program; the memory is erased.
     Cleared,
     /// A part of a program: its download has not ended.
     Partial,
 }
 
-/// What a master asks of the program (1F51h).
+/// A request of a master for the program (1F51h).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProgramRequest {
@@ -44,8 +44,8 @@ pub enum ProgramRequest {
     Reset,
 }
 
-/// A dictionary whose 1F50h takes a program into a flash, of any length, and whose 1F51h, 1F56h and 1F57h control it (CiA 302-3): the
-/// program is stopped, cleared, downloaded and started.
+/// A dictionary whose 1F50h downloads a program of any length into a flash, and whose 1F51h, 1F56h and 1F57h control it
+/// (CiA 302-3): the program is stopped, cleared, downloaded and started.
 #[derive(Clone, Debug)]
 pub struct WithProgram<V, F> {
     /// The values.
@@ -63,7 +63,7 @@ pub struct WithProgram<V, F> {
 }
 
 impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
-    /// A program of so many bytes at the start of a region, which runs; 0 for none.
+    /// Creates a dictionary with a running program of `length` bytes at the start of a region; 0 for none.
     pub fn new(data: V, mut region: Region<F>, length: u32) -> Self {
         let length = length.min(region.length());
         let mut sum = 0;
@@ -81,7 +81,7 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
         Self { data, region, state, length, crc: sum, error: 0, unit: [0; UNIT], request: None }
     }
 
-    /// What the memory holds.
+    /// The content of the memory.
     pub const fn state(&self) -> ProgramState {
         self.state
     }
@@ -96,7 +96,7 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
         self.length
     }
 
-    /// What the master asked since the last call.
+    /// The master's request since the last call.
     pub const fn take_request(&mut self) -> Option<ProgramRequest> {
         self.request.take()
     }
@@ -133,7 +133,7 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
         Err(abort)
     }
 
-    /// Takes bytes of a download, and writes what fills a unit.
+    /// Appends bytes of a download, and writes each complete unit.
     fn append(&mut self, bytes: &[u8]) -> Result<(), Abort> {
         for &byte in bytes {
             self.region.within(self.length, 1)?;

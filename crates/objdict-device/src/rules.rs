@@ -1,5 +1,5 @@
-//! What may be written to communication objects (CiA 301 §7.5.2). Nodes ask these rules at run time, and tools ask them of downloads,
-//! so a configuration that a tool accepts is one that a node accepts.
+//! Validity of writes to communication objects (CiA 301 §7.5.2). Nodes apply these rules at run time and tools apply
+//! them to downloads, so nodes and tools accept the same configurations.
 
 use crate::dictionary::word;
 use crate::frame::{EXTENDED, NOT_VALID, can_id};
@@ -14,16 +14,16 @@ const BOOLEAN: u8 = 0x01;
 /// The length in bits of the data types 1 to 7, which are dummies in an RPDO.
 const DUMMIES: [u8; 7] = [1, 8, 16, 32, 8, 16, 32];
 
-/// The COB-ID of TIME; its bits 30 and 31 say that the node sends and receives it.
+/// The COB-ID of TIME; bits 30 and 31 select whether the node sends and receives it.
 const TIME: u16 = 0x1012;
 const SENDS_TIME: u32 = 1 << 30;
 const RECEIVES_TIME: u32 = 1 << 31;
 
-/// The window of SYNC, and node guarding.
+/// The SYNC window, and node guarding.
 const SYNC_WINDOW: u16 = 0x1007;
 const GUARD_TIME: u16 = 0x100C;
 const LIFE_TIME_FACTOR: u16 = 0x100D;
-/// The bits of 1F80h that make the node a master, or that only a master heeds. Bit 3 does not switch anything on.
+/// The bits of 1F80h that make the node a master, or that affect only a master. Bit 3 enables nothing.
 const MASTER_BITS: u64 = 0b0111_0011;
 
 /// Disables remote frames in the COB-ID of a TPDO.
@@ -35,18 +35,18 @@ const EMCY_CONSUMER: u16 = 0x1028;
 /// The bits of a COB-ID between a CAN-ID of 11 bits and bit 29.
 const STRAY_BITS: u32 = 0x1FFF_F800;
 
-/// The CAN-ID and the bits that say how it is sent.
+/// The CAN-ID and the bits that define its transmission.
 const BITS_0_TO_29: u32 = 0x3FFF_FFFF;
 
-/// Why a node refuses a value of a communication object.
+/// The reason why a node rejects a value of a communication object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Refusal {
-    /// The entry does not have this value, or no service follows it.
+    /// The value is not defined for the entry, or no service supports it.
     Undefined,
     /// The CAN-ID belongs to a service that cannot be configured.
     RestrictedCanId,
-    /// The CAN-ID is that of SYNC; for SYNC, that of a valid PDO.
+    /// SYNC already uses the CAN-ID; for SYNC itself, a valid PDO does.
     SharedWithSync,
     /// Bits 0 to 29 of a COB-ID change while the service is valid.
     InUse,
@@ -56,7 +56,7 @@ pub enum Refusal {
     MonitoredTwice(u8),
     /// 1019h: the period (1006h) is not 0.
     PeriodRuns,
-    /// The node has no room for another service of this kind.
+    /// The node has no capacity for another service of this kind.
     NoRoom,
     /// The inhibit time or the SYNC start value changes while the PDO is valid.
     PdoIsValid,
@@ -64,15 +64,15 @@ pub enum Refusal {
     MappingIsValid,
     /// The mapping changes while its sub-index 0 is not 0.
     MappingInUse,
-    /// The entry that this sub-index maps does not exist, or no PDO of this direction can carry it.
+    /// The entry mapped by this sub-index does not exist, or no PDO of this direction can carry it.
     NotMappable(u8),
-    /// The entry that this sub-index maps has another length.
+    /// The length of the entry mapped by this sub-index differs.
     MappedLength(u8),
-    /// This sub-index is counted and maps nothing.
+    /// This sub-index is included in the number of entries but maps nothing.
     NothingMapped(u8),
     /// The mapping does not have this sub-index.
     NoMappingEntry(u8),
-    /// So many bits are mapped, more than 64.
+    /// This many bits are mapped, more than 64.
     PdoTooLong(u16),
 }
 
@@ -106,11 +106,11 @@ impl Services for AnyServices {
     fn follow<D: Dictionary + ?Sized>(&mut self, _: &mut D, _: u16, _: u8) {}
 }
 
-/// Checks the new value of an entry as [`Node::guard`](crate::Node::guard) does, for a node with room for all services: the entry is
-/// writable and has the length of the value. Entries that are not of communication objects have no rules.
+/// Checks the new value of an entry like [`Node::guard`](crate::Node::guard), for a node with capacity for all
+/// services. The entry must be writable and have the length of the value. Entries of other objects have no rules.
 ///
 /// # Errors
-/// Why a node refuses the value.
+/// The reason why a node rejects the value.
 pub fn check_write<D: Dictionary + ?Sized>(
     dictionary: &mut D,
     index: u16,
@@ -200,8 +200,8 @@ const fn is_not_valid(cob_id: u32) -> bool {
     cob_id & NOT_VALID != 0
 }
 
-/// Checks a COB-ID: bits 0 to 29 stay as they are until the service does not use them any more, and the CAN-ID of a service that is in
-/// use is not that of another one.
+/// Checks a COB-ID: bits 0 to 29 may change only while the service is not valid, and a valid service must not use the
+/// CAN-ID of a different one.
 fn check_cob_id<D: Dictionary + ?Sized>(
     dictionary: &mut D,
     index: u16,
@@ -228,7 +228,7 @@ const fn is_same_id(one: u32, other: u32) -> bool {
     (one ^ other) & BITS_0_TO_29 == 0
 }
 
-/// 1005h. The node also receives SYNC, so its CAN-ID always counts, and is that of no PDO.
+/// 1005h. The node also receives SYNC, so its CAN-ID is always in use and must differ from every PDO's.
 fn check_sync<D: Dictionary + ?Sized, S: Services>(dictionary: &mut D, new: u32) -> Result<(), Refusal> {
     let can_send = S::PRODUCES_SYNC && dictionary.attributes(sync::PERIOD, 0).is_ok();
     let is_free = |old: u32| old & sync::PRODUCES == 0;
@@ -238,7 +238,7 @@ fn check_sync<D: Dictionary + ?Sized, S: Services>(dictionary: &mut D, new: u32)
     ensure(is_sync(dictionary, new) || !has_pdo(dictionary, new), Refusal::SharedWithSync)
 }
 
-/// 1019h: its value changes while there is no period.
+/// 1019h: its value may change only while there is no period.
 fn check_overflow<D: Dictionary + ?Sized>(dictionary: &mut D, value: u64) -> Result<(), Refusal> {
     defined(matches!(value, 0 | 2..=240))?;
     let stays = dictionary.number(sync::OVERFLOW, 0) == Ok(value);
@@ -264,8 +264,8 @@ fn check_consumer<D: Dictionary + ?Sized, S: Services>(
     ensure(has_room || dictionary.serves_more(), Refusal::NoRoom)
 }
 
-/// 1200h and the channels after it, and clients from 1280h on. That of 1200h has COB-IDs that no device can change. A channel is valid
-/// while bit 31 of both COB-IDs is clear, and a client may have those of the default channel of another node.
+/// 1200h and the channels after it, and clients from 1280h on. No device can change the COB-IDs of 1200h. A channel is
+/// valid while bit 31 of both COB-IDs is clear; a client may use the default channel of a different node.
 fn check_sdo<D: Dictionary + ?Sized, S: Services>(
     dictionary: &mut D,
     index: u16,
@@ -305,7 +305,7 @@ fn check_communication<D: Dictionary + ?Sized>(
     match sub {
         1 => {
             let new = value as u32;
-            // a master that never sets bit 30 disables the PDO first, and is followed
+            // a master that never sets bit 30 disables the PDO first, and is supported
             let answers_remote = is_tpdo && new & (NOT_VALID | NO_REMOTE_FRAMES) == 0;
             if answers_remote && !dictionary.serves_more() {
                 let had = word(dictionary, index, 1, NO_REMOTE_FRAMES) & NO_REMOTE_FRAMES == 0;
@@ -336,12 +336,13 @@ fn has_pdo<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
     pdos.any(|index| has_it(word(dictionary, index, 1, NOT_VALID)))
 }
 
-/// Whether a CAN-ID is that of SYNC: each SYNC would be the data of a PDO with it.
+/// Whether a CAN-ID belongs to SYNC: each SYNC would be the data of a PDO with it.
 fn is_sync<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
     is_same_id(sync::cob_id(dictionary), cob_id)
 }
 
-/// A mapping changes while the PDO is not valid: first its number of entries to 0, then the entries, then their number.
+/// A mapping may change only while the PDO is not valid: first its number of entries is set to 0, then the
+/// entries are written, then their number.
 fn check_mapping<D: Dictionary + ?Sized>(
     dictionary: &mut D,
     index: u16,
@@ -361,7 +362,7 @@ fn check_mapping<D: Dictionary + ?Sized>(
         Ok(254 | 255) if dictionary.serves_more() => return Ok(()),
         _ => return Err(Refusal::NoMappingEntry(65)),
     };
-    // before the entries that there are, which may be empty
+    // before the existing entries, which may be empty
     let has_all = count == 0 || dictionary.attributes(index, count).is_ok();
     ensure(has_all, Refusal::NoMappingEntry(count))?;
     let mut bits = 0;
@@ -374,7 +375,7 @@ fn check_mapping<D: Dictionary + ?Sized>(
     ensure(bits <= 64, Refusal::PdoTooLong(bits))
 }
 
-/// The length of the entry that a sub-index maps: it must exist, be mappable, and be as long as its value.
+/// The length of the entry that a sub-index maps: it must exist, be mappable, and match the mapped length.
 fn bits_of<D: Dictionary + ?Sized>(
     dictionary: &mut D,
     sub: u8,

@@ -2,25 +2,25 @@
 
 use crate::Dictionary;
 
-/// 1010h and 1011h, whose sub-indexes from 1 on take a signature.
+/// 1010h and 1011h, whose sub-indexes from 1 on expect a signature.
 pub(crate) const STORE: u16 = 0x1010;
 pub(crate) const RESTORE: u16 = 0x1011;
 
-/// What a node does after a communication error.
+/// The behaviour of a node after a communication error.
 pub(crate) const ERROR_BEHAVIOUR: u16 = 0x1029;
 
-/// Whether the node starts by itself.
+/// Whether the node starts automatically.
 pub(crate) const STARTUP: u16 = 0x1F80;
 
-/// The services that follow what is written to the dictionary, and what they can do.
+/// The services that apply writes to the dictionary, and their capabilities.
 pub trait Services {
     /// Whether they can send SYNC.
     const PRODUCES_SYNC: bool = false;
-    /// As many heartbeats can be monitored; `None` if the application does that.
+    /// The maximum number of monitored heartbeats; `None` if the application monitors them.
     const CONSUMERS: Option<usize> = None;
-    /// As many SDO channels are served; `None` if the application does that.
+    /// The maximum number of SDO channels; `None` if the application serves them.
     const CHANNELS: Option<usize> = None;
 
-    /// Follows a write.
+    /// Applies a write.
     fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16, sub: u8);
 }

@@ -4,8 +4,9 @@ use core::cell::RefCell;
 
 use critical_section::Mutex;
 
-/// A value, such as the values of a device or a whole [`Node`](crate::Node), in a `static` that interrupts and the main program share.
-/// Interrupts are off while it is in use, so uses should be short; an RTOS or a second core brings its own `critical-section`.
+/// A value that interrupts and the main program share in a `static`, such as the values of a device or a whole
+/// [`Node`](crate::Node). Interrupts are disabled while it is in use, so uses should be short; for an RTOS or a second
+/// core, provide a suitable `critical-section`.
 #[derive(Debug)]
 pub struct Shared<T>(Mutex<RefCell<T>>);
 
@@ -16,7 +17,7 @@ impl<T> Shared<T> {
         Self(Mutex::new(RefCell::new(value)))
     }
 
-    /// Uses the value; `None` if the caller uses it already.
+    /// Uses the value; `None` if the caller is already using it.
     pub fn with<R>(&self, then: impl FnOnce(&mut T) -> R) -> Option<R> {
         critical_section::with(|section| {
             let mut value = self.0.borrow(section).try_borrow_mut().ok()?;

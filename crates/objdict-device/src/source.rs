@@ -3,10 +3,10 @@
 //! They name items of `core` in full and derive traits of other crates by `#[cfg_attr(feature = "…",
 //! derive(…))]`, so the generated file needs neither imports nor dependencies.
 //!
-//! The files import each other by `use super::…;` alone, so that their texts can be joined without these lines. They
+//! The files import each other only by `use super::…;`, so that their texts can be joined without these lines. They
 //! are also valid in edition 2021.
 
-/// What every table needs.
+/// Required by every table.
 pub const TABLE: &[&str] = &[
     include_str!("table/abort.rs"),
     include_str!("table/codes.rs"),

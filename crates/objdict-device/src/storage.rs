@@ -12,13 +12,14 @@ pub trait Grouped: Table {
 
 /// Memory that keeps the images of storage groups without power. Groups are numbered from 0 on in the order of [`Grouped::GROUPS`].
 pub trait Storage {
-    /// Keeps the image of a group in place of an older one.
+    /// Stores the image of a group, replacing the previous one.
     ///
     /// # Errors
-    /// Why the image is not kept, such as [`Abort::Hardware`].
+    /// The reason why the image is not stored, such as [`Abort::Hardware`].
     fn save(&mut self, group: usize, image: &[u8]) -> Result<(), Abort>;
 
-    /// Copies the image of a group. Where none was ever kept, or it was erased, all bytes are the same, such as FFh.
+    /// Copies the image of a group. If none was ever stored, or it was erased, all bytes are equal, such as
+    /// FFh.
     ///
     /// # Errors
     /// Why it cannot be read: [`Stored::lost`] has it.
@@ -45,18 +46,20 @@ pub struct StorageLoss {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LossReason {
-    /// The memory has no valid image, which may be one that was never complete, or cannot be read.
+    /// The memory cannot be read, or contains no valid image, possibly because it was never completely
+    /// written.
     Memory(Abort),
-    /// The image is corrupted, or belongs to another table.
+    /// The image is corrupted, or belongs to a different table.
     Image(ImageError),
 }
 
-/// The bytes after an image: the node-ID that its values are for, and its complement. Images of version 0.1 have neither.
+/// The bytes after an image: the node-ID for which its values were stored, and its complement. Images of
+/// version 0.1 have neither.
 const TRAILER: usize = 2;
 
-/// The values of a device with storage: they begin with what was stored, 1010h stores them, and after 1011h they are the defaults from
-/// the next reset on. A value with `$NODEID` that was stored with its default follows the node-ID. `IMAGE` is the size of the largest
-/// image with two bytes for the node-ID; the generated file has a type with it.
+/// The values of a device with storage: they start with the stored values, 1010h stores them, and 1011h restores the
+/// defaults at the next reset. A value with `$NODEID` that was stored with its default follows the node-ID. `IMAGE` is
+/// the size of the largest image plus two bytes for the node-ID; the generated file contains a type with it.
 #[derive(Clone, Debug)]
 pub struct Stored<V, S, const IMAGE: usize> {
     /// The values.
@@ -67,8 +70,8 @@ pub struct Stored<V, S, const IMAGE: usize> {
 }
 
 impl<V, S, const IMAGE: usize> Stored<V, S, IMAGE> {
-    /// The first group whose values were stored and could not be read, at power-on and at the resets since; an application reports it
-    /// as the error [`DATA_SET`](crate::error_code::DATA_SET).
+    /// The first group whose stored values could not be read, at power-on and at later resets; an application reports
+    /// it as the error [`DATA_SET`](crate::error_code::DATA_SET).
     #[must_use]
     pub const fn lost(&self) -> Option<StorageLoss> {
         self.lost
@@ -76,7 +79,7 @@ impl<V, S, const IMAGE: usize> Stored<V, S, IMAGE> {
 }
 
 impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Stored<Data<D, RAM>, S, IMAGE> {
-    /// The values at power-on: those that were stored, else the defaults for a node-ID.
+    /// The values at power-on: the stored ones, otherwise the defaults for a node-ID.
     pub fn new(node_id: u8, storage: S) -> Self {
         let mut stored = Self { data: Data::new(node_id), storage, lost: None };
         stored.load(Scope::All);
@@ -115,7 +118,7 @@ impl<D: Grouped, S: Storage, const RAM: usize, const IMAGE: usize> Stored<Data<D
         self.storage.save(number, kept)
     }
 
-    /// Does something with each group that a sub-index of 1010h and 1011h is about.
+    /// Calls a function for each group that a sub-index of 1010h or 1011h selects.
     fn each_group(
         &mut self,
         sub: u8,

@@ -9,7 +9,7 @@ use crate::{Dictionary, Frame};
 pub(crate) const COB_ID: u16 = 0x1005;
 /// The period of SYNC in microseconds.
 pub(crate) const PERIOD: u16 = 0x1006;
-/// The highest value of the counter of SYNC; 0 without a counter.
+/// The maximum value of the SYNC counter; 0 without a counter.
 pub(crate) const OVERFLOW: u16 = 0x1019;
 
 /// The bit of 1005h that makes the node send SYNC.
@@ -20,7 +20,8 @@ pub(crate) fn cob_id<D: Dictionary + ?Sized>(dictionary: &mut D) -> u32 {
     word(dictionary, COB_ID, 0, 0x80)
 }
 
-/// Sends SYNC as 1005h, 1006h and 1019h say, while the node is pre-operational or operational (CiA 301 §7.2.5).
+/// Sends SYNC according to 1005h, 1006h and 1019h, while the node is pre-operational or operational (CiA 301
+/// §7.2.5).
 #[derive(Clone, Debug)]
 pub struct SyncProducer {
     cob_id: u32,
@@ -30,13 +31,13 @@ pub struct SyncProducer {
 }
 
 impl SyncProducer {
-    /// It sends nothing before [`SyncProducer::boot`].
+    /// It does not send before [`SyncProducer::boot`].
     #[must_use]
     pub const fn new() -> Self {
         Self { cob_id: 0, overflow: 0, counter: 0, sync: Periodic::never() }
     }
 
-    /// Reads the objects after a reset. The first SYNC is due after a period.
+    /// Reads the objects after a reset. The first SYNC is due after one period.
     pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) {
         self.load(dictionary);
         self.sync.wait(now);
@@ -58,7 +59,7 @@ impl SyncProducer {
         self.counter = 0;
     }
 
-    /// SYNC when it is due at a time in microseconds. The node's own PDOs follow it too.
+    /// SYNC if it is due at `now`, in microseconds. The node's own PDOs also react to it.
     pub fn poll(&mut self, now: u64) -> Option<Frame> {
         if !self.sync.take(now) {
             return None;
@@ -70,7 +71,7 @@ impl SyncProducer {
         Some(Frame::full(self.cob_id, [self.counter, 0, 0, 0, 0, 0, 0, 0]).shortened(1))
     }
 
-    /// When the next SYNC is due.
+    /// The time at which the next SYNC is due.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         self.sync.next(now)

@@ -10,16 +10,16 @@ pub trait Watchable<H>: Dictionary {
     /// The table of the values.
     type Table: Hooked;
 
-    /// Calls the hook before an entry is read, if it has one.
+    /// Calls the hook before an entry is read, if there is one.
     ///
     /// # Errors
-    /// What the hook answered.
+    /// The error that the hook returned.
     fn before_read(&mut self, hooks: &mut H, entry: &Entry<Self::Table>) -> Result<(), Abort>;
 
     /// Like [`Dictionary::write`], with hooks.
     ///
     /// # Errors
-    /// Why the value is not valid, or what the hook answered; the value is unchanged.
+    /// The reason why the value is not valid, or the error of the hook; the value is unchanged.
     fn write_with(&mut self, hooks: &mut H, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
 
     /// Sets a value as an SDO does; access does not matter.
@@ -79,11 +79,12 @@ impl<D: Hooked + Grouped, S: Storage, H: Hooks<Data<D, RAM>>, const RAM: usize, 
     }
 }
 
-/// The values of a device with the hooks of its application, which are called for SDOs, RPDOs and [`Watched::set`] alike, and a flag
-/// for each entry that was written. `FLAGS` is a byte for every eight entries; the generated file has a type with it.
+/// The values of a device with the hooks of its application, which are called for SDOs, RPDOs and [`Watched::set`], and
+/// a flag for each entry that was written. `FLAGS` is one byte per eight entries; the generated file contains a type
+/// with it.
 #[derive(Clone, Debug)]
 pub struct Watched<V, H, const FLAGS: usize> {
-    /// The values. What is written to them directly calls no hook and raises no flag.
+    /// The values. Direct writes to them call no hook and set no flag.
     pub data: V,
     /// The hooks.
     pub hooks: H,
@@ -102,7 +103,7 @@ impl<V: Watchable<H>, H, const FLAGS: usize> Watched<V, H, FLAGS> {
     /// Sets a value as an SDO does, hooks and limits included; access does not matter.
     ///
     /// # Errors
-    /// Why the value is not valid, or what a hook answered; the value is unchanged.
+    /// The reason why the value is not valid, or the error of a hook; the value is unchanged.
     pub fn set<T: Typed + ?Sized, A: Variable>(
         &mut self,
         handle: Handle<V::Table, T, A>,
@@ -138,7 +139,8 @@ impl<V: Watchable<H>, H, const FLAGS: usize> Watched<V, H, FLAGS> {
     }
 }
 
-/// Storage beneath stores and restores; without it, a hook of 1010h or 1011h does, which is called with the signature as the value.
+/// Implements storage with the underlying dictionary; without storage, a hook of 1010h or 1011h does it, and
+/// is called with the signature as the value.
 impl<V: Watchable<H>, H, const FLAGS: usize> Dictionary for Watched<V, H, FLAGS> {
     forward! { data:
         fn attributes(self: &Self, index: u16, sub: u8) -> Result<Attributes, Abort>;

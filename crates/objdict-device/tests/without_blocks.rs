@@ -13,7 +13,7 @@ impl Table for Od {
     const ROM: &'static [u8] = &[7, 0];
 }
 
-/// The answer to a request.
+/// The response to a request.
 fn answer(server: &mut SdoServer<8>, request: [u8; 8]) -> Option<[u8; 8]> {
     let mut values = Data::<Od, 3>::new(5);
     let frame = server.receive(&mut values, &Frame::new(0x605, &request)?, 0)?;
@@ -24,7 +24,7 @@ fn answer(server: &mut SdoServer<8>, request: [u8; 8]) -> Option<[u8; 8]> {
 fn block_transfers_are_unknown_and_others_go_on() {
     let mut server = SdoServer::new(0, 5);
     let [a, b, c, d] = Abort::UnknownCommand.code().to_le_bytes();
-    // a block upload, a block download, and another entry, which is not looked for
+    // a block upload, a block download, and a different entry, which is not looked up
     for request in
         [[0xA4, 0, 0x20, 0, 127, 0, 0, 0], [0xC6, 0, 0x20, 0, 2, 0, 0, 0], [0xC6, 0, 0x30, 0, 2, 0, 0, 0]]
     {

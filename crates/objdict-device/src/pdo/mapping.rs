@@ -1,9 +1,10 @@
-//! What a PDO carries: the values of its mapped entries, bit after bit.
+//! The content of a PDO: the values of its mapped entries, bit by bit.
 
 use crate::dictionary::{Place, word};
 use crate::{Abort, Dictionary};
 
-/// As many mapped entries are found once, when the mapping is loaded; those beyond are looked for each time.
+/// The number of mapped entries that are located once, when the mapping is loaded; further ones are searched
+/// each time.
 const KEPT: usize = 8;
 
 /// One mapped entry: a value of 1600h to 17FFh and 1A00h to 1BFFh.
@@ -20,7 +21,7 @@ impl Mapped {
         Self { index: (value >> 16) as u16, sub: (value >> 8) as u8, bits: value as u8 }
     }
 
-    /// Whether an RPDO leaves out these bits: the index is that of a data type.
+    /// Whether an RPDO skips these bits: the index is that of a data type.
     pub(crate) const fn is_dummy(self) -> bool {
         matches!(self.index, 1..=7) && self.sub == 0
     }
@@ -52,9 +53,9 @@ impl FoundEntry {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ActiveMapping {
     count: u8,
-    /// Length in bits, or why no frame has this mapping.
+    /// Length in bits, or the reason why the mapping is not valid.
     bits: Result<u8, Abort>,
-    /// The places of the first entries and their lengths in bits, apart: together they would take twice the memory.
+    /// The locations of the first entries and their lengths in bits, stored separately to halve their memory.
     places: [Place; KEPT],
     lengths: [u8; KEPT],
 }
@@ -64,7 +65,7 @@ impl ActiveMapping {
         Self { count: 0, bits: Ok(0), places: [Place(0); KEPT], lengths: [0; KEPT] }
     }
 
-    /// Finds the mapped entries of an object, such as 1A00h.
+    /// Locates the mapped entries of an object, such as 1A00h.
     pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) {
         self.count = word(dictionary, index, 0, 0).min(64) as u8;
         self.bits = self.find(dictionary, index);
@@ -123,7 +124,7 @@ impl ActiveMapping {
         Ok(())
     }
 
-    /// The frame with the present values, and its length in bytes.
+    /// The frame with the current values, and its length in bytes.
     pub(super) fn pack<D: Dictionary + ?Sized>(
         &self,
         dictionary: &mut D,
@@ -137,7 +138,7 @@ impl ActiveMapping {
         Ok((frame, self.length()?))
     }
 
-    /// Writes the values of a frame. One that is refused stays as it is, and does not keep the others from being written.
+    /// Writes the values of a frame. A rejected value remains unchanged, and the others are still written.
     pub(super) fn unpack<D: Dictionary + ?Sized>(
         &self,
         dictionary: &mut D,
@@ -153,7 +154,8 @@ impl ActiveMapping {
     }
 }
 
-/// Writes the lowest bits to a mapped entry. A description may map a part of a number, whose other bits follow its sign.
+/// Writes the lowest bits to a mapped entry. A description may map a part of a number, whose other bits are
+/// then sign-extended.
 fn write<D: Dictionary + ?Sized>(
     dictionary: &mut D,
     place: Place,

@@ -1,4 +1,4 @@
-//! PDOs whose parameters and mapping change at run time.
+//! PDOs with parameters and mapping that can change at run time.
 
 pub(crate) mod mapping;
 mod receive;
@@ -17,13 +17,13 @@ use receive::Rpdo;
 use transmission_type::is_event_driven;
 use transmit::Tpdo;
 
-/// What the index of the communication parameters becomes in that of the mapping.
+/// The offset from the index of the communication parameters to the index of the mapping.
 const MAPPING: u16 = 0x200;
 
 /// The PDOs of a device: `R` RPDOs and `T` TPDOs.
 ///
-/// The dictionary holds their parameters. [`Pdos::load`] reads them, and writes go through [`Pdos::guard`],
-/// which checks them and keeps them up to date. Times are in microseconds.
+/// The dictionary contains their parameters. [`Pdos::load`] reads them; [`Pdos::guard`] checks writes and
+/// keeps the PDOs up to date. Times are in microseconds.
 #[derive(Clone, Debug)]
 pub struct Pdos<const R: usize, const T: usize> {
     rpdos: [Rpdo; R],
@@ -34,7 +34,7 @@ pub struct Pdos<const R: usize, const T: usize> {
     is_running: bool,
 }
 
-/// A PDO with the mapping of the description, as a struct of its values. The generated file implements it.
+/// A PDO with the mapping of the description, as a struct of its values; implemented in the generated file.
 pub trait Pdo: Sized {
     /// The values of the device.
     type Data;
@@ -56,23 +56,23 @@ pub trait Pdo: Sized {
     fn from_bytes(bytes: [u8; 8]) -> Self;
 }
 
-/// What became of a received frame. PDOs are named by the index of their communication parameters.
+/// The effect of a received frame. PDOs are identified by the index of their communication parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reception {
-    /// It is neither SYNC nor a valid RPDO, or the PDOs are stopped.
+    /// The frame is neither SYNC nor a valid RPDO, or the PDOs are stopped.
     Ignored,
-    /// SYNC: RPDOs that waited for it are written, TPDOs are due.
+    /// SYNC: waiting RPDOs are written, TPDOs become due.
     Sync,
     /// The values of the RPDO are written.
     Written(u16),
     /// The RPDO waits for the next SYNC.
     Held(u16),
-    /// The RPDO has fewer bytes than its mapping, and is ignored (emergency 8210h).
+    /// The RPDO has fewer bytes than its mapping and is ignored (emergency 8210h).
     TooShort(u16),
-    /// The RPDO has more bytes than its mapping; the first ones are taken (emergency 8220h).
+    /// The RPDO has more bytes than its mapping; the first ones are used (emergency 8220h).
     TooLong(u16),
-    /// The dictionary refused a value of the RPDO; the others are written.
+    /// The dictionary rejected a value of the RPDO; the others are written.
     Refused(u16, Abort),
 }
 
@@ -184,12 +184,13 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         self.tpdos.iter_mut().for_each(Tpdo::restart);
     }
 
-    /// Stops the PDOs when the node is not operational any more.
+    /// Stops the PDOs when the node is no longer operational.
     pub const fn stop(&mut self) {
         self.is_running = false;
     }
 
-    /// The dictionary for SDO servers: it refuses what communication objects cannot be, and the PDOs follow what is written.
+    /// The dictionary for SDO servers: it rejects invalid values of communication objects, and the PDOs apply
+    /// each write.
     pub const fn guard<'a, D: Dictionary + ?Sized>(
         &'a mut self,
         dictionary: &'a mut D,
@@ -197,7 +198,8 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         Guarded { dictionary, services: self }
     }
 
-    /// Takes a frame: SYNC, or RPDOs that have this CAN-ID. Of several, the last one is returned.
+    /// Processes a frame: SYNC, or the RPDOs with this CAN-ID. If there are several, the last one is
+    /// returned.
     pub fn receive<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -209,7 +211,7 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         last
     }
 
-    /// Takes a frame, and calls a function for SYNC and each RPDO that it is.
+    /// Processes a frame, and calls a function for SYNC and for each RPDO with this CAN-ID.
     pub(crate) fn receive_each<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -243,13 +245,13 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         if self.is_running { due.into_iter().find_map(|tpdo| tpdo.send(dictionary, now)) } else { None }
     }
 
-    /// An RPDO that did not come for as long as its event timer says; each is reported once until it comes again.
+    /// An RPDO that did not arrive within its event timer; each is reported once until it arrives again.
     pub fn overdue(&mut self, now: u64) -> Option<u16> {
         let rpdos = self.rpdos.iter_mut().filter(|_| self.is_running);
         rpdos.into_iter().find_map(|rpdo| rpdo.overdue(now))
     }
 
-    /// When a TPDO is to be sent or an RPDO is overdue; `None` if only a frame or a request can lead to that.
+    /// The time at which a TPDO is due or an RPDO is overdue; `None` if that depends on a frame or a request.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         if !self.is_running {
@@ -259,20 +261,20 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         self.rpdos.iter().fold(next, |next, rpdo| earlier(next, rpdo.deadline()))
     }
 
-    /// Requests a TPDO of type 0, 254 or 255 by the index of its communication parameters: it is sent as soon as SYNC or its inhibit
-    /// time permits.
+    /// Requests a TPDO of type 0, 254 or 255 by the index of its communication parameters. It is sent as soon as SYNC
+    /// or its inhibit time permits.
     pub fn request(&mut self, index: u16) {
         let tpdos = self.tpdos.iter_mut().filter(|tpdo| tpdo.parameters.index == index);
         tpdos.for_each(Tpdo::request);
     }
 
-    /// Requests the TPDOs of type 0, 254 and 255 whose values differ from those that were sent last.
+    /// Requests the TPDOs of type 0, 254 and 255 whose values differ from the last transmission.
     pub fn request_changed<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         let tpdos = self.tpdos.iter_mut();
         tpdos.for_each(|tpdo| tpdo.request_if_changed(dictionary));
     }
 
-    /// Follows a write to the dictionary.
+    /// Applies a write to the dictionary.
     pub(crate) fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) {
         let objects = dictionary.objects();
         if (objects.writes(sync::COB_ID) || objects.writes(sync::OVERFLOW))

@@ -27,7 +27,8 @@ impl Rpdo {
         (self.held, self.came) = (None, None);
     }
 
-    /// Whether a CAN-ID is that of the RPDO. A mapping without entries is switched off (CiA 301 §7.5.2.36), so no frame is too long for it.
+    /// Whether the RPDO has this CAN-ID. A mapping without entries is disabled (CiA 301 §7.5.2.36), so no
+    /// frame is too long for it.
     pub(super) const fn has_id(&self, id: u16) -> bool {
         self.parameters.is_valid()
             && !self.parameters.mapping.is_empty()
@@ -67,7 +68,7 @@ impl Rpdo {
 
     pub(super) fn sync<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         if let Some(data) = self.held.take() {
-            // what the dictionary refuses stays as it is, and its client is not here to be asked
+            // a rejected value remains unchanged, and there is no client to notify
             let _ = self.parameters.unpack(dictionary, data);
         }
     }

@@ -11,9 +11,9 @@ pub(super) struct Tpdo {
     requested: bool,
     /// Whether a SYNC asked for it.
     due: bool,
-    /// SYNCs since it was sent; `None` before the first one that counts.
+    /// SYNCs since its last transmission; `None` before the first counted one.
     syncs: Option<u8>,
-    /// When it was sent last, and what.
+    /// The time and content of the last transmission.
     sent: Option<(u64, u64)>,
 }
 
@@ -46,7 +46,7 @@ impl Tpdo {
         }
     }
 
-    /// Counts a SYNC. The one whose counter is the SYNC start value is the first.
+    /// Counts a SYNC. The first one has a counter equal to the SYNC start value.
     pub(super) fn sync(&mut self, counter: Option<u8>) {
         let start = self.parameters.sync_start;
         match self.parameters.transmission_type {
@@ -84,7 +84,7 @@ impl Tpdo {
         self.next(now).is_some_and(|due| due <= now)
     }
 
-    /// The frame; `None` for a mapping without entries, or with one that cannot be read.
+    /// The frame; `None` for a mapping without entries, or with an unreadable entry.
     pub(super) fn send<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Option<Frame> {
         (self.requested, self.due) = (false, false);
         let packed = self.parameters.pack(dictionary);

@@ -4,13 +4,14 @@ use super::crc::crc;
 use super::{SdoServer, ServerState, with_command};
 use crate::{Abort, Dictionary};
 
-/// Segments in a sub-block of a download: as many as there can be, because the buffer takes them all.
+/// Segments in a sub-block of a download: the maximum, because the buffer has space for all.
 const SEGMENTS: u8 = 127;
 
 /// Bit of a sequence number: the last segment of the transfer.
 const LAST: u8 = 0x80;
 
-/// Where a block transfer is. Without the feature none exists, so the compiler leaves out what handles one.
+/// The state of a block transfer. Without the feature none exists, so the compiler omits the code that
+/// handles one.
 #[cfg(feature = "block-transfer")]
 pub(super) type Block = BlockState;
 
@@ -40,15 +41,16 @@ pub(super) struct BlockState {
     crc: Option<u16>,
     /// Segments in a sub-block.
     size: u8,
-    /// The sequence number of the last segment that was sent or that came in order; 0 at the start of a sub-block.
+    /// The sequence number of the last segment that was sent or arrived in order; 0 at the start of a
+    /// sub-block.
     sequence: u8,
-    /// Of an upload: whether the last segment of the value was sent.
+    /// For an upload: whether the last segment of the value was sent.
     is_last: bool,
-    /// Of a download: whether the segments were acknowledged because none came any more.
+    /// For a download: whether the segments were acknowledged because of a timeout.
     is_late: bool,
-    /// Of an upload: bytes that the CRC has, which does not take a segment twice.
+    /// For an upload: bytes included in the CRC, which must not include a segment twice.
     counted: usize,
-    /// Of a download: the last segment. Only the end of the transfer says how many of its bytes are used.
+    /// For a download: the last segment. Only the end of the transfer states how many of its bytes are used.
     last: [u8; 7],
 }
 
@@ -75,20 +77,20 @@ impl BlockState {
         self.sequence < self.size && !self.is_last
     }
 
-    /// Whether the segments of a download are acknowledged when none comes any more. If the last acknowledgement was lost, one of no
-    /// segment lets the client repeat those that came, which only a CRC or a stated length reveals.
+    /// Whether the segments of a download are acknowledged after a timeout. If the last acknowledgement was lost,
+    /// acknowledging no segment makes the client repeat received ones, which only a CRC or a stated length reveals.
     pub(super) const fn may_be_late(&self, has_length: bool, done: usize) -> bool {
         !self.is_late && (self.sequence > 0 || done == 0 || has_length || self.crc.is_some())
     }
 
-    /// Acknowledges the segments that came, so that the client goes on after them.
+    /// Acknowledges the received segments, so that the client continues after them.
     const fn acknowledge(&mut self) -> [u8; 8] {
         let sequence = self.sequence;
         self.sequence = 0;
         [0xA2, sequence, SEGMENTS, 0, 0, 0, 0, 0]
     }
 
-    /// The same when no segment comes any more: the end of the sub-block was lost.
+    /// Acknowledges after a timeout, because the end of the sub-block was lost.
     pub(super) const fn acknowledge_late(&mut self) -> [u8; 8] {
         self.is_late = true;
         self.acknowledge()
@@ -109,8 +111,8 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok(self.with_entry((0xA4, [SEGMENTS, 0, 0, 0])))
     }
 
-    /// Takes a segment of a download. One that is out of order is ignored up to the end of its sub-block: the client repeats
-    /// what is not acknowledged.
+    /// Processes a segment of a download. A segment out of order is ignored until the end of its sub-block: the client
+    /// repeats unacknowledged ones.
     pub(super) fn take_segment<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -161,7 +163,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok([0xA1, 0, 0, 0, 0, 0, 0, 0])
     }
 
-    /// The threshold for a change to another protocol, in the fifth byte, is ignored, as CiA 301 allows.
+    /// The threshold for switching to a different protocol, in the fifth byte, is ignored, as CiA 301 allows.
     pub(super) fn start_block_upload<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -174,7 +176,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok(self.with_entry((0xC6, (length as u32).to_le_bytes())))
     }
 
-    /// What the client says in a block upload: start, acknowledged segments, or end.
+    /// Processes a client frame of a block upload: start, acknowledged segments, or end.
     pub(super) fn go_on_with_upload(
         &mut self,
         transfer: ServerState,
@@ -195,7 +197,8 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
     }
 
-    /// Goes on after the segments that the client has; it may ask for the rest before the sub-block is complete.
+    /// Continues after the segments that the client acknowledged; it may request the rest before the
+    /// sub-block is complete.
     fn acknowledged(&mut self, mut block: Block, sequence: u8, size: u8) -> Result<Option<[u8; 8]>, Abort> {
         if sequence > block.sequence {
             return Err(Abort::SequenceNumber);

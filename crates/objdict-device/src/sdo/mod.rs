@@ -13,8 +13,8 @@ pub use client::{SdoClient, SdoData, SdoStep};
 
 /// The server of one SDO channel (CiA 301 §7.2.4): expedited, segmented and block transfers of values of at most `BUFFER` bytes.
 ///
-/// It knows no driver and no clock: [`SdoServer::receive`] takes a frame, [`SdoServer::poll`] the time, and each returns at most
-/// one frame to send.
+/// It is independent of drivers and clocks: [`SdoServer::receive`] processes a frame, [`SdoServer::poll`] the time, and
+/// each returns at most one frame to send.
 #[derive(Clone, Debug)]
 pub struct SdoServer<const BUFFER: usize> {
     object: u16,
@@ -23,18 +23,18 @@ pub struct SdoServer<const BUFFER: usize> {
     transfer: ServerState,
     /// The entry of the transfer as in a frame: index and sub-index.
     entry: [u8; 3],
-    /// When the last frame came or went.
+    /// The time of the last frame in either direction.
     since: u64,
     /// Bytes of the value that were transferred.
     done: usize,
-    /// Bytes of the value; of a download as far as the client says so.
+    /// Bytes of the value; for a download, as far as the client states it.
     length: Option<usize>,
-    /// Whether the dictionary takes or gives the value in pieces; else it is in the buffer.
+    /// Whether the dictionary transfers the value in pieces; otherwise it is in the buffer.
     in_pieces: bool,
     buffer: [u8; BUFFER],
 }
 
-/// What the server waits for.
+/// The frame that the server waits for.
 #[derive(Clone, Copy, Debug)]
 enum ServerState {
     None,
@@ -53,11 +53,12 @@ enum ServerState {
     BlockUploadEnd(Block),
 }
 
-/// The first byte and the last four of an answer with the entry in between.
+/// The first byte and the last four bytes of a response; the entry is in between.
 type AnswerBytes = (u8, [u8; 4]);
 
 impl<const BUFFER: usize> SdoServer<BUFFER> {
-    /// Time without a frame, in microseconds, after which a transfer is aborted, unless [`SdoServer::with_timeout`] says otherwise.
+    /// Default timeout for [`SdoServer::with_timeout`], in microseconds: time without a frame after which a
+    /// transfer is aborted.
     pub const TIMEOUT: u64 = 500_000;
 
     /// The server of the channel with this number: 0 for the default channel, whose COB-IDs no device can change, `n` for the channel
@@ -78,26 +79,27 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
     }
 
-    /// Aborts transfers after this time without a frame, in microseconds. After half of it the server acknowledges what it has
-    /// of a sub-block, so that the client repeats a lost last segment.
+    /// Sets the timeout in microseconds after which a transfer without a frame is aborted. After half of it the server
+    /// acknowledges the received part of a sub-block, so that the client repeats a lost last segment.
     #[must_use]
     pub const fn with_timeout(mut self, timeout: u64) -> Self {
         self.timeout = timeout;
         self
     }
 
-    /// Whether a transfer is under way.
+    /// Whether a transfer is pending.
     #[must_use]
     pub const fn is_busy(&self) -> bool {
         !matches!(self.transfer, ServerState::None)
     }
 
-    /// Ends a transfer without an answer, as when the node stops or resets.
+    /// Abandons a pending transfer without a response, as when the node stops or resets.
     pub const fn reset(&mut self) {
         self.transfer = ServerState::None;
     }
 
-    /// Takes a frame at a time in microseconds, and returns the answer. Frames that are not for this channel are ignored.
+    /// Processes a frame received at `now`, in microseconds, and returns the response. Frames for other
+    /// channels are ignored.
     pub fn receive<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -119,8 +121,8 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         self.send(response, answer)
     }
 
-    /// Returns a frame that is due at a time in microseconds: the next segment of a block upload, or an abort after a timeout.
-    /// Call it until it returns `None`.
+    /// Returns a frame that is due at `now`, in microseconds: the next segment of a block upload, or an abort after a
+    /// timeout. Call it until it returns `None`.
     pub fn poll<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Option<Frame> {
         if !self.is_busy() {
             return None;
@@ -143,7 +145,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         self.send(response, due)
     }
 
-    /// When [`SdoServer::poll`] has something to say if no frame comes.
+    /// The time at which [`SdoServer::poll`] has a frame to send if none arrives.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<u64> {
         let after = |time| Some(self.since.saturating_add(time));
@@ -179,7 +181,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Some(Frame::full(response, bytes?))
     }
 
-    /// Whether the dictionary takes or gives the value in pieces, which those of a table without programs never do.
+    /// Whether the dictionary transfers the value in pieces; a table without programs never does.
     #[inline(always)]
     fn is_in_pieces<D: Dictionary + ?Sized>(&self, dictionary: &D) -> bool {
         dictionary.objects().has(0x1F50) && self.in_pieces
@@ -196,7 +198,8 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         (u16::from_le_bytes([low, high]), sub)
     }
 
-    /// Answers a request outside of sub-blocks, by its command specifier. A new transfer replaces one that the client left.
+    /// Responds to a request outside of sub-blocks, by its command specifier. A new transfer replaces an
+    /// abandoned one.
     fn answer<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -262,7 +265,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok(self.with_entry((0x60, [0; 4])))
     }
 
-    /// Checks what is known before the data come: access, length, and whether there is room.
+    /// Checks the conditions that are known before the data arrive: access, length, and available space.
     fn expect<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -279,7 +282,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             if attributes.size == 0 {
                 return Err(Abort::CannotStore);
             }
-            // a number has one length, which is known although the client does not state it
+            // a number has a fixed length, which is known even if the client does not state it
             let known = length.or((!attributes.has_length()).then_some(attributes.size));
             match known {
                 Some(known) if known > attributes.size => return Err(Abort::TooLong),
@@ -382,7 +385,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok(with_command(toggle | (7 - used) << 1 | u8::from(is_last), bytes))
     }
 
-    /// The segment of the value that begins there, how many of its bytes are used, and whether it is the last one.
+    /// The segment at the current position, the number of bytes used, and whether it is the last one.
     fn segment<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,

@@ -17,7 +17,7 @@ macro_rules! aborts {
                 if let Self::Other(code) = self { code } else { self.known() }
             }
 
-            // constants alone, of which the compiler makes a table
+            // only constants, from which the compiler creates a table
             #[inline(never)]
             const fn known(self) -> u32 {
                 match self {

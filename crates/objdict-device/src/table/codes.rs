@@ -6,9 +6,9 @@ pub const WRITE: u16 = 0x002;
 pub const TPDO: u16 = 0x004;
 /// Flag of a row: mappable to RPDOs.
 pub const RPDO: u16 = 0x008;
-/// Flag of a row: there is a low limit.
+/// Flag of a row: it has a low limit.
 pub const LOW: u16 = 0x010;
-/// Flag of a row: there is a high limit.
+/// Flag of a row: it has a high limit.
 pub const HIGH: u16 = 0x020;
 /// Flag of a row: the default is an offset to the node-ID.
 pub const NODE_ID_DEFAULT: u16 = 0x040;

@@ -2,7 +2,7 @@ use super::{Abort, Entry, Handle, Table, Time, Typed, Variable, part};
 
 /// The values that can change; constants are in flash.
 ///
-/// They are in one array of bytes as an SDO transfers them, a text behind its length. The first byte is the node-ID.
+/// They are in one byte array in SDO encoding; a string follows its length. The first byte is the node-ID.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data<D, const RAM: usize> {
     pub(super) bytes: [u8; RAM],
@@ -51,7 +51,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
     /// Sets a value that the limits allow, as an SDO would; access does not matter.
     ///
     /// # Errors
-    /// Why the value is not valid; it is unchanged.
+    /// The reason why the value is not valid; it is unchanged.
     #[inline]
     pub fn set<T: Typed + ?Sized, A: Variable>(
         &mut self,
@@ -64,7 +64,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         T::with_bytes(value, handle.size(), |bytes| self.write_entry(handle.entry(), bytes))
     }
 
-    /// Sets a value without a look at its limits. Of a longer text the end is cut off.
+    /// Sets a value without checking its limits. Strings are truncated to the capacity.
     #[inline]
     pub fn put<T: Typed + ?Sized, A: Variable>(&mut self, handle: Handle<D, T, A>, value: T::Value<'_>) {
         T::with_bytes(value, handle.size(), |bytes| {
@@ -81,7 +81,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         if entry.is_readable() { self.read_entry(entry, buffer) } else { Err(Abort::WriteOnly) }
     }
 
-    /// The same for an entry that is at hand, without a look at its access.
+    /// Like [`Self::read`], for a known entry, without checking its access.
     ///
     /// # Errors
     /// The code to abort the upload with.
@@ -110,7 +110,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         if entry.is_writable() { self.write_entry(entry, bytes) } else { Err(Abort::ReadOnly) }
     }
 
-    /// The same for an entry that is at hand, without a look at its access.
+    /// Like [`Self::write`], for a known entry, without checking its access.
     ///
     /// # Errors
     /// The code to abort the download with; the value is unchanged.
@@ -154,7 +154,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         }
     }
 
-    /// Stores what has room; what is left of the room of a text is cleared.
+    /// Stores as much as fits; the rest of a string's capacity is cleared.
     #[inline]
     fn keep_at(&mut self, ram: usize, size: usize, has_length: bool, bytes: &[u8]) {
         let Some(place) = self.bytes.get_mut(ram..).filter(|_| ram > 0) else { return };

@@ -12,7 +12,7 @@ pub trait Table: Copy + core::fmt::Debug + PartialEq + 'static {
     /// if flagged, each with the size of the type. For any other type: the capacity and the length of the default as
     /// two 16-bit numbers, then the default. All numbers are little-endian.
     const ROM: &'static [u8];
-    /// The name of each entry in the description, or none at all.
+    /// The name of each entry in the description, or empty.
     const NAMES: &'static [&'static str] = &[];
     /// Whether writes are checked against limits.
     const CHECKS_LIMITS: bool = true;
@@ -24,7 +24,7 @@ pub struct Entry<D> {
     index: u16,
     sub: u8,
     data_type: u8,
-    /// The flags; in the highest six bits those of the offsets beyond 16 bits.
+    /// The flags; the highest six bits extend the offsets beyond 16 bits.
     flags: u16,
     ram: u16,
     rom: u16,
@@ -49,14 +49,14 @@ impl<D: Table> Entry<D> {
         Self::USED.0 & flag != 0 && self.flags & flag != 0
     }
 
-    /// Whether any row is of one of these data types, which have their bits.
+    /// Whether any row has one of these data types, given as a bit mask.
     #[inline(always)]
     const fn uses(types: u32) -> bool {
         Self::USED.1 & types != 0
     }
 
-    /// A row: `ram` is the offset of its value in `Data`, 0 for a value in flash, `rom` that of
-    /// its data in flash. Both have at most 19 bits.
+    /// A row: `ram` is the offset of its value in `Data`, 0 for a value in flash, `rom` the offset
+    /// of its data in flash. Both have at most 19 bits.
     #[must_use]
     pub const fn new(index: u16, sub: u8, data_type: u8, flags: u16, ram: u32, rom: u32) -> Self {
         let flags = flags | ((ram >> 16) << 10 | (rom >> 16) << 13) as u16;
@@ -150,7 +150,7 @@ impl<D: Table> Entry<D> {
         D::ENTRIES.binary_search_by_key(&self.key(), Self::key).ok()
     }
 
-    /// Whether its value can change: not that of a constant or of a DOMAIN without room.
+    /// Whether its value can change, that is, it is not a constant or a DOMAIN without capacity.
     #[must_use]
     pub const fn is_variable(&self) -> bool {
         self.ram() != 0
@@ -174,13 +174,13 @@ impl<D: Table> Entry<D> {
         }
     }
 
-    /// The default for a node with the bits of the value; 0 if it is not a number.
+    /// The default for a node as the bits of the value; 0 if it is not a number.
     #[must_use]
     pub const fn default_number(&self, node_id: u8) -> u64 {
         self.number(0, NODE_ID_DEFAULT, node_id)
     }
 
-    /// The low limit for a node with the bits of the value; `None` without limit, or where limits are left out.
+    /// The low limit for a node as the bits of the value; `None` without a limit, or if limits are omitted.
     #[must_use]
     pub const fn low_limit(&self, node_id: u8) -> Option<u64> {
         if !D::CHECKS_LIMITS || !self.has(LOW) {
@@ -211,7 +211,7 @@ impl<D: Table> Entry<D> {
         self.data_type == BLOCK
     }
 
-    /// Whether its value has a current length, which is in front of its bytes.
+    /// Whether its value has a current length, which precedes its bytes.
     pub(super) const fn has_length(&self) -> bool {
         Self::uses(NO_NUMBERS & !(1 << BLOCK)) && !self.is_number() && !self.is_block()
     }
@@ -242,7 +242,7 @@ impl<D: Table> Entry<D> {
         part(D::ROM, rom + skip, length)
     }
 
-    /// The default as it is in RAM: of a text with its length. A formula needs the node-ID.
+    /// The default as stored in RAM: strings include their length. A formula needs the node-ID.
     pub(super) const fn initial_bytes(&self) -> &'static [u8] {
         if self.has_length() { self.stored(2, 2 + self.head(2)) } else { self.default_bytes() }
     }
@@ -309,7 +309,7 @@ pub(super) const fn part(bytes: &[u8], start: usize, length: usize) -> &[u8] {
 const NUMBER_SIZES: [u8; 28] =
     [0, 1, 1, 2, 4, 1, 2, 4, 4, 0, 0, 0, 6, 6, 0, 0, 3, 8, 5, 6, 7, 8, 3, 0, 5, 6, 7, 8];
 
-/// The bits of the data types that are no numbers.
+/// The bit mask of data types that are not numbers.
 const NO_NUMBERS: u32 = {
     let (mut types, mut data_type, mut sizes): (u32, u32, &[u8]) =
         (!0 << NUMBER_SIZES.len(), 0, &NUMBER_SIZES);
@@ -321,7 +321,7 @@ const NO_NUMBERS: u32 = {
     types
 };
 
-// those with several callers are not inlined, which takes less flash
+// functions with several callers are not inlined, which saves flash
 #[inline(never)]
 const fn number_size(data_type: u8) -> usize {
     match NUMBER_SIZES.split_at_checked(data_type as usize) {

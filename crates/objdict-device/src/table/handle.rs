@@ -15,11 +15,11 @@ pub enum Const {}
 /// Access: a constant in flash to which the node-ID is added.
 #[derive(Clone, Copy, Debug)]
 pub enum NodeConst {}
-/// Access: the application transfers the data, for which the table has no room.
+/// Access: the application transfers the data, for which the table has no capacity.
 #[derive(Clone, Copy, Debug)]
 pub enum Elsewhere {}
 
-/// Access of entries with a value in RAM: those that an application can set.
+/// Access of entries with a value in RAM, which an application can set.
 #[diagnostic::on_unimplemented(
     message = "the application cannot set an entry whose access is `{Self}`",
     label = "this constant of the dictionary has no value in RAM",
@@ -34,7 +34,7 @@ impl Variable for Rw {}
 /// An entry with its type and access: `data.get(od::SPEED)`.
 pub struct Handle<D: 'static, T: ?Sized, A> {
     entry: &'static Entry<D>,
-    // of the entry, so that the address of a value is a constant
+    // copied from the entry, so that the address of a value is a constant
     ram: u32,
     size: u16,
     kind: core::marker::PhantomData<fn(A) -> *const T>,
@@ -44,7 +44,7 @@ impl<D: Table, T: ?Sized, A> Handle<D, T, A> {
     /// The handle of an entry.
     ///
     /// # Panics
-    /// If there is no such entry; in a constant this is an error of the compiler.
+    /// If there is no such entry; in a constant this is a compile-time error.
     #[must_use]
     pub const fn of(index: u16, sub: u8) -> Self {
         match Entry::find(index, sub) {
@@ -198,7 +198,7 @@ impl<D: Table, T: ?Sized, A> Array<D, T, A> {
     /// The handle of an array with this number of elements.
     ///
     /// # Panics
-    /// If there is no such array; in a constant this is an error of the compiler.
+    /// If there is no such array; in a constant this is a compile-time error.
     #[must_use]
     pub const fn of(index: u16, length: u8) -> Self {
         let mut entries = D::ENTRIES;
@@ -218,7 +218,7 @@ impl<D: Table, T: ?Sized, A> Array<D, T, A> {
         self.elements.len()
     }
 
-    /// Whether there are none, which the generator excludes.
+    /// Whether there are no elements, which the generator excludes.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.elements.is_empty()
@@ -227,7 +227,7 @@ impl<D: Table, T: ?Sized, A> Array<D, T, A> {
     /// The element with this sub-index, counted from 1.
     ///
     /// # Panics
-    /// If there is none, see [`Self::get`].
+    /// If there is none; see [`Self::get`].
     #[must_use]
     #[track_caller]
     pub const fn at(self, sub: u8) -> Handle<D, T, A> {
@@ -237,7 +237,7 @@ impl<D: Table, T: ?Sized, A> Array<D, T, A> {
         }
     }
 
-    /// The element with this sub-index, counted from 1; `None` if there is none.
+    /// The element with this sub-index, starting at 1; `None` if there is none.
     #[must_use]
     pub const fn get(self, sub: u8) -> Option<Handle<D, T, A>> {
         let Some(number) = (sub as usize).checked_sub(1) else { return None };

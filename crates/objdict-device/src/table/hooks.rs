@@ -22,7 +22,7 @@ pub trait Hooks<V> {
     }
 }
 
-/// What was written, for [`Hooks::after_write`].
+/// A write, for [`Hooks::after_write`].
 #[derive(Clone, Copy, Debug)]
 pub struct Change<'a> {
     index: u16,
@@ -96,7 +96,7 @@ impl<D: Hooked, const RAM: usize> Data<D, RAM> {
     /// Like [`Data::set`], with hooks.
     ///
     /// # Errors
-    /// Why the value is not valid, or what the hook answered; the value is unchanged.
+    /// The reason why the value is not valid, or the error of the hook; the value is unchanged.
     pub fn set_with<T: Typed + ?Sized, A: Variable>(
         &mut self,
         hooks: &mut (impl Hooks<Self> + ?Sized),

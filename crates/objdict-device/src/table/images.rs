@@ -57,7 +57,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
     /// node-ID `saved_by` is the default for the present node-ID afterwards.
     ///
     /// # Errors
-    /// Why the image is not valid; no value changes.
+    /// The reason why the image is not valid; no value changes.
     pub fn load_image(
         &mut self,
         group: &AnyGroup<D>,

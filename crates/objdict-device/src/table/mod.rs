@@ -1,5 +1,5 @@
-//! The code that serves the table of an object dictionary that `objdict generate --target rust` writes: SDO access
-//! by index and sub-index, typed handles, storage groups, hooks, and the bits of PDOs. It is the same for every device.
+//! Code for the object dictionary tables that `objdict generate --target rust` writes: SDO access by index and
+//! sub-index, typed handles, storage groups, hooks, and PDO packing. It is the same for every device.
 
 mod abort;
 mod codes;

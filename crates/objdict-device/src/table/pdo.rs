@@ -16,7 +16,7 @@ pub fn unpack<T: Typed + for<'a> Typed<Value<'a> = T>>(frame: u64, first: u32, b
     T::load(&(if negative { number | !lowest } else { number }).to_le_bytes())
 }
 
-/// The first `N` bytes, behind the end zeros.
+/// The first `N` bytes, padded with zeros.
 #[must_use]
 pub fn first<const N: usize>(bytes: &[u8]) -> [u8; N] {
     core::array::from_fn(|at| bytes.get(at).copied().unwrap_or(0))

@@ -2,8 +2,8 @@ use super::{BOOLEAN, Data, Entry, Table};
 
 /// A storage group: values that are saved together, as an image of `IMAGE` bytes.
 ///
-/// An image consists of the layout (a hash, four bytes), the values and a CRC-16, all little-endian. A text has its
-/// full capacity behind its length.
+/// An image consists of the layout (a hash, four bytes), the values and a CRC-16, all little-endian. A string
+/// occupies its full capacity after its length.
 #[derive(Clone, Copy, Debug)]
 pub struct Group<D, const IMAGE: usize> {
     /// The offset of the first value.
@@ -45,9 +45,9 @@ impl<D: Table, const IMAGE: usize> Group<D, IMAGE> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ImageError {
-    /// Another length.
+    /// The length differs.
     Length,
-    /// From a group with other entries, data types or lengths, or never saved.
+    /// It belongs to a group with different entries, data types or lengths, or was never saved.
     Layout,
     /// Wrong CRC.
     Checksum,
@@ -78,7 +78,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
     /// Reads the values of a group from an image without checking limits.
     ///
     /// # Errors
-    /// Why the image is not valid; no value changes.
+    /// The reason why the image is not valid; no value changes.
     pub fn load<const IMAGE: usize>(
         &mut self,
         group: Group<D, IMAGE>,
@@ -117,7 +117,7 @@ pub(super) fn members<D: Table>(places: core::ops::Range<usize>) -> impl Iterato
 }
 
 impl<D: Table> Entry<D> {
-    /// The value among those of a group, if it is valid for its data type.
+    /// The value in the image of a group, if it is valid for its data type.
     fn saved<'a>(&self, first: usize, values: &'a [u8]) -> Option<&'a [u8]> {
         let value = values.get(self.ram().checked_sub(first)?..)?;
         let value = value.get(..self.ram_size())?;

@@ -1,15 +1,16 @@
 use super::{Entry, INTEGER64, Table, UNSIGNED64, number};
 
-/// The type of an entry in the program: `u16`, `bool`, [`Time`], `[u8]` for a text, octet string or DOMAIN, `[u8; N]`
-/// for a type that the device defines.
+/// The type of an entry in the program: `u16`, `bool`, [`Time`], `[u8]` for a string, octet string or DOMAIN,
+/// `[u8; N]` for a device-specific type.
 pub trait Typed {
     /// A value.
     type Value<'a>: Copy;
 
-    /// Whether the current length of a value is in front of it.
+    /// Whether the current length of a value precedes it.
     const HAS_LENGTH: bool = false;
 
-    /// The value of these bytes, as transferred by an SDO. Numbers take the lowest bytes and extend what is shorter.
+    /// The value of these bytes, as transferred by an SDO. Numbers use the lowest bytes; shorter data is
+    /// extended.
     fn load(bytes: &[u8]) -> Self::Value<'_>;
 
     /// The value of an entry in flash.
@@ -18,7 +19,7 @@ pub trait Typed {
     /// Passes on the bytes of a value, of a number the lowest `size`.
     fn with_bytes<R>(value: Self::Value<'_>, size: usize, then: impl FnOnce(&[u8]) -> R) -> R;
 
-    /// Whether the lowest `size` bytes hold the value: an UNSIGNED24 is shorter than its `u32`.
+    /// Whether the lowest `size` bytes can represent the value: an UNSIGNED24 is shorter than its `u32`.
     #[must_use]
     fn fits(value: Self::Value<'_>, size: usize) -> bool {
         let _ = (value, size);

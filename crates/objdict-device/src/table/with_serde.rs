@@ -18,7 +18,7 @@ impl<D: Table, const RAM: usize> serde::Serialize for Data<D, RAM> {
     }
 }
 
-/// A missing value has its default; one that the table cannot hold is an error.
+/// Missing values have their defaults; values that the table cannot store are errors.
 impl<'de, D: Table, const RAM: usize> serde::Deserialize<'de> for Data<D, RAM> {
     fn deserialize<S: serde::Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         deserializer.deserialize_seq(DataVisitor(core::marker::PhantomData))
@@ -36,7 +36,7 @@ impl<'de, D: Table, const RAM: usize> serde::de::Visitor<'de> for DataVisitor<D,
 
     fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut numbers: A) -> Result<Self::Value, A::Error> {
         let missing = || serde::de::Error::invalid_length(0, &self);
-        // in a compact format a byte is not written as other numbers are
+        // in a compact format, a byte is written differently from other numbers
         let byte =
             |number: Option<u16>| number.and_then(|number| u8::try_from(number).ok()).ok_or_else(missing);
         let mut data = Data::new(byte(numbers.next_element()?)?);

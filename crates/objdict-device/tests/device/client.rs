@@ -12,8 +12,8 @@ pub(crate) enum Protocol {
     Block { states_length: bool, crc: bool, size: u8 },
 }
 
-/// The client, the server and what is between them. `lost` says for each segment of a block transfer whether it is lost; those
-/// after its end arrive.
+/// The client, the server and the connection between them. `lost` returns for each segment of a block transfer whether
+/// it is lost; those after its end arrive.
 pub(crate) struct Session<'a, D, const BUFFER: usize> {
     pub(crate) server: SdoServer<BUFFER>,
     pub(crate) dictionary: D,
@@ -21,7 +21,7 @@ pub(crate) struct Session<'a, D, const BUFFER: usize> {
     pub(crate) lost: &'a [bool],
 }
 
-/// What an abort says, or the command of an answer that makes no sense.
+/// The reason of an abort, or the command of an unexpected response.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
     Abort(u32),
@@ -47,7 +47,7 @@ impl<'a, D: Dictionary, const BUFFER: usize> Session<'a, D, BUFFER> {
         sent.map(|frame| bytes_of(&frame))
     }
 
-    /// Sends a request and checks the answer's command under a mask.
+    /// Sends a request and checks the command of the response under a mask.
     pub(crate) fn ask(&mut self, request: [u8; 8], command: u8, mask: u8) -> Outcome<[u8; 8]> {
         let answer = self.send(request);
         accept(answer, command, mask)
@@ -99,14 +99,14 @@ impl<'a, D: Dictionary, const BUFFER: usize> Session<'a, D, BUFFER> {
             let mut answer = None;
             for (part, sequence) in block.iter().zip(1..) {
                 let is_last = done + usize::from(sequence) == parts.len();
-                // a client that is not heard twice is given up
+                // a client whose frames are lost twice gives up
                 if !self.is_lost() || is_late && sequence == 1 {
                     answer = self.send(segment(sequence | u8::from(is_last) << 7, part));
                 }
             }
             is_late = answer.is_none();
             if is_late {
-                // the end was lost: the server acknowledges what it has after a while
+                // the end was lost: the server acknowledges its segments after a while
                 self.now += SdoServer::<BUFFER>::TIMEOUT / 2;
                 answer = self.poll();
             }

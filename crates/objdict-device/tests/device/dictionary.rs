@@ -51,7 +51,7 @@ impl Map {
         &self.entries[&(index, sub)].1
     }
 
-    /// What the application does.
+    /// Sets a value as the application.
     pub(crate) fn set(&mut self, index: u16, sub: u8, value: &[u8]) {
         self.entries.get_mut(&(index, sub)).unwrap().1 = value.to_vec();
     }

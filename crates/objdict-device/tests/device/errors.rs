@@ -1,4 +1,4 @@
-//! Errors: the register, the history, emergency messages, and what the node does.
+//! Errors: the register, the history, emergency messages, and the behaviour of the node.
 
 use objdict_device::table::{Data, Entry, READ, Table};
 use objdict_device::{
@@ -56,7 +56,7 @@ fn an_error_is_reported_once_until_it_is_gone() {
     device.resolve(0x2310, [9, 0]);
     device.resolve(0x2310, [9, 0]);
     assert_eq!(sent(&mut device, 0), [emergency(0, 0x19, 9)]);
-    // a write of 0 clears the history, and leaves the register
+    // writing 0 clears the history, but not the register
     assert_eq!(device.guard().write(0x1003, 0, &[0]), Ok(()));
     assert_eq!(device.guard().number(0x1003, 1), Err(Abort::NoData));
     assert_eq!(device.dictionary.value(0x1001, 0), [0x19]);
@@ -65,7 +65,7 @@ fn an_error_is_reported_once_until_it_is_gone() {
     assert_eq!(device.dictionary.value(0x1001, 0), [0]);
 }
 
-/// Descriptions with a number of errors of four bytes exist.
+/// Descriptions with a 32-bit number of errors exist.
 #[test]
 fn a_history_has_the_width_of_its_description() {
     let mut device = operational(map().number(0x1003, 0, UNSIGNED32, 2));

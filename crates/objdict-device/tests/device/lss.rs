@@ -38,7 +38,7 @@ fn answer(bytes: &[u8]) -> LssReceived {
     LssReceived::Answer(full(0x7E4, bytes))
 }
 
-/// Sends numbers with consecutive commands; returns what becomes of the last.
+/// Sends numbers with consecutive commands; returns the result of the last.
 fn send_numbers(slave: &mut LssSlave, first: u8, numbers: &[u32]) -> LssReceived {
     let mut last = LssReceived::Ignored;
     for (command, &number) in (first..).zip(numbers) {
@@ -60,7 +60,7 @@ fn a_node_is_selected_by_its_identity() {
         assert!(slave.is_in_configuration());
         assert_eq!(send(&mut slave, &[0x04, 0]), LssReceived::Ignored);
         assert!(!slave.is_in_configuration());
-        // the last number alone is no selection
+        // the last number on its own is not a selection
         assert_eq!(send_number(&mut slave, 0x43, IDENTITY[3]), LssReceived::Ignored);
     }
 }
@@ -202,7 +202,7 @@ fn other_frames_are_ignored() {
     }
 }
 
-/// Whether any slave answers; then it is the identification.
+/// Whether any slave responds; if so, it must be the identification.
 fn ask(slaves: &mut [LssSlave], number: u32, rest: [u8; 3]) -> bool {
     let ([a, b, c, d], [bit, part, next]) = (number.to_le_bytes(), rest);
     let answers: Vec<_> = slaves

@@ -1,4 +1,4 @@
-//! The services of a device, with clients and masters that are written here.
+//! The services of a device, with clients and masters implemented here.
 
 // the sessions use block transfers too
 #![cfg(feature = "block-transfer")]

@@ -123,7 +123,7 @@ fn full() -> Full {
     Full::new(5, map, Pdos::new([0x1400, 0x1401], [0x1800, 0x1801]))
 }
 
-/// Frames that reach a service more often than random ones, and random ones.
+/// Frames that are more likely to reach a service than random ones, and random ones.
 fn frames() -> impl Strategy<Value = (u16, Vec<u8>)> {
     let indexes = prop::sample::select(vec![
         0x1001_u16, 0x1003, 0x1005, 0x1006, 0x1014, 0x1015, 0x1016, 0x1017, 0x1019, 0x1201, 0x1400, 0x1401,
@@ -139,7 +139,8 @@ fn frames() -> impl Strategy<Value = (u16, Vec<u8>)> {
 }
 
 proptest! {
-    /// Whatever comes, and whenever: the node never panics, is quiet after what it had to send, and is due when it says so.
+    /// For any frames at any times, the node never panics, is silent after all due frames, and is due at the
+    /// time that it reports.
     #[test]
     fn any_frames_and_times_are_survived(
         steps in prop::collection::vec((frames(), prop_oneof![Just(0), 0..3000_u64, 0..1_u64 << 40]), 0..200),

@@ -1,4 +1,4 @@
-//! PDOs whose parameters and mapping change.
+//! PDOs with changing parameters and mapping.
 
 use std::collections::BTreeSet;
 
@@ -54,7 +54,7 @@ impl Device {
         self.write(index, 1, &cob_id.to_le_bytes())
     }
 
-    /// Maps entries as a master does, up to the first abort.
+    /// Maps entries like a master, up to the first abort.
     fn map(&mut self, index: u16, mapped: &[u32]) -> Result<(), Abort> {
         self.write(index, 0, &[0])?;
         for (value, sub) in mapped.iter().zip(1..) {
@@ -87,7 +87,7 @@ fn a_tpdo_is_mapped_and_sent() {
     assert_eq!(device.map(0x1A00, &[0x2000_0201, 0x2000_0110, 0x2001_0018]), Ok(()));
     assert_eq!(device.sent(0), []);
     assert_eq!(device.cob_id(0x1800, 0x4000_0285), Ok(()));
-    // 1, 1234h and `abc`, one bit after the other
+    // 1, 1234h and `abc`, bit by bit
     assert_eq!(device.sent(0), [frame(0x285, &[0x69, 0x24, 0xC2, 0xC4, 0xC6, 0])]);
     assert_eq!(device.sent(1), []);
     device.pdos.stop();
@@ -110,7 +110,7 @@ fn an_rpdo_is_mapped_and_received() {
     assert_eq!((device.map.value(0x2000, 1), device.map.value(0x2000, 2)), (&[1, 2][..], &[1][..]));
 }
 
-/// A mapping without entries is switched off: no frame is too long for it, and its absence is no timeout.
+/// A mapping without entries is disabled: no frame is too long for it, and its absence is not a timeout.
 #[test]
 fn an_rpdo_without_entries_receives_nothing() {
     let mut device = Device::new();
@@ -195,7 +195,7 @@ fn a_valid_pdo_keeps_its_parameters() {
     assert_eq!(device.write(0x1800, 5, &[100, 0]), Ok(()));
     assert_eq!(device.cob_id(0x1800, NOT_VALID | 0x286), Ok(()));
     assert_eq!(device.cob_id(0x1800, 0x286), Ok(()));
-    // the dictionary has the word on what is not of PDOs, on access and on length
+    // the dictionary decides on access, on length and on other objects
     assert_eq!(device.write(0x1800, 1, &[1]), Err(Abort::TooShort));
     assert_eq!(device.write(0x3000, 1, &[1]), Err(Abort::NoObject));
 }
@@ -266,7 +266,7 @@ fn a_synchronous_rpdo_waits_for_sync() {
 }
 
 proptest! {
-    /// What one device packs, another one with the same mapping unpacks.
+    /// A device with the same mapping unpacks the values that another one packs.
     #[test]
     fn a_tpdo_is_the_rpdo_of_another_device(
         mapped in prop::collection::vec(prop::sample::select(&MAPPABLE[..]), 1..8),
@@ -296,7 +296,7 @@ proptest! {
         }
     }
 
-    /// No write to the parameters makes the PDOs panic, and a PDO that is sent never has more than eight bytes.
+    /// No write to the parameters makes the PDOs panic, and a sent PDO never has more than eight bytes.
     #[test]
     fn any_parameters_are_survived(writes in prop::collection::vec((0..4_usize, 0..12_u8, any::<u32>(), 0..6_usize), 0..80)) {
         let mut device = Device::new();

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use crate::client::{Failure, Protocol, Session};
 use crate::dictionary::DOMAIN;
 
-/// A memory behind 2000h, which takes and gives values in pieces.
+/// A memory at 2000h, which transfers values in pieces.
 #[derive(Default)]
 struct Memory {
     bytes: Vec<u8>,

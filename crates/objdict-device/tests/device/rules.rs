@@ -1,4 +1,4 @@
-//! The writes that a node refuses.
+//! The writes that a node rejects.
 
 use objdict_device::{Abort, Dictionary, NmtState, Node, Pdos};
 
@@ -56,7 +56,7 @@ fn a_write_that_no_service_follows_is_refused() {
     for (index, sub, value, expected) in [
         (0x1003, 0, 1, INVALID),
         (0x1003, 0, 0, Ok(())),
-        // SYNC: 11 bits, no CAN-ID of another service, and none that changes while it is sent
+        // SYNC: 11 bits, no CAN-ID of a different service, and no change while it is sent
         (0x1005, 0, 0x2000_0080, INVALID),
         (0x1005, 0, 0x0601, INVALID),
         (0x1005, 0, 0x4000_0080, Ok(())),
@@ -69,7 +69,7 @@ fn a_write_that_no_service_follows_is_refused() {
         (0x1019, 0, 1, INVALID),
         (0x1019, 0, 241, INVALID),
         (0x1019, 0, 240, Ok(())),
-        // what is not served is not switched on; what the description switched on stays
+        // unsupported services cannot be enabled; those that the description enables remain
         (0x1007, 0, 1000, INVALID),
         (0x1007, 0, 0, Ok(())),
         (0x100C, 0, 100, INVALID),
@@ -117,7 +117,7 @@ fn a_write_that_no_service_follows_is_refused() {
     }
 }
 
-/// Without storage nothing is stored, and 1010h says so.
+/// Without storage nothing is stored, and 1010h reports this.
 #[test]
 fn signatures_need_storage() {
     let mut device = device();
@@ -139,7 +139,7 @@ fn sync_and_a_pdo_do_not_share_a_can_id() {
     assert_eq!(write(&mut device, 0x1005, 0, 0x0205), INVALID);
     assert_eq!(write(&mut device, 0x1400, 1, 0x8000_0205), Ok(()));
     assert_eq!(write(&mut device, 0x1005, 0, 0x0205), Ok(()));
-    // what the dictionary begins with stays
+    // the initial state of the dictionary remains
     let mut map = Map::default().number(0x1005, 0, UNSIGNED32, 0x205).number(0x1400, 1, UNSIGNED32, 0x205);
     let mut pdos = Pdos::<1, 0>::new([0x1400], []);
     assert_eq!(pdos.guard(&mut map).write(0x1005, 0, &0x205_u32.to_le_bytes()), Ok(()));
@@ -160,7 +160,7 @@ fn another_value_clears_the_date_of_the_configuration() {
     assert_eq!(dates(&mut device), [Ok(0), Ok(0)]);
 }
 
-/// A program that serves PDOs alone cannot send SYNC.
+/// A program that only serves PDOs cannot send SYNC.
 #[test]
 fn sync_needs_a_producer() {
     let mut device = device();
@@ -169,7 +169,7 @@ fn sync_needs_a_producer() {
     assert_eq!(guarded.write(0x1005, 0, &0x4000_0080_u32.to_le_bytes()), INVALID);
 }
 
-/// The services follow what is accepted.
+/// The services apply accepted values.
 #[test]
 fn what_is_accepted_is_done() {
     let mut device = device();

@@ -38,7 +38,8 @@ fn protocol() -> impl Strategy<Value = Protocol> {
 }
 
 proptest! {
-    /// Any value that the buffer takes arrives and comes back, by any protocol, whatever segments are lost on the way.
+    /// Any value that fits in the buffer is written and read back, by any protocol, regardless of lost
+    /// segments.
     #[test]
     fn what_is_written_is_read(
         value in prop::collection::vec(any::<u8>(), 0..=BUFFER),
@@ -47,7 +48,8 @@ proptest! {
         lost in prop::collection::vec(prop::bool::weighted(0.2), 0..300),
     ) {
         let mut session = session();
-        // without a CRC or a length, a sub-block that is lost as a whole is not asked for again: it may have been acknowledged
+        // without a CRC or a length, a completely lost sub-block is not requested again: it may have been
+        // acknowledged
         let is_safe = !matches!(download, Protocol::Block { states_length: false, crc: false, .. });
         session.lost = if is_safe { &lost } else { &[] };
         prop_assert_eq!(session.download(0x2003, 0, &value, download), Ok(()));
@@ -57,7 +59,7 @@ proptest! {
         prop_assert!(!session.server.is_busy());
     }
 
-    /// No sequence of frames makes the server panic, or leaves it without an answer to the next transfer.
+    /// No sequence of frames makes the server panic, or prevents a response to the next transfer.
     #[test]
     fn any_frames_are_survived(frames in prop::collection::vec((prop::num::u8::ANY, any::<[u8; 3]>(), any::<[u8; 4]>()), 0..60)) {
         let mut session = session();
@@ -87,7 +89,7 @@ fn numbers_are_expedited_and_may_be_segmented() {
         assert_eq!(session.download(0x2000, 0, &value, protocol), Ok(()));
         assert_eq!(session.upload(0x2000, 0, Protocol::Expedited), Ok(value.to_vec()));
     }
-    // without a length, as many bytes as the entry has
+    // without a length, the entry's number of bytes
     assert_eq!(session.send(request(0x22, 0x2000, 0, [9, 9, 9, 9])), Some(request(0x60, 0x2000, 0, [0; 4])));
     assert_eq!(session.dictionary.value(0x2000, 0), [9, 9]);
     assert_eq!(session.upload(0x2000, 0, BLOCK), Ok(vec![9, 9]));
@@ -117,7 +119,7 @@ fn what_cannot_be_done_is_aborted() {
     assert_eq!(session.dictionary.value(0x2000, 0), [0x34, 0x12]);
 }
 
-/// Frames and the abort that the last one gets; `None` for no answer.
+/// Frames and the resulting abort of the last one; `None` without a response.
 #[test]
 fn protocol_errors_are_aborted() {
     let start = |command: u8, data| request(command, 0x2003, 0, data);

@@ -1,4 +1,4 @@
-//! The SDO client: against the server, on a bus that loses frames, and against answers that make no sense.
+//! The SDO client: with the server on a bus that loses frames, and with invalid responses.
 
 use objdict_device::{Abort, Frame, SdoClient, SdoData, SdoServer, SdoStep};
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ use crate::frame;
 const BUFFER: usize = 1024;
 const TIMEOUT: u64 = SdoClient::TIMEOUT;
 
-/// What a client can do.
+/// A transfer of a client.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Transfer {
     Download,
@@ -34,7 +34,7 @@ impl Transfer {
     }
 }
 
-/// A client and a server. `change` gets the number of each frame, and returns what arrives of it.
+/// A client and a server. `change` gets the number of each frame, and returns the part that arrives.
 struct Bus<C> {
     client: SdoClient,
     server: SdoServer<BUFFER>,
@@ -90,7 +90,7 @@ impl<C: FnMut(usize, Frame) -> Option<Frame>> Bus<C> {
         (self.change)(self.frames - 1, frame)
     }
 
-    /// What the client does next: with the answer, or when time passes.
+    /// The next step of the client: with the response, or after a delay.
     fn next(&mut self, answer: Option<Frame>, value: &mut [u8]) -> SdoStep {
         if let Some(answer) = answer.and_then(|frame| self.carry(frame)) {
             return self.client.receive(value, &answer, self.now);
@@ -160,7 +160,8 @@ fn sub_blocks_are_as_long_as_the_client_wants() {
     }
 }
 
-/// A lost frame leads to the value or to an error, and the next transfer works. A segment of a sub-block is repeated.
+/// A lost frame leads to the correct value or to an error, and the next transfer works. A segment of a
+/// sub-block is repeated.
 #[test]
 fn no_lost_frame_changes_a_value() {
     for length in [0, 1, 4, 5, 7, 8, 14, 100, 888, 889, 890, 900] {
@@ -181,14 +182,15 @@ fn no_lost_frame_changes_a_value() {
                     assert_eq!(bus.exchange(next, b"another value"), Ok(true), "{next:?} after {transfer:?}");
                 }
             }
-            // all but the frames of beginning and end, and the acknowledgements
+            // all frames except the first, the last and the acknowledgements
             let most = if transfer.is_block() && length > 100 { whole.frames - 10 } else { 0 };
             assert!(arrived >= most, "{length} bytes, {transfer:?}: {arrived} of {}", whole.frames);
         }
     }
 }
 
-/// Each bit of each answer is changed once, but not whether a block upload has a CRC and a length, or is one.
+/// Each bit of each response is changed once, except those that select a block upload, its CRC and its
+/// length.
 #[test]
 fn a_changed_answer_is_an_error_or_does_no_harm() {
     for length in [3, 5, 20, 40] {
@@ -213,7 +215,7 @@ fn a_changed_answer_is_an_error_or_does_no_harm() {
     }
 }
 
-/// The answers of a server, and how the transfer ends with them.
+/// The responses of a server, and the result of the transfer.
 fn answered(transfer: Transfer, length: usize, answers: &[[u8; 8]]) -> Option<Result<usize, Abort>> {
     let (mut client, mut data) = (SdoClient::new(5), [0; BUFFER]);
     let mut step = match transfer {
@@ -235,7 +237,7 @@ fn answered(transfer: Transfer, length: usize, answers: &[[u8; 8]]) -> Option<Re
     step.end
 }
 
-/// A transfer of a length, answers, and the end.
+/// A transfer of a length, responses, and the result.
 type Case<'a> = (Transfer, usize, &'a [[u8; 8]], Result<usize, Abort>);
 
 #[test]
@@ -290,7 +292,7 @@ fn the_reason_of_the_server_is_known() {
     }
 }
 
-/// Servers without block transfers, or that prefer another protocol for a short value.
+/// Servers without block transfers, or that prefer a different protocol for a short value.
 #[test]
 fn a_block_upload_may_become_another() {
     let mut bus = bus(|_, frame| {
@@ -342,7 +344,7 @@ fn frames_of_others_are_ignored() {
     assert_eq!(data[..4], [1, 2, 3, 4]);
 }
 
-/// Numbers that are made when they are sent, and summed up when they come.
+/// Numbers that are generated when sent, and added up on arrival.
 struct Counter(u64);
 
 impl SdoData for Counter {
@@ -384,7 +386,7 @@ fn data_need_no_memory() {
     }
     let sum: u64 = (0..1000).chain(0..999).map(|number| number % 256).sum();
     assert_eq!(data.0, sum);
-    // a slice that is only read, and data that are shorter than was said
+    // a slice that is only read, and data shorter than stated
     assert_eq!((&[1_u8, 2, 3][..]).write(0, &[1]), Err(Abort::CannotStore));
     assert_eq!(client.download(&mut &[1_u8, 2][..], 0x2000, 0, 3, 0).end, Some(Err(Abort::NoData)));
 }
@@ -402,7 +404,8 @@ proptest! {
         let mut lost = lost.into_iter();
         let mut is_segment = false;
         let mut bus = bus(|_, frame| {
-            // segments of sub-blocks are between the answer to the first request and the request that ends
+            // segments of sub-blocks occur between the response to the first request and the request that
+            // ends
             let command = frame.data()[0];
             match (frame.id(), command) {
                 (0x585, 0xA4) | (0x605, 0xA3) => is_segment = true,
@@ -416,13 +419,13 @@ proptest! {
         bus.client = bus.client.with_block_size(size);
         for transfer in [BlockDownload, BlockUpload] {
             if let Err(abort) = bus.exchange(transfer, &value) {
-                // the sub-block of one segment that is lost, or nothing of it comes
+                // a sub-block of a single lost segment, or a completely lost one
                 prop_assert_eq!(abort, Abort::Timeout);
             }
         }
     }
 
-    /// No sequence of frames makes the client panic, or goes on for ever.
+    /// No sequence of frames makes the client panic or never terminate.
     #[test]
     fn any_frames_are_survived(
         transfer in prop::sample::select(&TRANSFERS[..]),

@@ -72,7 +72,7 @@ fn hooks_see_what_sdos_rpdos_and_the_application_write() {
     assert_eq!(device.dictionary.set(od::SPEED, 300), Ok(()));
     assert_eq!(device.dictionary.hooks.steps, [(16, 100), (100, 200), (200, 300)]);
 
-    // what a hook or a limit refuses stays
+    // a value that a hook or a limit rejects remains unchanged
     assert_eq!(device.dictionary.set(od::SPEED, 1301), Err(Abort::DeviceState));
     assert_eq!(device.dictionary.set(od::SPEED, 5001), Err(Abort::TooHigh));
     let rpdo = device.receive(&frame(0x205, &1301_u16.to_le_bytes()), 0);

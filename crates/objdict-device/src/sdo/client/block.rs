@@ -7,22 +7,24 @@ use crate::sdo::crc::crc;
 /// Bit of a sequence number: the last segment of the transfer.
 const LAST: u8 = 0x80;
 
-/// Where a block transfer is.
+/// The state of a block transfer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ClientBlock {
     /// Whether the server has a CRC.
     has_crc: bool,
     /// The CRC of the bytes up to [`ClientBlock::counted`].
     crc: u16,
-    /// Of a download: up to where segments were sent, some of which may have to be sent again.
+    /// For a download: the end of the segments sent so far, some of which may have to be repeated.
     counted: usize,
     /// Segments in a sub-block.
     size: u8,
-    /// The sequence number of the last segment that was sent or that came in order; 0 at the start of a sub-block.
+    /// The sequence number of the last segment that was sent or arrived in order; 0 at the start of a
+    /// sub-block.
     sequence: u8,
     /// Whether that was the last segment of the value.
     is_last: bool,
-    /// Of an upload: the segment that came last. Only the end of the transfer says how much of the last one is used.
+    /// For an upload: the last received segment. Only the end of the transfer states how many of its bytes
+    /// are used.
     held: Option<[u8; 7]>,
 }
 
@@ -36,13 +38,13 @@ impl ClientBlock {
         self.sequence < self.size && !self.is_last
     }
 
-    /// Whether a segment of an upload may be missing. Before the first one of a sub-block it may be that the server has not got the last
-    /// request, and would take another one for a request of everything from there on.
+    /// Whether a segment of an upload may be missing. Before the first one of a sub-block, the server may not have
+    /// received the last request, and would treat a repetition as a request for everything from there on.
     pub(super) const fn is_incomplete(&self) -> bool {
         self.sequence > 0
     }
 
-    /// Acknowledges the segments that came, so that the server goes on after them.
+    /// Acknowledges the received segments, so that the server continues after them.
     pub(super) const fn acknowledge(&mut self) -> [u8; 8] {
         let sequence = self.sequence;
         self.sequence = 0;
@@ -76,7 +78,7 @@ impl SdoClient {
         Ok(with_command(block.sequence | if is_last { LAST } else { 0 }, bytes))
     }
 
-    /// Goes on after the segments that the server has.
+    /// Continues after the segments that the server acknowledged.
     pub(super) fn acknowledged(
         &mut self,
         mut block: ClientBlock,
@@ -110,8 +112,8 @@ impl SdoClient {
         [0xA3, 0, 0, 0, 0, 0, 0, 0]
     }
 
-    /// Takes a segment of an upload. One that is out of order is ignored up to the end of its sub-block: the server repeats what is not
-    /// acknowledged.
+    /// Processes a segment of an upload. A segment out of order is ignored until the end of its sub-block: the server
+    /// repeats unacknowledged ones.
     pub(super) fn take_block_segment<D: SdoData + ?Sized>(
         &mut self,
         mut block: ClientBlock,

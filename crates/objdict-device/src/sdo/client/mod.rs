@@ -10,11 +10,11 @@ use block::ClientBlock;
 
 const TOGGLE: u8 = 0x10;
 
-/// The client of one SDO channel (CiA 301 §7.2.4): expedited, segmented and block transfers of values of any length, whose bytes are
-/// those of an [`SdoData`].
+/// The client of one SDO channel (CiA 301 §7.2.4): expedited, segmented and block transfers of values of any length,
+/// stored in an [`SdoData`].
 ///
-/// It knows no driver and no clock: [`SdoClient::receive`] takes a frame, [`SdoClient::poll`] the time. Each call of a transfer gets the same
-/// data, and returns what follows. A new transfer replaces one that is under way.
+/// It is independent of drivers and clocks: [`SdoClient::receive`] processes a frame, [`SdoClient::poll`] the time.
+/// Pass the same data to each call of a transfer; each returns the next step. A new transfer replaces a pending one.
 ///
 /// ```
 /// use objdict_device::{Frame, SdoClient};
@@ -38,20 +38,20 @@ pub struct SdoClient {
     transfer: ClientState,
     /// The entry of the transfer as in a frame: index and sub-index.
     entry: [u8; 3],
-    /// When the last frame came or went.
+    /// The time of the last frame in either direction.
     since: u64,
     /// Bytes of the value that were transferred.
     done: usize,
-    /// Bytes of the value; of an upload as far as the server says so.
+    /// Bytes of the value; for an upload, as far as the server states it.
     length: Option<usize>,
 }
 
-/// What the client waits for.
+/// The frame that the client waits for.
 #[derive(Clone, Copy, Debug)]
 enum ClientState {
     None,
     Download,
-    /// The answer to a segment with this toggle bit.
+    /// The response to a segment with this toggle bit.
     DownloadSegment(u8),
     Upload,
     /// A segment with this toggle bit.
@@ -64,11 +64,11 @@ enum ClientState {
     BlockUploadEnd(ClientBlock),
 }
 
-/// The bytes of a value: where those of a download come from, and where those of an upload go. A slice is both; for a value that is longer
-/// than the memory, or of unknown length, the application has a type with one of the two.
+/// The bytes of a value: the source of a download and the destination of an upload. A slice is both; for a value that
+/// exceeds the memory, or of unknown length, the application implements one of the two.
 pub trait SdoData {
-    /// Fills a buffer with the bytes from an offset on. There are as many: the length of a download is known. A block download asks for
-    /// bytes again that were lost.
+    /// Fills a buffer with the bytes at an offset. They are always available, because the length of a download is
+    /// known. A block download reads lost bytes again.
     ///
     /// # Errors
     /// The code to abort the download with.
@@ -77,8 +77,8 @@ pub trait SdoData {
         Err(Abort::NoData)
     }
 
-    /// Takes the bytes from an offset on, in order and each once. What comes before a failure of the transfer, such as of the CRC at its
-    /// end, is taken too.
+    /// Stores the bytes at an offset, in order and each once, including those before a failure of the transfer, such as
+    /// a wrong CRC at its end.
     ///
     /// # Errors
     /// The code to abort the upload with.
@@ -109,18 +109,20 @@ impl SdoData for [u8] {
     }
 }
 
-/// What follows in a transfer.
+/// The next step of a transfer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SdoStep {
     /// The frame to send.
     pub frame: Option<Frame>,
-    /// How the transfer ended, if it did: with the length of the value, or with the reason of the server or of the client.
+    /// The result if the transfer has ended: the length of the value, or the reason of the server or the
+    /// client.
     pub end: Option<Result<usize, Abort>>,
 }
 
 impl SdoClient {
-    /// Time without a frame, in microseconds, after which a transfer is aborted, unless [`SdoClient::with_timeout`] says otherwise.
+    /// Default timeout for [`SdoClient::with_timeout`], in microseconds: time without a frame after which a
+    /// transfer is aborted.
     pub const TIMEOUT: u64 = 500_000;
 
     /// The client of the default channel of a node.
@@ -130,7 +132,7 @@ impl SdoClient {
         Self::with_can_ids(0x600 + node_id, 0x580 + node_id)
     }
 
-    /// The client of another channel: the CAN-IDs of its requests and of its responses, as in 1280h.
+    /// The client of a channel with these CAN-IDs for requests and responses, as in 1280h.
     #[must_use]
     pub const fn with_can_ids(request: u16, response: u16) -> Self {
         Self {
@@ -146,22 +148,23 @@ impl SdoClient {
         }
     }
 
-    /// Aborts transfers after this time without a frame, in microseconds. After half of it the client acknowledges what it has of a
-    /// sub-block, so that the server repeats a lost last segment.
+    /// Sets the timeout in microseconds after which a transfer without a frame is aborted. After half of it the client
+    /// acknowledges the received part of a sub-block, so that the server repeats a lost last segment.
     #[must_use]
     pub const fn with_timeout(mut self, timeout: u64) -> Self {
         self.timeout = timeout;
         self
     }
 
-    /// How many segments of a block upload may come in a row, 1 to 127: as many as the driver can keep. 127, unless this says otherwise.
+    /// Sets the number of segments per sub-block of a block upload, 1 to 127 (default: 127): as many as the
+    /// driver can buffer.
     #[must_use]
     pub const fn with_block_size(mut self, segments: u8) -> Self {
         self.block_size = if block::is_size(segments) { segments } else { 127 };
         self
     }
 
-    /// Whether a transfer is under way.
+    /// Whether a transfer is pending.
     #[must_use]
     pub const fn is_busy(&self) -> bool {
         !matches!(self.transfer, ClientState::None)
@@ -187,25 +190,27 @@ impl SdoClient {
         self.conclude(Ok(Some(self.with_entry(0x40, [0; 4]))))
     }
 
-    /// Begins to write a value of this length by a block transfer, with a CRC if the server has one. [`Abort::UnknownCommand`] is the
-    /// answer of a server without block transfers.
+    /// Begins to write a value of this length by a block transfer, with a CRC if the server supports it. A server
+    /// without block transfers responds with [`Abort::UnknownCommand`].
     pub fn download_block(&mut self, index: u16, sub: u8, length: usize, now: u64) -> SdoStep {
         self.start(ClientState::BlockDownload, index, sub, Some(length), now);
         self.conclude(Ok(Some(self.with_entry(0xC6, (length as u32).to_le_bytes()))))
     }
 
-    /// Begins to read a value by a block transfer, with a CRC if the server has one. A server may answer by another protocol.
+    /// Begins to read a value by a block transfer, with a CRC if the server supports it. A server may respond
+    /// with a different protocol.
     pub fn upload_block(&mut self, index: u16, sub: u8, now: u64) -> SdoStep {
         self.start(ClientState::BlockUpload, index, sub, None, now);
         self.conclude(Ok(Some(self.with_entry(0xA4, [self.block_size, 0, 0, 0]))))
     }
 
-    /// Ends a transfer; the frame says so to the server. Does nothing if there is none.
+    /// Aborts a transfer; the frame notifies the server. Does nothing if there is none.
     pub fn abort(&mut self, reason: Abort) -> SdoStep {
         if self.is_busy() { self.conclude(Err(reason)) } else { SdoStep::default() }
     }
 
-    /// Takes a frame at a time in microseconds. Frames that are not for this transfer are ignored.
+    /// Processes a frame received at `now`, in microseconds. Frames that do not belong to this transfer are
+    /// ignored.
     pub fn receive<D: SdoData + ?Sized>(&mut self, data: &mut D, frame: &Frame, now: u64) -> SdoStep {
         let is_of_channel = frame.id() == self.response && frame.data().len() == 8;
         let bytes = frame.bytes();
@@ -224,8 +229,8 @@ impl SdoClient {
         self.conclude(request)
     }
 
-    /// Returns what is due at a time in microseconds: the next segment of a block download, or an abort after a timeout. Call it until it
-    /// returns no frame.
+    /// Returns the frame that is due at `now`, in microseconds: the next segment of a block download, or an abort after
+    /// a timeout. Call it until it returns no frame.
     pub fn poll<D: SdoData + ?Sized>(&mut self, data: &mut D, now: u64) -> SdoStep {
         let waited = now.saturating_sub(self.since);
         let request = match &mut self.transfer {
@@ -246,7 +251,7 @@ impl SdoClient {
         self.conclude(request)
     }
 
-    /// When [`SdoClient::poll`] has to be called.
+    /// The time at which [`SdoClient::poll`] must be called.
     #[must_use]
     pub const fn next(&self) -> Option<u64> {
         let wait = match &self.transfer {
@@ -287,7 +292,8 @@ impl SdoClient {
         names_entry && self.entry != [low, high, sub]
     }
 
-    /// The request that follows a response, by its command specifier; none, and no transfer any more, at the end.
+    /// Processes a response by its command specifier, and returns the next request; none at the end of the
+    /// transfer.
     fn go_on<D: SdoData + ?Sized>(&mut self, data: &mut D, bytes: [u8; 8]) -> Result<Option<[u8; 8]>, Abort> {
         let [command, ..] = bytes;
         match (command >> 5, self.transfer) {
@@ -328,7 +334,7 @@ impl SdoClient {
         Ok(Some(self.with_entry(command, bytes)))
     }
 
-    /// The server takes the value; an expedited one it has already.
+    /// Sends the first segment after the server accepts the download; an expedited value is already complete.
     fn first_segment<D: SdoData + ?Sized>(&mut self, data: &mut D) -> Result<Option<[u8; 8]>, Abort> {
         match self.length {
             Some(length @ 1..=4) => {
@@ -362,7 +368,7 @@ impl SdoClient {
         Ok(with_command(toggle | (7 - used) << 1 | u8::from(is_last), bytes))
     }
 
-    /// The segment of the value that begins there, how many of its bytes are used, and whether it is the last one.
+    /// The segment at the current position, the number of bytes used, and whether it is the last one.
     fn segment<D: SdoData + ?Sized>(&self, data: &mut D, start: usize) -> Result<([u8; 7], u8, bool), Abort> {
         let rest = self.length.unwrap_or(0).saturating_sub(start);
         let mut bytes = [0; 7];
@@ -412,7 +418,7 @@ impl SdoClient {
         Ok(None)
     }
 
-    /// Passes on what came of the value.
+    /// Passes on received bytes of the value.
     fn keep<D: SdoData + ?Sized>(&mut self, data: &mut D, bytes: &[u8]) -> Result<(), Abort> {
         let end = self.done.saturating_add(bytes.len());
         if self.length.is_some_and(|length| end > length) {
