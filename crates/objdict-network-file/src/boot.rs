@@ -1,4 +1,4 @@
-//! A network as its manager and its nodes find it when they are switched on: from the files that are built of it.
+//! A network at power-on, as its manager and its nodes see it: from its built files.
 //!
 //! The manager knows only the bytes of the built files, never the network in memory, so a simulated boot tests
 //! the files.
@@ -15,7 +15,7 @@ use objdict_model::model::{Assignment, Device, Entry, Value};
 use objdict_network::{DcfgenMode, LelyOptions, Network, Node, answered};
 use objdict_node::download::{ConciseDcf, Order};
 
-/// The bit rate in kbit/s of a network that states none.
+/// The bit rate in kbit/s of a network that does not state one.
 const BIT_RATE: u16 = 125;
 
 const CONCISE_DCF: u16 = 0x1F22;
@@ -26,7 +26,7 @@ const SOFTWARE: u16 = 0x1F56;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BootFiles {
-    /// The DCF of each node, and of the manager.
+    /// The DCFs of the nodes and the manager.
     Dcf,
     /// The files of Lely's master; the nodes are their descriptions.
     Lely,
@@ -37,11 +37,11 @@ pub enum BootFiles {
 pub struct Installation {
     /// The network.
     pub plant: Plant,
-    /// What was assumed, and which nodes are left out: sentences in lower case without a full stop.
+    /// Assumptions and omitted nodes: sentences in lower case without a full stop.
     pub notes: Vec<String>,
 }
 
-/// Why files are not a network that can be switched on.
+/// The reason why files are not a network that can be simulated from power-on.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum InstallError {
@@ -55,11 +55,11 @@ pub enum InstallError {
     Managers(String, String),
     /// A manager or a node has no node-ID.
     NoNodeId(String),
-    /// The network file has a node that cannot be read, so the network would be another one.
+    /// The network file contains a node that cannot be read, so the network would be incomplete.
     UnreadNode {
         /// The node and the reason.
         message: String,
-        /// What to do about it.
+        /// How to fix it.
         help: Option<String>,
     },
     /// Two nodes have the same node-ID.
@@ -84,7 +84,7 @@ objdict_model::error_messages! { InstallError:
 } }
 
 impl InstallError {
-    /// What to do about it, where that is known.
+    /// How to fix it, if known.
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Read(error) => error.help(),
@@ -107,7 +107,7 @@ impl NetworkFile {
     /// Builds files of the network in memory and reads them.
     ///
     /// # Errors
-    /// When they cannot be built, or are not a network.
+    /// If they cannot be built, or are not a network.
     pub fn install(&self, files: BootFiles) -> Result<Installation, InstallError> {
         if let Some(unread) = self.findings.iter().find(|finding| finding.rule.id == UNREADABLE_NODE.id) {
             let help = unread.help.as_ref().map(ToString::to_string);
@@ -156,11 +156,11 @@ impl BootFiles {
     }
 }
 
-/// Reads the files of a network: the DCF of its manager with the files that it names, and the DCFs of the nodes. Nodes without one are
-/// those of the network file.
+/// Reads the files of a network: the manager's DCF with the files that it refers to, and the DCFs of the nodes. Nodes
+/// without a DCF are read from the network file.
 ///
 /// # Errors
-/// When a file cannot be read, and when none or several describe a manager.
+/// If a file cannot be read, or if none or several describe a manager.
 pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Installation, InstallError> {
     let mut described = described(files)?;
     let manager = described.remove(manager_among(&described)?);
@@ -233,7 +233,7 @@ pub(super) fn manager_among(described: &[DescribedFile]) -> Result<usize, Instal
     }
 }
 
-/// The nodes beside the manager, each with its own node-ID.
+/// The nodes except the manager, each with its own node-ID.
 fn nodes(
     described: Vec<DescribedFile>,
     network: Option<&NetworkFile>,
@@ -296,7 +296,8 @@ pub(super) fn switched_on(network: &Network, node: &Node, node_id: u8) -> PlantN
     PlantNode { name: node.name.value.clone(), node_id, device, power_on, must_boot: None }
 }
 
-/// A node with an identity and a software: those of its description, as [`answered`] says, else those that the manager expects.
+/// Adds an identity and a software version to a node: from its description, as in [`answered`], otherwise the
+/// values that the manager expects.
 fn with_identity(mut node: PlantNode, manager: &Device) -> PlantNode {
     let expected = |index: u16| {
         let number = manager.value(index, node.node_id)?.as_integer()?;
@@ -329,7 +330,7 @@ fn bit_rate(manager: &Device, network: Option<&NetworkFile>) -> Option<u16> {
     own_rate(manager).or_else(of_network).filter(|rate| *rate != 0)
 }
 
-/// The manager with the downloads that Lely's master makes to itself: those of `master.bin` beside `master.dcf`.
+/// The manager with the downloads that Lely's master applies to itself: `master.bin` next to `master.dcf`.
 pub(super) fn configured(manager: DescribedFile, files: &[BuiltFile]) -> Result<PlantNode, InstallError> {
     let node_id = manager.device.node_id().ok_or_else(|| InstallError::NoNodeId(manager.file.clone()))?;
     let beside = Path::new(&manager.file).with_extension("bin");
@@ -344,7 +345,7 @@ pub(super) fn configured(manager: DescribedFile, files: &[BuiltFile]) -> Result<
     Ok(PlantNode { name, node_id, device, power_on: PowerOn::Configured, must_boot: None })
 }
 
-/// Gives a device the values of its downloads.
+/// Applies the values of downloads to a device.
 pub(super) fn take(device: &mut Device, downloads: &ConciseDcf) {
     for download in &downloads.0 {
         if let Some(value) = download.value(device) {
@@ -353,7 +354,7 @@ pub(super) fn take(device: &mut Device, downloads: &ConciseDcf) {
     }
 }
 
-/// The concise DCFs of the nodes: in the manager, or in files that it names.
+/// The concise DCFs of the nodes: from the manager, or from files that it refers to.
 pub(super) fn configurations(manager: &Device, files: &[BuiltFile]) -> Configurations {
     let mut configurations = Configurations::new();
     let Some(object) = manager.object(CONCISE_DCF) else { return configurations };

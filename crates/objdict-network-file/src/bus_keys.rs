@@ -1,4 +1,4 @@
-//! The keys of `bus.yml`: those of dcfgen 2.4.2 and of ros2_canopen.
+//! The keys of `bus.yml`, for dcfgen 2.4.2 and for ros2_canopen.
 
 use objdict_keyed::section::{Key, Shape, bits, key};
 

@@ -1,4 +1,4 @@
-//! `bus.yml`: the networks of dcfgen, and those of ros2_canopen, which makes such a file of them first.
+//! `bus.yml`: the networks of dcfgen and of ros2_canopen, which converts its files to the former.
 
 use std::collections::BTreeMap;
 
@@ -17,13 +17,13 @@ use objdict_network::{DownloadRequest, Heartbeat, Manager, Network, Node, PdoReq
 use objdict_node::configure::PdoName;
 use objdict_node::download::Order;
 
-/// What dcfgen has beside the nodes.
+/// The keys of dcfgen that are not nodes.
 const KEYS_OF_DCFGEN: [&str; 2] = ["options", "master"];
 
-/// What ros2_canopen has beside the nodes.
+/// The keys of ros2_canopen that are not nodes.
 const KEYS_OF_ROS: [&str; 4] = ["options", "master", "defaults", "nodes"];
 
-/// Reads a network; `None` if the text is no YAML.
+/// Reads a network; `None` if the text is not YAML.
 pub(super) fn read(
     text: &str,
     descriptions: &mut NodeDescriptions<'_>,
@@ -65,7 +65,7 @@ pub(super) fn read(
     Some(network)
 }
 
-/// What holds for all nodes.
+/// Options for all nodes.
 struct BusOptions {
     folder: String,
     factor: f64,
@@ -143,8 +143,8 @@ impl BusReader<'_, '_> {
         })
     }
 
-    /// The nodes of ros2_canopen, as dcfgen gets them: in the order of their names, with the keys of `defaults`.
-    /// The nodes of a file of dcfgen: all keys but two, and but those that begin with a point.
+    /// The nodes of ros2_canopen, as dcfgen receives them: ordered by name, with the keys of `defaults`. For a
+    /// file of dcfgen, all keys except two, and except those that begin with a dot.
     fn nodes(&mut self, entries: &[Pair]) -> Vec<Pair> {
         let mut nodes = Vec::new();
         for entry in entries {
@@ -226,7 +226,7 @@ impl BusReader<'_, '_> {
         let described = device.node_id().map(|node_id| Said::new(node_id, file.at));
         let mut node = Node {
             name: Said::new(name, entry.key.span),
-            // one that is out of range is reported, and not replaced by another
+            // a node-ID that is out of range is reported, not replaced
             node_id: match section.get("node_id") {
                 Some(_) => Some(section.integer("node_id", findings)?),
                 None => described,
@@ -320,7 +320,7 @@ fn address<'t>(
     Some((Said::new(Address { index, sub: Some(sub) }, item.span), section))
 }
 
-/// Whether two values are the same, but for where they stand.
+/// Whether two values are equal, regardless of their positions.
 fn is_same(a: &KeyedTree, b: &KeyedTree) -> bool {
     match (&*a.kind, &*b.kind) {
         (Kind::List(a), Kind::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| is_same(a, b)),
@@ -336,7 +336,7 @@ fn is_same(a: &KeyedTree, b: &KeyedTree) -> bool {
     }
 }
 
-/// A map by number in the order of its numbers, which is how ros2_canopen writes it.
+/// A map by number, ordered by its numbers, as written by ros2_canopen.
 fn sorted(tree: &KeyedTree) -> KeyedTree {
     let Some(entries) = tree.entries() else { return tree.clone() };
     let mut entries = entries.to_vec();

@@ -1,12 +1,12 @@
-//! The rules about devices, for the nodes as the network configures them: an error in a DCF that is built of the network is
-//! found here, at the place of the network file that gives the value.
+//! The rules about devices, for the nodes as configured by the network. Errors in a generated DCF are reported where
+//! the network file sets the value.
 
 use objdict_lint as lint;
 use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity, SourceLabel};
 use objdict_model::model::{Device, Part, Place};
 use objdict_network::{Compiled, Network};
 
-/// Warnings about values without an effect, which no rule about networks reports.
+/// Warnings about ineffective values that no network rule reports.
 const IDLE: [&str; 2] = ["cia301/invalid-sync-start-value", "cia301/rtr-pdo-without-rtr"];
 
 /// Whether a label is about the parameters of a PDO.
@@ -19,7 +19,7 @@ fn is_of_pdo(label: &SourceLabel) -> bool {
     }
 }
 
-/// Reports what the network file gives the nodes.
+/// Reports problems in values that the network file sets.
 pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     let options = lint::Options::default();
     // a rule of a lower severity has errors only about lists and `CompactSubObj`, which do not depend on the network
@@ -31,13 +31,13 @@ pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findi
         |finding: &&Diagnostic| finding.severity == Severity::Error || IDLE.contains(&finding.rule.id);
     for slave in compiled.nodes() {
         let node = &network.nodes[slave.node];
-        // of a DCF for another node, what fits that node only
+        // in a DCF for a different node, values that fit only that node
         let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
         let own = is_of_other.then(|| check(&node.device, &|_| true));
-        // what the network file does not write is as in the description, which has findings of its own
+        // values that the network file does not write are as in the description, which has its own findings
         let is_asked = |index| is_of_other || slave.said_of(index).next().is_some();
         let found = lint::without_disabled(&slave.device, check(&slave.device, &is_asked));
-        // the PDOs of a made description are counterparts of PDOs of the nodes, where faults are reported
+        // the PDOs of a generated manager mirror PDOs of the nodes, where errors are reported
         let is_made = network.is_made(slave.node);
         let is_own = |finding: &&Diagnostic| !is_made || !finding.labels.iter().any(is_of_pdo);
         for finding in found.iter().filter(is_reported).filter(is_own) {

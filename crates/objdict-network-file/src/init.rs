@@ -1,4 +1,4 @@
-//! The start of a `network.toml`, from the descriptions of its nodes.
+//! Creates a first `network.toml` from the descriptions of its nodes.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -13,15 +13,15 @@ use objdict_model::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
 use objdict_model::source::{Folder, Span};
 use objdict_network::{DcfgenMode, Network, Node, PdoState, Said, Slave, compile};
 
-/// The most PDOs of a node that a comment lists.
+/// The maximum number of PDOs of a node listed in a comment.
 const MAX_PDOS: usize = 8;
 
-/// A `network.toml` for the nodes of some descriptions: EDS, DCF, XDD, XDC, JSON, files with several devices (`.nxdd`, `.nxdc`), and
-/// node lists. It has the node-IDs, the bit rate and the manager that they state, free node-IDs for the others, and comments on what
-/// can be added. Paths are as they are given.
+/// Creates a `network.toml` for the nodes of some descriptions: EDS, DCF, XDD, XDC, JSON, files with several devices
+/// (`.nxdd`, `.nxdc`), and node lists. It contains the node-IDs, the bit rate and the manager that they state, free
+/// node-IDs for the others, and comments about possible additions. Paths are kept as given.
 ///
 /// # Errors
-/// When a file cannot be read, or describes no device.
+/// If a file cannot be read, or does not describe a device.
 pub fn init(paths: &[PathBuf], options: &PathOptions) -> Result<String, ReadError> {
     let mut start = NetworkStart::default();
     for path in paths {
@@ -47,7 +47,7 @@ pub fn node_name(name: &str) -> String {
     }
 }
 
-/// What is known of the network.
+/// Properties of the network.
 #[derive(Default)]
 struct NetworkStart {
     name: Option<String>,
@@ -115,7 +115,7 @@ impl NetworkStart {
         });
     }
 
-    /// A name as a key and as the end of a link can have it, which no other node has.
+    /// A unique name that is valid as a key and at the end of a link.
     fn unused(&mut self, name: &str) -> String {
         let name = node_name(name);
         let numbered = (2..).map(|number| format!("{name}_{number}"));
@@ -133,7 +133,7 @@ impl NetworkStart {
         }
         self.bit_rate(&mut text);
         match self.nodes.iter().find(|node| is_manager(node)) {
-            // it monitors what its configuration says
+            // it monitors the nodes in its configuration
             Some(node) => {
                 let _ = writeln!(
                     text,
@@ -153,7 +153,7 @@ impl NetworkStart {
         text
     }
 
-    /// Gives the nodes without a node-ID those that are free; their positions.
+    /// Assigns free node-IDs to the nodes without one; returns their positions.
     fn assume_node_ids(&mut self) -> BTreeSet<usize> {
         let mut taken: BTreeSet<u8> =
             self.nodes.iter().filter_map(|node| node.node_id).map(|node_id| node_id.value).collect();

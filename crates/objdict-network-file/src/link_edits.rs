@@ -1,11 +1,12 @@
-//! Links as edits of the text of a `network.toml`.
+//! Edits links in the text of a `network.toml`.
 
 use super::{NetworkFile, keyed};
 use objdict_model::json::quoted;
 use objdict_model::source::{Edits, Span};
 use objdict_network::LinkEnd;
 
-/// A change of the links of a network. Ends are spelled as in the file: `left.6000:1`, or the name of a manager without a description.
+/// A change of the links of a network. Link ends are spelled as in the file: `left.6000:1`, or the name of a
+/// manager without a description.
 #[derive(Clone, Copy, Debug)]
 pub enum LinkEdit<'a> {
     /// A link more.
@@ -15,11 +16,11 @@ pub enum LinkEdit<'a> {
         /// The end that receives.
         to: &'a str,
     },
-    /// Another end of a link.
+    /// A different end for a link.
     Move {
         /// The position of the link in the network.
         link: usize,
-        /// Which end: 0 sends, the others receive.
+        /// The link end: 0 sends, the others receive.
         end: usize,
         /// The end now.
         to: &'a str,
@@ -32,8 +33,8 @@ pub enum LinkEdit<'a> {
 }
 
 impl NetworkFile {
-    /// The edits that change a link; `None` where the text has no place for it: only a `network.toml` has links, and one that has them
-    /// as a list of tables in braces is edited by hand.
+    /// The edits that change a link; `None` if that is impossible: only a `network.toml` has links, and a list of
+    /// inline tables must be edited by hand.
     pub fn link_edits(&self, edit: LinkEdit<'_>) -> Option<Edits<'_>> {
         let text = self.source.text();
         let network = self.network().filter(|_| keyed::toml::is_toml(text))?;
@@ -61,7 +62,8 @@ impl NetworkFile {
         has_headers.then_some(edits)
     }
 
-    /// The lines of the table `[[link]]` that has this value, with the blank lines behind it. Comments above the next table are of that one.
+    /// The lines of the `[[link]]` table that contains this value, with the blank lines after it. Comments
+    /// above the next table belong to that one.
     fn link_table(&self, value: Span) -> Option<Span> {
         let text = self.source.text();
         let is_header = |line: &str| line.trim_start().starts_with("[[link]]");
@@ -83,7 +85,7 @@ impl NetworkFile {
             match trimmed.is_empty() {
                 true if has_end => end = at,
                 true => {}
-                // comments behind the last key are not part of what is removed
+                // comments after the last key are not removed
                 false if trimmed.starts_with('#') => has_end = false,
                 false => (end, has_end) = (at, true),
             }

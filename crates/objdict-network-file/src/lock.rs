@@ -1,4 +1,4 @@
-//! The file of `network build --lock`: TOML that is written and read by objdict.
+//! The file of `network build --lock`: TOML that objdict writes and reads.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -31,7 +31,7 @@ pub(super) fn locked(network: &Network, compiled: &Compiled) -> NetworkLock {
         [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| mirrored_numbers(network, &compiled.slaves, kind));
     let numbers: BTreeMap<_, _> =
         numbers.into_iter().flatten().map(|(slave, pdo, number)| ((slave.node, pdo), number)).collect();
-    // the PDOs of a manager that is made are the other sides
+    // the PDOs of a generated manager are counterparts
     let pdos = compiled.nodes().filter(|slave| !network.is_made(slave.node)).flat_map(|slave| {
         let name = &network.nodes[slave.node].name.value;
         let active = slave.pdos.iter().filter(|state| state.is_active());
@@ -47,7 +47,7 @@ pub(super) fn locked(network: &Network, compiled: &Compiled) -> NetworkLock {
     NetworkLock(pdos.collect())
 }
 
-/// Reads a lock. What it does not say properly is a finding.
+/// Reads a lock. Invalid content is a finding.
 pub fn read_lock(text: &str, findings: &mut Findings) -> NetworkLock {
     let tree = toml::read(text, findings);
     let table = tree.as_ref().and_then(|tree| KeyedTable::new("the lock", tree, LOCK, findings));

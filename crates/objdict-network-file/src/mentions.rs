@@ -1,4 +1,4 @@
-//! Where the text of a network names entries of its nodes.
+//! Locations in the text of a network that refer to entries of its nodes.
 
 use super::NetworkFile;
 use objdict_format::mention::{Digits, Mention, MentionKind};
@@ -10,7 +10,7 @@ use objdict_model::source::Span;
 use objdict_network::Network;
 use objdict_node::resolve;
 
-/// An object or entry of a node that the text names, by its address or its name.
+/// A reference in the text to an object or entry of a node, by address or name.
 #[derive(Clone, Copy, Debug)]
 pub struct NodeMention {
     /// The position of the node in the network; of a type, one for each node that uses it.
@@ -20,7 +20,7 @@ pub struct NodeMention {
 }
 
 impl NetworkFile {
-    /// All that the text names of its nodes, in the order of the text.
+    /// All references to entries in the text, in text order.
     pub fn mentions(&self) -> Vec<NodeMention> {
         let Some(network) = self.network() else { return Vec::new() };
         let mut finder = MentionFinder { text: self.source.text(), network, found: Vec::new() };
@@ -102,7 +102,7 @@ impl MentionFinder<'_> {
         self.found[first..].iter_mut().for_each(|found| found.mention.span = end.span);
     }
 
-    /// An address, or the name of an object or entry that is the only one of this name.
+    /// An address, or a unique name of an object or entry.
     fn text(&mut self, nodes: &[usize], span: Span) {
         if let Some(mention) = Mention::of_address(self.text, span, MentionKind::List) {
             self.found.extend(nodes.iter().map(|&node| NodeMention { node, mention }));
@@ -141,7 +141,7 @@ impl MentionFinder<'_> {
     }
 }
 
-/// The items of a list, or the one value.
+/// The items of a list, or the single value.
 fn items(tree: &KeyedTree) -> &[KeyedTree] {
     match &*tree.kind {
         Kind::List(items) => items,

@@ -20,7 +20,7 @@ use objdict_network::{
 use objdict_node::configure::{PdoName, Setting, nanoseconds, transmission_type};
 use objdict_node::coupler::flatten;
 
-/// Reads a network; `None` if the text is no TOML.
+/// Reads a network; `None` if the text is not TOML.
 pub(super) fn read(
     text: &str,
     descriptions: &mut NodeDescriptions<'_>,
@@ -57,7 +57,7 @@ impl NetworkReader<'_, '_> {
         let settings = root.get("manager");
         let has_id = settings.is_some_and(|settings| settings.get("id").is_some());
         let node = match &named {
-            // a node whose description cannot be read has its own finding
+            // a node with an unreadable description has its own finding
             Some(named) if is_unread(root, &network.nodes, &named.value) => None,
             Some(named) => named_manager(named, has_id, &network.nodes, self.findings),
             None => {
@@ -111,7 +111,7 @@ impl NetworkReader<'_, '_> {
         }
     }
 
-    /// The manager; what its table does not say follows from its description.
+    /// The manager; properties missing in its table are taken from its description.
     fn manager(&mut self, tree: &KeyedTree, node: Option<&Node>) -> Option<Manager> {
         let section = KeyedTable::new("manager", tree, MANAGER, self.findings)?;
         let mut heartbeat = self.heartbeat(&section, "watches-nodes");
@@ -188,7 +188,7 @@ impl NetworkReader<'_, '_> {
         for kind in types {
             let name = format!("type {}", kind.key.spelled());
             let Some(section) = KeyedTable::new(&name, &kind.value, NODE, self.findings) else { continue };
-            // what no node uses is read too
+            // types that no node uses are also checked
             self.heartbeat(&section, "watches-manager");
             self.watched(&section);
             self.downloads(&section);

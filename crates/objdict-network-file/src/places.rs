@@ -9,26 +9,26 @@ use objdict_model::model::{Field, Part, Place};
 use objdict_model::source::Span;
 
 impl NetworkFile {
-    /// The description of a node, by its position in the network; `None` for a device as JSON.
+    /// The description of a node, by its position in the network; `None` for a JSON device.
     pub fn description(&self, node: usize) -> Option<&Description> {
         let node = self.network()?.nodes.get(node)?;
         self.descriptions.get(&node.file.value).map(Rc::as_ref)
     }
 
-    /// The first node of each description with a text.
+    /// The first node of each description that has a text.
     pub fn described_nodes(&self) -> impl Iterator<Item = usize> {
         let nodes = self.network().map_or(0, |network| network.nodes.len());
         (0..nodes).filter(|node| self.description(*node).is_some() && self.first_of_file(*node) == *node)
     }
 
-    /// The first node with the description of this one.
+    /// The first node with the same description.
     fn first_of_file(&self, node: usize) -> usize {
         let Some(network) = self.network() else { return node };
         let file = |node: usize| network.nodes.get(node).map(|node| &node.file.value);
         (0..node).find(|first| file(*first) == file(node)).unwrap_or(node)
     }
 
-    /// The findings without labels that point nowhere: into a device as JSON, or to what the description does not have.
+    /// Removes labels without a position: those in a JSON device, or for missing parts of the description.
     pub(super) fn with_places(&self, findings: Findings) -> Findings {
         findings.filter_map(|mut finding| {
             self.keep_places(&mut finding);
@@ -36,7 +36,7 @@ impl NetworkFile {
         })
     }
 
-    /// Nodes may share a description, so one place may have several labels, of which the first is kept.
+    /// Nodes may share a description, so one position may have several labels; only the first is kept.
     fn keep_places(&self, finding: &mut Diagnostic) {
         let mut seen = Vec::new();
         finding.labels.retain(|label| {
@@ -51,8 +51,8 @@ impl NetworkFile {
         });
     }
 
-    /// A finding about a [made](Self::is_made) text as one about the description of a node, with the first node of that
-    /// description; `None` if it has no text.
+    /// Converts a finding about a [made](Self::is_made) text to one about a node's description, with the first node of
+    /// that description; `None` if it has no text.
     pub fn in_description(&self, finding: &Diagnostic) -> Option<(usize, Diagnostic)> {
         let mut labels = Vec::with_capacity(finding.labels.len());
         let points_into = |node: usize| {
@@ -78,13 +78,13 @@ impl NetworkFile {
         Some((self.first_of_file(owner), Diagnostic { labels, ..finding.clone() }))
     }
 
-    /// The node whose table has a span; what is about the network is found in the first description.
+    /// The node whose table contains a span; findings about the network belong to the first description.
     fn owner(&self, span: Span) -> usize {
         let nodes = self.network().into_iter().flat_map(|network| &network.nodes);
         nodes.take_while(|node| node.name.at.start <= span.start).count().saturating_sub(1)
     }
 
-    /// Where a description has what it says of its node, else of its device.
+    /// The place in a description of its node, otherwise of its device.
     fn home(&self, node: usize) -> Option<Place> {
         let places = [
             Place::of(Part::Commissioning).field(Field::NodeId),

@@ -1,4 +1,5 @@
-//! JSON Schemas of network files, made of the tables that they are read by. Editors complete and check with them.
+//! JSON Schemas of network files, generated from the tables that are used for reading. Editors use them for
+//! completion and checking.
 
 use serde_json::{Value, json};
 
@@ -35,7 +36,7 @@ pub fn bus_yml() -> Value {
 /// The JSON Schema of `network.toml`.
 pub fn network_toml() -> Value {
     let mut schema = object(NETWORK);
-    // a node without a file has that of its type
+    // a node without a file uses the file of its type
     schema["properties"]["node"]["additionalProperties"]["anyOf"] =
         json!([{ "required": ["file"] }, { "required": ["use"] }]);
     if let Some(fields) = schema.as_object_mut() {

@@ -1,4 +1,5 @@
-//! What the description of the manager holds of the nodes: their DCFs (1F20h) and concise DCFs (1F22h) (CiA 302-3).
+//! The configurations of nodes in the manager's description: their DCFs (1F20h) and concise DCFs (1F22h) (CiA
+//! 302-3).
 
 use std::borrow::Cow;
 
@@ -16,10 +17,10 @@ const REMEDY: &str = "rebuild the manager's DCF: `objdict network build --target
 const DCF: u16 = 0x1F20;
 const CONCISE_DCF: u16 = 0x1F22;
 
-/// A configuration that a device holds for the node with this node-ID.
+/// A configuration that a device stores for the node with this node-ID.
 type HeldConfiguration = (u16, u8, Result<ConciseDcf, String>);
 
-/// The configurations that a device holds for other nodes, without empty ones.
+/// The configurations that a device stores for other nodes, except empty ones.
 fn held(device: &Device) -> Vec<HeldConfiguration> {
     let objects = [DCF, CONCISE_DCF].into_iter().filter_map(|index| Some((index, device.object(index)?)));
     let entries =
@@ -38,7 +39,7 @@ fn held(device: &Device) -> Vec<HeldConfiguration> {
     entries.filter_map(configuration).collect()
 }
 
-/// The configurations that a device holds for other nodes and that cannot be read.
+/// The unreadable configurations that a device stores for other nodes.
 pub fn unreadable_configurations(device: &Device) -> Findings {
     let mut findings = Findings::new();
     for (index, node_id, downloads) in held(device) {
@@ -53,13 +54,13 @@ pub fn unreadable_configurations(device: &Device) -> Findings {
     findings
 }
 
-/// Reads the configurations that the manager's description holds, each for its node. One that cannot be read is a finding.
+/// Reads the configurations in the manager's description, each for its node. An unreadable one is a finding.
 pub(super) fn read(network: &mut Network, findings: &mut Findings) {
     let Some(own) = network.manager.as_ref().and_then(|manager| manager.node) else { return };
     let manager = &network.nodes[own];
     let mut configurations = Vec::new();
     for (index, node_id, downloads) in held(&manager.device) {
-        // what is assigned without being there is the matter of 1F81h
+        // assigned but missing nodes are reported for 1F81h
         let has_id = |node: &Node| node.node_id.map(|id| id.value) == Some(node_id);
         let Some(node) = network.nodes.iter().position(has_id) else { continue };
         match downloads {
@@ -86,7 +87,7 @@ pub(super) fn read(network: &mut Network, findings: &mut Findings) {
     }
 }
 
-/// The downloads that configure a node as its DCF says.
+/// The downloads that a node's DCF specifies.
 fn of_dcf(bytes: &[u8], node_id: u8) -> Result<ConciseDcf, String> {
     let source = SourceFile::from_bytes("1F20h", bytes.to_vec(), &SourceOptions::default())
         .map_err(|error| error.to_string())?;

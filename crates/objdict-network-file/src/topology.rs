@@ -1,4 +1,4 @@
-//! Node lists (CiA 306-3): a network of DCFs, each of which says all of its node.
+//! Node lists (CiA 306-3): a network of DCFs, each of which fully describes its node.
 
 use super::NodeDescriptions;
 use super::rules::{INVALID_NODE_LIST, NODE_COUNT};
@@ -8,7 +8,7 @@ use objdict_model::model::{Topology, TopologyNode};
 use objdict_model::source::{Folder, SourceFile, Span};
 use objdict_network::{Heartbeat, Manager, Network, Node, Said};
 
-/// Reads the first network of a node list; `None` if it is none.
+/// Reads the first network of a node list; `None` if there is none.
 pub(super) fn read(
     source: &SourceFile,
     descriptions: &mut NodeDescriptions<'_>,
@@ -47,12 +47,12 @@ pub(super) fn read(
     Some(network.as_described())
 }
 
-/// Whether the description of a node says that it is the manager.
+/// Whether a node is the manager according to its description.
 pub(super) fn is_manager(node: &Node) -> bool {
     node.device.commissioning.as_ref().is_some_and(|node| node.manager == Some(true))
 }
 
-/// The manager is as its DCF describes it: it monitors what its configuration says.
+/// The manager according to its DCF: it monitors the nodes in its configuration.
 pub(super) fn manager(position: usize, node: &Node) -> Manager {
     let heartbeat = Heartbeat { consumer: Some(Said::new(false, node.file.at)), ..Heartbeat::default() };
     Manager {
@@ -66,7 +66,7 @@ pub(super) fn manager(position: usize, node: &Node) -> Manager {
 
 /// The file of a node in a node list, relative to the folder of the list: there, or in the folder of the descriptions.
 pub fn location(folder: Option<&Folder>, topology: &Topology, listed: &TopologyNode) -> String {
-    // the paths are those of Windows
+    // the paths have Windows separators
     let path = |text: &str| text.replace('\\', "/");
     let name = path(listed.dcf.as_deref().unwrap_or_default());
     let among =
@@ -82,7 +82,7 @@ struct TopologyReader<'a, 'd> {
 }
 
 impl TopologyReader<'_, '_> {
-    /// The value of a key; the start of the text for one that is not there.
+    /// The value of a key; the start of the text for a missing one.
     fn span(&self, key: &str) -> Span {
         let mut start = 0;
         for line in self.text.split_inclusive('\n') {

@@ -6,11 +6,11 @@ use objdict_keyed::section::{self, wrong};
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, nearest, say};
 
-/// The key that names the type of a node, or of a type.
+/// The key with the name of a node's or type's type.
 const USE: &str = "use";
 
-/// A node with the keys of its type, and of the type that this one uses. Keys that the node has itself count more; tables
-/// are joined key by key, and other values are replaced.
+/// A node with the keys of its type, and of the type that this one uses. The node's own keys take precedence; tables
+/// are merged key by key, and other values are replaced.
 pub(super) fn with_type(node: &Pair, types: &[Pair], findings: &mut Findings) -> Pair {
     let mut value = node.value.clone();
     let mut names = Vec::new();

@@ -16,7 +16,8 @@ use objdict_network::{
 use objdict_node::configure::Setting;
 
 impl Build<'_> {
-    /// The network as dcfgen takes it, with the descriptions of the nodes: copies of an EDS or DCF, new ones of other formats.
+    /// The network as a file for dcfgen, with the descriptions of the nodes: EDS and DCF files are copied,
+    /// other formats are converted.
     ///
     /// # Errors
     /// When a description cannot be written.
@@ -48,7 +49,7 @@ impl Build<'_> {
         Ok(files)
     }
 
-    /// The device of a node whose description dcfgen does not read: it is neither an EDS nor a DCF.
+    /// The device of a node whose description dcfgen cannot read because it is neither an EDS nor a DCF.
     fn foreign(&self, node: usize) -> Option<&Device> {
         let node = &self.network.nodes[node];
         match self.file.descriptions.get(&node.file.value) {
@@ -58,8 +59,8 @@ impl Build<'_> {
         }
     }
 
-    /// The name of the copy of a node's description, and whether it is a new one. Files of one name in different folders get
-    /// the name of the node too.
+    /// The file name for a node's description, and whether it is new. Files with the same name in different folders are
+    /// prefixed with the name of the node.
     fn copied<'a>(&'a self, node: usize, copied: &mut BTreeMap<String, &'a str>) -> (String, bool) {
         let file = self.network.nodes[node].file.value.as_str();
         let own = file.rsplit(['/', '\\']).next().unwrap_or_default();
@@ -115,7 +116,7 @@ impl Build<'_> {
     }
 }
 
-/// The description of a node as an EDS, or as a DCF if it is that of a node.
+/// The description of a node as an EDS, or as a DCF if it describes a node.
 fn as_ini(node: &Node, device: &Device, file_name: &str) -> Result<Vec<u8>, BuildError> {
     let mut device = device.clone();
     device.file_info.get_or_insert_default().file_name = Some(file_name.to_owned());
@@ -155,7 +156,7 @@ fn errors(text: &mut String, values: impl Iterator<Item = (u8, u8)>) {
 /// The configuration of a node.
 fn written(node: &Node, text: &mut String) {
     number(text, "dcf_path", node.run_time_folder.as_ref().map(|folder| quoted(folder)));
-    // dcfgen does not know FFFFFFFFh as a number that is not stated
+    // dcfgen does not interpret FFFFFFFFh as an unset number
     let stated = |number: Option<Said<u32>>| value(number).filter(|number| *number != u32::MAX);
     number(text, "revision_number", stated(node.revision_number));
     number(text, "serial_number", stated(node.serial_number));

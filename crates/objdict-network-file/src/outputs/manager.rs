@@ -1,4 +1,4 @@
-//! The manager as a device: what it expects of the nodes, and their configurations.
+//! The manager as a device: the expected properties of the nodes, and their configurations.
 
 use super::{Build, BuildError, BuiltFile};
 use objdict_model::model::{
@@ -12,7 +12,7 @@ impl Build<'_> {
     /// The DCF of the manager, with the concise DCF of each node in 1F22h. Objects that its description does not have are added.
     ///
     /// # Errors
-    /// When there is no manager, or the configuration of a node cannot be sent.
+    /// If there is no manager, or the configuration of a node cannot be sent.
     pub fn manager(&self) -> Result<BuiltFile, BuildError> {
         let manager = self.compiled.manager.as_ref().ok_or(BuildError::NoManager)?;
         self.dcf(manager, &self.manager_device()?)
@@ -21,7 +21,7 @@ impl Build<'_> {
     /// The manager with its values.
     ///
     /// # Errors
-    /// When there is none, or the configuration of a node cannot be sent.
+    /// If there is none, or the configuration of a node cannot be sent.
     pub fn manager_device(&self) -> Result<Device, BuildError> {
         let mut device = self.compiled.manager.as_ref().ok_or(BuildError::NoManager)?.described();
         self.configure(&mut device)?;
@@ -50,7 +50,7 @@ impl Build<'_> {
         Ok(())
     }
 
-    /// Adds an array with the same number for each node that can keep it (1020h).
+    /// Adds an array with the same number for each node that can store it (1020h).
     fn expect(&self, device: &mut Device, index: u16, name: &str, number: u32) {
         let has_it = |slave: &&Slave| slave.device.object(0x1020).is_some();
         let values = self.compiled.slaves.iter().filter(has_it);

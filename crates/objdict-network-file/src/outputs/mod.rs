@@ -1,4 +1,4 @@
-//! What is built of a network.
+//! The files built from a network.
 
 mod bus;
 mod manager;
@@ -69,7 +69,7 @@ pub struct Build<'a> {
     network: &'a Network,
     compiled: Cow<'a, Compiled>,
     configured_at: Option<ConfigurationTime>,
-    /// What the files of the nodes are called, see [`Network::file_stems`].
+    /// The file stems of the nodes; see [`Network::file_stems`].
     stems: Vec<String>,
 }
 
@@ -79,22 +79,23 @@ pub struct Build<'a> {
 pub struct ConfiguredNode {
     /// Its position in [`Network::nodes`].
     pub node: usize,
-    /// Whether it is a manager that the file does not describe: its PDOs are the other sides of those of the nodes.
+    /// Whether it is a manager that is not in the file: its PDOs are the counterparts of the nodes' PDOs.
     pub is_made: bool,
     /// Its name.
     pub name: String,
     /// Its node-ID.
     pub node_id: u8,
-    /// The effective dictionary, with what the network says of the node.
+    /// The effective dictionary, including the network's settings for the node.
     pub device: Device,
 }
 
-/// When a configuration was made (1020h of a node, 1F26h and 1F27h of the manager). A node that has it already is not configured again.
+/// The time of a configuration (1020h of a node, 1F26h and 1F27h of the manager). A node that already has it
+/// is not configured again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ConfigurationTime {
     /// Days since 1984-01-01, not 0.
     pub days: u32,
-    /// Milliseconds since midnight, not 0: a manager takes 0 for nothing expected.
+    /// Milliseconds since midnight, not 0: for a manager, 0 means that nothing is expected.
     pub milliseconds: u32,
 }
 
@@ -102,7 +103,7 @@ impl NetworkFile {
     /// Compiles the network.
     ///
     /// # Errors
-    /// When the file describes none.
+    /// If the file does not contain one.
     pub fn build(&self, mode: DcfgenMode) -> Result<Build<'_>, BuildError> {
         let resolved = self.resolved.as_ref().ok_or(BuildError::NoNetwork)?;
         let network = resolved.network();
@@ -121,7 +122,7 @@ impl Build<'_> {
         Self { configured_at: Some(time), ..self }
     }
 
-    /// What a later build keeps of this one.
+    /// The values that a later build keeps.
     pub fn lock(&self) -> NetworkLock {
         locked(self.network, &self.compiled)
     }
@@ -144,7 +145,7 @@ impl Build<'_> {
     /// The files of Lely's master: `master.dcf`, `master.bin` and one `.bin` a node.
     ///
     /// # Errors
-    /// When there is no manager, or a stream is too long.
+    /// If there is no manager, or a stream is too long.
     pub fn lely(&self, options: &LelyOptions) -> Result<Vec<BuiltFile>, BuildError> {
         let master =
             lely_master(self.network, &self.compiled.slaves, options).ok_or(BuildError::NoManager)?;
@@ -172,7 +173,7 @@ impl Build<'_> {
         self.compiled.slaves.iter().map(stream).collect()
     }
 
-    /// The DCF of each node, and of the manager.
+    /// The DCFs of the nodes and the manager.
     ///
     /// # Errors
     /// When a DCF cannot be written.
@@ -255,7 +256,7 @@ impl Build<'_> {
         BuildError::Plan { node: self.name(slave).to_owned(), error }
     }
 
-    /// What the DCF of a node says of the network.
+    /// The commissioning of a node's DCF according to the network.
     fn commissioning(&self, name: &str, node_id: u8, device: &Device, is_manager: bool) -> Commissioning {
         let own = device.commissioning.clone().unwrap_or_default();
         Commissioning {
@@ -268,7 +269,8 @@ impl Build<'_> {
         }
     }
 
-    /// The DCF of a device of a node: the text of an EDS or DCF with the values, a new one for other formats.
+    /// The DCF of a node: the text of an EDS or DCF with the configured values, or a new text for other
+    /// formats.
     fn dcf(&self, slave: &Slave, device: &Device) -> Result<BuiltFile, BuildError> {
         let node = &self.network.nodes[slave.node];
         let name = &node.name.value;
@@ -290,7 +292,7 @@ impl Build<'_> {
     }
 }
 
-/// Whether a description is a text that programs of CiA 306 read.
+/// Whether a description is a text in the format of CiA 306.
 fn is_ini(description: &Description) -> bool {
     description.format().syntax() == format::Syntax::Ini
 }
@@ -306,7 +308,7 @@ fn written(
     (device.kind, device.commissioning) = (DeviceKind::Node, Some(commissioning));
     let info = device.file_info.get_or_insert_default();
     info.file_name = Some(file_name.clone());
-    // versions of the vendor's file that are no numbers
+    // non-numeric versions in the vendor's file
     info.invalid_values.retain(|of| !matches!(of.field, Field::FileVersion | Field::FileRevision));
     info.file_version.get_or_insert(1);
     info.file_revision.get_or_insert(0);

@@ -1,4 +1,4 @@
-//! Built files, replayed: each node takes what is built for it, and the network that comes of it is checked again.
+//! Replays built files: applies to each node its downloads, and checks the resulting network again.
 
 use std::fmt;
 
@@ -16,16 +16,16 @@ use objdict_network as network;
 use objdict_network::{DcfgenMode, Network, Node, Said, Slave};
 use objdict_node::download::{ConciseDcf, Download};
 
-/// The rule about what nodes refuse of the manager's configurations.
+/// The rule about configurations that nodes reject.
 const REFUSED: &str = "network/refused-configuration";
 
-/// What is against built files.
+/// An objection to built files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct BuildObjection {
-    /// The name of the node that refuses a download; `None` for a finding about the network that comes of the files.
+    /// The name of the node that rejects a download; `None` for a finding about the resulting network.
     pub node: Option<String>,
-    /// What is against it: a sentence in lower case without a full stop.
+    /// The objection: a sentence in lower case without a full stop.
     pub message: String,
 }
 
@@ -39,12 +39,12 @@ impl fmt::Display for BuildObjection {
 }
 
 impl Build<'_> {
-    /// Replays built files: each node takes its concise DCF, from the manager or from a file of its own, as [`ConciseDcf::verify`] says. Then the nodes, with
-    /// what they were sent or with the values of their built DCFs, and the manager are checked by the rules about networks. What
-    /// is against it is returned, with the errors of these rules.
+    /// Replays built files: each node receives its concise DCF, from the manager or from its own file, as in
+    /// [`ConciseDcf::verify`]. Then the rules about networks check the nodes, with the downloads or with the values of
+    /// their built DCFs, and the manager. Returns all objections, including the errors of these rules.
     ///
     /// # Errors
-    /// When a file cannot be read, or several describe a manager.
+    /// If a file cannot be read, or several describe a manager.
     pub fn verify(&self, files: &[BuiltFile]) -> Result<Vec<BuildObjection>, InstallError> {
         let mut described = described(files)?;
         let manager = match manager_among(&described) {
@@ -64,10 +64,11 @@ impl Build<'_> {
         let network = read_stored(network, &mut findings);
         network::check(&network, &network::compile(&network, DcfgenMode::Corrected), &mut findings);
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
-        // of what the network file does not configure, some rules only warn; then it is no news either
+        // some rules only warn about values that the network file does not configure; these are not new
+        // either
         let said = self.file.check();
         let is_known = |rule: &str| said.iter().any(|finding| finding.rule.id == rule && !is_error(finding));
-        // what the nodes refuse was said of the nodes
+        // rejections by nodes are reported for the nodes
         let is_news = |rule: &str| rule != REFUSED && !is_known(rule);
         let errors = findings.iter().filter(|finding| is_error(finding) && is_news(finding.rule.id));
         let errors = errors
@@ -76,7 +77,7 @@ impl Build<'_> {
         Ok(objections)
     }
 
-    /// A node after it took what the files have for it.
+    /// A node after it received its downloads from the files.
     fn replayed(
         &self,
         slave: &Slave,
@@ -115,7 +116,7 @@ impl Build<'_> {
         }
     }
 
-    /// The concise DCF of a node that is a file of its own.
+    /// The concise DCF of a node in a separate file.
     fn own_stream(&self, slave: &Slave, files: &[BuiltFile]) -> Option<Result<Vec<Download>, String>> {
         let name = format!("{}.cdcf", self.stems[slave.node]);
         let file = files.iter().find(|file| file.name == name)?;
@@ -128,7 +129,8 @@ impl Build<'_> {
         switched_on(self.network, node, slave.node_id).switched_on()
     }
 
-    /// The network of nodes that are configured already. Its manager is the one of the files, else the one that belongs to them.
+    /// The network of nodes that are already configured. Its manager is the one in the files, otherwise the
+    /// matching one.
     fn network_of(&self, mut nodes: Vec<Node>, built: Option<PlantNode>) -> Network {
         let manager = self.network.manager.as_ref();
         let own = || {
@@ -155,7 +157,7 @@ fn after(mut device: Device, stream: &ConciseDcf) -> Device {
     device
 }
 
-/// With the configurations that the manager holds.
+/// Reads the configurations stored in the manager.
 fn read_stored(mut network: Network, findings: &mut Findings) -> Network {
     stored::read(&mut network, findings);
     network.as_described()
