@@ -37,7 +37,7 @@ objdict_model::messages! { ObjectName: {
     Self::Text(text) => "{text}";
 } }
 
-/// Finds the objects and entries that a text names: an address (`1018:1`), a PDO (`tpdo1`), an area
+/// Finds the objects and entries that a text refers to: an address (`1018:1`), a PDO (`tpdo1`), an area
 /// (`communication`, `manufacturer`, `profile`), a pattern of indexes or names (`60*`, `*velocity*`), or a
 /// name. Case, spaces and punctuation of names are ignored. A full match takes precedence over a partial one,
 /// and objects over entries. An address is returned even if the device does not have it.
@@ -48,7 +48,7 @@ pub fn resolve(device: &Device, text: &str) -> Vec<Address> {
     })
 }
 
-/// The name of an object, or the words of one, that a text with no result is meant for.
+/// The probably intended name of an object, or part of it, for a text without a result.
 pub fn meant(device: &Device, text: &str) -> Option<String> {
     let count = text.split_whitespace().count().max(1);
     let names = || device.objects.values().map(Object::name);
@@ -58,9 +58,8 @@ pub fn meant(device: &Device, text: &str) -> Option<String> {
     nearest(text, names().chain(parts.iter().map(String::as_str))).map(str::to_owned)
 }
 
-/// Finds every candidate if one entry is expected, in the order of the dictionary. Unlike [`resolve`],
-/// objects do not take precedence over entries; if an object and its own entries match, only the entries are
-/// returned.
+/// Finds every candidate if one entry is expected, in dictionary order. Unlike [`resolve`], objects do not
+/// take precedence over entries; if an object and its own entries match, only the entries are returned.
 pub fn candidates(device: &Device, text: &str) -> Vec<Address> {
     find(device, text, |is_meant| {
         let entries = entries_by(device, is_meant);

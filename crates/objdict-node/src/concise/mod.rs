@@ -1,5 +1,5 @@
-//! Text and source-code forms of a concise DCF, the stream that a CANopen manager stores in 1F22h for each
-//! node (CiA 302-3).
+//! The text and source code formats of a concise DCF, the stream that a CANopen manager stores in 1F22h
+//! for each node (CiA 302-3).
 //!
 //! The stream itself is written and parsed by [`crate::download::ConciseDcf`].
 

@@ -1,4 +1,4 @@
-//! Output forms of a stream: binary, hex, C, Rust, or a table.
+//! Output formats of a stream: binary, hex, C, Rust, or a table.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::model::hex;
 /// Bytes per line.
 const PER_LINE: usize = 16;
 
-/// The output form of a stream.
+/// The output format of a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BlobSpelling {
     /// The raw bytes.
@@ -23,7 +23,7 @@ pub enum BlobSpelling {
 }
 
 impl BlobSpelling {
-    /// Returns the stream in this form. C and Rust derive an identifier from `name`.
+    /// Returns the stream in this format. C and Rust derive an identifier from `name`.
     pub fn spell(self, stream: &[u8], name: &str) -> Vec<u8> {
         match self {
             Self::Binary => stream.to_vec(),

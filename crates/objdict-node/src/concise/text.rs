@@ -1,5 +1,5 @@
-//! The text form of a concise DCF for review and version control: one line per download. Parsing it gives the
-//! same bytes.
+//! The text format of a concise DCF for review and version control: one line per download. Parsing it gives
+//! the same bytes.
 //!
 //! ```text
 //! 1800:01  UNSIGNED32  0x80000185  # TPDO communication parameter / COB-ID: not valid
@@ -54,13 +54,13 @@ objdict_model::error_messages! { TextError: { Self { line, message, .. } => "lin
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct TextErrors {
-    /// The first 1000 of them, ordered by line; at least one.
+    /// The first 1000 errors, ordered by line; at least one.
     pub first: Vec<TextError>,
-    /// How many more there are.
+    /// The number of further errors.
     pub more: usize,
 }
 
-/// A text that is none has as many errors as lines.
+/// A text in a different format has as many errors as lines.
 const MAX_ERRORS: usize = 1000;
 
 impl std::error::Error for TextErrors {}
@@ -123,7 +123,7 @@ fn value_text(download: &Download, data_type: DataType) -> Option<String> {
     })
 }
 
-/// Quotes a text; `None` if the text cannot be written on one line, or cannot be printed.
+/// Quotes a string; `None` if it cannot be written on one line, or cannot be printed.
 fn quoted(text: &str) -> Option<String> {
     if one_line(text) != text {
         return None;
@@ -136,7 +136,7 @@ fn byte_lines(bytes: &[u8]) -> String {
     bytes.chunks(PER_LINE).map(line).collect::<Vec<_>>().join("\n         ")
 }
 
-/// Parses the text form. Formulas such as `$NODEID+0x180` are evaluated for `node_id`.
+/// Parses the text format. Formulas such as `$NODEID+0x180` are evaluated for `node_id`.
 ///
 /// # Errors
 /// Lists the lines that are not valid downloads.
@@ -181,7 +181,8 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
     })
 }
 
-/// The line up to the first `#` outside quotes that a blank precedes, so that `16#3` is not cut to 16.
+/// The line up to the first `#` outside quotes that follows whitespace, so that `16#3` is not shortened to
+/// 16.
 fn without_comment(line: &str) -> &str {
     let (mut is_quoted, mut is_escaped) = (false, false);
     for (at, c) in line.char_indices() {
@@ -225,7 +226,7 @@ fn word(text: &str) -> (&str, &str) {
     (word, rest.trim())
 }
 
-/// Encodes the text of a value.
+/// Encodes a value given as text.
 fn bytes_of(text: &str, data_type: DataType, node_id: Option<u8>) -> Result<Vec<u8>, WrongText> {
     let value = match data_type.kind() {
         TypeKind::VisibleString | TypeKind::UnicodeString => Value::Text(unquoted(text)?.into()),
@@ -255,7 +256,7 @@ fn number(text: &str, data_type: DataType) -> Result<Value, WrongText> {
     literal::written(text, data_type).map_err(|wrong| (wrong.message, wrong.help.unwrap_or(WRITE_NUMBER)))
 }
 
-/// Removes the quotes of a text.
+/// Removes the quotes of a string.
 fn unquoted(text: &str) -> Result<String, WrongText> {
     let wrong = |what: &str| {
         Err((format!("`{text}` {what}"), "write the string in double quotes, with `\\\"` for a quote in it"))

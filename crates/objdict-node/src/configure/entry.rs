@@ -1,4 +1,5 @@
-//! Setting the value of one entry, heartbeat consumers (1016h), and objects that a setting names and the device does not have.
+//! Sets the value of one entry and heartbeat consumers (1016h), and explains settings for objects that the
+//! device does not have.
 
 use std::borrow::Cow;
 
@@ -49,7 +50,7 @@ impl<'a> Configurator<'a> {
         format!("`{}` {of}{name}", ObjectName::Address(at))
     }
 
-    /// Sets an entry to the value of a text.
+    /// Parses a text and sets an entry to its value.
     pub(super) fn set(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
         let (sub, entry) = self.writable(at)?;
         let value = self.read(at.index, sub, &entry, text)?;
@@ -67,7 +68,7 @@ impl<'a> Configurator<'a> {
         Ok(())
     }
 
-    /// Sets an entry of an object that a setting does not name, so a problem has to.
+    /// Sets an entry of an object that a setting does not mention, so problems must name it.
     pub(super) fn set_implied(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
         self.set(at, text).map_err(|wrong| wrong.about(at))
     }
@@ -181,7 +182,7 @@ fn subs(object: &Object) -> String {
 const CONSUMERS: u16 = 0x1016;
 
 impl Configurator<'_> {
-    /// Monitors a node: reuses the entry that already monitors it, else takes the first free one.
+    /// Monitors a node: reuses the entry that already monitors it, or takes the first free one.
     pub(super) fn watch(&mut self, node_id: u8, milliseconds: u16) -> Result<(), Wrong> {
         if node_id == self.node_id {
             return Err(Wrong::new("a node cannot monitor its own heartbeat"));
@@ -230,7 +231,7 @@ impl Configurator<'_> {
                 None => wrong.help("`objdict show` lists the objects"),
             };
         };
-        // a known index is meant as it is written
+        // an existing index is intended as written
         let wrong = Wrong::new(format!("the device has no object `{wanted}` ({name})"));
         match self.consequence(index) {
             Some(help) => wrong.help(help),
@@ -238,7 +239,7 @@ impl Configurator<'_> {
         }
     }
 
-    /// What a device without a communication object does not do, and what it has in its place.
+    /// The consequence of a missing communication object, and its replacement in the device.
     fn consequence(&self, index: u16) -> Option<&'static str> {
         let has = |index| self.device.object(index).is_some();
         Some(match index {

@@ -140,14 +140,14 @@ impl Sdo {
     }
 }
 
-/// The settings of one option, by what is in front of `=`.
+/// The settings of one option, by the part before `=`.
 type SettingsTable = BTreeMap<String, Toml>;
 
-/// Reads a setting as the option of its name.
+/// Parses the setting of an option.
 type Read = fn(&str) -> Result<Setting, NoSetting>;
 
 impl SettingsDocument {
-    /// The settings in the order in which they apply, later ones of an entry over earlier ones.
+    /// The settings in order of application; later settings of an entry override earlier ones.
     fn settings(&self) -> Vec<Result<Setting, NoSetting>> {
         let pairs = |table: &SettingsTable, read: Read| -> Vec<_> {
             table.iter().map(|(at, value)| read(&format!("{at}={}", plain(value)))).collect()

@@ -52,7 +52,7 @@ pub struct SettingProblem {
     pub message: String,
     /// How to fix it.
     pub help: Option<String>,
-    /// What the description says against the setting.
+    /// The part of the description that contradicts the setting.
     pub place: Option<Place>,
 }
 
@@ -75,7 +75,7 @@ impl Wrong {
         self
     }
 
-    /// With the place of the description that the problem comes from.
+    /// Adds the place in the description that causes the problem.
     pub(crate) fn at(mut self, place: Place) -> Self {
         self.place = Some(place);
         self
@@ -88,8 +88,8 @@ impl Wrong {
     }
 }
 
-/// Computes the values that the settings give to the node `node_id`, in ascending order of index and
-/// sub-index. If several settings write the same entry, the last one wins.
+/// Computes the values that the settings assign to the node `node_id`, in ascending order of index
+/// and sub-index. If several settings write the same entry, the last one wins.
 ///
 /// # Errors
 /// Lists every setting that cannot be applied.
@@ -101,7 +101,7 @@ pub fn configure(
     configuration(device, node_id, settings).map(|configuration| configuration.values)
 }
 
-/// What settings make of a node.
+/// The result of applying settings to a node.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Configuration {
     /// The values that [`configure`] returns.
@@ -110,7 +110,7 @@ pub struct Configuration {
     pub downloads: Vec<ExplicitDownload>,
 }
 
-/// Computes what [`configure`] does, and the downloads that are made beside the values.
+/// Computes the values like [`configure`], and the explicit downloads.
 ///
 /// # Errors
 /// Lists every setting that cannot be applied.

@@ -1,4 +1,4 @@
-//! COB-IDs of a node that gets another node-ID.
+//! COB-IDs of a node whose node-ID changes.
 
 use std::borrow::Cow;
 
@@ -7,15 +7,15 @@ use crate::model::{Access, Address, Assignment, CobId, Device, Entry, predefined
 /// COB-IDs with fixed numbers, seen from the node-ID that they were made for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rebased {
-    /// The COB-IDs that were the former node-ID plus a number of the predefined connection set, or plus the
-    /// number in the formula of their default: each as a formula, in ascending order.
+    /// The COB-IDs that equalled the former node-ID plus a number of the predefined connection set, or plus
+    /// the number in the formula of their default: each as a formula, in ascending order.
     pub assignments: Vec<Assignment>,
     /// The other valid COB-IDs, which do not depend on the node-ID.
     pub kept: Vec<(Address, CobId)>,
 }
 
-/// Separates the COB-IDs of PDOs, SDOs and EMCY that are fixed numbers by whether they follow the node-ID:
-/// those of `former` become formulas, so that they are right for any node-ID.
+/// Separates fixed COB-IDs of PDOs, SDOs and EMCY by whether they depend on the node-ID: those based on
+/// `former` become formulas, so that they are correct for any node-ID.
 pub fn rebase(device: &Device, former: u8) -> Rebased {
     let mut rebased = Rebased::default();
     for (at, entry) in cob_ids(device) {
@@ -52,7 +52,7 @@ fn cob_ids(device: &Device) -> impl Iterator<Item = (Address, Cow<'_, Entry>)> {
     ids.filter_map(|at| Some((at, device.entry(at.index, at.sub.unwrap_or_default())?)))
 }
 
-/// The formula that gives the COB-ID on the former node; `None` if there is none.
+/// The formula that results in the COB-ID on the former node; `None` if there is none.
 fn formula(at: Address, entry: &Entry, cob_id: CobId, former: u8) -> Option<CobId> {
     let default = entry.default.as_ref().and_then(CobId::from_value).filter(|id| id.depends_on_node_id());
     let base = cob_id.can_id(former).checked_sub(former.into())?;

@@ -12,7 +12,7 @@ const SYNC_PERIOD: Address = Address { index: 0x1006, sub: None };
 /// 1012h, COB-ID of TIME. Bit 31: the node consumes it; bit 30: the node produces it.
 const TIME: Address = Address { index: 0x1012, sub: None };
 
-/// 1014h, COB-ID of EMCY. Bit 31: the node sends none.
+/// 1014h, COB-ID of EMCY. Bit 31: the node does not send EMCY.
 const EMCY: Address = Address { index: 0x1014, sub: None };
 
 /// CAN-IDs that neither CiA 301 nor the predefined connection set of any node uses (§7.3.5).
@@ -89,8 +89,8 @@ impl Configurator<'_> {
         self.set_implied(Address { index: 0x100D, sub: None }, &factor.to_string())
     }
 
-    /// Sets the COB-ID of a service whose CAN-ID is usually `usual`. `flags` are bits 30 and 31; those that are
-    /// `None` stay.
+    /// Sets the COB-ID of a service whose CAN-ID is usually `usual`. `flags` are bits 30 and 31; `None` keeps a
+    /// bit.
     fn service(
         &mut self,
         at: Address,
@@ -138,7 +138,7 @@ impl Configurator<'_> {
         }
     }
 
-    /// The CAN-ID of the predefined connection set, else the first one that CiA 301 leaves free.
+    /// The CAN-ID of the predefined connection set, otherwise the first one that CiA 301 does not assign.
     fn first_free(&self, pdo: PdoName, kept: u32) -> Result<CobId, Wrong> {
         let at = Address { index: self.communication_of(pdo)?, sub: Some(1) };
         let predefined =
@@ -207,7 +207,7 @@ fn numbered(id: CanId, flags: u32) -> Result<CobId, Wrong> {
     }
 }
 
-/// A COB-ID with another number.
+/// A COB-ID with a different number.
 fn flagged(cob_id: CobId, number: u32) -> Option<CobId> {
     if cob_id.depends_on_node_id() { CobId::per_node(number) } else { Some(CobId::new(number)) }
 }

@@ -33,7 +33,7 @@ pub enum Setting {
         /// The CAN-ID.
         id: CanId,
     },
-    /// Monitors the heartbeat of another node.
+    /// Monitors the heartbeat of a node.
     HeartbeatConsumer {
         /// The monitored node.
         node_id: u8,
@@ -49,7 +49,7 @@ pub enum Setting {
         /// The value: a number, or a time with a unit.
         text: String,
     },
-    /// Sets up SYNC (1005h, 1006h). What is `None` stays.
+    /// Configures SYNC (1005h, 1006h). `None` keeps the current setting.
     Sync {
         /// The CAN-ID; [`CanId::Off`] is not possible.
         id: Option<CanId>,
@@ -60,7 +60,7 @@ pub enum Setting {
     },
     /// Sets the CAN-ID of EMCY (1014h).
     Emcy(CanId),
-    /// Sets up TIME (1012h). What is `None` stays.
+    /// Configures TIME (1012h). `None` keeps the current setting.
     TimeStamp {
         /// The CAN-ID; [`CanId::Off`]: the node neither produces nor consumes TIME.
         id: Option<CanId>,
@@ -69,9 +69,9 @@ pub enum Setting {
         /// Whether the node consumes TIME.
         consumer: Option<bool>,
     },
-    /// Downloads that are made as stated, beside the values of entries.
+    /// Downloads that are performed as stated, in addition to the values of entries.
     Downloads {
-        /// Whether they come before or after the values of entries.
+        /// Whether they are performed before or after the values of entries.
         when: Moment,
         /// The entry; for a VAR, the object.
         at: ObjectName,
@@ -155,8 +155,8 @@ pub enum CanId {
     Number(u32),
     /// The node-ID plus an offset.
     PerNode(u32),
-    /// The CAN-ID of the predefined connection set, if it is free, else for a PDO the first free one from 680h
-    /// on, which CiA 301 assigns to no service.
+    /// The CAN-ID of the predefined connection set if it is free; otherwise, for a PDO, the first free one
+    /// from 680h on, which CiA 301 does not assign to a service.
     Auto,
     /// No CAN-ID: the PDO is not valid.
     Off,
@@ -179,7 +179,7 @@ impl NoSetting {
     }
 }
 
-/// What is in front of `=`, and the text behind it.
+/// Splits a text at `=` into its key and value.
 fn pair<'t, T: FromStr>(text: &'t str, expected: &'static str) -> Result<(T, &'t str), NoSetting> {
     let pair = text.split_once('=').and_then(|(at, value)| Some((at.parse().ok()?, value)));
     pair.ok_or_else(|| NoSetting::new(text, expected))
@@ -189,7 +189,7 @@ impl Setting {
     /// `1017=250`, `1800:2=1`, `2001="a text"`, `Producer heartbeat time=250`, `1017=1s`, `1017=default`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn value(text: &str) -> Result<Self, NoSetting> {
         let (at, value) = pair(text, "write an entry and its value, as in `1017=250` or `1800:2=0xFE`")?;
         Ok(Self::Value { at, text: value.trim().to_owned() })
@@ -198,7 +198,7 @@ impl Setting {
     /// `6040=6,7,15`: downloads of an entry in this order, before or after the values of entries.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn downloads(when: Moment, text: &str) -> Result<Self, NoSetting> {
         let expected = "write an entry and its values in order, as in `6040=6,7,15`";
         let (at, values) = pair(text, expected)?;
@@ -212,7 +212,7 @@ impl Setting {
     /// `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; an empty list after `=` clears the mapping.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn map(text: &str) -> Result<Self, NoSetting> {
         let expected = "write a PDO and its mapping, as in `tpdo1=6000:1,6401:2`";
         let (pdo, objects) = pair(text, expected)?;
@@ -224,7 +224,7 @@ impl Setting {
     /// `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`, `tpdo1=auto`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn cob_id(text: &str) -> Result<Self, NoSetting> {
         let expected = "write a PDO and its CAN-ID, as in `rpdo2=0x2AA` or `tpdo3=off`";
         let (pdo, id) = pair(text, expected)?;
@@ -234,7 +234,7 @@ impl Setting {
     /// `7=750ms`, `7=750`, `9=1.5s`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn heartbeat_consumer(text: &str) -> Result<Self, NoSetting> {
         let wrong = || {
             NoSetting::new(text, "write a node-ID from 1 to 127 and a time up to 65535 ms, as in `7=750ms`")
@@ -249,7 +249,7 @@ impl Setting {
     /// `tpdo1=sync/1`, `tpdo1=event`, `tpdo1=254`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn transmission(text: &str) -> Result<Self, NoSetting> {
         Self::pdo(PdoParameter::Transmission, text)
     }
@@ -257,7 +257,7 @@ impl Setting {
     /// `tpdo1=5ms`, `tpdo1=50` (multiples of 100 µs).
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn inhibit(text: &str) -> Result<Self, NoSetting> {
         Self::pdo(PdoParameter::Inhibit, text)
     }
@@ -265,7 +265,7 @@ impl Setting {
     /// `tpdo1=100ms`, `tpdo1=100`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn event_timer(text: &str) -> Result<Self, NoSetting> {
         Self::pdo(PdoParameter::EventTimer, text)
     }
@@ -273,15 +273,15 @@ impl Setting {
     /// `tpdo1=3`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn sync_start(text: &str) -> Result<Self, NoSetting> {
         Self::pdo(PdoParameter::SyncStart, text)
     }
 
-    /// A parameter of a PDO, as the functions of their names read it.
+    /// Parses a parameter of a PDO like the function with its name.
     ///
     /// # Errors
-    /// Fails if the text does not match the syntax.
+    /// If the text does not match the syntax.
     pub fn pdo(parameter: PdoParameter, text: &str) -> Result<Self, NoSetting> {
         let expected = match parameter {
             PdoParameter::Transmission => {
@@ -302,11 +302,11 @@ impl Setting {
         Ok(Self::Pdo { pdo, parameter, text: value.ok_or_else(|| NoSetting::new(text, expected))? })
     }
 
-    /// `producer,33ms`, `0x80`, `0x90,consumer`: a CAN-ID, what the node does with SYNC, and its period; all
+    /// `producer,33ms`, `0x80`, `0x90,consumer`: a CAN-ID, the role of the node, and the SYNC period; all
     /// optional, in any order.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn sync(text: &str) -> Result<Self, NoSetting> {
         let wrong = || {
             NoSetting::new(
@@ -332,17 +332,17 @@ impl Setting {
     /// `0x90`, `$NODEID+0x80`, `off`, `auto`.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn emcy(text: &str) -> Result<Self, NoSetting> {
         let wrong =
             || NoSetting::new(text, "write the CAN-ID of EMCY, as in `$NODEID+0x80`, `auto` or `off`");
         text.parse().map(Self::Emcy).map_err(|()| wrong())
     }
 
-    /// `consumer`, `0x100,producer`, `off`: a CAN-ID and what the node does with TIME.
+    /// `consumer`, `0x100,producer`, `off`: a CAN-ID and the node's role for TIME.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn time(text: &str) -> Result<Self, NoSetting> {
         let wrong = || {
             NoSetting::new(
@@ -364,10 +364,10 @@ impl Setting {
         Ok(Self::TimeStamp { id, producer, consumer })
     }
 
-    /// `100x3`, `0.1s x 3`: guard time and life time factor; `0x0` is no guarding.
+    /// `100x3`, `0.1s x 3`: guard time and life time factor; `0x0` disables guarding.
     ///
     /// # Errors
-    /// Fails if the text does not match this syntax.
+    /// If the text does not match this syntax.
     pub fn guard(text: &str) -> Result<Self, NoSetting> {
         let wrong = || {
             NoSetting::new(
@@ -449,7 +449,7 @@ objdict_model::messages! { CanId: {
     Self::Auto => "auto";
 } }
 
-/// The syntax of the command-line option, for those about one service behind the name of the option.
+/// The syntax of the command-line option; for settings of one service, preceded by the name of the option.
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -481,7 +481,7 @@ impl fmt::Display for Setting {
     }
 }
 
-/// `sync 0x80,producer`: the name of an option and the parts that are there.
+/// `sync 0x80,producer`: the name of an option and the existing parts.
 fn write_parts(f: &mut fmt::Formatter<'_>, name: &str, parts: [Option<String>; 3]) -> fmt::Result {
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     write!(f, "{name} {}", parts.join(","))

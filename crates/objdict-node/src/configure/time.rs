@@ -15,7 +15,7 @@ pub(super) fn milliseconds(text: &str) -> Option<u16> {
     u16::try_from(number).ok()
 }
 
-/// The number that an entry has for a time: in its unit, which the CiA documents of the device state
+/// Converts a time to the number in an entry, in the unit that the CiA documents of the device state
 /// (1006h: 1 µs, 1017h: 1 ms, inhibit times: 100 µs).
 pub(super) fn in_unit_of(
     device: &Device,

@@ -30,8 +30,8 @@ use crate::model::{CobId, Device, DeviceKind, Entry, Module, ObjectList, Value};
 /// A fixed object is added once, even if several modules describe it. Each module appends its sub-indexes to
 /// the existing ones. Modules that share an element bit by bit start a new sub-index when the last one is
 /// full. After `ObjExtend` sub-indexes the extension continues at the next index. Sub-index 0 is updated. A
-/// default PDO mapping ends before the first missing entry; if that is its first entry, the PDO becomes not
-/// valid. The result describes a node and contains `ConnectedModules`.
+/// default PDO mapping ends before the first missing entry; if that is its first entry, the PDO is marked as
+/// not valid. The result describes a node and contains `ConnectedModules`.
 ///
 /// # Errors
 /// Lists every problem that prevents a module from being connected.
@@ -140,8 +140,8 @@ impl Rack<'_> {
     }
 }
 
-/// Truncates each mapping at the first missing entry. A PDO without any mapped entry becomes not valid: bit
-/// 31 of its COB-ID is set.
+/// Truncates each mapping at the first missing entry. A PDO without mapped entries is marked as not valid:
+/// bit 31 of its COB-ID is set.
 fn shorten(device: &mut Device) {
     let mut shortened = Vec::new();
     for pdo in device.pdos() {

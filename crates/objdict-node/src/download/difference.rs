@@ -35,8 +35,8 @@ impl Differences {
 }
 
 impl ConciseDcf {
-    /// Compares with `other`. An entry differs if the sequence of its writes differs, because a COB-ID is
-    /// written more than once.
+    /// Compares with `other`. An entry differs if its sequence of writes differs, because a COB-ID is
+    /// written several times.
     pub fn differences(&self, other: &Self) -> Differences {
         let (first, second) = (self.by_entry(), other.by_entry());
         let mut keys: Vec<EntryKey> = first.iter().chain(&second).map(|download| key(download)).collect();
@@ -55,7 +55,7 @@ impl ConciseDcf {
         Differences { entries: keys.iter().map(difference).collect(), is_reordered }
     }
 
-    /// The downloads by entry, those of each in their order.
+    /// The downloads by entry, in their original order for each.
     fn by_entry(&self) -> Vec<&Download> {
         let mut downloads: Vec<&Download> = self.0.iter().collect();
         downloads.sort_by_key(|download| key(download));
@@ -67,7 +67,7 @@ fn key(download: &Download) -> EntryKey {
     (download.index, download.sub)
 }
 
-/// What downloads that are sorted write to an entry.
+/// The data that sorted downloads write to an entry.
 fn writes<'a>(sorted: &'a [&'a Download], entry: EntryKey) -> impl Iterator<Item = &'a [u8]> {
     let start = sorted.partition_point(|download| key(download) < entry);
     sorted[start..].iter().take_while(move |download| key(download) == entry).map(|download| &*download.data)

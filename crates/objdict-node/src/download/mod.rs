@@ -1,9 +1,9 @@
 //! The SDO downloads that configure a node, in an order that devices accept, and the concise DCF stream that
 //! contains them (CiA 302-3, object 1F22h).
 //!
-//! [`ConciseDcf::plan`] derives them from a device description and reports entries that are left out. This
-//! module does not read files: a DOMAIN with data in a file stays a [`Step::File`] until
-//! [`Plan::into_concise`] reads it.
+//! [`ConciseDcf::plan`] derives them from a device description and reports skipped entries. This module
+//! does not read files: a DOMAIN with data in a file remains a [`Step::File`] until [`Plan::into_concise`]
+//! reads it.
 
 mod difference;
 mod order;
@@ -44,7 +44,7 @@ pub struct Download {
     #[cfg_attr(feature = "serde", serde(with = "hex_number"))]
     #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u8>"))]
     pub sub: u8,
-    /// The value: little-endian, text without terminator.
+    /// The value: little-endian, strings without terminator.
     #[cfg_attr(feature = "serde", serde(with = "hex_text"))]
     #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexBytes"))]
     pub data: Vec<u8>,
@@ -71,8 +71,9 @@ impl fmt::Debug for Download {
     }
 }
 
-/// The effective dictionary of a described node: its configured values, and over them its [downloads](Device::downloads)
-/// in their order. A download before the values counts where the description configures none.
+/// The effective dictionary of a described node: its configured values, overridden by its
+/// [downloads](Device::downloads) in their order. A download before the values is effective only if the description
+/// does not configure the entry.
 pub fn effective(device: &Device) -> Cow<'_, Device> {
     if device.downloads.is_empty() {
         return Cow::Borrowed(device);
@@ -98,13 +99,13 @@ pub fn effective(device: &Device) -> Cow<'_, Device> {
 }
 
 impl Download {
-    /// The bytes as a value of the entry; `None` where they are none of its data type.
+    /// The bytes as a value of the entry; `None` if they are not valid for its data type.
     pub fn value(&self, device: &Device) -> Option<Value> {
         Value::from_bytes(&self.data, transferred_type(device, self.index, self.sub)?)
     }
 
-    /// The value that the entry has after the download; `None` where the bytes are none of its data type, or only start an
-    /// action, such as those of 1010h (store).
+    /// The value of the entry after the download; `None` if the bytes are not valid for its data type, or only start an
+    /// action, such as 1010h (store).
     pub fn assignment(&self, device: &Device) -> Option<Assignment> {
         let value = self.value(device).filter(|_| !is_command(self.index))?;
         Some(Assignment { index: self.index, sub: self.sub, value })

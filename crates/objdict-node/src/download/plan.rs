@@ -1,4 +1,4 @@
-//! A plan: downloads in their order, and what it is asked for.
+//! A plan: ordered downloads, and its options.
 
 use std::collections::BTreeSet;
 
@@ -10,23 +10,23 @@ pub struct PlanOptions {
     /// The node-ID for formulas such as `$NODEID+0x180`; `None` uses the commissioned node-ID of the
     /// description.
     pub node_id: Option<u8>,
-    /// Which entries are written.
+    /// The written entries.
     pub scope: Scope,
     /// The order of the downloads.
     pub order: Order,
-    /// The objects whose values are written; `None`: all.
+    /// The objects whose values are written; `None` for all.
     pub only: Option<BTreeSet<u16>>,
     /// Whether to write configured values to entries that start an action, such as 1010h (store).
     pub commands: bool,
 }
 
-/// Which entries a plan writes.
+/// The entries that a plan writes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scope {
     /// Entries with a configured value that differs from the default.
     #[default]
     Changed,
-    /// The same, and every parameter and mapping of every PDO.
+    /// As above, and every parameter and mapping of every PDO.
     Pdos,
     /// All writable entries that have a value.
     All,

@@ -8,10 +8,10 @@ use crate::model::{Device, Moment, Object};
 impl ConciseDcf {
     /// Plans the downloads that configure a node as `device` describes.
     ///
-    /// The node is assumed to have its default values. The target is the configured value, else the default.
-    /// Read-only entries, commands, and entries that refuse a download are left out; those with a configured
-    /// value are listed in the plan. [`Device::downloads`] are made as stated, before and after. Services are disabled using their present identifier, changed, and
-    /// enabled again (CiA 301 §7.5.2).
+    /// The node is assumed to have its default values. The target is the configured value, otherwise the default.
+    /// Read-only entries, commands, and entries that reject a download are skipped; those with a configured value are
+    /// listed in the plan. [`Device::downloads`] are performed as stated, before and after. Services are disabled using
+    /// their present identifier, changed, and enabled again (CiA 301 §7.5.2).
     ///
     /// # Errors
     /// Lists every entry with an unknown value, a value outside its data type or limits, or a missing
@@ -20,7 +20,7 @@ impl ConciseDcf {
         if let Some(node_id) = options.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
             return Err(PlanError::NodeId(node_id));
         }
-        // of application objects nothing is written but what has a value of its own
+        // application objects are written only if they have a configured value
         let is_needed = |(index, object): &(&u16, &Object)| {
             object.compact.as_ref().is_some_and(|compact| {
                 let has_values = !compact.values.is_empty() || !compact.invalid_values.is_empty();

@@ -1,10 +1,10 @@
-//! Problems that prevent a plan, and entries that a plan leaves out.
+//! Problems that prevent a plan, and entries that a plan skips.
 
 use std::fmt;
 
 use crate::model::{DataType, Place, Value};
 
-/// Why there is no plan; lists all problems.
+/// The reason why there is no plan; lists all problems.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PlanError {
@@ -64,23 +64,23 @@ pub enum ProblemKind {
     NoCobId,
 }
 
-/// An entry with a value in the description that is not written.
+/// An entry with a value in the description that the plan does not write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Skipped {
     /// The entry.
     pub place: Place,
-    /// Why it is not written.
+    /// The reason why it is not written.
     pub reason: SkipReason,
 }
 
-/// Why an entry is left out of a plan.
+/// The reason why a plan skips an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SkipReason {
     /// The access type allows no write.
     NotWritable,
-    /// The description does not say whether the entry can be written.
+    /// The description does not state whether the entry can be written.
     NoAccess,
     /// `ObjFlags` bit 0: the entry must not be written by a download.
     RefusesWrite,

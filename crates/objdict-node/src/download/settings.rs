@@ -30,7 +30,7 @@ struct WritableEntry<'a> {
     object: &'a Object,
     entry: &'a Entry,
     entry_type: EntryType,
-    /// Whether the plan has to write it.
+    /// Whether the plan must write it.
     wanted: bool,
 }
 
@@ -90,7 +90,7 @@ impl<'a> WritableEntries<'a> {
         let count = sub == 0 && object.object_type().has_subs() && !is_mapping(index);
         let has_value = entry.value().is_some() || unreadable || from_file;
         let is_complete = self.writes_all() || self.options.scope == Scope::Pdos && is_pdo(index);
-        // an ordered download that comes later gives it its value
+        // a later explicit download sets its value
         let is_given =
             self.device.downloads.iter().any(|download| {
                 download.when == Moment::After && (download.index, download.sub) == (index, sub)
@@ -100,8 +100,8 @@ impl<'a> WritableEntries<'a> {
         self.entries.push(((index, sub), WritableEntry { object, entry, entry_type, wanted }));
     }
 
-    /// Leaves out what a node does not let change: a mapping whose number of mapped objects is not 0 and cannot be
-    /// written (CiA 301 §7.5.2.36), and unchanged values of a PDO that cannot be disabled.
+    /// Skips entries that a node does not allow to change: a mapping whose number of mapped objects is not 0 and
+    /// cannot be written (CiA 301 §7.5.2.36), and unchanged values of a PDO that cannot be disabled.
     fn leave_fixed(&mut self, index: u16, object: &Object) {
         let count = object.entry(0).and_then(|entry| entry.value()?.as_integer());
         let is_fixed =
@@ -131,7 +131,7 @@ impl<'a> WritableEntries<'a> {
         self.options.only.as_ref().is_none_or(|only| only.contains(&index))
     }
 
-    /// The downloads that the description demands beside the values.
+    /// The explicit downloads that the description requires.
     pub(super) fn explicit(&mut self, when: Moment) -> Vec<Step> {
         let device = self.device;
         let mut steps = Vec::new();
@@ -161,12 +161,12 @@ impl<'a> WritableEntries<'a> {
         self.find(key).is_some()
     }
 
-    /// Whether the plan has to write the entry.
+    /// Whether the plan must write the entry.
     pub(super) fn wants(&self, key: EntryKey) -> bool {
         self.find(key).is_some_and(|setting| setting.wanted)
     }
 
-    /// The entries that the plan has to write.
+    /// The entries that the plan must write.
     pub(super) fn wanted(&self) -> Vec<EntryKey> {
         self.entries.iter().filter(|(_, setting)| setting.wanted).map(|&(key, _)| key).collect()
     }
@@ -193,8 +193,8 @@ impl<'a> WritableEntries<'a> {
         self.noted(key, bytes).map(|data| Step::Write(Download { index, sub, data }))
     }
 
-    /// The bytes of the target value; `None` without a value or, after recording a problem, without a legal
-    /// one.
+    /// The bytes of the target value; `None` without a value or, after recording a problem, if it is not
+    /// valid.
     pub(super) fn target(&mut self, key: EntryKey) -> Option<Vec<u8>> {
         let bytes = self.find(key)?.bytes(self.options.node_id)?;
         self.noted(key, bytes)
@@ -210,7 +210,7 @@ impl<'a> WritableEntries<'a> {
         let setting = self.find(key)?;
         let bytes = match setting.entry_type.bytes(setting.entry.default.as_ref()?, self.options.node_id) {
             Err(kind @ ProblemKind::NeedsNodeId(_)) => self.noted(key, Err(kind)),
-            // an invalid default counts as unknown
+            // an invalid default is treated as unknown
             bytes => bytes.ok(),
         };
         bytes?.try_into().ok().map(u32::from_le_bytes)
@@ -221,7 +221,7 @@ impl<'a> WritableEntries<'a> {
         self.noted::<()>(key, Err(ProblemKind::NoCobId));
     }
 
-    /// Records that an unused mapping entry is left out.
+    /// Records that an unused mapping entry is skipped.
     pub(super) fn unused(&mut self, key: EntryKey) {
         if let Some(setting) = self.find(key).filter(|setting| setting.entry.configured_value().is_some()) {
             let skipped = Skipped { place: place(key, setting.object), reason: SkipReason::Unused };

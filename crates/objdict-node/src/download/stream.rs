@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::{ConciseDcf, Download};
 
-/// Bytes of the count.
+/// The number of bytes of the count.
 const COUNT: usize = 4;
 
 /// Bytes of an entry before its data: index, sub-index, size.
@@ -14,7 +14,7 @@ const HEADER: usize = 7;
 /// Limit of the search for padded integers in an invalid stream.
 const MAX_TRIED: usize = 1 << 16;
 
-/// A configuration too large for a stream: a count or a size does not fit into 32 bits.
+/// A configuration too large for a stream: a count or a size exceeds 32 bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EncodeError {
     what: String,
@@ -28,8 +28,8 @@ impl ConciseDcf {
     /// Parses a stream.
     ///
     /// # Errors
-    /// Fails with an offset if the length does not match the count and the sizes. Memory is bounded by the
-    /// length of the stream, not by the sizes it states.
+    /// If the length does not match the count and the sizes; the error contains the offset. Memory is
+    /// limited by the length of the stream, not by the sizes it states.
     pub fn parse(stream: &[u8]) -> Result<Self, DecodeError> {
         let Some(count) = count(stream) else {
             return Err(DecodeError { offset: 0, kind: DecodeErrorKind::NoCount { length: stream.len() } });
@@ -40,7 +40,7 @@ impl ConciseDcf {
     /// Encodes the stream.
     ///
     /// # Errors
-    /// Fails if there are more than 2³²−1 downloads, or more than 2³²−1 bytes in one of them.
+    /// If there are more than 2³²−1 downloads, or more than 2³²−1 bytes in one of them.
     pub fn write(&self) -> Result<Vec<u8>, EncodeError> {
         encode(&self.0)
     }
@@ -73,7 +73,7 @@ fn encode(downloads: &[Download]) -> Result<Vec<u8>, EncodeError> {
     Ok(stream)
 }
 
-/// Why a stream is not a valid concise DCF.
+/// The reason why a stream is not a valid concise DCF.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct DecodeError {
@@ -132,7 +132,7 @@ pub enum DecodeErrorKind {
         /// Number of bytes after the last entry.
         left: usize,
     },
-    /// A bug of the generator dcfgen: integers of 24, 40, 48 and 56 bits state their true size, but four or
+    /// A bug in the generator dcfgen: integers of 24, 40, 48 and 56 bits state their true size, but four or
     /// eight bytes follow, so every later entry is shifted.
     PaddedInteger {
         /// Number of the first such entry.
@@ -230,8 +230,8 @@ impl DownloadHeader {
 
 /// Checks whether the stream is valid with padded integers, and finds the first padded entry.
 ///
-/// A three-byte text has the same size as a 24-bit integer, so the search follows both alternatives.
-/// Alternatives that reach the same offset are merged.
+/// A three-byte string has the same size as a 24-bit integer, so the search follows both
+/// alternatives. Alternatives that reach the same offset are merged.
 fn padded_integer(stream: &[u8], count: u32) -> Option<DecodeError> {
     let mut ways: BTreeMap<usize, Option<DecodeError>> = BTreeMap::from([(COUNT, None)]);
     let mut tried = 0;

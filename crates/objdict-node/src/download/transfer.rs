@@ -62,7 +62,7 @@ pub fn transferred_type(device: &Device, index: u16, sub: u8) -> Option<DataType
 /// Encodes a value for a transfer to the node `node_id`.
 ///
 /// # Errors
-/// Fails if the value does not fit the data type, the data type is unknown, or the node-ID is missing.
+/// If the value does not fit the data type, the data type is unknown, or the node-ID is missing.
 pub fn bytes_of(
     device: &Device,
     index: u16,
@@ -109,8 +109,8 @@ pub enum Beyond {
     High(Value),
 }
 
-/// The limit that a value violates on a node. Limits that cannot be compared are ignored, and so are those that no value keeps,
-/// because the low one is above the high one.
+/// The limit that a value violates on a node. Limits that cannot be compared are ignored, and so are contradictory
+/// ones, where the low limit exceeds the high one.
 pub fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
     let limits = entry.low_limit.as_ref().zip(entry.high_limit.as_ref());
     if limits.is_some_and(|(low, high)| compare(low, high, node_id) == Some(Ordering::Greater)) {

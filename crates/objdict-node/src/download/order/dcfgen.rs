@@ -1,4 +1,5 @@
-//! The order of dcfgen (dcf-tools of lely-core), for managers whose files must stay comparable with its files.
+//! The order of dcfgen (dcf-tools of lely-core), for managers whose files must remain comparable with its
+//! output.
 
 use super::{Arranger, EntryKey, INVALID, Stage};
 use crate::download::Step;
@@ -26,7 +27,7 @@ fn communication((index, _): EntryKey) -> Option<u16> {
     matches!(index, 0x1400..=0x1BFF).then_some(index & !0x0200)
 }
 
-/// The place of an entry in the order.
+/// The position of an entry in the order.
 fn rank(key: EntryKey) -> (usize, u16, EntryKey) {
     if let Some(communication) = communication(key) {
         return (SERVICES.len(), communication, key);
@@ -36,7 +37,8 @@ fn rank(key: EntryKey) -> (usize, u16, EntryKey) {
 }
 
 impl Arranger<'_, '_> {
-    /// Marks a PDO not valid with its new CAN-ID, writes its parameters and its mapping, and marks it valid.
+    /// Marks a PDO as not valid with its new CAN-ID, writes its parameters and its mapping, and marks it as
+    /// valid.
     fn pdo_of_dcfgen(&mut self, communication: u16) {
         let cob_id = (communication, 1);
         let new = self.settings.target_number(cob_id);

@@ -146,8 +146,8 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// 100Ch, 100Dh, 1017h: guarding and heartbeat must not run together, so the one that ends is disabled
-    /// first.
+    /// 100Ch, 100Dh, 1017h: guarding and heartbeat must not run simultaneously, so the one that ends is
+    /// disabled first.
     fn error_control(&mut self) {
         let mut keys: Vec<EntryKey> = [(0x100C, 0), (0x100D, 0), (0x1017, 0)].into();
         keys.retain(|&key| self.settings.wants(key));
@@ -157,8 +157,8 @@ impl Arranger<'_, '_> {
         keys.into_iter().for_each(|key| self.write(Stage::Communication, key));
     }
 
-    /// 1016h: two entries must not monitor the same node, so a node that moves to another entry is removed
-    /// from the old one first.
+    /// 1016h: two entries must not monitor the same node, so a node that moves to a different entry is
+    /// removed from the old one first.
     fn heartbeat_consumers(&mut self, keys: &[EntryKey]) {
         let mut done = BTreeSet::new();
         for &key in keys {

@@ -16,7 +16,7 @@ const SRDO_VALID: EntryKey = (0x13FE, 0);
 struct OrderedPdo {
     /// Index of the communication parameter.
     communication: u16,
-    /// Present and new COB-ID; `None` if sub-index 1 cannot be written.
+    /// Current and new COB-ID; `None` if sub-index 1 cannot be written.
     cob_ids: Option<(u32, u32)>,
 }
 
@@ -109,7 +109,7 @@ impl Arranger<'_, '_> {
         }
     }
 
-    /// The number of mapped objects: sub-index 0, else the number of entries before the first empty one.
+    /// The number of mapped objects: sub-index 0, otherwise the number of entries before the first empty one.
     fn mapped(&mut self, mapping: u16, subs: &[u8]) -> u8 {
         if let Some(&[count]) = self.settings.target((mapping, 0)).as_deref() {
             return count;

@@ -30,7 +30,7 @@ impl Verification {
         self.objections.iter().filter(|objection| objection.kind.is_refusal())
     }
 
-    /// The downloads that a node aborts: those that it rejects but for what only tools must not write.
+    /// The downloads that a node aborts: rejected ones, except those that only tools must not write.
     pub fn aborts(&self) -> impl Iterator<Item = &Objection> {
         self.refusals().filter(|objection| objection.kind.abort().is_some())
     }
@@ -45,9 +45,9 @@ impl ConciseDcf {
     /// Applies the downloads to the dictionary of `device`, starting from the defaults for `node_id` or else
     /// for the commissioned node-ID.
     ///
-    /// Access, sizes and limits are those of the description. A rejected write changes nothing, so if a
-    /// stream does not mark a PDO as not valid first, every write that fails for this reason is reported.
-    /// Each download is checked by the rules of nodes ([`objdict_device::check_write`]); where devices differ,
+    /// Access, sizes and limits are taken from the description. A rejected write changes nothing, so if a
+    /// stream does not mark a PDO as not valid first, every write that fails for this reason is reported. Each
+    /// download is checked by the rules of nodes ([`objdict_device::check_write`]); where devices differ,
     /// [`ObjectionKind::is_refusal`] is false.
     pub fn verify(&self, device: &Device, node_id: Option<u8>) -> Verification {
         let device = &*device.with_implicit_pdos();

@@ -40,7 +40,7 @@ impl<'a> AcceptingNode<'a> {
         self.unknown.iter().map(|&(index, sub)| node_place(self.device, index, sub)).collect()
     }
 
-    /// Applies a download, or rejects it without changing the state. The order of the checks is that of a node.
+    /// Applies a download, or rejects it without changing the state. The checks are in the order of a node.
     pub(super) fn take(&mut self, download: &Download) -> WriteJudgement {
         let key @ (index, sub) = (download.index, download.sub);
         let object = self.device.object(index).ok_or(ObjectionKind::NoObject)?;
@@ -69,7 +69,7 @@ impl<'a> AcceptingNode<'a> {
         Ok(doubt.or(late))
     }
 
-    /// Checks the bytes of a type, and the limits.
+    /// Checks the bytes against a type, and the limits.
     fn check_value(&self, entry: &Entry, data_type: DataType, data: &[u8]) -> Result<(), ObjectionKind> {
         let is_value = match data_type.kind() {
             TypeKind::Boolean => data.iter().all(|&byte| byte <= 1),
@@ -105,12 +105,13 @@ impl<'a> AcceptingNode<'a> {
         std::mem::take(&mut self.is_stored).then_some(ObjectionKind::NotStored)
     }
 
-    /// The present value of a 32-bit entry; `None` if the node does not have it, or the value is unknown.
+    /// The current value of a 32-bit entry; `None` if the node does not have it, or the value is unknown.
     pub(super) fn word(&mut self, (index, sub): EntryKey) -> Option<u32> {
         u32::try_from(Dictionary::number(self, index, sub).ok()?).ok()
     }
 
-    /// The value at power-on: the default, or what a description states of an entry that is never written. Without one it is 0.
+    /// The value at power-on: the default, or the stated value of an entry that is never written. Without one
+    /// it is 0.
     fn default(&mut self, key @ (index, sub): EntryKey) -> Option<Vec<u8>> {
         let object = self.device.object(index)?;
         let entry = object.entry(sub)?;
@@ -126,7 +127,7 @@ impl<'a> AcceptingNode<'a> {
         bytes.ok()
     }
 
-    /// The access type; without one that of CiA 301, and else that of a generated table.
+    /// The access type; if missing, that of CiA 301, otherwise that of a generated table.
     fn access(&self, (index, sub): EntryKey, object: &Object, entry: &Entry) -> Access {
         let sub = object.object_type().has_subs().then_some(sub);
         let intended =
@@ -149,7 +150,7 @@ impl Dictionary for AcceptingNode<'_> {
         let object = self.device.object(index).ok_or(Abort::NoObject)?;
         let entry = object.entry(sub).ok_or(Abort::NoSubIndex)?;
         let data_type = EntryType::of(self.device, object, (index, sub), &entry).transferred;
-        // a type that is not known has any length, as texts have
+        // values of an unknown type may have any length, like strings
         let fixed = data_type.and_then(|data_type| Some((data_type, usize::from(data_type.byte_length()?))));
         let (data_type, size) = fixed.unwrap_or((DataType::DOMAIN, usize::from(u16::MAX)));
         let access = self.access((index, sub), object, &entry);
@@ -193,7 +194,7 @@ impl Dictionary for AcceptingNode<'_> {
         self.node_id
     }
 
-    /// The description does not say what the device serves.
+    /// The description does not state the services of the device.
     fn serves_more(&self) -> bool {
         true
     }

@@ -79,8 +79,8 @@ pub enum ObjectionKind {
         /// How to mark it not valid.
         how: &'static str,
     },
-    /// The write marks the service not valid and changes its identifier at the same time; some devices reject
-    /// it.
+    /// The write marks the service as not valid and changes its identifier at the same time; some devices
+    /// reject it.
     RenamedWhileSwitchedOff {
         /// The present COB-ID.
         present: u32,
@@ -98,7 +98,7 @@ pub enum ObjectionKind {
     MappingInUse,
     /// The mapped object does not exist, or PDOs of this kind cannot map it.
     NotMappable(MappedObject, PdoKind),
-    /// The mapping states another length than the entry has.
+    /// The mapping states a different length from the entry's.
     MappedLength {
         /// The mapping entry.
         mapped: MappedObject,
@@ -120,23 +120,23 @@ pub enum ObjectionKind {
         /// The sub-index.
         sub: u8,
     },
-    /// Another entry of 1016h already monitors the node.
+    /// A different entry of 1016h already monitors the node.
     WatchedTwice {
         /// The node.
         node_id: u8,
         /// The sub-index that monitors it.
         sub: u8,
     },
-    /// An entry of 1016h has a time and no node-ID from 1 to 127, so it is not in use.
+    /// An entry of 1016h has a time but no node-ID from 1 to 127, so it is not in use.
     WatchesNobody {
-        /// The value in place of the node-ID.
+        /// The value instead of the node-ID.
         node_id: u8,
         /// The time in milliseconds.
         time: u16,
     },
     /// The counter overflow (1019h) may change only while the period (1006h) is 0.
     PeriodRuns,
-    /// 1010h takes `save`, 1011h `load`.
+    /// 1010h expects `save`, 1011h `load`.
     Signature {
         /// The expected signature.
         expected: &'static str,

@@ -1,5 +1,5 @@
-//! Writes to communication objects (CiA 301 §7.5.2): the rules are those of `objdict-device`, in words, and what a node accepts but
-//! is probably a mistake.
+//! Writes to communication objects (CiA 301 §7.5.2): explains the rules of `objdict-device`, and adds probable mistakes
+//! that a node accepts.
 
 use objdict_device::{Dictionary, Refusal};
 
@@ -14,10 +14,10 @@ const IDENTIFIER: u32 = 0x3FFF_FFFF;
 /// Bits 30 and 31 of 1012h: the device consumes and produces TIME.
 const USES_TIME: u32 = CobId::BIT_30 | CobId::BIT_31;
 
-/// Whether a value of a COB-ID means that the service is not in use.
+/// Whether a value of a COB-ID marks the service as not in use.
 type IsOff = fn(u32) -> bool;
 
-/// When the service of a COB-ID is not in use, and how to achieve that; `None` for other entries.
+/// Whether the service of a COB-ID is not in use, and how to achieve that; `None` for other entries.
 fn service((index, sub): EntryKey) -> Option<(IsOff, &'static str)> {
     let is_invalid: IsOff = |cob_id| !CobId::new(cob_id).is_valid();
     Some(match (index, sub) {
@@ -52,7 +52,7 @@ impl AcceptingNode<'_> {
         let pdo = PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));
         let (kind, number) = pdo.unwrap_or((PdoKind::Rpdo, 0));
         let can_id = CobId::new(new).can_id(0);
-        // the mapping entry that is written, or one that is counted
+        // the mapping entry being written, or a counted one
         let mut mapped = |at| {
             let number = if at == sub { Some(new) } else { self.word((index, at)) };
             MappedObject::from_number(number.unwrap_or_default())
