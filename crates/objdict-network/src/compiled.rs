@@ -1,8 +1,8 @@
 //! The nodes of a network with their configurations.
 //!
-//! `Slave::device` is the one effective dictionary of a node: its description, configured values and downloads.
-//! PDOs, messages, load, checks, pages and all targets are computed from it. Only `DcfgenMode::Exact` also uses
-//! the requests, because dcfgen does.
+//! `Slave::device` is the only effective dictionary of a node: its description, configured values and
+//! downloads. PDOs, messages, load, checks, pages and all targets are computed from it. Only
+//! `DcfgenMode::Exact` also uses the requests, because dcfgen does.
 
 use std::collections::BTreeMap;
 
@@ -21,28 +21,28 @@ pub struct Slave {
     pub node: usize,
     /// Its node-ID.
     pub node_id: u8,
-    /// The effective dictionary: the description, its configured values, then every download in order. All that is said and
-    /// written about the node comes from it.
+    /// The effective dictionary: the description, its configured values, then every download in order. All findings and
+    /// files about the node are based on it.
     pub device: Device,
     /// Its services, once they were asked for.
     pub(crate) services: OnceCell<Services>,
-    /// Where the network file has the final values of entries.
+    /// The positions of final values in the network file.
     pub(crate) origins: Origins,
-    /// Where it has values that later ones replace, by index.
+    /// The positions of overridden values in the network file, by index.
     pub(crate) former: Vec<(u16, Span)>,
     /// The downloads that configure it.
     pub downloads: ConciseDcf,
-    /// Those of [`arranged`](Self::arranged), once they were asked for.
+    /// The result of [`arranged`](Self::arranged), once requested.
     pub(crate) arranged: OnceCell<Result<ConciseDcf, PlanError>>,
-    /// How many of them, at the end, are sent also of values that the node already has.
+    /// The number of downloads at the end that are sent even if the node already has their values.
     pub(crate) unconditional: usize,
-    /// Whether all of them are about the monitoring of the manager.
+    /// Whether all of them concern the monitoring of the manager.
     pub(crate) has_only_consumers: bool,
     /// Its PDOs after the configuration, RPDOs before TPDOs, by number.
     pub pdos: Vec<PdoState>,
     /// Producer heartbeat time in milliseconds; 0: none.
     pub heartbeat: u16,
-    /// COB-ID of EMCY; `None` if the node sends none, or the description does not say which.
+    /// COB-ID of EMCY; `None` if the node does not send EMCY, or the description does not state the COB-ID.
     pub emcy: Option<u32>,
     /// Guard time in milliseconds, if the node is guarded; else 0.
     pub guard_time: u16,
@@ -50,22 +50,22 @@ pub struct Slave {
     pub identity: [u32; 5],
 }
 
-/// How close the records are to those of dcfgen.
+/// How closely the records follow dcfgen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DcfgenMode {
     /// The records and the order of dcfgen 2.4.2, without its errors.
     #[default]
     Corrected,
-    /// With its errors.
+    /// Including its bugs.
     Exact,
 }
 
-/// The configurations of the nodes. One without a node-ID is left out.
+/// The configurations of the nodes. A node without a node-ID is omitted.
 #[derive(Clone, Debug, Default)]
 pub struct Compiled {
     /// The nodes but the manager, in the order of the network.
     pub slaves: Vec<Slave>,
-    /// The manager, if it has a description: its own configuration, and what it expects of the nodes.
+    /// The manager, if it has a description: its own configuration, and its expectations of the nodes.
     pub manager: Option<Slave>,
     /// The problems of the configurations.
     pub findings: Findings,
@@ -97,19 +97,20 @@ pub struct PdoState {
     pub pdo: PdoName,
     /// COB-ID with its flags.
     pub cob_id: u32,
-    /// Whether the network file leaves the PDO on; `false` only in [`DcfgenMode::Exact`], whose COB-IDs are the wanted ones.
+    /// Whether the PDO remains enabled; `false` only in [`DcfgenMode::Exact`], whose COB-IDs are the
+    /// requested ones.
     pub is_enabled: bool,
     /// Transmission type.
     pub transmission: u8,
-    /// Inhibit time in multiples of 100 µs; of an RPDO that of the manager that sends it.
+    /// Inhibit time in multiples of 100 µs; for an RPDO, that of the sending manager.
     pub inhibit_time: u16,
-    /// Event timer in milliseconds; of an RPDO that of the manager that sends it.
+    /// Event timer in milliseconds; for an RPDO, that of the sending manager.
     pub event_timer: u16,
-    /// The time in milliseconds after which a receiver misses the PDO; of a TPDO that of the manager that receives it.
+    /// The timeout of a receiver in milliseconds; for a TPDO, that of the receiving manager.
     pub deadline: u16,
-    /// SYNC start value; of an RPDO that of the manager that sends it.
+    /// SYNC start value; for an RPDO, that of the sending manager.
     pub sync_start: u8,
-    /// The number of mapped objects as the node counts them.
+    /// The number of mapped objects according to the node.
     pub(crate) count: u8,
     /// The mapped objects by sub-index, without unused ones.
     pub mapping: BTreeMap<u8, MappedObject>,
@@ -129,5 +130,5 @@ pub(crate) fn indexes(pdo: PdoName) -> (u16, u16) {
     (index, index + 0x200)
 }
 
-/// Where the network file has the final values of entries.
+/// The positions of final values in the network file.
 pub(crate) type Origins = BTreeMap<(u16, u8), Span>;

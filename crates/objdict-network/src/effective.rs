@@ -17,8 +17,8 @@ pub(crate) fn before(node: &Node, node_id: u8) -> Device {
     device
 }
 
-/// The device when it is switched on, with what it has then as its defaults: dcfgen takes configured values for what the node
-/// has, those of an EDS too.
+/// The device at power-on, whose initial values become its defaults: dcfgen assumes that a node has its configured
+/// values, even those of an EDS.
 pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
     let is_configured =
         |object: &Object| object.described().any(|(_, entry)| entry.configured_value().is_some());
@@ -40,12 +40,13 @@ pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
 }
 
 impl Slave {
-    /// Where the network file has the final value of an entry; `None` if the description has it.
+    /// The position of an entry's final value in the network file; `None` if it is from the description.
     pub(crate) fn said(&self, index: u16, sub: u8) -> Option<Span> {
         self.origins.get(&(index, sub)).copied()
     }
 
-    /// Where the network file has the values of an object, including replaced ones; for a PDO, the values of both objects.
+    /// The positions of an object's values in the network file, including replaced ones; for a PDO, the
+    /// values of both objects.
     pub fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
         let other = (0x1400..0x1C00).contains(&index).then_some(index ^ 0x0200);
         let objects = [index].into_iter().chain(other);
@@ -56,13 +57,13 @@ impl Slave {
         })
     }
 
-    /// The device as its DCF describes it: with its effective values, and apart from them the downloads that
-    /// are sent also of values that the node already has.
+    /// The device of the node's DCF: with its effective values, and separately the downloads that are sent
+    /// even if the node already has their values.
     pub fn described(&self) -> Device {
         let (conditional, unconditional) =
             self.downloads.0.split_at(self.downloads.0.len() - self.unconditional);
         let mut device = self.device.clone();
-        // the network file counts more than the description
+        // the network file overrides the description
         let is_replaced = |download: &ExplicitDownload| {
             conditional.iter().any(|other| (other.index, other.sub) == (download.index, download.sub))
         };
@@ -75,8 +76,9 @@ impl Slave {
         device
     }
 
-    /// The downloads that give a node its effective values, in an order that every node accepts: services are switched off by their present identifiers before
-    /// they change, and application objects come before the PDOs that map them.
+    /// The downloads that assign a node its effective values, in an order that every node accepts: services are
+    /// disabled using their present identifiers before they change, and application objects come before the PDOs that
+    /// map them.
     ///
     /// # Errors
     /// When the description of the node has configured values that cannot be sent.
@@ -84,7 +86,7 @@ impl Slave {
         self.arranged.get_or_init(|| self.arrange(&self.described())).as_ref().map_err(PlanError::clone)
     }
 
-    /// The same; what cannot be sent is as the network file has it.
+    /// Like [`arranged`](Self::arranged); unsendable downloads are as in the network file.
     pub fn arranged_or_stated(&self) -> &ConciseDcf {
         self.arranged().unwrap_or(&self.downloads)
     }
@@ -100,7 +102,7 @@ impl Slave {
         }
     }
 
-    /// The same as [`arranged`](Self::arranged) for a device that has further values.
+    /// Like [`arranged`](Self::arranged), for a device that has further values.
     ///
     /// # Errors
     /// When the description of the node has configured values that cannot be sent.

@@ -6,9 +6,8 @@ use crate::network::{Network, Node};
 use crate::source::portable;
 
 impl Network {
-    /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes). It is the
-    /// name of the node, made [`portable`]; of names that are one on systems which do not distinguish upper and lower case, the
-    /// later ones get the node-ID (`plc-5`).
+    /// The file stem of each node, by its position in [`nodes`](Self::nodes): the name of the node, made [`portable`].
+    /// If several names differ only in case, the later ones get the node-ID as suffix (`plc-5`).
     pub fn file_stems(&self) -> Vec<String> {
         let mut taken: HashSet<String> = HashSet::new();
         let stem = |node: &Node| {

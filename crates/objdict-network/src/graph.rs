@@ -1,7 +1,7 @@
-//! Pictures of a network: its nodes, and which message goes from which to which.
+//! Diagrams of a network: its nodes, and the senders and receivers of each message.
 //!
-//! Nodes are columns and messages are rows, so nothing overlaps, however many there are. SDO transfers, which go between the
-//! manager and every node, are left out.
+//! Nodes are columns and messages are rows, so that nothing overlaps, regardless of their number. SDO transfers between
+//! the manager and every node are omitted.
 
 use std::fmt::Write;
 
@@ -13,22 +13,22 @@ use crate::overview::{End, MessageRow, NodeRow, Overview};
 
 /// Left edge of the first column; CAN-IDs and services are to the left.
 const LEFT: usize = 130;
-/// The vertical place of the line of the bus.
+/// The vertical position of the bus line.
 const BUS: usize = 24;
 const ROW: usize = 20;
 /// Half the length of an arrowhead.
 const HEAD: usize = 5;
 
-/// The columns of a picture.
+/// The columns of a diagram.
 #[derive(Clone, Copy)]
 struct Columns {
     /// The width of a column.
     width: usize,
-    /// The height of the box of a node.
+    /// The height of a node's box.
     height: usize,
     /// Whether names are turned.
     is_turned: bool,
-    /// The most characters of a name.
+    /// The maximum number of characters of a name.
     limit: usize,
 }
 
@@ -81,13 +81,13 @@ struct DiagramRow {
     service: String,
     title: String,
     class: &'static str,
-    /// The line over all nodes that send or receive it, and the arrowheads.
+    /// The line that connects all senders and receivers, and the arrowheads.
     path: String,
     senders: Vec<usize>,
 }
 
-/// The network as SVG, without scripts and without references to other files. `spelled` writes CAN-IDs as the document has them
-/// that the picture is for.
+/// The network as SVG, without scripts and external references. `spelled` formats CAN-IDs as in the document that
+/// contains the diagram.
 pub fn svg(overview: &Overview, spelled: impl Fn(MessageId) -> String) -> String {
     let columns = Columns::of(overview.nodes.len());
     let rows: Vec<DiagramRow> = drawn(overview)
@@ -114,7 +114,7 @@ pub fn svg(overview: &Overview, spelled: impl Fn(MessageId) -> String) -> String
             .collect(),
         rows,
     };
-    // writing to a text cannot fail
+    // writing to a string cannot fail
     picture.render().unwrap_or_default()
 }
 
@@ -138,7 +138,7 @@ pub fn dot(overview: &Overview) -> String {
     text + "}\n"
 }
 
-/// PDOs, and other messages but SDO that a node receives.
+/// PDOs, and other messages except SDO that a node receives.
 fn drawn(overview: &Overview) -> impl Iterator<Item = &MessageRow> {
     overview.messages.iter().filter(|message| match main_service(message) {
         Some(Service::SdoRequest | Service::SdoResponse) | None => false,
@@ -147,7 +147,7 @@ fn drawn(overview: &Overview) -> impl Iterator<Item = &MessageRow> {
     })
 }
 
-/// With which service a message is sent; of one that no node sends, with which it is received.
+/// The service with which a message is sent; if no node sends it, with which it is received.
 fn main_service(message: &MessageRow) -> Option<Service> {
     message.senders.iter().chain(&message.receivers).next().map(|end| end.service)
 }
@@ -165,12 +165,12 @@ fn id(node: &NodeRow) -> String {
     node.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string())
 }
 
-/// A text for a string of DOT.
+/// Escapes a string for DOT.
 fn quoted(text: &str) -> String {
     one_line(text).replace('\\', "\\\\").replace('"', "\\\"")
 }
 
-/// A text of at most so many characters.
+/// Truncates a text to this many characters.
 pub(crate) fn cut(text: &str, limit: usize) -> String {
     match text.chars().nth(limit) {
         None => one_line(text),
@@ -218,7 +218,7 @@ impl DiagramRow {
     }
 }
 
-/// A line over all places, and arrowheads at the receivers, which point away from the first sender.
+/// A line across all positions, and arrowheads at the receivers, which point away from the first sender.
 fn line(senders: &[usize], receivers: &[usize], y: usize) -> String {
     let all = || senders.iter().chain(receivers).copied();
     let (Some(first), Some(last)) = (all().min(), all().max()) else { return String::new() };
@@ -227,7 +227,7 @@ fn line(senders: &[usize], receivers: &[usize], y: usize) -> String {
     for &to in receivers {
         let tail = if to < from { to + 2 * HEAD } else { to - 2 * HEAD };
         let (above, below) = (y - HEAD, y + HEAD);
-        // writing to a text cannot fail
+        // writing to a string cannot fail
         let _ = write!(path, "M{tail} {above}L{to} {y}L{tail} {below}");
     }
     path

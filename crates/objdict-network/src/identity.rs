@@ -1,4 +1,4 @@
-//! What a node is by its description.
+//! The identity of a node according to its description.
 
 use crate::compiled::DcfgenMode;
 use crate::download::Order;
@@ -6,7 +6,7 @@ use crate::identity_level::IdentityLevel;
 use crate::model::{Device, Field, Part, Place};
 use crate::network::{Network, Node};
 
-/// What vendors write for a number that they do not know.
+/// The value with which vendors mark an unknown number.
 pub(crate) const PLACEHOLDER: u32 = u32::MAX;
 
 /// The number in an entry.
@@ -38,8 +38,8 @@ pub(crate) fn present(device: &Device, sub: u8, node_id: u8) -> Option<Stated> {
     Some((number, device.value_place(0x1018, sub)))
 }
 
-/// What a node answers for a number of 1018h: the one there, else the one that its description states elsewhere. `None`: the
-/// description does not know the number, as the default of a serial number is that of no device.
+/// A node's response for a number of 1018h: its value there, otherwise the one stated elsewhere in its description.
+/// `None` if the description does not contain the number; the default of a serial number does not belong to any device.
 pub fn answered(device: &Device, sub: u8, node_id: u8) -> Option<u32> {
     let is_configured = || device.entry(0x1018, sub).is_some_and(|entry| entry.configured_value().is_some());
     let own = number(device, 0x1018, sub, node_id).filter(|_| sub != 4 || is_configured());
@@ -47,9 +47,9 @@ pub fn answered(device: &Device, sub: u8, node_id: u8) -> Option<u32> {
     [own, stated.map(|(number, _)| number)].into_iter().flatten().find(|number| *number != 0)
 }
 
-/// Device type, vendor-ID, product code, revision number and serial number (0 where not stated), each with its place.
-/// 1018h is what the node answers, so it counts more than `DeviceInfo`; in dcfgen less. The default of a serial number is
-/// that of no device.
+/// Device type, vendor-ID, product code, revision number and serial number (0 if not stated), each with its place.
+/// 1018h is the node's response, so it has priority over `DeviceInfo`; in dcfgen it is the other way round. The default
+/// of a serial number does not belong to any device.
 pub(crate) fn described(device: &Device, node_id: u8, order: Order) -> [Stated; 5] {
     let device_type = number(device, 0x1000, 0, node_id).unwrap_or(0);
     let mut identity = [0, 1, 2, 3, 4].map(|_: u8| (device_type, device.value_place(0x1000, 0)));
@@ -58,7 +58,7 @@ pub(crate) fn described(device: &Device, node_id: u8, order: Order) -> [Stated; 
         let own = number(device, 0x1018, sub, node_id)
             .filter(|number| *number != 0 && (sub != 4 || order == Order::Dcfgen || !is_default()));
         let own = own.map(|number| (number, device.value_place(0x1018, sub)));
-        // a number beside a placeholder is one that the node does not answer
+        // the node does not return a number that is stated in addition to a placeholder
         let is_unknown = own.as_ref().is_some_and(|(number, _)| *number == PLACEHOLDER);
         let (first, second) = if order == Order::Dcfgen { (stated, own) } else { (own, stated) };
         let known = [first, second].into_iter().flatten().find(|(number, _)| *number != PLACEHOLDER);
@@ -68,7 +68,7 @@ pub(crate) fn described(device: &Device, node_id: u8, order: Order) -> [Stated; 
     identity
 }
 
-/// What the manager expects of the node: what the network file states counts more than the description.
+/// The manager's expectations of the node: the network file has priority over the description.
 pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, mode: DcfgenMode) -> [u32; 5] {
     let device = &node.device;
     let mut identity = described(device, node_id, network.order).map(|(number, _)| number);
@@ -87,7 +87,7 @@ pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, mode: Dcfgen
         identity[place] = stated.map_or(identity[place], |stated| stated.value);
     }
     if mode == DcfgenMode::Corrected {
-        // a node aborts the upload of what it does not have
+        // a node aborts the upload of missing entries
         for (sub, number) in (1..).zip(&mut identity[1..]) {
             *number = if device.entry(0x1018, sub).is_some() { *number } else { 0 };
         }

@@ -1,6 +1,7 @@
-//! Which numbers of an identity a manager checks.
+//! The numbers of an identity that a manager checks.
 
-/// Which numbers of 1000h and 1018h the manager checks before it boots a node; each level has those before it.
+/// The numbers of 1000h and 1018h that the manager checks before it boots a node; each level includes the
+/// previous ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum IdentityLevel {
     /// No number.

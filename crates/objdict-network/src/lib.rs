@@ -1,7 +1,8 @@
-//! CANopen networks: nodes with their descriptions, the manager that boots them, and who says what to whom. Part of
-//! `objdict`; depend on that crate instead.
+//! CANopen networks: nodes with their descriptions, the manager that boots them, and the communication between
+//! them. Part of `objdict`; depend on that crate instead.
 //!
-//! A [`Network`] is the wanted one; [`resolve`] makes PDOs of its links, and [`compile`] the downloads of each node.
+//! A [`Network`] is the requested state; [`resolve`] creates PDOs from its links, and [`compile`] the
+//! downloads of each node.
 
 mod check;
 mod compile;

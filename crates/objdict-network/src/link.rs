@@ -1,4 +1,4 @@
-//! Links: which entries of a node go to which entries of others.
+//! Links: the entries of a node that are sent to entries of others.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -10,18 +10,18 @@ use crate::Said;
 use crate::model::{Address, NoAddress};
 use crate::source::Span;
 
-/// Entries of a node whose values other nodes receive. [`resolve`](crate::resolve()) makes PDOs of it.
+/// Entries of a node whose values other nodes receive. [`resolve`](crate::resolve()) creates PDOs from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
-    /// Where the network file has the link.
+    /// The position of the link in the network file.
     pub at: Span,
     /// The entries of the producer.
     pub from: LinkEnd,
-    /// The entries of each consumer, as many as the producer has, in the same order.
+    /// The entries of each consumer, the same number as of the producer and in the same order.
     pub to: Vec<LinkEnd>,
-    /// How the PDO is sent; what is `None` stays as the producer's description says.
+    /// How the PDO is sent; `None` keeps the setting of the producer's description.
     pub parameters: LinkParameters,
-    /// The time in milliseconds after which a consumer misses the PDO; `None` or 0: never.
+    /// The timeout of a consumer in milliseconds; `None` or 0: never.
     pub deadline: Option<Said<u16>>,
 }
 
@@ -34,12 +34,12 @@ pub struct LinkParameters {
     pub inhibit_time: Option<u16>,
     /// Event timer in milliseconds.
     pub event_timer: Option<u16>,
-    /// The CAN-ID, above 7FFh with 29 bits; `None`: one that is free.
+    /// The CAN-ID, above 7FFh with 29 bits; `None` selects a free one.
     pub can_id: Option<u32>,
 }
 
 impl LinkParameters {
-    /// Whether a PDO with these parameters does what `wanted` says.
+    /// Whether a PDO with these parameters meets those in `wanted`.
     pub(crate) fn satisfy(&self, wanted: &Self) -> bool {
         fn is_met<T: PartialEq + Copy>(wanted: Option<T>, present: Option<T>) -> bool {
             wanted.is_none() || wanted == present
@@ -54,19 +54,19 @@ impl LinkParameters {
 /// One end of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinkEnd {
-    /// Where the network file has the end.
+    /// The position of the link end in the network file.
     pub at: Span,
     /// The name of the node.
     pub node: String,
-    /// Its entries; `None` for a manager without a description, which has the other side of each PDO.
+    /// Its entries; `None` for a manager without a description, which is the counterpart of each PDO.
     pub entries: Option<LinkedEntries>,
 }
 
 impl LinkEnd {
-    /// The end that a text names, such as `left.6000:1-5`, or `plc` for a manager without a description.
+    /// Parses an end of a link, such as `left.6000:1-5`, or `plc` for a manager without a description.
     ///
     /// # Errors
-    /// Fails without a node, or if the entries are neither an address nor a name.
+    /// If the node is missing, or the entries are neither an address nor a name.
     pub fn parse(text: &str, at: Span) -> Result<Self, NoLinkEnd> {
         let (node, entries) =
             text.split_once('.').map_or((text, None), |(node, entries)| (node, Some(entries)));
@@ -76,7 +76,7 @@ impl LinkEnd {
     }
 }
 
-/// A text that is not an end of a link.
+/// A text that is not a link end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoLinkEnd;
 
@@ -89,7 +89,8 @@ objdict_model::error_messages! { NoLinkEnd: {
 pub struct LinkedEntries {
     /// The object or entry.
     pub object: ObjectName,
-    /// A range of its sub-indexes; `None`: the entry itself, or each entry of the object that a PDO can carry.
+    /// A range of its sub-indexes; `None` selects the entry itself, or each entry of the object that a PDO
+    /// can carry.
     pub subs: Option<RangeInclusive<u8>>,
 }
 

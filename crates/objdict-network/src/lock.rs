@@ -1,4 +1,5 @@
-//! What a build keeps of an earlier one. Programs of a PLC depend on the CAN-IDs and on the objects of the manager.
+//! The state that a build keeps from an earlier one. PLC programs depend on the CAN-IDs and on the objects of
+//! the manager.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,14 +15,14 @@ pub struct NetworkLock(pub BTreeMap<(String, PdoName), LockedPdo>);
 pub struct LockedPdo {
     /// Its CAN-ID.
     pub can_id: u32,
-    /// What it carries, in this order.
+    /// Its content, in this order.
     pub mapping: Vec<MappedObject>,
-    /// The number of the PDO at the other side, in a manager without a description.
+    /// The number of the counterpart in a manager without a description.
     pub manager: Option<u16>,
 }
 
 impl NetworkLock {
-    /// What was locked of a PDO.
+    /// The locked state of a PDO.
     pub(crate) fn pdo(&self, node: &str, pdo: PdoName) -> Option<&LockedPdo> {
         // without a lock nothing is copied
         if self.0.is_empty() { None } else { self.0.get(&(node.to_owned(), pdo)) }
@@ -40,12 +41,12 @@ impl NetworkLock {
         self.0.values().map(|locked| locked.can_id)
     }
 
-    /// Whether a PDO of the manager was the other side of a PDO of this kind.
+    /// Whether a PDO of the manager was the counterpart of a PDO of this kind.
     pub(crate) fn has_manager_pdo(&self, kind: PdoKind, number: u16) -> bool {
         self.0.iter().any(|((_, pdo), locked)| pdo.kind == kind && locked.manager == Some(number))
     }
 
-    /// What a later build does not keep: sentences in lower case without a full stop.
+    /// Differences in a later build: sentences in lower case without a full stop.
     pub fn changes(&self, later: &Self) -> Vec<String> {
         let keys: BTreeSet<_> = self.0.keys().chain(later.0.keys()).collect();
         let change = |key: &(String, PdoName)| {

@@ -1,4 +1,4 @@
-//! What the manager knows of the nodes: the values of its objects (CiA 301, CiA 302-2).
+//! The manager's information about the nodes: the values of its objects (CiA 301, CiA 302-2).
 //!
 //! These values are computed once, for checks, boot plans and built files.
 
@@ -22,7 +22,7 @@ const EMERGENCIES: u16 = 0x1028;
 
 const REQUEST_NMT: u16 = 0x1F82;
 
-/// What the manager knows of the nodes, by node-ID.
+/// The manager's information about the nodes, by node-ID.
 #[derive(Clone, Copy)]
 pub(crate) struct Knowledge<'a> {
     pub(crate) network: &'a Network,
@@ -57,7 +57,7 @@ impl<'a> Knowledge<'a> {
             let heartbeat = &self.network.nodes[slave.node].heartbeat;
             let time = match (heartbeat.consumer_time(slave.heartbeat), self.mode) {
                 (Some(time), _) => u32::from(time),
-                // what is left of the bits of a time that does not fit
+                // the remaining bits of a time that overflows
                 (None, DcfgenMode::Exact) => {
                     (f64::from(slave.heartbeat) * heartbeat.factor) as u64 as u32 & 0xFFFF
                 }
@@ -87,7 +87,7 @@ impl<'a> Knowledge<'a> {
         self.each(|slave| Some(slave.identity[position]).filter(|number| *number != 0))
     }
 
-    /// 1F8Ah: what is restored before the configuration.
+    /// 1F8Ah: the defaults to restore before the configuration.
     pub(crate) fn restored(self) -> Vec<(u8, u32)> {
         self.each(|slave| Some(self.boot(slave).restore_configuration.value.into()).filter(|sub| *sub != 0))
     }
@@ -168,7 +168,7 @@ impl NodeListObject {
     }
 }
 
-/// A list of nodes whose last sub-index commands all of them, and cannot be read.
+/// A list of nodes whose last sub-index is a write-only command for all nodes.
 pub(crate) fn with_command(object: &Object) -> Object {
     let mut object = object.expanded().into_owned();
     if let Some(all) = object.subs.get_mut(NODES + 1) {
@@ -177,8 +177,8 @@ pub(crate) fn with_command(object: &Object) -> Object {
     object
 }
 
-/// Gives a described manager the values that follow from the nodes. Those that its own DCF has remain in a network that is as
-/// its descriptions say.
+/// Adds the values that depend on the nodes to a described manager. Values of its own DCF are kept in a network that is
+/// as described.
 pub(crate) fn complete(network: &Network, compiled: &mut Compiled) {
     let Compiled { slaves, manager: own, findings } = compiled;
     let Some((manager, own)) = network.manager.as_ref().zip(own.as_mut()) else { return };
@@ -186,7 +186,7 @@ pub(crate) fn complete(network: &Network, compiled: &mut Compiled) {
     for known in knowledge.objects() {
         let index = known.index;
         if own.device.object(index).is_none() {
-            // what has no value is added to be complete, not to be known
+            // objects without values are added only for completeness
             own.device.objects.insert(index, known.object());
             own.device.lists.add(index);
             continue;
@@ -216,7 +216,7 @@ pub(crate) fn complete(network: &Network, compiled: &mut Compiled) {
     }
 }
 
-/// What the objects of the manager about the nodes have.
+/// The values of the manager's objects about the nodes.
 pub(crate) fn numbers(compiled: &Compiled) -> BTreeMap<(u16, u8), u32> {
     let Some(own) = &compiled.manager else { return BTreeMap::new() };
     let entries = [CONSUMERS, 0x1F55].into_iter().chain(0x1F80..=0x1F8A);
@@ -224,7 +224,7 @@ pub(crate) fn numbers(compiled: &Compiled) -> BTreeMap<(u16, u8), u32> {
     entries.filter_map(|at| Some((at, number(&own.device, at.0, at.1, own.node_id)?))).collect()
 }
 
-/// The sub-indexes of 1016h for these values: where the node is monitored already, else the first that are free.
+/// The sub-indexes of 1016h for these values: an existing entry for the node, otherwise the first free ones.
 fn placed(device: &Device, consumers: &[(u8, u32)]) -> Vec<(u8, u32)> {
     let present = device.services().heartbeat_consumers;
     let mut free = (1..=NODES).filter(|sub| present.iter().all(|consumer| consumer.sub != *sub));
@@ -256,8 +256,8 @@ fn contradiction(
 }
 
 impl Network {
-    /// Makes the manager boot the nodes as its own description says, if it has one: the network is made of descriptions
-    /// that are configured already.
+    /// Lets the manager boot the nodes as in its own description, if it has one: the network consists of descriptions
+    /// that are already configured.
     #[must_use]
     pub fn as_described(mut self) -> Self {
         self.is_as_described = true;

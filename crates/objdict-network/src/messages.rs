@@ -1,4 +1,4 @@
-//! Who sends and who receives which CAN-ID.
+//! The senders and receivers of each CAN-ID.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -113,13 +113,13 @@ objdict_model::messages! { Service: { service => "{}", service.name(Language::En
 pub struct Party {
     /// Its position in [`Network::nodes`].
     pub node: usize,
-    /// With which of its services.
+    /// The service that it uses.
     pub service: Service,
-    /// Where the network file says so, at least the name of the node.
+    /// The position in the network file, at least of the node's name.
     pub at: Span,
 }
 
-/// A CAN-ID with those who use it.
+/// A CAN-ID with its senders and receivers.
 #[derive(Clone, Debug, Default)]
 pub struct Message {
     /// Who sends it: one, where the network is sound.
@@ -128,12 +128,12 @@ pub struct Message {
     pub receivers: Vec<Party>,
 }
 
-/// All messages of a network by their CAN-IDs, which are their priorities too.
+/// All messages of a network by CAN-ID, which is also their priority.
 #[derive(Clone, Debug, Default)]
 pub struct Messages(pub BTreeMap<MessageId, Message>);
 
 impl Messages {
-    /// What goes over the bus after the configuration.
+    /// The messages on the bus after the configuration.
     pub fn new(network: &Network, compiled: &Compiled) -> Self {
         let mut messages = Self::default();
         messages.nmt(network);
@@ -147,7 +147,7 @@ impl Messages {
         messages
     }
 
-    /// Nodes that expect SYNC with another CAN-ID than those that are sent.
+    /// Nodes that expect SYNC with a CAN-ID that no node uses for it.
     fn other_sync(&mut self, network: &Network, compiled: &Compiled) {
         let is_sync = |message: &Message| message.senders.iter().any(|party| party.service == Service::Sync);
         let sent: Vec<MessageId> =
@@ -229,14 +229,14 @@ impl Messages {
         let emergencies = slave.device.object(0x1028).into_iter().flat_map(Object::entries);
         for (_, entry) in emergencies.filter(|(sub, _)| (1..=127).contains(sub)) {
             let cob_id = entry.value().and_then(CobId::from_value);
-            // 0 is NMT, and the value of entries that are not in use in many descriptions
+            // 0 is NMT, and in many descriptions the value of unused entries
             if let Some(cob_id) = cob_id.map(number).filter(|cob_id| cob_id >> 31 == 0 && *cob_id != 0) {
                 self.receive(MessageId::of(cob_id), party(Service::Emcy));
             }
         }
     }
 
-    /// NMT commands of the manager, which is the only one that may send them.
+    /// NMT commands, which only the manager may send.
     fn nmt(&mut self, network: &Network) {
         let Some(manager) = &network.manager else { return };
         let Some(own) = manager.node else { return };
@@ -257,7 +257,7 @@ impl Messages {
     }
 }
 
-/// Adds a party unless it is there: the manager may have the SDO channels that it uses in 1280h and up too.
+/// Adds a party unless it exists: the manager may also list the SDO channels that it uses in 1280h and up.
 fn add(parties: &mut Vec<Party>, party: Party) {
     if parties.iter().all(|other| (other.node, other.service) != (party.node, party.service)) {
         parties.push(party);
@@ -279,7 +279,7 @@ impl Slave {
         Some(MessageId::of(self.services().sync?.on_node(self.node_id)))
     }
 
-    /// The valid SDO channels of the node, without the one that each node has by default.
+    /// The valid SDO channels of the node, without the default one that every node has.
     pub(crate) fn sdo_channels(&self) -> Vec<SdoCanId> {
         let can_id = |cob_id: Option<CobId>| {
             let cob_id = cob_id.filter(|cob_id| cob_id.is_valid())?;
@@ -301,7 +301,7 @@ impl Slave {
 }
 
 impl PdoState {
-    /// Whether the PDO is on in the end and carries something.
+    /// Whether the PDO is finally enabled and not empty.
     pub fn is_active(&self) -> bool {
         self.cob_id >> 31 == 0 && self.is_enabled && !self.mapping.is_empty()
     }

@@ -1,12 +1,12 @@
-//! Nodes that are known by their names.
+//! Finds nodes by name.
 
 use crate::diagnostic::{Diagnostic, Findings, Text, misspelled, nearest, say};
 use crate::network::{Node, Said};
 use crate::rules::UNKNOWN_NODE;
 use crate::source::Span;
 
-/// The position of the node that the network file names as its manager. `None` for a manager without a description, which has a
-/// node-ID of its own, and whose name is not nearly that of a node; other names of no node are findings.
+/// The position of the node that is named as the manager in the network file. `None` for a manager without a
+/// description, which has its own node-ID and a name that is not similar to a node's; other unknown names are findings.
 pub fn named_manager(
     named: &Said<String>,
     has_node_id: bool,
@@ -26,18 +26,18 @@ pub fn named_manager(
     };
     let message = say!("unknown node `{}` as manager", named.value);
     findings.push(Diagnostic::new(&UNKNOWN_NODE, named.at, message).help(help));
-    // with a node-ID of its own there is a manager anyway
+    // with its own node-ID, there is a manager in any case
     meant.filter(|_| !has_node_id).and_then(position)
 }
 
-/// Whether names differ as those of devices of one kind do: `plc1` and `plc2`, `plc_a` and `plc_b`.
+/// Whether names differ like those of similar devices: `plc1` and `plc2`, `plc_a` and `plc_b`.
 fn are_counted(a: &str, b: &str) -> bool {
     let letters = |text: &str| text.replace(|letter: char| letter.is_ascii_digit(), "");
     let without_last = |text: &str| text.char_indices().last().map(|(last, _)| text[..last].to_owned());
     letters(a) == letters(b) || !a.eq_ignore_ascii_case(b) && without_last(a) == without_last(b)
 }
 
-/// A name of no node, with what may be meant.
+/// An unknown node name, with a suggestion.
 pub(crate) fn unknown_node<'a>(
     at: Span,
     name: &str,

@@ -9,7 +9,7 @@ pub use crate::source::Said;
 use crate::source::Span;
 use crate::{IdentityLevel, Link, NetworkLock};
 
-/// The bit rate in kbit/s that dcfgen writes where its file states none.
+/// The bit rate in kbit/s that dcfgen writes if its file does not state one.
 const DCFGEN_BIT_RATE: u16 = 1000;
 
 /// A network as its file describes it. Nodes are known by their positions in [`nodes`](Self::nodes).
@@ -21,24 +21,26 @@ pub struct Network {
     pub bit_rate: Option<Said<u16>>,
     /// The manager, which configures and starts the other nodes (CiA 302-2).
     pub manager: Option<Manager>,
-    /// Whether the file has a manager that cannot be read, so that the other nodes miss it.
+    /// Whether the file contains a manager that cannot be read, so that it is missing for the other nodes.
     pub lacks_manager: bool,
-    /// The nodes, in the order of the file. A manager that the file does not describe is the last one once the network is
+    /// The nodes, in file order. A manager that the file does not describe is the last one once the network is
     /// resolved.
     pub nodes: Vec<Node>,
-    /// Which entries go where, in the order of the file.
+    /// The links between entries, in file order.
     pub links: Vec<Link>,
-    /// The order in which Lely's master configures the nodes: that of dcfgen for its files, which list downloads by themselves.
+    /// The order in which Lely's master configures the nodes: dcfgen's for its files, which list downloads
+    /// separately.
     pub order: Order,
-    /// Which numbers of the nodes the manager checks; `None`: all that are stated.
+    /// The numbers of the nodes that the manager checks; `None`: all stated ones.
     pub identity: Option<IdentityLevel>,
-    /// What becomes of PDOs without a link and without a key; `None`: they stay as they are.
+    /// The treatment of PDOs without a link and without a key; `None` keeps them.
     pub unused_pdos: Option<Said<UnusedPdos>>,
-    /// The folder in which the manager finds the configurations of the nodes when it runs.
+    /// The folder in which the running manager finds the nodes' configurations.
     pub run_time_folder: String,
-    /// Whether the network is made of descriptions that are configured already, so that the manager expects what its own says.
+    /// Whether the network consists of descriptions that are already configured, so that the manager's
+    /// expectations are in its own description.
     pub is_as_described: bool,
-    /// The PDOs of an earlier build, which keep their CAN-IDs and numbers.
+    /// The PDOs of an earlier build, whose CAN-IDs and numbers are kept.
     pub lock: NetworkLock,
 }
 
@@ -51,7 +53,7 @@ pub struct Node {
     pub file: Said<String>,
     /// The description, with plugged modules.
     pub device: Device,
-    /// The node-ID: that of the network file, else that of the description; `None` without either.
+    /// The node-ID from the network file, otherwise from the description; `None` without either.
     pub node_id: Option<Said<u8>>,
     /// Heartbeat, as producer and as consumer.
     pub heartbeat: Heartbeat,
@@ -59,24 +61,25 @@ pub struct Node {
     pub guarding: (Option<Said<u16>>, Option<Said<u8>>),
     /// COB-ID of TIME (1012h).
     pub time_cob_id: Option<Said<u32>>,
-    /// What the node does on an error of a class (1029h), by sub-index.
+    /// The reaction of the node to an error of each class (1029h), by sub-index.
     pub error_behavior: Vec<(u8, Said<u8>)>,
     /// PDOs, in the order of configuration: RPDOs before TPDOs.
     pub pdos: Vec<PdoRequest>,
-    /// What becomes of PDOs without a link and without a key; `None`: as in the [network](Network::unused_pdos).
+    /// The treatment of PDOs without a link and without a key; `None`: as in the
+    /// [network](Network::unused_pdos).
     pub unused_pdos: Option<Said<UnusedPdos>>,
-    /// Settings that follow from keys of the network, such as those of SYNC.
+    /// Settings implied by keys of the network, such as those of SYNC.
     pub implied: Vec<Said<Setting>>,
-    /// Values by entry, checked like those of `objdict configure`.
+    /// Values by entry, checked like settings of `objdict configure`.
     pub settings: Vec<Said<Setting>>,
     /// Downloads at the end of the configuration, in this order, also of values that the node already has.
     pub downloads: Vec<Said<DownloadRequest>>,
-    /// The configurations of the node that the description of the manager holds. They are its last downloads in a network
-    /// that is as its descriptions say.
+    /// The configurations of the node in the manager's description. In a network that is as described, they are the
+    /// last downloads.
     pub stored: Vec<Stored>,
     /// How the manager boots the node.
     pub boot: Boot,
-    /// Which numbers the manager checks; `None`: as in the [network](Network::identity).
+    /// The numbers that the manager checks; `None`: as in the [network](Network::identity).
     pub identity: Option<IdentityLevel>,
     /// The expected revision number (1F87h).
     pub revision_number: Option<Said<u32>>,
@@ -86,7 +89,7 @@ pub struct Node {
     pub run_time_folder: Option<String>,
 }
 
-/// A configuration that the description of the manager holds for a node (CiA 302-3).
+/// A configuration for a node in the manager's description (CiA 302-3).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stored {
     /// The object of the manager: 1F20h for a DCF, 1F22h for a concise DCF.
@@ -100,7 +103,7 @@ pub struct Stored {
 pub struct Heartbeat {
     /// Producer heartbeat time in milliseconds (1017h).
     pub producer: Option<Said<u16>>,
-    /// After how many producer heartbeat times consumers give the node up.
+    /// The number of producer heartbeat times after which consumers consider the node lost.
     pub factor: f64,
     /// Whether the node monitors the manager; for the manager, whether it monitors the nodes.
     pub consumer: Option<Said<bool>>,
@@ -109,7 +112,7 @@ pub struct Heartbeat {
 }
 
 impl Heartbeat {
-    /// What dcfgen and most managers take.
+    /// The default of dcfgen and most managers.
     pub const DEFAULT_FACTOR: f64 = 3.0;
 
     /// The consumer time for a producer time, both in milliseconds; `None` if it does not fit 1016h.
@@ -126,7 +129,7 @@ impl Default for Heartbeat {
     }
 }
 
-/// Another node whose heartbeat is monitored.
+/// A node whose heartbeat is monitored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Watch {
     /// The name of the node.
@@ -138,16 +141,16 @@ pub struct Watch {
 /// A consumer heartbeat time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WatchTime {
-    /// So many producer heartbeat times.
+    /// A number of producer heartbeat times.
     Times(f64),
     /// Milliseconds.
     Milliseconds(u16),
 }
 
-/// A PDO and its wanted configuration; what is `None` stays as the description says.
+/// A PDO and its requested configuration; `None` keeps the setting of the description.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PdoRequest {
-    /// Where the network file says so.
+    /// The position in the network file.
     pub at: Span,
     /// The PDO.
     pub pdo: PdoName,
@@ -161,7 +164,7 @@ pub struct PdoRequest {
     pub inhibit_time: Option<Said<u16>>,
     /// Event timer in milliseconds.
     pub event_timer: Option<Said<u16>>,
-    /// The time in milliseconds after which a receiver misses the PDO.
+    /// The timeout of a receiver in milliseconds.
     pub deadline: Option<Said<u16>>,
     /// SYNC start value.
     pub sync_start: Option<Said<u8>>,
@@ -170,7 +173,7 @@ pub struct PdoRequest {
 }
 
 impl PdoRequest {
-    /// A PDO that stays as it is.
+    /// A PDO without changes.
     pub const fn new(pdo: PdoName, at: Span) -> Self {
         Self {
             at,
@@ -186,7 +189,7 @@ impl PdoRequest {
         }
     }
 
-    /// Whether anything but the COB-ID is wanted.
+    /// Whether anything except the COB-ID is requested.
     pub fn has_parameters(&self) -> bool {
         let Self { transmission, inhibit_time, event_timer, deadline, sync_start, mapping, .. } = self;
         let has_time = inhibit_time.or(*event_timer).or(*deadline).is_some();
@@ -194,10 +197,10 @@ impl PdoRequest {
     }
 }
 
-/// What becomes of a valid PDO that no link uses and of which the network file states nothing.
+/// The treatment of a valid PDO that neither a link nor the network file refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnusedPdos {
-    /// It stays as it is.
+    /// It is kept.
     Keep,
     /// A download switches it off.
     Off,
@@ -206,7 +209,7 @@ pub enum UnusedPdos {
 /// The COB-ID of a PDO.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RequestedCobId {
-    /// That of the predefined connection set; for PDO 5 and above a free one.
+    /// From the predefined connection set; a free one for PDO 5 and above.
     Auto,
     /// The value of sub-index 1, with its flags.
     Number(u32),
@@ -223,18 +226,18 @@ pub struct DownloadRequest {
     pub value: RequestedValue,
 }
 
-/// A value as the network file spells it; the data type of the entry says what it is.
+/// A value as spelled in the network file; its type follows from the data type of the entry.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RequestedValue {
     /// A whole number.
     Integer(i128),
     /// A number with a fraction.
     Real(f64),
-    /// A text, spelled as in a DCF.
+    /// A string, spelled as in a DCF.
     Text(String),
 }
 
-/// How the manager boots a node (1F81h and what belongs to it).
+/// How the manager boots a node (1F81h and related objects).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Boot {
     /// Whether it configures and starts the node.
@@ -249,7 +252,7 @@ pub struct Boot {
     pub software_file: Option<String>,
     /// The expected software identification (1F55h); 0 is not checked.
     pub software_version: Said<u32>,
-    /// The sub-index of 1011h that restores the defaults before the configuration (1F8Ah); 0 restores nothing.
+    /// The sub-index of 1011h that restores the defaults before the configuration (1F8Ah); 0 restores none.
     pub restore_configuration: Said<u8>,
 }
 
@@ -283,7 +286,7 @@ impl Default for Boot {
     }
 }
 
-/// The manager. Times are those of its objects.
+/// The manager. Times are in the units of its objects.
 #[derive(Clone, Debug, Default)]
 pub struct Manager {
     /// Its name in the network file.
@@ -292,7 +295,8 @@ pub struct Manager {
     pub node_id: Option<Said<u8>>,
     /// Its position in [`Network::nodes`]; `None` if the file does not describe it and the network is not resolved yet.
     pub node: Option<usize>,
-    /// Whether the file does not describe it, so its description is made of what the network needs.
+    /// Whether the file does not describe it, so that its description is generated from the needs of the
+    /// network.
     pub is_made: bool,
     /// Vendor-ID, product code and revision number (1018h).
     pub identity: [u32; 3],
@@ -312,11 +316,11 @@ pub struct Manager {
     pub nmt_inhibit_time: u16,
     /// Its heartbeat; it monitors the nodes unless that is switched off.
     pub heartbeat: Heartbeat,
-    /// What it does on an error of a class (1029h), by sub-index.
+    /// Its reaction to an error of each class (1029h), by sub-index.
     pub error_behavior: BTreeMap<u8, u8>,
     /// How it starts the network.
     pub startup: Startup,
-    /// The time in milliseconds in which all mandatory nodes boot (1F89h); 0: for ever.
+    /// The time in milliseconds in which all mandatory nodes must boot (1F89h); 0: unlimited.
     pub boot_time: Said<u32>,
 }
 
@@ -330,7 +334,7 @@ impl Manager {
 /// NMT startup (1F80h).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Startup {
-    /// Whether the manager becomes operational by itself.
+    /// Whether the manager becomes operational automatically.
     pub start: bool,
     /// Whether it starts the nodes.
     pub start_nodes: bool,
@@ -352,7 +356,7 @@ impl Startup {
             | (self.stop_all_nodes as u32) << 6
     }
 
-    /// What a value of 1F80h says.
+    /// Decodes a value of 1F80h.
     pub const fn from_number(number: u32) -> Self {
         Self {
             start: number >> 2 & 1 == 0,
@@ -377,8 +381,8 @@ impl Default for Startup {
 }
 
 impl Network {
-    /// Takes a bit rate that the network file does not state: that of dcfgen for its files, else the one that all descriptions
-    /// which state one agree on.
+    /// Sets a missing bit rate: dcfgen's default for its files, otherwise the common one of all descriptions that state
+    /// one.
     pub fn settle_bit_rate(&mut self) {
         let of_dcfgen = self.manager.as_ref().filter(|_| self.order == Order::Dcfgen);
         let of_dcfgen = of_dcfgen.map(|manager| Said::new(DCFGEN_BIT_RATE, manager.name.at));
@@ -391,7 +395,7 @@ impl Network {
         self.bit_rate = self.bit_rate.or(of_dcfgen).or(first);
     }
 
-    /// Where the network file says that the unused PDOs of a node are switched off.
+    /// The position in the network file that disables the unused PDOs of a node.
     pub(crate) fn switches_off(&self, node: usize) -> Option<Span> {
         let said = self.nodes[node].unused_pdos.or(self.unused_pdos);
         said.filter(|said| said.value == UnusedPdos::Off).map(|said| said.at)
@@ -407,7 +411,7 @@ impl Network {
         self.is_manager(node) && self.manager.as_ref().is_some_and(|manager| manager.is_made)
     }
 
-    /// The nodes that the manager boots: all but itself.
+    /// The nodes that the manager boots: all except itself.
     pub fn slaves(&self) -> impl Iterator<Item = (usize, &Node)> {
         self.nodes.iter().enumerate().filter(|(position, _)| !self.is_manager(*position))
     }

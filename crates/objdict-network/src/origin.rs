@@ -1,4 +1,4 @@
-//! Where the descriptions of nodes have what findings are about.
+//! The places in node descriptions to which findings refer.
 //!
 //! A label into a description is `Slave::origin` for a value that no download replaces, and `because` for a
 //! field.
@@ -11,7 +11,7 @@ use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};
 use crate::source::Span;
 
-/// Adds what the description of a node says that a finding comes from.
+/// Adds the cause of a finding in the description of a node.
 pub(crate) fn because(finding: Diagnostic, node: usize, place: impl Into<Option<Place>>) -> Diagnostic {
     let Some(place) = place.into() else { return finding };
     let text = match &place.field {
@@ -25,7 +25,7 @@ pub(crate) fn because(finding: Diagnostic, node: usize, place: impl Into<Option<
     finding.label(At::Node(node, place), text)
 }
 
-/// The field of an entry because of which no PDO of this direction carries it.
+/// The field of an entry that prevents a PDO of this direction from carrying it.
 pub(crate) fn refusing_field(entry: &Entry, kind: PdoKind) -> Field {
     let other = if kind == PdoKind::Rpdo { PdoMapping::Tpdo } else { PdoMapping::Rpdo };
     match entry.pdo_mapping.filter(|mapping| mapping.is_mappable() && *mapping != other) {
@@ -35,14 +35,13 @@ pub(crate) fn refusing_field(entry: &Entry, kind: PdoKind) -> Field {
 }
 
 impl Node {
-    /// Where the description of the node has the value of an entry; `None` if the network replaces it. The node is the one
-    /// at `position`.
+    /// The place of an entry's value in the description of the node at `position`; `None` if the network replaces it.
     pub(crate) fn origin(&self, position: usize, origins: &Origins, (index, sub): (u16, u8)) -> Option<At> {
         let is_said = origins.contains_key(&(index, sub));
         (!is_said).then(|| At::Node(position, self.device.value_place(index, sub)))
     }
 
-    /// Where the description has the node-ID; `None` if the network file states it.
+    /// The place of the node-ID in the description; `None` if the network file states it.
     pub(crate) fn node_id_origin(&self, position: usize) -> Option<At> {
         let is_described = self.node_id.is_some_and(|node_id| node_id.at == self.file.at);
         is_described.then(|| At::Node(position, Place::of(Part::Commissioning).field(Field::NodeId)))
@@ -50,14 +49,14 @@ impl Node {
 }
 
 impl Slave {
-    /// Where the description has the value of an entry; `None` if the configuration replaces it.
+    /// The place of an entry's value in the description; `None` if the configuration replaces it.
     pub(crate) fn origin(&self, network: &Network, index: u16, sub: u8) -> Option<At> {
         network.nodes[self.node].origin(self.node, &self.origins, (index, sub))
     }
 
-    /// A finding of a rule about devices, about the effective dictionary: where the network file gives an entry its value, else
-    /// in the description; `node_id` is the place of the node-ID that a value does not fit. `None` if the network file gives none of
-    /// the values, or if an error is known of the object.
+    /// Converts a finding of a device rule about the effective dictionary: points to the value in the network file,
+    /// otherwise in the description; `node_id` is the place of a conflicting node-ID. `None` if none of the values are
+    /// from the network file, or if the object already has an error.
     pub fn found(
         &self,
         network: &Network,
@@ -93,7 +92,8 @@ impl Slave {
         Some(found.understood())
     }
 
-    /// Whether an entry has a value on purpose: the network file states it, or a DCF one that is not the default.
+    /// Whether an entry has an intentional value: stated in the network file, or in a DCF and different from
+    /// the default.
     pub(crate) fn is_configured(&self, network: &Network, index: u16, sub: u8) -> bool {
         let by_dcf = || {
             let entry = network.nodes[self.node].device.entry(index, sub)?;
@@ -103,7 +103,7 @@ impl Slave {
         self.said(index, sub).is_some() || by_dcf().unwrap_or(false)
     }
 
-    /// Where the description has the CAN-ID of a service, which may follow from the node-ID.
+    /// The place of a service's CAN-ID in the description, which may depend on the node-ID.
     pub(crate) fn can_id_origin(&self, network: &Network, can_id: MessageId, service: Service) -> Option<At> {
         match service {
             Service::Pdo(pdo) => self.origin(network, indexes(pdo).0, 1),

@@ -1,8 +1,8 @@
-//! From what a network file says to the configuration of its nodes.
+//! Resolves a network file to the configuration of its nodes.
 //!
 //! A format fills `Network` with its statements and their spans (`Said`), and links become requests for PDOs on
-//! both sides, so all formats lead to the same findings. A finding that leaves no doubt about the result is
-//! `understood`: `--strict-dcfgen` builds in spite of it.
+//! both sides, so all formats lead to the same findings. A finding with an unambiguous result is `understood`:
+//! `--strict-dcfgen` builds despite it.
 
 use crate::compile::{compile, compile_manager};
 use crate::compiled::{Compiled, DcfgenMode, Origins, indexes};
@@ -15,8 +15,8 @@ use crate::model::{Access, Assignment, Device, DeviceKind, PdoKind, Value};
 use crate::network::{Manager, Network, Node, Said};
 use crate::watch::watch;
 
-/// A network in which all that follows from its file is settled, with the configurations of its nodes. It does not change
-/// any more, so both belong together.
+/// A network with all values derived from its file, and the configurations of its nodes. Both are consistent because
+/// they no longer change.
 #[derive(Clone, Debug, Default)]
 pub struct Resolved {
     network: Network,
@@ -29,15 +29,15 @@ impl Resolved {
         &self.network
     }
 
-    /// The configurations of its nodes, without the errors of dcfgen.
+    /// The configurations of its nodes, without the bugs of dcfgen.
     pub const fn compiled(&self) -> &Compiled {
         &self.compiled
     }
 }
 
-/// Settles what follows from a network as its file says it: settings of a described manager, watched nodes, the PDOs of links,
-/// the bit rate, and the description of a manager that the file does not describe, which `read` reads from the text of its DCF.
-/// What cannot be settled is a finding.
+/// Derives values from the statements of a network: settings of a described manager, watched nodes, the PDOs of links,
+/// the bit rate, and the description of a manager that the file does not describe, which `read` reads from the text of
+/// its DCF. Unresolvable statements are findings.
 pub fn resolve(
     mut network: Network,
     read: impl FnOnce(String) -> Device,
@@ -56,8 +56,8 @@ pub fn resolve(
     Resolved { network, compiled }
 }
 
-/// Gives a manager that the file does not describe the description of Lely's master, with a PDO for each PDO of a node. Findings
-/// about its values point to the keys of the manager and to the PDOs of the nodes.
+/// Assigns the description of Lely's master to a manager that the file does not describe, with a PDO for each PDO of a
+/// node. Findings about its values point to the keys of the manager and to the PDOs of the nodes.
 fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnce(String) -> Device) {
     if network.manager.as_ref().is_none_or(|manager| manager.node.is_some()) {
         return;
@@ -68,7 +68,8 @@ fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnc
     manager.is_made = true;
     let mut device = read(master.dcf).expanded().into_owned();
     device.kind = DeviceKind::Node;
-    // what one line for all entries cannot say: the history is empty, and like mappings it has a number that can be written
+    // not expressible in one line for all entries: the history is empty, and like mappings it has a writable
+    // number of entries
     for (index, object) in device.objects.iter_mut() {
         match (index, object.subs.get_mut(0)) {
             (0x1003, Some(count)) => {
@@ -79,16 +80,16 @@ fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnc
             _ => {}
         }
     }
-    // it is as new as the newest description that it follows from
+    // it is as new as the newest description that it depends on
     let dates = network.nodes.iter().filter_map(|node| node.device.file_info.as_ref());
     let newest = dates.filter_map(|info| info.creation_date.zip(info.creation_time)).max();
     let info = device.file_info.get_or_insert_default();
     (info.creation_date, info.creation_time) = newest.unzip();
     info.eds_version = Some("4.0".to_owned());
-    // the text states network 1, which contradicts nodes whose DCFs state another one
+    // the text states network 1, which contradicts nodes whose DCFs state a different one
     device.commissioning.get_or_insert_default().net_number = None;
     if manager.serial_number != 0 {
-        // Lely's master gets it by a download of its own
+        // Lely's master sets it by its own download
         let value = Value::Unsigned(manager.serial_number.into());
         device.assign(&[Assignment { index: 0x1018, sub: 4, value }]);
     }
@@ -110,7 +111,7 @@ fn make_manager(network: &mut Network, compiled: &mut Compiled, read: impl FnOnc
     }
 }
 
-/// Where the keys of the manager have the values of its objects.
+/// The positions of the manager's values in its keys.
 fn own_origins(manager: &Manager) -> Origins {
     let sync = Some(manager.sync_period.at);
     let keys = [
@@ -127,7 +128,7 @@ fn own_origins(manager: &Manager) -> Origins {
     said.filter(|(_, at)| !at.is_empty()).chain(errors).collect()
 }
 
-/// What `bus` and `manager` say, as settings of the described manager.
+/// The content of `bus` and `manager` as settings of the described manager.
 fn describe(manager: &Manager, node: &mut Node) {
     node.heartbeat.producer = node.heartbeat.producer.or(manager.heartbeat.producer);
     node.time_cob_id = manager.time_cob_id.or(node.time_cob_id);

@@ -1,4 +1,4 @@
-//! How often messages are sent, and how much of the bus they take.
+//! Message frequency and bus load.
 
 use crate::Language;
 use crate::compiled::{Compiled, PdoState, Slave};
@@ -6,12 +6,12 @@ use crate::messages::{MessageId, Messages, Service};
 use crate::network::{Network, Said};
 use crate::source::Span;
 
-/// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
+/// The maximum number of bits of a data frame with this many bytes, with stuff bits and the interframe space.
 pub(crate) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
     if is_extended { 80 + 10 * bytes } else { 55 + 10 * bytes }
 }
 
-/// Who sends SYNC, and how.
+/// The sender and parameters of SYNC.
 pub(crate) struct Sync {
     pub(crate) can_id: MessageId,
     /// The communication cycle period in microseconds.
@@ -25,7 +25,7 @@ pub(crate) struct Sync {
     pub(crate) node: usize,
 }
 
-/// Messages without a rhythm, which the load of the bus does not count.
+/// Aperiodic messages, which the bus load does not include.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Uncounted {
@@ -36,7 +36,7 @@ pub struct Uncounted {
 }
 
 impl Uncounted {
-    /// The most CAN-IDs in words.
+    /// The maximum number of listed CAN-IDs.
     const MAX_LISTED: usize = 8;
 
     /// `NMT, EMCY, SDO, 2 PDOs without inhibit time and event timer (18Dh, 20Bh)`, with CAN-IDs as the document has them. Empty if all is
@@ -64,7 +64,7 @@ pub(crate) struct Traffic<'n> {
 }
 
 impl<'n> Traffic<'n> {
-    /// The one that sends SYNC.
+    /// The SYNC that is sent.
     pub(crate) fn sync(self) -> Option<Sync> {
         let mut messages = self.messages.0.iter();
         let (can_id, party) = messages.find_map(|(can_id, message)| {
@@ -101,10 +101,10 @@ impl<'n> Traffic<'n> {
         })
     }
 
-    /// What [`load`](Self::load) does not count.
+    /// The messages that [`load`](Self::load) does not include.
     pub(crate) fn uncounted(self) -> Uncounted {
         let sync = self.sync();
-        // without SYNC a synchronous PDO is not sent
+        // without SYNC, a synchronous PDO is not sent
         let is_uncounted =
             |state: &&PdoState| state.period(sync.as_ref()).is_none() && state.transmission > 240;
         let pdos = self.pdos().filter(is_uncounted).map(PdoState::can_id).collect();

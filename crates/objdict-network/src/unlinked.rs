@@ -9,7 +9,7 @@ use crate::model::{Object, PdoKind};
 use crate::network::Network;
 use crate::source::Span;
 
-/// A PDO whose other side no node has.
+/// A PDO without a counterpart.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnlinkedPdo {
     pub(crate) can_id: MessageId,
@@ -17,12 +17,12 @@ pub(crate) struct UnlinkedPdo {
     pub(crate) party: Party,
 }
 
-/// The PDOs whose other side no node has.
+/// The PDOs without a counterpart.
 #[derive(Default)]
 pub(crate) struct UnlinkedPdos {
     /// Those that the network file or a DCF configures, by CAN-ID.
     pub(crate) configured: Vec<UnlinkedPdo>,
-    /// Those that are as a description has them by default, by node and direction.
+    /// Those with the default configuration of their description, by node and direction.
     pub(crate) default: BTreeMap<(usize, PdoKind), Vec<UnlinkedPdo>>,
 }
 
@@ -49,7 +49,7 @@ impl UnlinkedPdos {
 }
 
 impl Slave {
-    /// Where the network file states something of a PDO.
+    /// The position of a PDO's settings in the network file.
     pub(crate) fn stated(&self, network: &Network, pdo: PdoName) -> Option<Span> {
         let (communication, mapping) = indexes(pdo);
         let request = network.nodes[self.node].pdos.iter().find(|request| request.pdo == pdo);
@@ -57,7 +57,7 @@ impl Slave {
         request.map(|request| request.at).or_else(|| said(communication)).or_else(|| said(mapping))
     }
 
-    /// Whether the network file states something of a PDO, or a value of it is not the default of the description.
+    /// Whether the network file has settings for a PDO, or one of its values differs from the default.
     fn configures(&self, network: &Network, pdo: PdoName) -> bool {
         let (communication, mapping) = indexes(pdo);
         let is_changed = |index: u16| {

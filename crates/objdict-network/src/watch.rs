@@ -39,7 +39,7 @@ pub(crate) fn watch(network: &mut Network, findings: &mut Findings) {
             let mut place = None;
             let setting = consumer(network, &compiled, &said.value).and_then(|number| {
                 place = Some(Place::object(0x1016));
-                // two entries of a node must not monitor the same one
+                // two entries of a node must not monitor the same node
                 let consumers = device.services().heartbeat_consumers;
                 let own = consumers.iter().find(|consumer| u32::from(consumer.node_id) == number >> 16);
                 let sub = own.map(|own| own.sub).or_else(|| free.next());
@@ -63,7 +63,7 @@ pub(crate) fn watch(network: &mut Network, findings: &mut Findings) {
     }
 }
 
-/// A node that watches its own heartbeat, which it does not receive.
+/// A node that monitors its own heartbeat, which it does not receive.
 pub(crate) fn monitors_itself(at: Span, name: &str) -> Diagnostic {
     let message = say!("`{}` monitors itself, but a node does not receive its own heartbeat", name);
     let finding = Diagnostic::new(&SILENT_NODE, at, message).severity(Severity::Error);

@@ -1,4 +1,4 @@
-//! What the manager expects while it boots the network.
+//! The manager's expectations while it boots the network.
 
 use super::NetworkCheck;
 use crate::compiled::Slave;
@@ -21,7 +21,7 @@ impl NetworkCheck<'_, '_> {
             let name = &node.name.value;
             let stated = [(3, node.revision_number, "revision"), (4, node.serial_number, "serial")];
             for (sub, request, what) in stated {
-                // 0 is not checked (CiA 302-2), nor is a placeholder
+                // 0 is not checked (CiA 302-2), and neither is a placeholder
                 let is_checked = |request: &crate::Said<u32>| ![0, PLACEHOLDER].contains(&request.value);
                 let Some(request) = request.filter(is_checked) else { continue };
                 if node.device.entry(0x1018, sub).is_none() {
@@ -53,7 +53,8 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// A finding about an expected number: an error where the manager does not boot the node, because it answers another one.
+    /// A finding about an expected number: an error if the manager does not boot the node because its
+    /// response differs.
     fn judged(&self, slave: &Slave, finding: Diagnostic, sub: u8, expected: u32) -> Diagnostic {
         let node = &self.network.nodes[slave.node];
         let is_other = match answered(&node.device, sub, slave.node_id) {
@@ -68,7 +69,7 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// 1F55h against 1F56h of the nodes whose software the manager checks (1F81h bit 5).
+    /// Checks 1F55h against 1F56h of the nodes whose software the manager checks (1F81h bit 5).
     pub(super) fn software(&mut self) {
         const CHECKED: u32 = 1 << 5;
         let numbers = numbers(self.compiled);
@@ -137,7 +138,7 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// Numbers that a description states in two ways, of which the manager checks one.
+    /// Numbers for which a description has two values, one of which the manager checks.
     fn ambiguous_identity(&mut self, slave: &Slave) {
         let node = &self.network.nodes[slave.node];
         if self.network.manager.is_none() || !node.boot.boot || self.network.is_as_described {
@@ -149,7 +150,7 @@ impl NetworkCheck<'_, '_> {
             let Some((present, other)) = identity::present(&node.device, position, slave.node_id) else {
                 continue;
             };
-            // 0 is not checked, nor is what the network file does not want checked
+            // 0 is not checked, and neither are numbers that the network file excludes
             let expected = slave.identity[usize::from(position)];
             let is_settled = position == 3 && node.revision_number.is_some();
             let is_checked = expected != 0 && [stated, present].contains(&expected) && !is_settled;
@@ -198,22 +199,22 @@ impl NetworkCheck<'_, '_> {
             .into_iter()
             .zip(slave.identity);
         let identity = (0x1F84..).zip(described).map(|(index, ((number, place), is))| {
-            // the network file may state another one
+            // the network file may state a different one
             (index, is, (number == is).then_some(At::Node(slave.node, place)))
         });
         let emcy = slave.emcy.map(|emcy| (0x1028, emcy, slave.origin(self.network, 0x1014, 0)));
         for (index, is, origin) in identity.chain(emcy) {
             let Some(wanted) = number(&manager.device, index, slave.node_id, slave.node_id) else { continue };
             let is_off = wanted == 0 || index == 0x1028 && wanted >> 31 != 0;
-            // a device type of 0 is one
+            // a device type of 0 is valid
             let is_stated = match index {
                 0x1F84 => node.device.value(0x1000, 0).is_some(),
-                // what the node does not have, it does not answer
+                // a node does not return missing entries
                 0x1F85..=0x1F88 => is != 0 || node.device.entry(0x1018, (index - 0x1F84) as u8).is_none(),
                 _ => is != 0,
             };
             let said = manager.said(index, slave.node_id);
-            // a setting beside a number that follows from the node is a contradiction
+            // a setting in addition to a number from the node is a contradiction
             let is_reported = said.is_some() && is != 0;
             if !is_off && !is_reported && is_stated && wanted != is {
                 let message = say!(
@@ -227,7 +228,7 @@ impl NetworkCheck<'_, '_> {
                     .label_each(manager.origin(self.network, index, slave.node_id), "the expected number")
                     .label_each(origin, "the described number")
                     .help("correct the manager's value, or use that device's description");
-                // the revision may be another one than that of the description
+                // the revision may differ from the description's
                 let is_other_device = (0x1F84..=0x1F86).contains(&index);
                 self.findings.push(match (index, is_other_device) {
                     (_, true) => finding.severity(Severity::Error).understood(),
@@ -238,7 +239,7 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// Nodes that must not be reset while they are operational, and do not say whether they are.
+    /// Nodes that must not be reset while they are operational, but do not report whether they are.
     pub(super) fn kept_alive(&mut self) {
         let Some(manager) = &self.network.manager else { return };
         for slave in &self.compiled.slaves {
@@ -246,14 +247,14 @@ impl NetworkCheck<'_, '_> {
             if !node.boot.boot || node.boot.reset_communication {
                 continue;
             }
-            // before it is configured, the node has the defaults, or what a DCF says that it has
+            // before its configuration, the node has the defaults, or the values in its DCF
             let is_stored = self.network.order == Order::Dcfgen || self.network.is_as_described;
             let own = node.device.object(0x1017).and_then(|object| {
                 let entry = object.entry(0)?;
                 let value = if is_stored { entry.value() } else { entry.default.as_ref() };
                 value?.integer_for(slave.node_id)
             });
-            // the manager asks a node whose heartbeat it does not expect
+            // the manager polls a node whose heartbeat it does not expect
             let is_expected = slave.heartbeat != 0 && manager.monitors_nodes();
             let is_asked = !is_expected && node.device.object(0x100C).is_some();
             if own.is_some_and(|time| time != 0) || is_asked {

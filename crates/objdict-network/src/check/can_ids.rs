@@ -20,7 +20,7 @@ impl NetworkCheck<'_, '_> {
         self.bit_rates();
     }
 
-    /// The bit rate of the network, else the first one that a DCF states, against the nodes.
+    /// Checks the bit rate of the network, otherwise the first one stated by a DCF, against the nodes.
     fn bit_rates(&mut self) {
         let stated = |node: &Node| node.device.commissioning.as_ref()?.baud_rate.filter(|rate| *rate != 0);
         let of_node = |node: usize| At::Node(node, Place::of(Part::Commissioning).field(Field::Baudrate));
@@ -90,9 +90,9 @@ impl NetworkCheck<'_, '_> {
             let senders = message.senders.iter().map(|party| (party, true));
             let parties = senders.chain(message.receivers.iter().map(|party| (party, false)));
             let is_own = |(party, is_sender): &(&Party, bool)| match party.service {
-                // the PDOs of a made description have the CAN-IDs of PDOs of the nodes
+                // the PDOs of a generated description have the CAN-IDs of the nodes' PDOs
                 Service::Pdo(_) => !self.network.is_made(party.node),
-                // what the network file sets is checked with the rules about devices
+                // values set by the network file are checked with the rules about devices
                 Service::Sync | Service::Time => self.can_id_origin(*can_id, party).is_some(),
                 Service::Emcy => *is_sender && self.can_id_origin(*can_id, party).is_some(),
                 _ => false,
@@ -112,7 +112,8 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// One sender a CAN-ID. Nodes with one node-ID share all of them, which is said once.
+    /// A CAN-ID may have only one sender. Nodes with the same node-ID share all of them, which is reported
+    /// once.
     fn senders(&mut self, can_id: MessageId, message: &Message) {
         let Some((first, others)) = message.senders.split_first() else { return };
         for other in others {
@@ -167,13 +168,13 @@ impl NetworkCheck<'_, '_> {
         self.network.nodes[party.node].node_id.map(|node_id| node_id.value)
     }
 
-    /// Where a description has the mapping of the PDO of a party.
+    /// The place of the mapping of a party's PDO in the description.
     fn mapping_origin(&self, party: &Party) -> Option<At> {
         let Service::Pdo(pdo) = party.service else { return None };
         self.compiled.node(party.node)?.origin(self.network, indexes(pdo).1, 0)
     }
 
-    /// What can be done for a receiver that takes only the first bytes.
+    /// Possible remedies for a receiver that uses only the first bytes.
     fn remedy(&self, receiver: &Party, received: &PdoState, sent: &PdoState) -> &'static str {
         let node = NodePdos::of(&self.network.nodes[receiver.node], self.compiled.node(receiver.node));
         match node.has_room(received.pdo, sent.bits() - received.bits()) {
@@ -182,7 +183,7 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// Whether receivers of a PDO get all bytes that they map. One that maps fewer takes the first ones.
+    /// Whether receivers of a PDO get all mapped bytes. A receiver that maps fewer uses the first ones.
     pub(super) fn pdo_lengths(&mut self) {
         for message in self.messages.0.values() {
             // several senders are an error

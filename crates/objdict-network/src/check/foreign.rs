@@ -1,4 +1,4 @@
-//! DCFs that were made for another node or another network.
+//! DCFs created for a different node or network.
 
 use super::NetworkCheck;
 use crate::compiled::{Slave, indexes};
@@ -6,7 +6,7 @@ use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::model::{CobId, Field, Part, Place};
 use crate::rules::{OTHER_NET_NUMBER, OTHER_NODE_ID};
 
-/// The most COB-IDs that a finding shows.
+/// The maximum number of COB-IDs in a finding.
 const SHOWN: usize = 4;
 
 impl NetworkCheck<'_, '_> {
@@ -17,7 +17,7 @@ impl NetworkCheck<'_, '_> {
         self.net_numbers();
     }
 
-    /// Where the network file states the node-ID itself, the DCF may still fit.
+    /// If the network file states the node-ID itself, the DCF may still be suitable.
     fn other_node_id(&mut self, slave: &Slave) {
         let node = &self.network.nodes[slave.node];
         let Some(made_for) = node.device.node_id().filter(|stated| *stated != slave.node_id) else { return };
@@ -51,7 +51,7 @@ impl NetworkCheck<'_, '_> {
         literal.filter_map(|(index, sub)| slave.origin(self.network, index, sub)).collect()
     }
 
-    /// `NetNumber` of the DCFs against the first one that states one.
+    /// Compares `NetNumber` of the DCFs with the first stated one.
     fn net_numbers(&mut self) {
         let place = |node| At::Node(node, Place::of(Part::Commissioning).field(Field::NetNumber));
         let numbers = self.network.nodes.iter().enumerate().filter_map(|(at, node)| {

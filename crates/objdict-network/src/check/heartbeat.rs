@@ -11,23 +11,24 @@ use crate::watch::monitors_itself;
 /// A heartbeat is late by the frames that wait before it, so a consumer waits half a period longer at least.
 const LEAST_FACTOR: f64 = 1.5;
 
-/// A node that monitors another one.
+/// A node that monitors a different one.
 struct Consumer<'n> {
     name: &'n str,
     own: Option<u8>,
     /// Whether the network file has the time.
     is_said: bool,
     at: Span,
-    /// Where its description has the time.
+    /// The place of the time in its description.
     origin: Option<At>,
     node_id: u8,
     milliseconds: u16,
-    /// Whether it is the manager, which boots no node whose heartbeat it misses.
+    /// Whether it is the manager, which does not boot nodes whose heartbeat is missing.
     is_manager: bool,
 }
 
 impl<'n> NetworkCheck<'n, '_> {
-    /// Sub-indexes of 1016h that name one node, and nodes that the described manager has no sub-index for.
+    /// Sub-indexes of 1016h that monitor the same node, and nodes for which the described manager has no
+    /// sub-index.
     pub(super) fn monitored_twice(&mut self) {
         let manager = self.network.manager.as_ref();
         for slave in self.compiled.nodes() {
@@ -129,7 +130,7 @@ impl<'n> NetworkCheck<'n, '_> {
         }
     }
 
-    /// Whether a node is the manager and boots another one.
+    /// Whether a node is the manager and boots the given one.
     fn is_booted_by(&self, node: usize, node_id: u8) -> bool {
         let other = self.compiled.slaves.iter().find(|slave| slave.node_id == node_id);
         self.network.is_manager(node) && other.is_some_and(|other| self.network.nodes[other.node].boot.boot)
@@ -140,7 +141,7 @@ impl<'n> NetworkCheck<'n, '_> {
         for slave in self.compiled.nodes() {
             let node = &self.network.nodes[slave.node];
             let request = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
-            // a manager that is made monitors itself only where a node has its node-ID
+            // a generated manager monitors itself only if a node has its node-ID
             let is_other = |node_id: u8| node_id != slave.node_id || !self.network.is_made(slave.node);
             let consumers_of = slave.services().heartbeat_consumers.iter();
             for consumer in consumers_of.filter(|consumer| is_other(consumer.node_id)) {

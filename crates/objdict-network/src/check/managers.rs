@@ -60,7 +60,7 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// What the two tables of a described manager both say.
+    /// The common content of the two tables of a described manager.
     pub(super) fn own_tables(&mut self) {
         let Some(manager) = &self.network.manager else { return };
         let Some(node) = manager.node.map(|node| &self.network.nodes[node]) else { return };
@@ -91,7 +91,7 @@ impl NetworkCheck<'_, '_> {
             }
             let message =
                 say!("`{}` is mandatory, but `{}` does not boot it", node.name.value, manager.name.value);
-            // only there the boot follows from 1F81h, and not the other way round
+            // only in this case the boot follows from 1F81h, and not vice versa
             let described = self.compiled.manager.as_ref().filter(|_| self.network.is_as_described);
             let origin = described.and_then(|own| own.origin(self.network, 0x1F81, slave.node_id));
             let finding = Diagnostic::new(&MANDATORY_NOT_BOOTED, node.name.at, message)

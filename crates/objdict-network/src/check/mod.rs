@@ -1,4 +1,4 @@
-//! What does not fit together in a network.
+//! Inconsistencies in a network.
 
 mod boot;
 mod can_ids;
@@ -73,17 +73,18 @@ impl<'n> NetworkCheck<'n, '_> {
         format!("{} of `{}`", party.service, self.name(party))
     }
 
-    /// The bit rate in kbit/s; without one, the fastest, with which checks of time find least.
+    /// The bit rate in kbit/s; if unknown, the fastest, so that timing checks report least.
     fn bit_rate(&self) -> u16 {
         self.network.bit_rate.map_or(1000, |rate| rate.value.max(1))
     }
 
-    /// Where a description has the CAN-ID of a party.
+    /// The place of a party's CAN-ID in the description.
     fn can_id_origin(&self, can_id: MessageId, party: &Party) -> Option<At> {
         self.compiled.node(party.node)?.can_id_origin(self.network, can_id, party.service)
     }
 
-    /// Who a node-ID belongs to: its name, its producer heartbeat time, and where its description has that.
+    /// The owner of a node-ID: its name, its producer heartbeat time, and the place of that in its
+    /// description.
     fn producer(&self, node_id: u8) -> Option<(&'n str, u16, Option<At>)> {
         let slave = self.compiled.nodes().find(|slave| slave.node_id == node_id)?;
         let name = &self.network.nodes[slave.node].name.value;

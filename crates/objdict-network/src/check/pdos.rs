@@ -1,4 +1,4 @@
-//! PDOs whose other side is missing.
+//! PDOs without a counterpart.
 
 use super::NetworkCheck;
 use crate::diagnostic::{Diagnostic, joined, say};
@@ -6,17 +6,17 @@ use crate::model::PdoKind;
 use crate::rules::{RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER};
 use crate::unlinked::{UnlinkedPdo, UnlinkedPdos};
 
-/// The most CAN-IDs that a message lists.
+/// The maximum number of CAN-IDs in a message.
 const MAX_LISTED: usize = 8;
 
 impl NetworkCheck<'_, '_> {
-    /// PDOs that no other node sends or receives: one finding for each that is configured, and one for all of a node and a
-    /// direction that are valid by default.
+    /// PDOs that no other node sends or receives: one finding for each configured one, and one per node and direction
+    /// for those that are valid by default.
     pub(super) fn unlinked(&mut self) {
         let UnlinkedPdos { configured, default } =
             UnlinkedPdos::new(self.network, self.compiled, self.messages);
         let single = configured.iter().map(|pdo| self.alone(pdo));
-        // what `unused-pdos` cannot switch off is reported as that
+        // PDOs that `unused-pdos` cannot disable are reported separately
         let default = default.iter().filter(|((node, _), _)| self.network.switches_off(*node).is_none());
         let several = default.filter_map(|(_, pdos)| match pdos.as_slice() {
             [pdo] => Some(self.alone(pdo)),

@@ -1,4 +1,4 @@
-//! Downloads that a node refuses: each node takes them in their order, as when it is booted.
+//! Downloads that a node rejects: each node receives them in order, as during boot-up.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use crate::rules::REFUSED_DOWNLOAD;
 
 impl NetworkCheck<'_, '_> {
     pub(super) fn downloads(&mut self) {
-        // nodes that are configured already have what the manager holds
+        // nodes that are already configured have the values that the manager stores
         if self.network.is_as_described {
             return;
         }
@@ -21,7 +21,7 @@ impl NetworkCheck<'_, '_> {
             match slave.sent(self.network.order) {
                 Ok(downloads) => {
                     let verification = downloads.verify(&device, Some(slave.node_id));
-                    // what follows from a refused download of a PDO is refused too
+                    // consequences of a rejected download of a PDO are rejected too
                     let mut seen = BTreeSet::new();
                     let first = verification.aborts().filter(|refused| seen.insert(group(refused.index)));
                     first.for_each(|refused| self.refused_download(slave, refused));

@@ -11,7 +11,8 @@ pub(super) const fn is_reserved_overflow(overflow: u8) -> bool {
     matches!(overflow, 1 | 241..)
 }
 
-/// Whether the transmission type of a PDO is reserved: one on request is nothing that a receiver can wait for.
+/// Whether the transmission type of a PDO is reserved. Transmission on request also qualifies, because
+/// receivers cannot wait for it.
 const fn is_reserved_type(state: &PdoState) -> bool {
     matches!((state.pdo.kind, state.transmission), (_, 241..=251) | (PdoKind::Rpdo, 252 | 253))
 }

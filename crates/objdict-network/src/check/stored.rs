@@ -1,4 +1,4 @@
-//! The configurations that the description of the manager holds.
+//! The configurations in the manager's description.
 
 use super::NetworkCheck;
 use crate::compiled::Slave;
@@ -24,7 +24,7 @@ impl NetworkCheck<'_, '_> {
         }
     }
 
-    /// The name of the manager, and where its description has the configuration of a node.
+    /// The name of the manager, and the place of a node's configuration in its description.
     fn holder(&self, slave: &Slave, index: u16) -> Option<(&str, At)> {
         let own = self.network.manager.as_ref()?.node?;
         let manager = &self.network.nodes[own];
@@ -57,7 +57,7 @@ impl NetworkCheck<'_, '_> {
         findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 
-    /// What the manager sends against the DCF of the node.
+    /// Compares the manager's downloads with the DCF of the node.
     fn other_configuration(&mut self, slave: &Slave, node: &Node, stored: &Stored) {
         let Some((manager, place)) = self.holder(slave, stored.index) else { return };
         let device = before(node, slave.node_id);

@@ -1,4 +1,4 @@
-//! SYNC: who waits for it, how it is counted, and its window.
+//! SYNC: the nodes that wait for it, its counter, and its window.
 
 use super::NetworkCheck;
 use super::reserved::is_reserved_overflow;
@@ -9,7 +9,7 @@ use crate::model::PdoKind;
 use crate::rules::{NO_SYNC_SENDER, SYNC_COUNTER, SYNC_WINDOW};
 use crate::traffic::Sync;
 
-/// The most PDOs that a message names.
+/// The maximum number of PDOs in a message.
 const MAX_NAMED: usize = 4;
 
 impl<'n> NetworkCheck<'n, '_> {
@@ -26,7 +26,7 @@ impl<'n> NetworkCheck<'n, '_> {
         }
     }
 
-    /// PDOs that wait for SYNC, which no node sends, or not with this CAN-ID: one finding a node.
+    /// PDOs that wait for SYNC, which no node sends, or not with this CAN-ID: one finding per node.
     fn waiting(&mut self) {
         let (compiled, messages) = (self.compiled, self.messages);
         let senders: Vec<(MessageId, &Party)> = messages
@@ -47,7 +47,7 @@ impl<'n> NetworkCheck<'n, '_> {
             let other = senders.first().zip(own.filter(|own| own.number != 0 || !waiting.is_empty()));
             let finding = match other {
                 Some((sender, own)) => self.other_can_id(slave, &waiting, own, *sender),
-                // that its PDOs wait is said of the nodes that have the other sides
+                // waiting PDOs are reported for the nodes with their counterparts
                 None if waiting.is_empty() || self.network.is_made(slave.node) => continue,
                 None => self.no_sync(slave, &waiting),
             };
@@ -57,7 +57,8 @@ impl<'n> NetworkCheck<'n, '_> {
         }
     }
 
-    /// Whether the network needs a PDO: its file configures the PDO, or another described node has the other side.
+    /// Whether the network needs a PDO: its file configures the PDO, or a different described node has the
+    /// counterpart.
     pub(super) fn is_needed(&self, slave: &Slave, state: &PdoState) -> bool {
         let (communication, mapping) = indexes(state.pdo);
         let node = &self.network.nodes[slave.node];
@@ -68,7 +69,7 @@ impl<'n> NetworkCheck<'n, '_> {
             return true;
         }
         let is_configured = || entries().any(|(index, sub)| slave.is_configured(self.network, index, sub));
-        // a network without a manager is a part of one, whose other nodes may send SYNC
+        // a network without a manager may be a part of a larger one, whose other nodes may send SYNC
         self.network.manager.is_some() && (is_configured() || self.has_other_side(slave, state))
     }
 
@@ -92,7 +93,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let said = slave.said(indexes(first.pdo).0, 2).or(request);
         let finding = Diagnostic::new(&NO_SYNC_SENDER, said.unwrap_or(node.name.at), message)
             .help("set the manager's SYNC period, or use an event-driven transmission type");
-        // the nodes boot all the same
+        // the nodes boot nevertheless
         finding.severity(Severity::Warning)
     }
 
@@ -118,12 +119,13 @@ impl<'n> NetworkCheck<'n, '_> {
             .label_each(self.can_id_origin(can_id, sender), "the CAN-ID of SYNC")
             .help("set 1005h of both to the same CAN-ID");
         let is_configured = || slave.is_configured(self.network, 0x1005, 0);
-        // without a synchronous PDO nothing waits for SYNC yet
+        // without a synchronous PDO, no node waits for SYNC yet
         let is_sure = waiting.first().is_some_and(|first| is_configured() || self.is_needed(slave, first));
         if is_sure { finding } else { finding.severity(Severity::Warning) }
     }
 
-    /// 1019h of the nodes that hear SYNC: one of another length is an EMCY also where no PDO waits for it.
+    /// Checks 1019h of the nodes that receive SYNC: a SYNC of unexpected length causes an EMCY even if no PDO
+    /// waits for it.
     fn counters(&mut self, sync: &Sync) {
         let compiled = self.compiled;
         let sender = self.compiled.node(sync.node);
@@ -157,7 +159,7 @@ impl<'n> NetworkCheck<'n, '_> {
         }
     }
 
-    /// Windows that are longer than the period of SYNC; whether that of the sender is.
+    /// Windows that are longer than the SYNC period; returns whether the sender's is.
     fn windows(&mut self, sync: &Sync, users: &[&Slave]) -> bool {
         let message = |window: u64, name: &str| -> Text {
             say!(
@@ -185,7 +187,7 @@ impl<'n> NetworkCheck<'n, '_> {
         }
         for slave in users.iter().filter(|slave| slave.node != sync.node) {
             let window = slave.services().synchronous_window.unwrap_or(0).into();
-            // a long default is as good as none
+            // a long default is equivalent to none
             if window <= sync.period || !slave.is_configured(self.network, 0x1007, 0) {
                 continue;
             }
@@ -202,9 +204,9 @@ impl<'n> NetworkCheck<'n, '_> {
         is_too_long
     }
 
-    /// Whether SYNC and what it triggers fit into the window or the period.
+    /// Whether SYNC and the messages it triggers fit into the window or the period.
     fn burst(&mut self, sync: &Sync) {
-        // with types above 1 PDOs may still meet in one cycle
+        // with types above 1, PDOs may still coincide in one cycle
         let time = (self.schedule.bits_of_cycle() * 1000).div_ceil(self.bit_rate().into());
         let (limit, what, at, index) = match sync.window.value {
             0 => (sync.period, "communication cycle period", sync.at, 0x1006),
@@ -225,7 +227,7 @@ impl<'n> NetworkCheck<'n, '_> {
     }
 }
 
-/// `TPDO 1`, `TPDO 1 and RPDO 1`, or the number of many.
+/// `TPDO 1`, `TPDO 1 and RPDO 1`, or a number if there are many.
 fn named(pdos: &[&PdoState]) -> Text {
     match pdos.len() {
         0..=MAX_NAMED => say!("{}", series(pdos.iter().map(|state| Service::Pdo(state.pdo).to_string()))),

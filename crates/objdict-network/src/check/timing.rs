@@ -1,4 +1,4 @@
-//! The times of PDOs, and the load of the bus.
+//! PDO timing and bus load.
 
 use super::NetworkCheck;
 use crate::compiled::{PdoState, Slave, indexes};
@@ -69,7 +69,7 @@ impl<'n> NetworkCheck<'n, '_> {
 
     /// The share of the bit rate that is used all the time.
     pub(super) fn load(&mut self) {
-        // without a bit rate, what the fastest bus cannot carry
+        // without a bit rate, only load that exceeds the fastest bus is reported
         let manager = self.network.manager.as_ref();
         let fastest = manager.map(|manager| Said::new(FASTEST, manager.name.at));
         let Some(rate) = self.network.bit_rate.or(fastest) else { return };
@@ -89,7 +89,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let late = self.schedule.late(rate.value.max(1)).into_iter();
         let late = late.filter_map(|(frame, response)| match (frame.kind, frame.deadline?) {
             (TrafficKind::SynchronousPdo, (_, DeadlineKind::SyncWindow | DeadlineKind::Period)) => None,
-            // a contradiction of times, which the rules about them report
+            // inconsistent times, which are reported elsewhere
             (_, (0, DeadlineKind::Receiver)) => None,
             (_, (deadline, _)) => Some((frame, response.div_ceil(1000), deadline / 1000)),
         });

@@ -16,10 +16,10 @@ use crate::origin::because;
 use crate::rules::{CONTRADICTION, INVALID_SETTING, READ_ONLY_ENTRY};
 use crate::source::Span;
 
-/// Which part of a network file gives an entry its value.
+/// The part of a network file that sets the value of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum FilePart {
-    /// A key that follows from others, such as `watches`.
+    /// An implied setting, from a key such as `watches`.
     Implied,
     /// A key, or a link.
     Key,
@@ -29,7 +29,7 @@ pub(super) enum FilePart {
     Download,
 }
 
-/// The last value that each part gives to an entry, and where it says so.
+/// The last value that each part assigns to an entry, and its position.
 type WrittenValues = BTreeMap<FilePart, (Span, Vec<u8>)>;
 
 /// A node, its downloads so far, and their problems.
@@ -37,12 +37,12 @@ pub(super) struct Compiler<'n, 'f> {
     pub(super) node: &'n Node,
     /// The node as it is after the downloads so far.
     pub(super) device: Device,
-    /// What writes at present.
+    /// The part that is currently written.
     pub(super) part: FilePart,
-    /// What is written to each entry.
+    /// The values written to each entry.
     written: BTreeMap<(u16, u8), WrittenValues>,
     pub(super) origins: Origins,
-    /// Where the network file has values that later ones replace, by index.
+    /// The positions of overridden values in the network file, by index.
     pub(super) former: Vec<(u16, Span)>,
     /// The position of the node in the network.
     pub(super) position: usize,
@@ -79,13 +79,13 @@ impl<'n, 'f> Compiler<'n, 'f> {
         At::Node(self.position, place)
     }
 
-    /// Reports what comes from a field of an entry in the description.
+    /// Reports a problem caused by a field of an entry in the description.
     pub(super) fn report(&mut self, finding: Diagnostic, at: Address, field: Field) {
         let place = self.node.device.entry_place(at.index, at.sub.unwrap_or(0)).field(field);
         self.findings.push(because(finding, self.position, place));
     }
 
-    /// Where the description has the value of an entry; `None` if a download so far replaces it.
+    /// The place of an entry's value in the description; `None` if a download so far replaces it.
     pub(super) fn origin(&self, index: u16, sub: u8) -> Option<At> {
         self.node.origin(self.position, &self.origins, (index, sub))
     }
@@ -95,12 +95,13 @@ impl<'n, 'f> Compiler<'n, 'f> {
         self.node.device.entry(at.index, at.sub.unwrap_or(0)).is_some()
     }
 
-    /// The number in an entry after the downloads so far, for dcfgen before all of them; 0 if it is not stated.
+    /// The number in an entry after the downloads so far (for dcfgen, before all of them); 0 if it is not
+    /// stated.
     pub(super) fn present(&self, index: u16, sub: u8) -> i128 {
         self.number(self.object(index), sub)
     }
 
-    /// The object after the downloads so far, for dcfgen before all of them.
+    /// The object after the downloads so far (for dcfgen, before all of them).
     pub(super) fn object(&self, index: u16) -> Option<&Object> {
         if self.mode == DcfgenMode::Exact { &self.node.device } else { &self.device }.object(index)
     }
@@ -111,12 +112,12 @@ impl<'n, 'f> Compiler<'n, 'f> {
         value.and_then(|value| value.integer_for(self.node_id)).unwrap_or(0)
     }
 
-    /// Where the network file has the value of an object so far.
+    /// The position of an object's current value in the network file.
     pub(super) fn said(&self, index: u16) -> Option<Span> {
         self.origins.get(&(index, 0)).copied()
     }
 
-    /// The producer heartbeat time in the end, in milliseconds; 0: none.
+    /// The final producer heartbeat time in milliseconds; 0: none.
     pub(super) fn heartbeat(&self) -> u16 {
         // dcfgen has the manager wait for the heartbeat of a node that cannot send one
         let request = self.node.heartbeat.producer.filter(|_| self.mode == DcfgenMode::Exact);
@@ -135,7 +136,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         (number >> 31 == 0).then_some(number)
     }
 
-    /// Writes an entry unless it has the value; a service that the node does not have stays off.
+    /// Writes an entry unless it already has the value; a missing service remains disabled.
     pub(super) fn change(&mut self, at: Address, number: i128, said: Span) {
         if self.has(at) && self.present(at.index, at.sub.unwrap_or(0)) == number {
             return;
@@ -163,7 +164,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         }
     }
 
-    /// Writes a number with a fraction, of which dcfgen takes the whole part.
+    /// Writes a number with a fraction, which dcfgen truncates.
     pub(super) fn write_real(&mut self, at: Address, number: f64, said: Span) {
         let data_type = transferred_type(&self.node.device, at.index, at.sub.unwrap_or(0));
         let value = data_type.and_then(|data_type| real(number, data_type));
@@ -186,7 +187,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         self.write(at, whole, said, Severity::Error);
     }
 
-    /// Writes a text, spelled as in a DCF.
+    /// Writes a string, spelled as in a DCF.
     pub(super) fn write_text(&mut self, at: Address, text: &str, said: Span) {
         if !self.exists(at, said, Severity::Error) {
             return;
@@ -222,12 +223,12 @@ impl<'n, 'f> Compiler<'n, 'f> {
         self.downloads.push(download);
     }
 
-    /// Reports entries that get one value by a key and another one by a setting or a download.
+    /// Reports entries that a key and a setting or download set to different values.
     pub(super) fn contradictions(&mut self) {
         for ((index, sub), parts) in std::mem::take(&mut self.written) {
             let mut parts = parts.into_iter();
             let Some((_, (first, wanted))) = parts.next() else { continue };
-            // the period of SYNC says that the node sends it, and no CAN-ID
+            // the SYNC period implies that the node sends SYNC, but no CAN-ID
             let is_sender = |data: &[u8]| data.last().is_some_and(|byte| byte & 0x40 != 0);
             let are_same =
                 |data: &[u8]| *data == *wanted || index == 0x1005 && is_sender(data) && is_sender(&wanted);
@@ -245,14 +246,14 @@ impl<'n, 'f> Compiler<'n, 'f> {
                 let finding = Diagnostic::new(&CONTRADICTION, said, message)
                     .label(first, "the other value")
                     .help("remove one of the two");
-                // a download at the end is meant to be the last word
+                // a download at the end intentionally overrides all others
                 let severity = if part == FilePart::Download { Severity::Warning } else { Severity::Error };
                 self.findings.push(finding.severity(severity).understood());
             }
         }
     }
 
-    /// Applies what the description of the manager sends, which no network file has to send again.
+    /// Applies the downloads in the manager's description, which the network file need not repeat.
     pub(super) fn take_stored(&mut self) {
         for download in self.node.stored.iter().flat_map(|stored| &stored.downloads.0) {
             let Some(assignment) = download.assignment(&self.device) else { continue };
@@ -264,7 +265,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         }
     }
 
-    /// Makes a setting, as `objdict configure` does.
+    /// Applies a setting like `objdict configure`.
     pub(super) fn set(&mut self, setting: &Said<Setting>) {
         match configure(&self.device, self.node_id, std::slice::from_ref(&setting.value)) {
             Ok(values) => {
@@ -294,13 +295,13 @@ impl<'n, 'f> Compiler<'n, 'f> {
         exists
     }
 
-    /// Whether the node has the entry and refuses to have it written.
+    /// Whether the node has the entry and rejects writing it.
     pub(super) fn is_constant(&self, at: Address) -> bool {
         let entry = self.node.device.entry(at.index, at.sub.unwrap_or(0));
         entry.and_then(|entry| entry.implied_access()).is_some_and(|access| !access.is_writable())
     }
 
-    /// Reports what the node refuses although the value can be sent.
+    /// Reports values that can be sent but that the node rejects.
     fn check(&mut self, at: Address, value: &Value, said: Span) {
         let sub = at.sub.unwrap_or(0);
         let Some(entry) = self.node.device.entry(at.index, sub) else { return };
@@ -344,7 +345,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
     }
 }
 
-/// The bytes of the entry of a download before it.
+/// The bytes of a download's entry before the download.
 fn bytes_of_present(device: &Device, download: &Download, node_id: u8) -> Option<Vec<u8>> {
     let value = device.object(download.index)?.value(download.sub)?.into_owned();
     bytes_of(device, download.index, download.sub, &value, Some(node_id)).ok()

@@ -1,7 +1,7 @@
 //! The downloads of each node, in the order of dcfgen 2.4.2.
 //!
 //! It depends on its submodule `compiler`, which applies each download when it is created and returns the type
-//! that this module is about.
+//! defined here.
 
 mod compiler;
 mod pdo;
@@ -27,7 +27,7 @@ use crate::source::Span;
 /// The first and the last CAN-ID for PDOs from number 5 on.
 const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
-/// Makes the downloads of all nodes.
+/// Creates the downloads of all nodes.
 pub fn compile(network: &Network, mode: DcfgenMode) -> Compiled {
     let locked: BTreeSet<u32> = network.lock.can_ids().collect();
     let mut pool = POOL.filter(|id| !locked.contains(id));
@@ -41,7 +41,7 @@ pub fn compile(network: &Network, mode: DcfgenMode) -> Compiled {
     compiled
 }
 
-/// Adds the manager to a network that was compiled without a description of it.
+/// Adds the manager to a network that was compiled without its description.
 pub(crate) fn compile_manager(network: &Network, compiled: &mut Compiled) {
     let Some(manager) = network.manager.as_ref() else { return };
     let Some(node) = manager.node else { return };
@@ -122,7 +122,7 @@ fn slave(
     if compiler.mode == DcfgenMode::Corrected {
         pdos = pdo::effective(compiler, &pdos);
     }
-    // what is about the monitoring of the manager comes first
+    // monitoring of the manager comes first
     let consumers = compiler.downloads.split_off(own);
     let has_only_consumers = own == 0 && !consumers.is_empty();
     compiler.downloads.splice(0..0, consumers);
@@ -191,7 +191,7 @@ fn guarding(compiler: &mut Compiler<'_, '_>) {
     }
 }
 
-/// The guard time for the manager in the end: none beside a heartbeat.
+/// The final guard time for the manager: none if there is a heartbeat.
 fn guard_time(compiler: &mut Compiler<'_, '_>, heartbeat: u16) -> u16 {
     // dcfgen has the manager guard a node without the objects
     let requested = |request: Option<u16>, index| match request.filter(|_| compiler.mode == DcfgenMode::Exact)
@@ -228,7 +228,7 @@ fn download(compiler: &mut Compiler<'_, '_>, request: &Said<DownloadRequest>) {
     }
 }
 
-/// The producer heartbeat time of the manager: that of the network file, else of its description.
+/// The producer heartbeat time of the manager: from the network file, otherwise from its description.
 fn heartbeat_of(network: &Network, manager: &Manager) -> u16 {
     let described = || {
         let node = &network.nodes[manager.node?];
@@ -266,13 +266,13 @@ fn consumers(network: &Network, compiler: &mut Compiler<'_, '_>, manager: &Manag
         compiler.findings.push(finding.help("set the manager's producer heartbeat time").understood());
     }
     let Some(request) = request.filter(|_| !is_silent) else {
-        // what the network file writes itself stays
+        // entries that the network file writes itself are kept
         let is_stale = |&(sub, consumer): &(u8, u32)| {
             let is_of_manager = consumer & 0xFFFF != 0 && node_of(consumer) == manager_id;
             is_of_manager && !compiler.origins.contains_key(&(CONSUMERS, sub))
         };
         let stale: Vec<u8> = subs.iter().filter(|sub| is_stale(sub)).map(|(sub, _)| *sub).collect();
-        // dcfgen puts each in front of those before it
+        // dcfgen inserts each one before the previous ones
         stale.into_iter().rev().for_each(|sub| put(compiler, sub, u32::from(manager_id) << 16));
         return;
     };

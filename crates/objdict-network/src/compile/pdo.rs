@@ -46,7 +46,7 @@ fn state(compiler: &Compiler<'_, '_>, pdo: PdoName) -> PdoState {
     }
 }
 
-/// The PDOs as the effective dictionary has them. What the other side of the manager does is known from the requests alone.
+/// The PDOs in the effective dictionary. The manager's counterparts are known only from the requests.
 pub(super) fn effective(compiler: &Compiler<'_, '_>, requested: &[PdoState]) -> Vec<PdoState> {
     let mut pdos = states(compiler);
     for (state, requested) in pdos.iter_mut().zip(requested) {
@@ -131,7 +131,8 @@ fn idle(compiler: &mut Compiler<'_, '_>, request: &PdoRequest) {
     compiler.findings.push(finding.label(At::Node(compiler.position, place), "the COB-ID"));
 }
 
-/// The CAN-ID of a PDO: predefined for PDO 1 to 4, else that of an earlier build, else the next of the pool.
+/// The CAN-ID of a PDO: predefined for PDO 1 to 4, otherwise the one of an earlier build or the next of the
+/// pool.
 fn automatic(
     pdo: PdoName,
     compiler: &Compiler<'_, '_>,
@@ -147,7 +148,7 @@ fn automatic(
     }
 }
 
-/// The sub-indexes 2 to 6. Those that a receiver does not have say what the sender, the manager, does.
+/// The sub-indexes 2 to 6. Parameters that do not apply to a receiver describe the sender, the manager.
 fn parameters(compiler: &mut Compiler<'_, '_>, state: &mut PdoState, request: &PdoRequest, index: u16) {
     let is_tpdo = request.pdo.kind == PdoKind::Tpdo;
     let mut set = |sub, request: Option<Said<u16>>, present: &mut u16, is_own: bool| {
@@ -171,7 +172,7 @@ fn parameters(compiler: &mut Compiler<'_, '_>, state: &mut PdoState, request: &P
     set(5, request.deadline, &mut state.deadline, !is_tpdo);
     let mut sync_start = state.sync_start.into();
     set(6, wide(request.sync_start), &mut sync_start, is_tpdo);
-    // both come from a byte
+    // both originate from a byte
     state.transmission = transmission as u8;
     state.sync_start = sync_start as u8;
 }

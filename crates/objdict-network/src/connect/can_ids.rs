@@ -1,4 +1,4 @@
-//! CAN-IDs: which are in use, and which are free for links.
+//! CAN-IDs: those in use, and those that are free for links.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,7 +7,7 @@ use crate::configure::PdoName;
 use crate::model::{CobId, PdoKind, restricted};
 use crate::{Messages, Network, Node, Service};
 
-/// What sends or receives a CAN-ID.
+/// A sender or receiver of a CAN-ID.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum User {
     /// A PDO of a node.
@@ -24,7 +24,7 @@ pub(super) struct CanIds {
     demanded: HashSet<u32>,
     /// CAN-IDs that PDOs of the network had in an earlier build.
     locked: HashSet<u32>,
-    /// The free ranges in the order in which they are used up.
+    /// The free ranges in order of use.
     pool: Vec<u32>,
 }
 
@@ -52,7 +52,7 @@ impl CanIds {
         let own = manager.and_then(|manager| manager.node_id);
         let nodes = network.nodes.iter().filter_map(|node| node.node_id).chain(own);
         let nodes: HashSet<u32> = nodes.map(|said| said.value.into()).collect();
-        // numbers of nodes that may come later are the last resort
+        // CAN-IDs that future nodes may need are used last
         let unused = (0x181..=0x57F).rev().filter(|id| !nodes.contains(&(id & 0x7F)));
         ids.pool = SHARED.chain([0x580, 0x600, 0x700]).chain(unused).collect();
         ids.pool.reverse();
@@ -63,21 +63,22 @@ impl CanIds {
         self.users.entry(can_id).or_default().push(user);
     }
 
-    /// A user that does not use the CAN-ID any more.
+    /// Removes a user that no longer uses the CAN-ID.
     pub(super) fn release(&mut self, can_id: u32, user: User) {
         if let Some(users) = self.users.get_mut(&can_id) {
             users.retain(|other| *other != user);
         }
     }
 
-    /// The CAN-ID that the sender had in an earlier build, unless another one sends it, a link demands it, or no PDO may have it.
+    /// The sender's CAN-ID in an earlier build, unless it has a different sender, a link requires it, or no
+    /// PDO may use it.
     pub(super) fn keep(&self, locked: Option<u32>) -> Option<u32> {
         let is_possible = |id: &u32| restricted(*id).is_none() && !self.demanded.contains(id);
         locked.filter(|id| is_possible(id) && self.sender(*id).is_none())
     }
 
-    /// The predefined CAN-ID of a sender unless another one sends it, else the first of these CAN-IDs that is free, else one of the
-    /// free ranges.
+    /// The predefined CAN-ID of a sender unless it has a different sender, otherwise the first free one of these
+    /// CAN-IDs, otherwise one of the free ranges.
     pub(super) fn choose(
         &mut self,
         of_sender: Option<u32>,
@@ -116,7 +117,7 @@ impl CanIds {
     }
 }
 
-/// The range that CiA 301 assigns to no service; also PDOs with the CAN-ID `auto` take theirs from it.
+/// The range that CiA 301 does not assign to a service; PDOs with the CAN-ID `auto` also use it.
 const SHARED: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
 /// The CAN-ID of a COB-ID without flags.

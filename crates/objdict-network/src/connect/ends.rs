@@ -1,4 +1,4 @@
-//! What the ends of links name: nodes and the entries that a PDO of them can carry.
+//! Resolves the ends of links: nodes, and their entries that a PDO can carry.
 
 use std::collections::HashMap;
 
@@ -43,21 +43,21 @@ impl Carried {
     }
 }
 
-/// What an end names, or the finding about it.
+/// The entries at a link end, or the finding about it.
 type Found<T> = Result<T, Box<Diagnostic>>;
 
 /// A node with some of its entries.
 pub(super) type NodeEntries = (usize, Vec<Carried>);
 
-/// What a link sends.
+/// The data flow of a link.
 pub(super) struct Flow {
-    /// The producer, or the consumer of what a manager without a description sends.
+    /// The producer, or the consumer of data from a manager without a description.
     pub(super) lead: NodeEntries,
     /// The direction of the lead's PDO.
     pub(super) kind: PdoKind,
     /// The consumers with a description, each with as many entries as the lead.
     pub(super) consumers: Vec<NodeEntries>,
-    /// Whether a manager without a description has the other side.
+    /// Whether a manager without a description is the counterpart.
     pub(super) has_manager: bool,
 }
 
@@ -73,7 +73,7 @@ impl<'a> NodeNames<'a> {
         Self { network, positions: positions.collect() }
     }
 
-    /// What a link sends; consumers that do not fit are findings.
+    /// The flows of a link; unsuitable consumers are findings.
     pub(super) fn flows(&self, link: &Link, mut report: impl FnMut(Diagnostic)) -> Found<Vec<Flow>> {
         if self.is_undescribed_manager(&link.from) {
             return self.sent_by_manager(link, report);
@@ -106,7 +106,7 @@ impl<'a> NodeNames<'a> {
         Ok(if is_received { vec![flow] } else { Vec::new() })
     }
 
-    /// A manager without a description sends a PDO of its own to each consumer.
+    /// A manager without a description sends a separate PDO to each consumer.
     fn sent_by_manager(&self, link: &Link, mut report: impl FnMut(Diagnostic)) -> Found<Vec<Flow>> {
         if link.parameters.can_id.is_some() && link.to.len() > 1 {
             let message = say!("`{}` sends a PDO to each of {} consumers", link.from.node, link.to.len());
@@ -130,7 +130,7 @@ impl<'a> NodeNames<'a> {
         Ok(flows)
     }
 
-    /// Whether an end is that of a manager which has the other side of all PDOs.
+    /// Whether an end is a manager without a description, which is the counterpart of every PDO.
     fn is_undescribed_manager(&self, end: &LinkEnd) -> bool {
         end.entries.is_none() && !self.positions.contains_key(&*end.node) && self.is_manager(&end.node)
     }
@@ -220,7 +220,7 @@ fn wrong(
     Box::new(Diagnostic::new(rule, end.at, message).help(help))
 }
 
-/// What an end names on its node.
+/// The entries at an end of a link.
 struct NamedPart<'a> {
     position: usize,
     node: &'a Node,

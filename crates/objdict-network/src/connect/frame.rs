@@ -1,4 +1,4 @@
-//! What the PDO of a lead carries, and what each consumer takes of it.
+//! The content of the lead's PDO, and the part that each consumer uses.
 
 use std::collections::BTreeMap;
 
@@ -10,20 +10,20 @@ use crate::model::{MappedObject, Pdo};
 pub(super) struct GroupFrame<'a> {
     /// Signals by the position of their first bit.
     signals: Vec<(u32, &'a LeadSignal)>,
-    /// What the lead maps.
+    /// The lead's mapping.
     pub(super) mapped: Vec<MappedObject>,
     /// The length of the PDO.
     pub(super) bits: u32,
 }
 
-/// What a node takes of a frame with one RPDO.
+/// The part of a frame that a node receives with one RPDO.
 pub(super) struct Share {
     pub(super) node: usize,
     pub(super) receivers: Vec<(u32, Receiver)>,
 }
 
 impl<'a> GroupFrame<'a> {
-    /// Signals one after the other, as many as fit.
+    /// As many consecutive signals as fit.
     pub(super) fn of(signals: &[&'a LeadSignal], slots: usize) -> Self {
         let mut frame = Self { signals: Vec::new(), mapped: Vec::new(), bits: 0 };
         for signal in signals.iter().take(slots) {
@@ -38,7 +38,7 @@ impl<'a> GroupFrame<'a> {
         frame
     }
 
-    /// Those of the signals that a fixed mapping has.
+    /// The signals that a fixed mapping contains.
     pub(super) fn of_fixed(signals: &[&'a LeadSignal], mapped: &[MappedObject]) -> Self {
         let placed = MappedObject::placed(mapped, |object| object.bits);
         let carried = placed.filter_map(|(first, object)| {
@@ -61,12 +61,13 @@ impl<'a> GroupFrame<'a> {
         self.signals.iter().map(|(_, signal)| *signal)
     }
 
-    /// The shortest of the times after which the lead, or the manager that receives from it, misses the PDO.
+    /// The shortest timeout of the lead, or of the manager that receives from it.
     pub(super) fn deadline(&self) -> Option<u16> {
         self.signals().filter_map(|signal| signal.deadline).min()
     }
 
-    /// What each consumer takes, in the order of the nodes; a node that has two entries for a signal takes it twice.
+    /// The share of each consumer, in the order of the nodes; a node with two entries for a signal receives
+    /// it twice.
     pub(super) fn shares(&self) -> Vec<Share> {
         let mut shares: BTreeMap<(usize, usize), Share> = BTreeMap::new();
         for (position, signal) in &self.signals {
@@ -89,7 +90,7 @@ impl Share {
         self.receivers.iter().map(|(position, receiver)| (*position, receiver.entry)).collect()
     }
 
-    /// The shortest of the times after which the node misses the PDO.
+    /// The shortest timeout of the node for the PDO.
     pub(super) fn deadline(&self) -> Option<u16> {
         self.receivers.iter().filter_map(|(_, receiver)| receiver.deadline).filter(|time| *time > 0).min()
     }

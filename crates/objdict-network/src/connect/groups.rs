@@ -1,4 +1,4 @@
-//! Links as groups: entries of a producer that are sent in the same way to the same nodes.
+//! Groups of links: entries of a producer that are sent in the same way to the same nodes.
 
 use std::collections::HashMap;
 
@@ -16,11 +16,11 @@ pub(super) struct LinkGroup {
     pub(super) link: usize,
     /// The place of its first link.
     pub(super) at: Span,
-    /// The producer, or the consumer of what a manager without a description sends.
+    /// The producer, or the consumer of data from a manager without a description.
     pub(super) lead: usize,
     /// The direction of the lead's PDOs.
     pub(super) kind: PdoKind,
-    /// The nodes that receive all of it. Others may receive parts.
+    /// The nodes that receive all of it. Others may receive parts of it.
     pub(super) partners: Vec<usize>,
     pub(super) parameters: LinkParameters,
     pub(super) signals: Vec<LeadSignal>,
@@ -31,7 +31,8 @@ pub(super) struct LinkGroup {
 pub(super) struct LeadSignal {
     pub(super) entry: Carried,
     pub(super) receivers: Vec<Receiver>,
-    /// The time in milliseconds after which the receiving one of the lead and a manager without a description misses the PDO.
+    /// The timeout in milliseconds of the receiver, if the lead and a manager without a description are the
+    /// two ends.
     pub(super) deadline: Option<u16>,
 }
 
@@ -50,12 +51,12 @@ pub(super) struct Receiver {
     pub(super) link: usize,
     /// The place of the link.
     pub(super) at: Span,
-    /// The time in milliseconds after which it misses the PDO.
+    /// The timeout in milliseconds.
     pub(super) deadline: Option<u16>,
 }
 
-/// The groups of all links, in the order of the first link of each. A link at the end changes no group but by adding
-/// receivers to it, unless it has the same nodes and parameters.
+/// The groups of all links, in the order of the first link of each. An additional link at the end only adds
+/// receivers to groups, unless it has the same nodes and parameters.
 pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<LinkGroup> {
     let names = NodeNames::new(network);
     let mut collection = Collection::default();
@@ -74,10 +75,10 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<LinkGro
     collection.groups
 }
 
-/// Who configures the first PDO of a group: a node, and the direction.
+/// The node that configures the first PDO of a group, and the direction.
 type Lead = (usize, PdoKind);
 
-/// Where the value of a consumer's entry comes from: the producer, its entry, and the place of the link.
+/// The source of a consumer's entry: the producer, its entry, and the place of the link.
 type ValueSource = (Option<usize>, Carried, Span);
 
 #[derive(Default)]
@@ -85,9 +86,9 @@ struct Collection {
     groups: Vec<LinkGroup>,
     /// Streams by lead, partners and parameters.
     alike: HashMap<(Lead, Vec<usize>, LinkParameters), usize>,
-    /// Where an entry of a lead is: group and signal.
+    /// The location of a lead's entry: group and signal.
     sent: HashMap<(Lead, u16, u8), Vec<(usize, usize)>>,
-    /// What an entry of a consumer receives; a manager without a description is no node.
+    /// The source of each consumer's entry; a manager without a description is not a node.
     written: HashMap<(usize, u16, u8), ValueSource>,
 }
 
@@ -105,7 +106,7 @@ impl Collection {
             let signal = self.signal((number, link), *entry, flow);
             for receiver in receivers {
                 let known = &mut signal.receivers;
-                // a link that is there twice needs no second place
+                // a repeated link needs no second receiver
                 if known.iter().all(|other| (other.node, other.entry) != (receiver.node, receiver.entry)) {
                     known.push(receiver);
                 }
@@ -115,10 +116,10 @@ impl Collection {
         }
     }
 
-    /// Entries of consumers that another link writes already.
+    /// Entries of consumers that a previous link already writes.
     fn written_twice(&mut self, network: &Network, link: &Link, flow: &Flow) -> Vec<Diagnostic> {
         let (lead, entries) = &flow.lead;
-        // what a manager without a description sends has no entries but those of the consumer
+        // data from a manager without a description has only the consumer's entries
         let producer = (flow.kind == PdoKind::Tpdo).then_some(*lead);
         let of_lead = producer.is_none().then_some(&flow.lead);
         let name = |producer: Option<usize>| match producer {
@@ -168,7 +169,7 @@ impl Collection {
         findings
     }
 
-    /// The signal of an entry: one that is sent as the link says, else a new one.
+    /// The signal of an entry: one that is already sent with these parameters, otherwise a new one.
     fn signal(&mut self, (number, link): (usize, &Link), entry: Carried, flow: &Flow) -> &mut LeadSignal {
         let groups = &mut self.groups;
         let lead = (flow.lead.0, flow.kind);

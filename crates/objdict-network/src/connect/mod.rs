@@ -16,15 +16,16 @@ use crate::compile::compile;
 use crate::compiled::DcfgenMode;
 use crate::diagnostic::Findings;
 
-/// Makes PDOs of the [links](Network::links): a [`PdoRequest`](crate::PdoRequest) for each PDO of a producer and of its consumers.
+/// Converts the [links](Network::links) to PDOs: creates a [`PdoRequest`](crate::PdoRequest) for each PDO of
+/// a producer and of its consumers.
 ///
-/// Links of a producer with the same consumers and the same parameters share PDOs, as few as fit; an entry that is sent
-/// already is not sent again. A consumer that takes parts of a PDO has dummies in the gaps. CAN-IDs are those of the
-/// predefined connection set for the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5), and what is
-/// added at the end of the network changes none of them. PDOs whose COB-ID or mapping the network file states itself are left alone.
+/// Links of a producer with the same consumers and parameters share as few PDOs as possible; an entry is not sent
+/// twice. A consumer of parts of a PDO has dummies in the gaps. CAN-IDs are those of the predefined connection set for
+/// the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5); additions at the end of the
+/// network do not change them. PDOs whose COB-ID or mapping the network file states are not used.
 ///
-/// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::unused_pdos) get a request to switch off each
-/// valid PDO that no link and no key uses.
+/// A link without a PDO is a finding. Nodes with [`unused_pdos`](crate::Node::unused_pdos) get a request to disable
+/// each valid PDO that no link and no key uses.
 pub(crate) fn connect(network: &mut Network, findings: &mut Findings) {
     if network.links.is_empty() && (0..network.nodes.len()).all(|node| network.switches_off(node).is_none()) {
         return;

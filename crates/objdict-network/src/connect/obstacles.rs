@@ -1,4 +1,4 @@
-//! Why the PDOs of a node cannot be as a link needs them, in words.
+//! Explains why a node's PDOs are unsuitable for a link.
 
 use super::pdos::{CandidatePdo, NodePdos, Obstacle};
 use crate::Node;
@@ -8,14 +8,14 @@ use crate::model::{Access, Part, PdoKind, Place};
 use crate::rules::FIXED_PDO;
 use crate::source::Span;
 
-/// The most PDOs that a finding points at.
+/// The maximum number of labelled PDOs in a finding.
 const MAX_LABELS: usize = 4;
 
-/// The most PDOs that have one obstacle and are named.
+/// The maximum number of named PDOs with the same obstacle.
 const MAX_NAMES: usize = 8;
 
-/// A finding with what is against each PDO of a direction that is not in use. For one that is not among the obstacles that
-/// is a mapping that cannot change.
+/// A finding with the obstacle of each unused PDO of a direction. A PDO without a recorded obstacle has a constant
+/// mapping.
 pub(super) fn explained(
     mut finding: Diagnostic,
     (position, node): (usize, &Node),
@@ -26,7 +26,7 @@ pub(super) fn explained(
     let unused = pdos.pdos.iter().enumerate().filter(|(_, pdo)| pdo.name.kind == kind && !pdo.is_used);
     let mut groups: Vec<(Obstacle, String, Vec<String>)> = Vec::new();
     for (number, (at, pdo)) in unused.enumerate() {
-        // of several frames that were tried the last one is the smallest
+        // if several frames were tried, the last one is the smallest
         let known = obstacles.iter().rev().find(|(other, _)| *other == at);
         let obstacle = known.map_or(pdo.other_mapping(), |(_, obstacle)| *obstacle);
         let (communication, mapping) = indexes(pdo.name);
@@ -67,7 +67,7 @@ pub(super) fn stay_valid(pdos: &[&CandidatePdo], (position, node): (usize, &Node
 }
 
 impl Obstacle {
-    /// What the link can do about it.
+    /// Advice for changing the link.
     const fn advice(self) -> &'static str {
         match self {
             Self::Mapping | Self::Locked => "link the entries that the PDO carries by default",
@@ -106,7 +106,7 @@ impl Obstacle {
         }
     }
 
-    /// Where the description says so.
+    /// The place of the obstacle in the description.
     fn place(self, node: &Node, communication: u16, mapping: u16) -> Place {
         match self {
             Self::Gap(_) if node.device.dummy_usage.is_some() => Place::of(Part::DummyUsage),

@@ -1,4 +1,4 @@
-//! Streams become PDOs of their producers and consumers.
+//! Converts groups of signals to PDOs of their producers and consumers.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ pub(super) fn pack(
         compiled,
         findings: Findings::new(),
     };
-    // in the order of the links, so that those at the end take nothing from others
+    // in the order of the links, so that later ones do not affect earlier ones
     let mut order = 0..;
     let mut ordered = |group: LinkGroup| ((group.link, order.next()), group);
     let mut groups: BTreeMap<_, LinkGroup> = groups.into_iter().map(&mut ordered).collect();
@@ -77,7 +77,7 @@ struct ConsumerPdo {
     at: Span,
 }
 
-/// What is against the PDOs of a node, by their positions.
+/// The obstacles of a node's PDOs, by position.
 type Obstacles = Vec<(usize, Obstacle)>;
 
 /// A frame with PDOs at both ends.
@@ -92,22 +92,23 @@ struct Transfer<'a> {
 #[derive(Default)]
 struct Receivers {
     receptions: Vec<ConsumerPdo>,
-    /// What nodes that are no partners cannot take from this frame.
+    /// Parts of this frame that nodes outside the group cannot receive.
     left: Vec<Share>,
     /// The CAN-ID that the nodes leave no choice of.
     can_id: Option<u32>,
 }
 
-/// Why there is no transfer.
+/// The reason why a transfer is impossible.
 struct TransferRefusal {
     node: usize,
     kind: PdoKind,
-    /// What is against the PDOs of the node, by position. Others have a constant mapping without the entry.
+    /// The obstacles of the node's PDOs, by position. Others have a constant mapping without the entry.
     obstacles: Obstacles,
 }
 
 impl FramePacker<'_> {
-    /// Gives a group as many PDOs as needed. What single consumers cannot take from them is returned as groups of their own.
+    /// Assigns as many PDOs to a group as needed. Parts that single consumers cannot receive from them are
+    /// returned as separate groups.
     fn place(&mut self, group: &LinkGroup) -> Result<Vec<LinkGroup>, Box<Diagnostic>> {
         let bits: u32 = group.signals.iter().map(|signal| u32::from(signal.entry.bits)).sum();
         if group.parameters.can_id.is_some() && bits > Pdo::FRAME_BITS {
@@ -118,7 +119,7 @@ impl FramePacker<'_> {
         }
         let mut alone = Vec::new();
         let mut rest: Vec<&LeadSignal> = group.signals.iter().collect();
-        // what an earlier build has placed comes first, in its order
+        // signals of an earlier build come first, in their order
         rest.sort_by_cached_key(|signal| {
             let carrier = self.carrier(group.lead, group.kind, signal.entry);
             (carrier.is_none(), carrier)
@@ -169,7 +170,7 @@ impl FramePacker<'_> {
         let mut of_consumer = None;
         for pdo in self.candidates(group.lead, group.kind, rest[0].entry) {
             let candidate = &pdos.pdos[pdo];
-            // entries of another PDO of an earlier build stay there
+            // entries of a different PDO of an earlier build remain there
             let is_here = |signal: &&&LeadSignal| {
                 let carrier = self.carrier(group.lead, group.kind, signal.entry);
                 carrier.is_none_or(|(carrier, _)| carrier == candidate.name)
@@ -204,7 +205,7 @@ impl FramePacker<'_> {
         Err(of_consumer.unwrap_or(of_lead))
     }
 
-    /// The CAN-ID that a link demands, or that a PDO of the lead has for ever.
+    /// The CAN-ID that a link requires, or that a PDO of the lead has permanently.
     fn can_lead(
         &self,
         group: &LinkGroup,
@@ -219,7 +220,7 @@ impl FramePacker<'_> {
         let transmission = group.parameters.transmission;
         candidate.can_have(&match group.kind {
             PdoKind::Tpdo => group.parameters,
-            // the manager has the other times
+            // the other times belong to the manager
             PdoKind::Rpdo => LinkParameters {
                 transmission: transmission.map(received_type),
                 event_timer: rest.iter().filter_map(|signal| signal.deadline).min(),
@@ -229,7 +230,7 @@ impl FramePacker<'_> {
         Ok(constant.or(demanded))
     }
 
-    /// RPDOs for a frame: partners must receive it, others may, but have no say in its CAN-ID.
+    /// The RPDOs for a frame: partners must receive it; others may, but do not affect its CAN-ID.
     fn receivers(
         &self,
         group: &LinkGroup,
@@ -261,7 +262,7 @@ impl FramePacker<'_> {
         Ok(receivers)
     }
 
-    /// The best RPDO for a share, and its CAN-ID if it cannot be changed; else what is against each.
+    /// The best RPDO for a share, and its CAN-ID if that cannot be changed; otherwise the obstacle of each.
     fn reception(
         &self,
         share: &Share,
@@ -300,7 +301,7 @@ impl FramePacker<'_> {
         Err(obstacles)
     }
 
-    /// Takes the PDOs of a transfer, gives them a CAN-ID, and adds the requests of the nodes.
+    /// Reserves the PDOs of a transfer, assigns a CAN-ID, and adds the requests of the nodes.
     fn commit(&mut self, group: &LinkGroup, transfer: Transfer<'_>) -> Result<(), Box<Diagnostic>> {
         let lead = group.lead;
         let own = self.take(lead, transfer.pdo);
@@ -343,7 +344,7 @@ impl FramePacker<'_> {
         Ok(())
     }
 
-    /// A PDO that gets another CAN-ID than its predefined one, with the place of the PDO that has it.
+    /// Reports a PDO whose CAN-ID is not its predefined one, with the place of the PDO that uses that one.
     fn moved(&self, group: &LinkGroup, own: PdoName, (wanted, chosen): (u32, u32)) -> Diagnostic {
         let named =
             |node: usize, pdo: PdoName| format!("{} of `{}`", Service::Pdo(pdo), self.nodes[node].name.value);
@@ -374,16 +375,16 @@ impl FramePacker<'_> {
         );
         let finding =
             Diagnostic::new(&MOVED_CAN_ID, group.at, message).label_each(at, "the predefined CAN-ID");
-        // `set` and `sdo` are the last resort, and a typing error in them goes unnoticed
+        // `set` and `sdo` are the last resort, and typing errors in them go unnoticed
         let severity = if is_set { Severity::Warning } else { Severity::Note };
         finding.severity(severity).help("give one of them a different CAN-ID")
     }
 
-    /// The request of the lead.
+    /// The lead's request.
     fn led(&self, group: &LinkGroup, frame: &GroupFrame<'_>, pdo: usize, cob_id: u32) -> PdoRequest {
         let candidate = &self.pdos[group.lead].pdos[pdo];
         let parameters = group.parameters;
-        // only a TPDO says by bit 30 that it cannot be requested
+        // only a TPDO has bit 30, which disables remote requests
         let (no_rtr, transmission) = match group.kind {
             PdoKind::Tpdo => (candidate.cob_id.unwrap_or(0) & CobId::BIT_30, parameters.transmission),
             PdoKind::Rpdo => (0, parameters.transmission.map(received_type)),
@@ -424,11 +425,11 @@ impl FramePacker<'_> {
         }
     }
 
-    /// Switches off the valid PDOs of a node that no link and no key uses. One whose COB-ID is constant is a finding.
+    /// Disables the valid PDOs of a node that no link and no key uses. A constant COB-ID is a finding.
     fn switch_off(&mut self, network: &Network, slave: &Slave, at: Span, findings: &mut Findings) {
         let pdos = self.pdos[slave.node].pdos.iter();
         let unused = pdos.filter(|pdo| !pdo.is_used && pdo.valid_cob_id().is_some());
-        // those that a description only implies have no entries to write
+        // implied PDOs have no entries to write
         let is_there = |pdo: &&CandidatePdo| slave.pdos.iter().any(|state| state.pdo == pdo.name);
         let unused = unused.filter(is_there).filter(|pdo| slave.stated(network, pdo.name).is_none());
         let (constant, others): (Vec<_>, Vec<_>) = unused.partition(|pdo| pdo.is_cob_id_constant());
@@ -473,7 +474,7 @@ impl FramePacker<'_> {
         Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)
     }
 
-    /// A PDO for a signal whose COB-ID or mapping the network file sets to something else.
+    /// A PDO for a signal whose COB-ID or mapping the network file sets to a conflicting value.
     fn contradicted(
         &self,
         group: &LinkGroup,
@@ -547,7 +548,7 @@ impl FramePacker<'_> {
     }
 }
 
-/// A group for what a consumer cannot take from a frame.
+/// A separate group for the part of a frame that a consumer cannot receive.
 fn separate(group: &LinkGroup, frame: &GroupFrame<'_>, share: &Share) -> LinkGroup {
     let first = share.receivers.iter().map(|(_, receiver)| receiver).min_by_key(|receiver| receiver.link);
     let parts = frame.signals().flat_map(|signal| {

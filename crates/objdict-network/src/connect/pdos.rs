@@ -1,4 +1,4 @@
-//! The PDOs of a node that links may use, and what each can carry.
+//! The PDOs of a node that links may use, and the possible content of each.
 
 use super::can_ids::{on_node, plain};
 use super::ends::Carried;
@@ -21,7 +21,7 @@ pub(crate) struct CandidatePdo {
     pub(super) name: PdoName,
     /// Whether a link uses it, or the network file states its COB-ID or mapping.
     pub(super) is_used: bool,
-    /// Where `set` or `sdo` states its COB-ID or mapping.
+    /// The position where `set` or `sdo` states its COB-ID or mapping.
     pub(super) stated: Option<Span>,
     /// The COB-ID with its flags.
     pub(super) cob_id: Option<u32>,
@@ -29,7 +29,7 @@ pub(crate) struct CandidatePdo {
     is_mapping_fixed: bool,
     parameters: Vec<CommunicationParameter>,
     mapped: Vec<MappedObject>,
-    /// How many entries can be mapped; `None` if the mapping cannot change.
+    /// The maximum number of mapped entries; `None` if the mapping cannot change.
     slots: Option<usize>,
 }
 
@@ -43,32 +43,32 @@ struct Dummy {
     bits: u8,
 }
 
-/// A mapping; `None` if the present one stays.
+/// A mapping; `None` keeps the current one.
 pub(super) type NewMapping = Option<Vec<Address>>;
 
 /// Why a PDO cannot be as a link needs it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Obstacle {
-    /// The mapping is constant and another one.
+    /// The mapping is constant and differs.
     Mapping,
     /// The COB-ID is constant, so the PDO cannot be switched off while it changes.
     Locked,
-    /// So many entries can be mapped, but so many are needed.
+    /// The maximum number of mapped entries, and the larger number needed.
     Slots(usize, usize),
     /// No data type that the device allows as a dummy fills a gap of so many bits.
     Gap(u32),
     /// The COB-ID is constant and not valid.
     Invalid,
-    /// The CAN-ID is constant and another one.
+    /// The CAN-ID is constant and differs.
     CanId(u32),
-    /// The communication parameter with this sub-index is constant and another one, or missing.
+    /// The communication parameter with this sub-index is constant and differs, or is missing.
     Parameter(u8),
-    /// Another part of the same PDO takes it.
+    /// A different part of the same link uses it.
     Taken,
 }
 
 impl NodePdos {
-    /// Those of a node; its effective dictionary counts, if it has one.
+    /// The PDOs of a node, from its effective dictionary if it has one.
     pub(crate) fn of(node: &Node, slave: Option<&Slave>) -> Self {
         let device = slave.map_or(&node.device, |slave| &slave.device).with_implicit_pdos();
         let stated = |pdo: &Pdo<'_>| {
@@ -88,7 +88,8 @@ impl NodePdos {
         Self { pdos: pdos.collect(), dummies: dummies(&device) }
     }
 
-    /// The unused PDOs of a kind for an entry, best first: those that map it, then those that do nothing, then the others.
+    /// The unused PDOs of a kind for an entry, best first: those that map it, then disabled ones, then the
+    /// others.
     pub(super) fn candidates(&self, kind: PdoKind, first: Carried) -> Vec<usize> {
         let unused = self.pdos.iter().enumerate();
         let unused = unused.filter(|(_, pdo)| pdo.name.kind == kind && !pdo.is_used);
@@ -98,7 +99,8 @@ impl NodePdos {
         ranked.into_iter().map(|(_, at)| at).collect()
     }
 
-    /// The mapping of an RPDO that puts entries at these positions of a frame. Dummies for the rest of the frame are added where there is room.
+    /// The mapping of an RPDO with entries at these positions of a frame, and dummies for the rest of the
+    /// frame if there is space.
     pub(super) fn received(
         &self,
         pdo: usize,
@@ -125,7 +127,7 @@ impl NodePdos {
         Ok(candidate.changed(&mapping))
     }
 
-    /// The dummies for the rest of a frame in so many slots.
+    /// The dummies for the rest of a frame in this many slots.
     fn rest(&self, slots: usize, bits: u32) -> Option<Vec<MappedObject>> {
         self.fill(bits).filter(|dummies| dummies.len() <= slots)
     }
@@ -173,7 +175,7 @@ impl CandidatePdo {
             (5, pdo.event_timer.map(u32::from)),
         ];
         let is_cob_id_fixed = !is_writable(communication, 1);
-        // the inhibit time changes while the PDO is not valid (CiA 301 §7.5.2.37)
+        // the inhibit time may change only while the PDO is not valid (CiA 301 §7.5.2.37)
         let can_change = |sub| is_writable(communication, sub) && !(is_cob_id_fixed && sub == 3);
         let parameter = |(sub, number): (u8, Option<u32>)| {
             CommunicationParameter(sub, number.unwrap_or(0), can_change(sub))
@@ -194,12 +196,12 @@ impl CandidatePdo {
         }
     }
 
-    /// Why the mapping cannot be another one.
+    /// The reason why the mapping cannot change.
     pub(super) const fn other_mapping(&self) -> Obstacle {
         if self.is_mapping_fixed { Obstacle::Mapping } else { Obstacle::Locked }
     }
 
-    /// The COB-ID with a CAN-ID and flags that a link needs; a constant one stays as it is.
+    /// The COB-ID with the CAN-ID and flags that a link needs; a constant one is kept.
     pub(super) fn cob_id_for(&self, cob_id: u32) -> u32 {
         self.cob_id.filter(|_| self.is_cob_id_fixed).unwrap_or(cob_id)
     }
@@ -248,9 +250,10 @@ impl CandidatePdo {
         refused.map_or(Ok(()), |(_, CommunicationParameter(sub, ..))| Err(Obstacle::Parameter(*sub)))
     }
 
-    /// Whether the PDO is already as wanted, and its COB-ID, which starts and ends each change, cannot be written.
+    /// Whether the PDO already meets the request, and its COB-ID, which starts and ends each change, cannot
+    /// be written.
     pub(super) fn is_for_ever(&self, request: &PdoRequest) -> bool {
-        // the other times are those of the manager
+        // the other times belong to the manager
         let (inhibit_time, timer, of_manager) = match self.name.kind {
             PdoKind::Tpdo => (request.inhibit_time, request.event_timer, request.deadline),
             PdoKind::Rpdo => (None, request.deadline, request.inhibit_time.or(request.event_timer)),
@@ -284,13 +287,13 @@ impl CandidatePdo {
         self.slots.ok_or(&self.mapped)
     }
 
-    /// The mapping that is to be written; `None` if it is there already.
+    /// The mapping to write; `None` if it already exists.
     pub(super) fn changed(&self, mapping: &[MappedObject]) -> NewMapping {
         let address = |mapped: &MappedObject| Address { index: mapped.index, sub: Some(mapped.sub) };
         (self.mapped != mapping).then(|| mapping.iter().map(address).collect())
     }
 
-    /// Whether the fixed mapping receives these entries, all of them and no others, from a frame of so many bits.
+    /// Whether the fixed mapping receives exactly these entries from a frame of this many bits.
     fn receives(&self, wanted: &[(u32, Carried)], frame: u32) -> bool {
         let wanted = wanted.iter().map(|(at, entry)| (*at, entry.mapped()));
         let placed = MappedObject::placed(self.mapped.iter().copied(), |mapped| mapped.bits);
@@ -310,7 +313,7 @@ fn dummies(device: &Device) -> Vec<Dummy> {
     let mut dummies: Vec<Dummy> = allowed
         .filter_map(|(data_type, _)| Some(Dummy { data_type: *data_type, bits: data_type.bit_length()? }))
         .collect();
-    // unsigned types are the ones that devices have rather than signed ones
+    // devices are more likely to support unsigned types than signed ones
     dummies
         .sort_by_key(|dummy| (dummy.bits, dummy.data_type.integer_range().is_some_and(|(low, _)| low < 0)));
     dummies.dedup_by_key(|dummy| dummy.bits);

@@ -1,6 +1,7 @@
 //! The files of Lely's master: `master.dcf` and `master.bin`, as dcfgen 2.4.2 writes them.
 //!
-//! The master has an RPDO for each TPDO of a node, and a TPDO for each RPDO, with objects of its own behind them.
+//! The master has an RPDO for each TPDO of a node, and a TPDO for each RPDO, with its own objects for their
+//! entries.
 
 mod objects;
 mod text;
@@ -31,11 +32,11 @@ pub struct LelyOptions {
 pub struct LelyMaster {
     /// `master.dcf`.
     pub dcf: String,
-    /// The downloads of `master.bin`, which is not written without one.
+    /// The downloads of `master.bin`, which is not written if there are none.
     pub bin: ConciseDcf,
 }
 
-/// The name of the file with the configuration of a node; `None` for one without downloads. `stems` are those of
+/// The file name for the configuration of a node; `None` without downloads. `stems` is the result of
 /// [`Network::file_stems`].
 pub fn configuration_file(network: &Network, stems: &[String], slave: &Slave) -> Option<String> {
     let is_empty = slave.sent(network.order).is_ok_and(|downloads| downloads.0.is_empty());
@@ -68,8 +69,8 @@ fn bin(network: &Network, manager: &Manager, slaves: &[Slave]) -> ConciseDcf {
     ConciseDcf(downloads)
 }
 
-/// The PDOs of the nodes in a direction, with the numbers that their other sides have in a manager whose description is
-/// [made](Manager::is_made).
+/// The nodes' PDOs in a direction, with the numbers of their counterparts in a manager whose description is
+/// [generated](Manager::is_made).
 pub fn mirrored_numbers<'a>(
     network: &'a Network,
     slaves: &'a [Slave],
@@ -82,10 +83,10 @@ pub fn mirrored_numbers<'a>(
     mirrored.map(|pdo| (pdo.slave, pdo.state.pdo, pdo.number)).collect()
 }
 
-/// A PDO of a node, which the master has the other side of.
+/// A PDO of a node, whose counterpart belongs to the master.
 #[derive(Clone, Copy)]
 struct Mirrored<'a> {
-    /// The number of the other side.
+    /// The number of the counterpart.
     number: u16,
     node: &'a Node,
     slave: &'a Slave,
@@ -93,7 +94,7 @@ struct Mirrored<'a> {
 }
 
 impl Mirrored<'_> {
-    /// The index of the object for the other side, of those from `first` on.
+    /// The index of the counterpart's object; `first` is the index for number 1.
     const fn index(&self, first: u16) -> u16 {
         first.saturating_add(self.number - 1)
     }
@@ -131,12 +132,12 @@ impl<'a> LelyWriter<'a> {
         Knowledge { network, manager, slaves, mode: options.mode }
     }
 
-    /// The PDOs of the nodes in a direction, by node and number. dcfgen takes those that end switched off too.
+    /// The nodes' PDOs in a direction, by node and number. dcfgen includes those that are finally disabled.
     fn mirrored(&self, kind: PdoKind) -> Vec<Mirrored<'a>> {
         let pdos = self.slaves.iter().flat_map(|slave| &slave.pdos);
         let sent = pdos.filter(|state| state.pdo.kind == PdoKind::Tpdo && state.is_active());
         let sent: BTreeSet<MessageId> = sent.map(PdoState::can_id).collect();
-        // a manager that sent what a node sends to another one would be a second sender
+        // if the manager also sent a message between nodes, it would be a second sender
         let is_between_nodes =
             |state: &PdoState| state.pdo.kind == PdoKind::Rpdo && sent.contains(&state.can_id());
         let is_used = |state: &&PdoState| {
@@ -165,7 +166,7 @@ impl<'a> LelyWriter<'a> {
         mirrored
     }
 
-    /// The path of the configuration of a node for 1F22h. dcfgen forgets one that is about 1016h alone.
+    /// The path of a node's configuration for 1F22h. dcfgen omits it if it only contains 1016h.
     fn upload(&self, slave: &Slave) -> Option<String> {
         let file = configuration_file(self.network, &self.stems, slave)
             .filter(|_| !self.is_strict() || !slave.has_only_consumers)?;
@@ -228,7 +229,7 @@ impl<'a> LelyWriter<'a> {
         }
     }
 
-    /// The objects of the master, in the order of its lists.
+    /// The objects of the master, in the order of its object lists.
     fn lists(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
         let range = |first: u16, pdos: &[Mirrored<'_>]| -> Vec<u16> {
             pdos.iter().map(|pdo| pdo.index(first)).collect()

@@ -13,13 +13,14 @@ const RECORD: u8 = 9;
 /// As many nodes as a network has.
 const NODES: usize = 127;
 
-/// Where the entries of a node's PDOs are in the master: an entry that an earlier PDO of the node carries keeps its place.
+/// The locations of the nodes' PDO entries in the master: an entry that an earlier PDO of the node carries
+/// keeps its location.
 struct MasterPlaces<'a> {
     /// The first index.
     first: u16,
-    /// The place of an entry, by node, index and sub-index.
+    /// The location of an entry, by node, index and sub-index.
     places: BTreeMap<(usize, u16, u8), (u16, u8)>,
-    /// What each PDO adds, with the number of its other side.
+    /// The entries that each PDO adds, with the number of its counterpart.
     added: Vec<(u16, Vec<(MappedObject, Mirrored<'a>)>)>,
 }
 
@@ -102,7 +103,7 @@ impl<'a> LelyWriter<'a> {
 
     /// 1400h to 1BFFh.
     pub(super) fn pdos(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
-        // Lely's RPDOs do not take what comes with a type from 241 to 253
+        // Lely's RPDOs ignore frames with a type from 241 to 253
         let is_strict = self.is_strict();
         let transmission = |state: &PdoState| match state.pdo.kind {
             PdoKind::Tpdo if !is_strict => format!("0x{:02X}", received_type(state.transmission)),
@@ -190,7 +191,7 @@ impl<'a> LelyWriter<'a> {
         self.out.compact(section, name, (ARRAY, data_type), "rw", None, NODES);
     }
 
-    /// An array of files by node-ID; nothing without a file.
+    /// An array of files by node-ID; nothing if there are no files.
     fn files(&mut self, section: &str, name: &str, of_node: &str, files: &[(u8, String)]) {
         if files.is_empty() {
             return;
@@ -269,8 +270,8 @@ impl<'a> LelyWriter<'a> {
     }
 }
 
-/// The data type of an entry that carries so many bits: an unsigned one where the node maps another length than its entry has, or
-/// has no type. dcfgen takes the type of the node as it is.
+/// The data type of an entry that carries this many bits: an unsigned one if the node's mapping has a different length
+/// from the entry, or the entry has no type. dcfgen uses the node's type unchanged.
 fn carried_type(data_type: u16, bits: u8) -> u16 {
     let known = DataType(data_type);
     let is_right = match known.bit_length() {
@@ -282,11 +283,11 @@ fn carried_type(data_type: u16, bits: u8) -> u16 {
         _ if bits.is_multiple_of(8) => DataType::unsigned((bits / 8).into()),
         _ => None,
     };
-    // of other lengths there is no integer
+    // there is no integer type of any other length
     if is_right { data_type } else { unsigned().unwrap_or(DataType::OCTET_STRING).0 }
 }
 
-/// The name and the data type of a mapped entry; those of the data type for a dummy.
+/// The name and the data type of a mapped entry; for a dummy, those of the data type.
 fn described(pdo: &Mirrored<'_>, object: &MappedObject) -> (String, u16) {
     if object.is_dummy() {
         return (DataType(object.index).to_string(), object.index);

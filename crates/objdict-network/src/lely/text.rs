@@ -81,7 +81,7 @@ impl MasterText {
         self.value(&format!("{section}sub0"), sub_0, Type::U8, "const", highest);
     }
 
-    /// An object whose sub-indexes are alike.
+    /// An object whose sub-indexes are alike, stored compactly.
     pub(super) fn compact(
         &mut self,
         section: &str,
@@ -113,7 +113,7 @@ impl MasterText {
         values.for_each(|(sub, value)| self.key(&sub.to_string(), value));
     }
 
-    /// The same of numbers with eight hexadecimal digits.
+    /// Like `values`, for numbers with eight hexadecimal digits.
     pub(super) fn numbers(&mut self, section: &str, values: Vec<(u8, u32)>) {
         self.values(section, values.into_iter().map(|(sub, number)| (sub, hex(number))));
     }

@@ -1,4 +1,4 @@
-//! How the manager boots the network, in words.
+//! The boot procedure of the manager as text.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::compiled::Slave;
 use crate::manager::numbers;
 use crate::network::{Manager, Node, Startup};
 
-/// What the manager does.
+/// The boot procedure of the manager.
 #[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BootPlan {
@@ -16,13 +16,13 @@ pub struct BootPlan {
     pub manager: String,
     /// NMT startup (1F80h).
     pub startup: u32,
-    /// What it does for all nodes, in words.
+    /// The steps for all nodes, as text.
     pub general: Vec<String>,
-    /// What it does for each node, by node-ID.
+    /// The steps for each node, by node-ID.
     pub nodes: Vec<BootStep>,
 }
 
-/// What the manager does for a node.
+/// The manager's steps for a node.
 #[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BootStep {
@@ -34,7 +34,7 @@ pub struct BootStep {
     pub assignment: u32,
     /// Whether the network does not start without the node.
     pub is_mandatory: bool,
-    /// What the manager checks, sends and monitors, in this order, in words.
+    /// The checks, downloads and monitoring of the manager, in this order, as text.
     pub steps: Vec<String>,
 }
 
@@ -55,7 +55,7 @@ impl BootPlan {
     }
 }
 
-/// What the objects of the manager have, by index and sub-index.
+/// The values of the manager's objects, by index and sub-index.
 struct ManagerObjects(BTreeMap<(u16, u8), u32>);
 
 impl ManagerObjects {
@@ -64,14 +64,14 @@ impl ManagerObjects {
         self.0.get(&(index, sub)).copied().unwrap_or(0)
     }
 
-    /// The time in milliseconds within which the heartbeat of a node is expected; 0: none is.
+    /// The time in milliseconds within which the heartbeat of a node is expected; 0: not monitored.
     fn consumer_time(&self, node_id: u8) -> u32 {
         let mut consumers = self.0.range((0x1016, 1)..=(0x1016, u8::MAX)).map(|(_, number)| number);
         consumers.find(|number| *number >> 16 == u32::from(node_id)).map_or(0, |number| number & 0xFFFF)
     }
 }
 
-/// The words of a language.
+/// The vocabulary of a language.
 #[derive(Clone, Copy)]
 struct LanguageWords(Language);
 
@@ -151,7 +151,7 @@ impl LanguageWords {
         }
     }
 
-    /// What comes before the start.
+    /// The steps before the start.
     fn booting(self, objects: &ManagerObjects, node: &Node, slave: &Slave, downloads: usize) -> Vec<String> {
         let assigned = |bit: u32| objects.number(0x1F81, slave.node_id) & 1 << bit != 0;
         let mut steps = vec![match assigned(4) {
@@ -192,7 +192,7 @@ impl LanguageWords {
         steps
     }
 
-    /// Which values 1000h and 1018h must have (1F84h to 1F88h).
+    /// The expected values of 1000h and 1018h (1F84h to 1F88h).
     fn checked(self, objects: &ManagerObjects, node_id: u8) -> Option<String> {
         let names = [
             self.said("device type", "Gerätetyp"),

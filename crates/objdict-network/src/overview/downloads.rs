@@ -1,4 +1,4 @@
-//! What configures a node, in order.
+//! The downloads that configure a node, in order.
 
 use super::{ConfiguredNetwork, MappedEntry};
 use crate::diagnostic::one_line;
@@ -10,7 +10,7 @@ use objdict_node::concise;
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DownloadRow {
-    /// The entry that is written.
+    /// The written entry.
     pub entry: MappedEntry,
     /// The value, spelled as in the text of a concise DCF.
     pub value: String,

@@ -1,4 +1,4 @@
-//! What PDOs carry from node to node.
+//! The data that PDOs carry between nodes.
 
 use std::fmt;
 
@@ -13,11 +13,11 @@ use crate::model::{Address, Device, Entry, MappedObject};
 pub struct LinkRow {
     /// The CAN-ID.
     pub can_id: MessageId,
-    /// Who sends it; `None` if no node does.
+    /// The sender; `None` if no node sends it.
     pub sender: Option<End>,
-    /// Who receives it; `None` if no node does.
+    /// The receiver; `None` if no node receives it.
     pub receiver: Option<End>,
-    /// What goes from which entry to which, in the order of the bits.
+    /// The entries of sender and receiver, in bit order.
     pub entries: Vec<CarriedEntry>,
 }
 
@@ -29,7 +29,7 @@ pub struct CarriedEntry {
     pub bit: u32,
     /// The number of bits.
     pub bits: u32,
-    /// The entry of the sender; `None` where its mapping is not known or has another layout.
+    /// The entry of the sender; `None` if its mapping is unknown or has a different layout.
     pub from: Option<MappedEntry>,
     /// The entry of the receiver.
     pub to: Option<MappedEntry>,
@@ -38,7 +38,7 @@ pub struct CarriedEntry {
 /// A mapped entry with its name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MappedEntry {
-    /// The entry, or the object that is its only one; `None` for a data type as a dummy.
+    /// The entry, or the object if that is its only entry; `None` for a data type as a dummy.
     pub address: Option<Address>,
     /// The names of object and entry: `Statusword`, `Read input / Input 1 to 8`; empty if the description does not have it.
     pub name: String,
@@ -68,7 +68,7 @@ objdict_model::inline_schemas! {
 }
 
 impl ConfiguredNetwork<'_> {
-    /// The links of a message; none if it is no PDO.
+    /// The links of a message; none if it is not a PDO.
     pub(super) fn links(self, can_id: MessageId, message: &Message) -> Vec<LinkRow> {
         let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
         let of = |parties: &[Party]| -> Vec<Option<Party>> {
@@ -111,7 +111,7 @@ impl ConfiguredNetwork<'_> {
         let placed = MappedObject::placed(pdo.mapping.values(), |object| object.bits);
         let part = |(bit, object): (u32, &MappedObject)| {
             let mut entry = self.named(&self.network.nodes[node].device, *object);
-            // those of a description that is made say which entry of which node they are
+            // the entries of a generated description name the node and its entry
             if let Some((_, name)) = entry.name.split_once(" / ").filter(|_| self.network.is_made(node)) {
                 entry.name = name.to_owned();
             }
@@ -143,7 +143,7 @@ impl ConfiguredNetwork<'_> {
         }
     }
 
-    /// The name in the language of the tables, else the one in the file.
+    /// The name in the language of the tables, otherwise as in the file.
     fn name(self, entry: &Entry) -> &str {
         let label = entry.parameter.as_ref().and_then(|parameter| parameter.labels.name_in(self.tag));
         label.map(str::trim).filter(|label| !label.is_empty()).unwrap_or(&entry.name)

@@ -1,4 +1,4 @@
-//! A network in tables: its nodes, its messages with what they carry, and how it boots.
+//! A network as tables: its nodes, its messages with their content, and its boot procedure.
 
 mod boot;
 mod downloads;
@@ -15,27 +15,28 @@ use crate::network::Network;
 use crate::traffic::{Sync, Traffic, Uncounted};
 use crate::unlinked::UnlinkedPdos;
 
-/// What a network is and does, ready to be shown.
+/// A network and its behaviour, ready for display.
 #[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Overview {
-    /// The language of its words.
+    /// The language of the text.
     #[serde(skip)]
     pub language: Language,
     /// The name of the network.
     pub name: Option<String>,
     /// The bit rate in kbit/s.
     pub bit_rate: Option<u16>,
-    /// The share of the bit rate that cyclic messages take, in thousandths, with the most stuff bits; `None` without a bit
+    /// The load by cyclic messages in thousandths of the bit rate, with maximum bit stuffing; `None` without a bit
     /// rate.
     pub load: Option<u64>,
-    /// What the load does not count.
+    /// Messages that are not included in the load.
     pub uncounted: Uncounted,
     /// All nodes by node-ID; those without one are last.
     pub nodes: Vec<NodeRow>,
-    /// What PDOs carry, by CAN-ID: a link for each receiver, and one without for a PDO that no node receives.
+    /// The content of PDOs, by CAN-ID: a link for each receiver, and one without for a PDO that no node
+    /// receives.
     pub links: Vec<LinkRow>,
-    /// The PDOs that are valid by default and whose other side no node has, by node.
+    /// The PDOs that are valid by default and have no counterpart, by node.
     pub unlinked: Vec<UnlinkedRow>,
     /// All messages by CAN-ID, so in order of priority.
     pub messages: Vec<MessageRow>,
@@ -61,16 +62,16 @@ pub struct NodeRow {
     pub guard_time: u16,
     /// How many downloads configure the node.
     pub downloads: usize,
-    /// The bytes of its concise DCF; 0 without downloads.
+    /// The size of its concise DCF in bytes; 0 without downloads.
     pub bytes: usize,
-    /// These downloads, in the order in which they are sent.
+    /// These downloads, in the order of transmission.
     pub configuration: Vec<DownloadRow>,
     /// The position in [`Network::nodes`].
     #[serde(skip)]
     pub position: usize,
 }
 
-/// The PDOs of a node that are as its description has them by default, and that no other node sends or receives.
+/// The PDOs of a node that have their default configuration, and that no other node sends or receives.
 #[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedRow {
@@ -83,7 +84,7 @@ pub struct UnlinkedRow {
     pub pdos: Vec<UnlinkedEnd>,
 }
 
-/// A PDO whose other side no node has.
+/// A PDO without a counterpart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedEnd {
@@ -103,19 +104,19 @@ pub struct MessageRow {
     pub senders: Vec<End>,
     /// Who receives it.
     pub receivers: Vec<End>,
-    /// The bytes that it has at most; `None` where the description does not say.
+    /// The maximum length in bytes; `None` if the description does not state it.
     pub bytes: Option<u8>,
     /// The lengths of several senders, in their order, where they differ; else empty.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lengths: Vec<u8>,
-    /// What triggers it, in words.
+    /// Its trigger, as text.
     pub trigger: String,
-    /// The shortest time in microseconds between two of them; `None` for messages without a rhythm.
+    /// The minimum interval in microseconds; `None` for aperiodic messages.
     pub period: Option<u64>,
 }
 
 impl MessageRow {
-    /// Its bytes in words: those of each sender, where they differ.
+    /// Its length as text; one for each sender if they differ.
     pub fn length(&self) -> String {
         match self.lengths.as_slice() {
             [] => self.bytes.map(|bytes| bytes.to_string()).unwrap_or_default(),
@@ -133,7 +134,7 @@ pub struct End {
     /// The position in [`Network::nodes`].
     #[serde(skip)]
     pub position: usize,
-    /// With which of its services: `TPDO 1`, `SYNC`.
+    /// The service that it uses: `TPDO 1`, `SYNC`.
     pub service: Service,
 }
 
@@ -156,8 +157,8 @@ impl Overview {
         Self::in_language(network, compiled, Language::default().tag())
     }
 
-    /// The tables with the names of entries in a language, where a description has it (RFC 5646, such as `de`). Other words
-    /// are in that language if objdict supports it ([`Language::of_tag`]), else in English.
+    /// The tables with the names of entries in a language, if a description has it (RFC 5646, such as `de`). Other text
+    /// is in that language if objdict supports it ([`Language::of_tag`]), otherwise in English.
     pub fn in_language(network: &Network, compiled: &Compiled, tag: &str) -> Self {
         let messages = Messages::new(network, compiled);
         let language = Language::of_tag(tag).unwrap_or_default();
@@ -182,7 +183,7 @@ impl Overview {
 }
 
 impl Overview {
-    /// Whether an end without another one is one of the [`unlinked`](Self::unlinked) PDOs.
+    /// Whether an end without a counterpart is one of the [`unlinked`](Self::unlinked) PDOs.
     pub fn is_unlinked(&self, can_id: MessageId, end: &End) -> bool {
         let pdo = UnlinkedEnd { can_id, service: end.service };
         self.unlinked.iter().any(|row| row.position == end.position && row.pdos.contains(&pdo))
@@ -196,7 +197,7 @@ struct ConfiguredNetwork<'n> {
     compiled: &'n Compiled,
     /// The language of the names of entries.
     tag: &'n str,
-    /// The language of words.
+    /// The language of other text.
     language: Language,
 }
 
@@ -270,7 +271,7 @@ impl<'n> ConfiguredNetwork<'n> {
         }
     }
 
-    /// Bytes, trigger and period of a message that is no PDO.
+    /// Length, trigger and period of a message that is not a PDO.
     fn service(
         self,
         message: &Message,
@@ -305,7 +306,7 @@ impl<'n> ConfiguredNetwork<'n> {
         (Some(1), trigger.to_owned(), Some(u64::from(time) * 1000))
     }
 
-    /// What triggers a PDO, in the words of the settings: `sync/1`, `event, inhibit 5 ms`.
+    /// The trigger of a PDO, in the notation of the settings: `sync/1`, `event, inhibit 5 ms`.
     fn triggered(self, pdo: &PdoState) -> String {
         let kind = match pdo.transmission {
             number @ 0..=240 => format!("sync/{number}"),
@@ -328,7 +329,7 @@ impl<'n> ConfiguredNetwork<'n> {
     }
 }
 
-/// The name of the product, where there is one.
+/// The name of the product, if there is one.
 fn product_name(device: &Device) -> Option<&str> {
     let name = device.device_info.as_ref()?.product_name.as_deref()?.trim();
     (!name.is_empty()).then_some(name)

@@ -1,4 +1,4 @@
-//! The rules about what nodes share: the bus, the CAN-IDs, and each other's services.
+//! The rules about shared resources of nodes: the bus, the CAN-IDs, and each other's services.
 
 use crate::diagnostic::text_rules;
 

@@ -1,4 +1,4 @@
-//! The rules about links, settings and described managers, which `network.toml` has.
+//! The rules about links, settings and described managers in a `network.toml`.
 
 use crate::diagnostic::text_rules;
 

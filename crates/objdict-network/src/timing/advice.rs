@@ -1,14 +1,15 @@
-//! What would help where messages come too late.
+//! Remedies for messages that are late.
 
 use super::{AnyTime, BIT_RATES, Remedy, Schedule, TimedMessage};
 use crate::timing::analysis::ResponseTime;
 use crate::timing::frames::{Rhythm, TimedFrame};
 
-/// The most messages that a remedy is looked for.
+/// The maximum number of messages with a remedy.
 const MOST: usize = 3;
 
 impl Schedule {
-    /// The least inhibit time, in multiples of 100 µs, of PDOs without one with which all messages meet their deadlines.
+    /// The minimum inhibit time, in multiples of 100 µs, for PDOs without one, with which all messages meet
+    /// their deadlines.
     pub(super) fn bounding_inhibit_time(&self, bit_rate: u16) -> Option<u16> {
         if self.frames.iter().all(|frame| frame.rhythm != Rhythm::Unbounded) {
             return None;
@@ -36,7 +37,7 @@ impl Schedule {
         Some(most)
     }
 
-    /// What would help the first messages that miss their deadlines.
+    /// Remedies for the first messages that miss their deadlines.
     pub(super) fn remedies(&self, bit_rate: u16, messages: &[TimedMessage]) -> Vec<Remedy> {
         let missed: Vec<usize> =
             (0..messages.len()).filter(|at| messages[*at].is_missed()).take(MOST).collect();
@@ -52,7 +53,8 @@ impl Schedule {
         missed.iter().map(|message| remedy(*message)).collect()
     }
 
-    /// The position of the last message before which another one would meet its deadline, without a new one that misses its own.
+    /// The position of the last message before which the given one would meet its deadline, without causing
+    /// additional misses.
     fn sufficient_priority(&self, bit_rate: u16, message: usize) -> Option<usize> {
         let missed = |place: usize| {
             let mut frames = self.frames.clone();

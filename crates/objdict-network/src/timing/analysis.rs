@@ -4,34 +4,34 @@
 /// The longest busy period that is looked at. A message that waits so long is as good as lost.
 const LONGEST: u64 = 10_000_000_000;
 
-/// The most instances of a message that are looked at; more come only close to the full load.
+/// The maximum number of examined instances of a message; more occur only close to full load.
 const INSTANCES: u64 = 2000;
 
-/// The most rounds until jitters that follow from responses are settled.
+/// The maximum number of iterations until jitters that depend on responses are stable.
 const ROUNDS: usize = 50;
 
 /// Messages of one CAN-ID, as the bus sees them.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
-    /// The longest time that a frame takes on the bus.
+    /// The maximum time of a frame on the bus.
     pub(crate) cost: u64,
     pub(crate) arrival: Arrival,
     /// How late a message may be queued.
     pub(crate) jitter: u64,
-    /// The stream whose messages trigger these, by its position: its response and `jitter` are the jitter.
+    /// The position of the stream whose messages trigger these: its response plus `jitter` is the jitter.
     pub(crate) after: Option<usize>,
     /// Whether it is a part of the background.
     pub(crate) is_background: bool,
 }
 
-/// How often messages come.
+/// The arrival pattern of messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Arrival {
-    /// At least so long after each other, but for the jitter.
+    /// With this minimum interval, apart from jitter.
     Every(u64),
     /// At any time.
     Unbounded,
-    /// So rarely that they are not counted.
+    /// Too rarely to be included.
     Rare,
 }
 
@@ -66,15 +66,15 @@ pub(crate) enum ResponseTime {
 /// Why a message may wait for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WaitCause {
-    /// The message at this position may come at any time.
+    /// The message at this position may arrive at any time.
     Message(usize),
-    /// The background may leave no time to it; without, there is a bound.
+    /// The background may use all remaining time; without it, there is a bound.
     Background,
     /// The bus has too much to carry.
     Load,
 }
 
-/// What messages of higher priority need.
+/// The bus time that messages of higher priority need.
 #[derive(Default)]
 struct Demand(Vec<DemandedTime>);
 
@@ -98,10 +98,10 @@ impl Demand {
     }
 }
 
-/// What no message of lower priority has shorter, as long as no less blocks it.
+/// Lower limits for messages of lower priority, with no less blocking.
 struct Least {
     blocking: u64,
-    /// The time until the first instance starts; `None` without a bound.
+    /// The time until the first instance starts; `None` if unbounded.
     wait: Option<u64>,
     busy: u64,
 }
@@ -133,7 +133,8 @@ impl Streams {
         self.streams.iter().map(|stream| stream.late(responses).unwrap_or(stream.jitter)).collect()
     }
 
-    /// The responses where messages follow ones that may never come: all from the first of them on are not known.
+    /// The responses when messages follow ones that may never arrive: all from the first of these on are
+    /// unknown.
     fn cut(&self, responses: &[ResponseTime]) -> Vec<ResponseTime> {
         let first = self.streams.iter().position(|stream| stream.late(responses).is_none());
         let unknown = |at: usize| first.is_some_and(|first| at >= first);
@@ -144,7 +145,7 @@ impl Streams {
         (0..responses.len()).map(|at| if unknown(at) { cause(at) } else { responses[at] }).collect()
     }
 
-    /// The responses with these jitters, but for those of messages that follow one of higher priority, which are set.
+    /// The responses with these jitters; sets the jitters of messages that follow one of higher priority.
     fn with(&self, jitters: &mut [u64]) -> Vec<ResponseTime> {
         let blocking = self.blocking();
         let mut higher = Demand::default();
@@ -198,8 +199,8 @@ impl Streams {
         blocking
     }
 
-    /// The longest time from the end of the message at `trigger` until others, which it triggers all at once, are on the bus; `None` if they may wait
-    /// for ever.
+    /// The maximum time from the end of the message at `trigger` until the messages that it triggers simultaneously
+    /// have been sent; `None` if unbounded.
     pub(crate) fn burst(&self, trigger: usize, triggered: &[usize], jitters: &[u64]) -> Option<u64> {
         let last = *triggered.iter().max()?;
         let mut higher = Demand::default();
@@ -223,7 +224,7 @@ impl Streams {
 }
 
 impl Stream {
-    /// How late a message may be queued; `None` if it follows one that may never come.
+    /// The maximum queuing delay of a message; `None` if it follows one that may never arrive.
     fn late(&self, responses: &[ResponseTime]) -> Option<u64> {
         match self.after.map(|at| responses[at]) {
             None => Some(self.jitter),
@@ -233,7 +234,7 @@ impl Stream {
     }
 }
 
-/// What a message has to wait for.
+/// Everything that a message must wait for.
 struct PriorityLevel<'s> {
     blocking: u64,
     higher: &'s Demand,
@@ -242,7 +243,7 @@ struct PriorityLevel<'s> {
 }
 
 impl PriorityLevel<'_> {
-    /// The response of a message; `None` without a bound.
+    /// The response time of a message; `None` if unbounded.
     fn response(&self, stream: &Stream, jitter: u64, least: &mut Least) -> Option<u64> {
         // SDO frames do not wait for each other
         let mut apart = Least::of(least.blocking);
@@ -261,7 +262,7 @@ impl PriorityLevel<'_> {
         Some(longest)
     }
 
-    /// Why there is no response.
+    /// The reason why there is no response time.
     fn unbounded(&self, stream: &Stream, jitter: u64) -> ResponseTime {
         let alone = PriorityLevel { background: None, ..*self };
         let is_bound = || alone.response(stream, jitter, &mut Least::of(self.blocking)).is_some();
@@ -269,7 +270,7 @@ impl PriorityLevel<'_> {
         ResponseTime::Unbounded(if is_background { WaitCause::Background } else { WaitCause::Load })
     }
 
-    /// The time until a message may start, from a time that is no later.
+    /// The time until a message may start; `start` is a lower limit.
     fn settle(&self, own: u64, start: u64) -> Option<u64> {
         let mut wait = start.max(self.blocking + own);
         loop {
@@ -281,7 +282,8 @@ impl PriorityLevel<'_> {
         }
     }
 
-    /// How long the bus is busy with messages of this priority and higher ones, from a time that is no later.
+    /// The time for which the bus is busy with messages of this priority and higher ones; `start` is a lower
+    /// limit.
     fn busy(&self, start: u64, cost: u64, period: u64, jitter: u64) -> Option<u64> {
         let mut busy = start;
         loop {
@@ -297,12 +299,13 @@ impl PriorityLevel<'_> {
         }
     }
 
-    /// What the bus has to carry before time `until`, with `work` of its own; `None` if that takes too long.
+    /// The bus time demanded before `until`, plus `work`; `None` if that exceeds the limit.
     fn work(&self, work: u64, until: u64) -> Option<u64> {
         let work = work + self.higher.before(until);
         let work = match self.background {
             None => work,
-            // a response and the next request, and both again when the bus was busy with others for as long as a response takes
+            // a response and the next request, and both again if the bus was busy with others for the
+            // response time
             Some(Background { cost, response_time, .. }) => {
                 work + 2 * cost * (1 + work.checked_div(response_time)?)
             }

@@ -1,10 +1,10 @@
-//! How long it takes to configure the nodes.
+//! The duration of the nodes' configuration.
 
 use super::{sdo_bits, sdo_requests};
 use crate::compiled::{Compiled, Slave};
 use crate::network::Network;
 
-/// How long the manager takes to configure the nodes. Times are in nanoseconds.
+/// The manager's time for configuring the nodes. Times are in nanoseconds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BootTimes {
     /// The time that mandatory nodes have (1F89h); 0: no limit.
@@ -13,7 +13,7 @@ pub struct BootTimes {
     pub nodes: Vec<NodeBootTime>,
 }
 
-/// How long it takes to configure a node. Times are in nanoseconds.
+/// The time for configuring a node. Times are in nanoseconds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NodeBootTime {
     /// The name of the node.
@@ -24,9 +24,9 @@ pub struct NodeBootTime {
     pub is_mandatory: bool,
     /// The number of downloads.
     pub downloads: usize,
-    /// The time of their frames, each with the most stuff bits.
+    /// The time of their frames, each with maximum bit stuffing.
     pub bus: u64,
-    /// The same with the time that the node takes for its responses.
+    /// As above, plus the node's response times.
     pub total: u64,
 }
 
@@ -44,12 +44,12 @@ impl BootTimes {
         Some(Self { limit, nodes: nodes.collect() })
     }
 
-    /// The frames of all nodes, one after the other.
+    /// The frames of all nodes in sequence.
     pub fn bus(&self) -> u64 {
         self.nodes.iter().map(|node| node.bus).sum()
     }
 
-    /// Whether a node may take too long.
+    /// Whether a node may exceed the boot time.
     pub fn is_late(&self, node: &NodeBootTime) -> bool {
         node.is_mandatory && self.limit != 0 && node.total > self.limit
     }

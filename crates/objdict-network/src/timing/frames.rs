@@ -8,12 +8,13 @@ use crate::traffic::{Sync, Traffic, frame_bits};
 pub(super) const MICROSECOND: u64 = 1000;
 pub(super) const MILLISECOND: u64 = 1_000_000;
 
-/// The fewest bits of a data frame with so many bytes: without stuff bits, with the space to the next frame.
+/// The minimum number of bits of a data frame with this many bytes: without stuff bits, with the interframe
+/// space.
 const fn least_bits(bytes: u64, is_extended: bool) -> u64 {
     if is_extended { 67 + 8 * bytes } else { 47 + 8 * bytes }
 }
 
-/// What a frame is for.
+/// The purpose of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -34,7 +35,7 @@ pub enum TrafficKind {
     Sdo,
     /// Heartbeat and boot-up.
     Heartbeat,
-    /// The request and the answer of node guarding.
+    /// The request and the response of node guarding.
     Guarding,
 }
 
@@ -43,7 +44,7 @@ pub enum TrafficKind {
 pub(crate) enum Rhythm {
     /// Once in each period.
     Cyclic(u64),
-    /// At any time, but at least so long after the one before.
+    /// At any time, but with this minimum interval.
     AtLeast(u64),
     /// At any time.
     Unbounded,
@@ -61,7 +62,7 @@ impl Rhythm {
     }
 }
 
-/// What limits the time that a message may take.
+/// The origin of a message's deadline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -72,7 +73,8 @@ pub enum DeadlineKind {
     EventTimer,
     /// The synchronous window length (1007h).
     SyncWindow,
-    /// The time that a receiver waits, 1016h or the event timer of an RPDO, less the time until the next message is sent.
+    /// The timeout of a receiver, from 1016h or the event timer of an RPDO, minus the time until the next
+    /// message is sent.
     Receiver,
 }
 
@@ -84,7 +86,7 @@ pub(crate) struct TimedFrame {
     pub(crate) kind: TrafficKind,
     pub(crate) bytes: u64,
     pub(crate) rhythm: Rhythm,
-    /// The time between two messages when nothing happens; `None` if there is none then.
+    /// The interval between messages without events; `None` if there is none.
     pub(crate) usual: Option<u64>,
     pub(crate) deadline: Option<(u64, DeadlineKind)>,
     pub(crate) sender: Party,
@@ -106,7 +108,8 @@ impl TimedFrame {
         }
     }
 
-    /// By what arbitration decides: the lowest wins. Of the same first 11 bits a base frame wins, and a data frame before a remote frame.
+    /// The arbitration order: the lowest wins. With equal first 11 bits, a base frame wins, and a data frame
+    /// before a remote frame.
     pub(crate) const fn priority(&self) -> (u32, bool, u32, bool) {
         match self.id.is_extended {
             false => (self.id.number, false, 0, self.is_remote),
@@ -128,9 +131,9 @@ impl TimedFrame {
         }
     }
 
-    /// A receiver that waits no longer than `time` after the last message.
+    /// Adds a receiver with a timeout of `time` after the last message.
     fn awaited(&mut self, time: u64) {
-        // nothing is left of a time that is not longer than the period: the message comes too late in any case
+        // a timeout that does not exceed the period leaves no time: the message is late in any case
         self.limit(time.saturating_sub(self.usual.unwrap_or(0)), DeadlineKind::Receiver);
     }
 }
@@ -141,7 +144,7 @@ impl Traffic<'_> {
         let sync = self.sync();
         let mut frames = Vec::new();
         for (id, message) in &self.messages.0 {
-            // of several senders, which are an error, the first
+            // several senders are an error; the first one is used
             let Some(sender) = message.senders.first() else { continue };
             let sent = self.sent_as(*id, message, *sender, sync.as_ref());
             frames.extend(
@@ -189,7 +192,7 @@ impl Traffic<'_> {
         u64::from(tenths.unwrap_or(0)) * 100 * MICROSECOND
     }
 
-    /// Heartbeat, or guarding, or boot-up alone.
+    /// Heartbeat, guarding, or only boot-up.
     fn error_control(self, id: MessageId, sender: Party) -> Vec<TimedFrame> {
         let times = self.compiled.node(sender.node).map(|slave| (slave.heartbeat, slave.guard_time));
         let every = |time: u16| Rhythm::Cyclic(u64::from(time) * MILLISECOND);
@@ -225,7 +228,8 @@ impl Traffic<'_> {
         times.filter(|time| *time != 0).collect()
     }
 
-    /// A PDO with the parameters of its sender, else of a receiver; `None` if it waits for a SYNC that no node sends.
+    /// A PDO with the parameters of its sender, otherwise of a receiver; `None` if it waits for a SYNC that
+    /// no node sends.
     fn pdo(self, id: MessageId, message: &Message, sender: Party, sync: Option<&Sync>) -> Option<TimedFrame> {
         let mut parties = message.senders.iter().chain(&message.receivers);
         let state = parties.find_map(|party| self.compiled.pdo(party))?;
@@ -235,7 +239,7 @@ impl Traffic<'_> {
         let (kind, rhythm) = match (state.transmission, period) {
             (1..=240, period) => (TrafficKind::SynchronousPdo, Rhythm::Cyclic(period?)),
             (0, period) => (TrafficKind::SynchronousPdo, Rhythm::AtLeast(period?)),
-            // as often as it is asked for
+            // as often as requested
             (252 | 253, _) => (TrafficKind::EventPdo, inhibit.map_or(Rhythm::Rare, Rhythm::AtLeast)),
             _ => (TrafficKind::EventPdo, inhibit.map_or(Rhythm::Unbounded, Rhythm::AtLeast)),
         };
@@ -249,13 +253,13 @@ impl Traffic<'_> {
             }
             _ => {
                 frame.usual = timer.or(inhibit);
-                // an inhibit time is no deadline: what is queued by then is newer
+                // an inhibit time is not a deadline: the next message is newer
                 frame.deadline = timer.map(|timer| (timer, DeadlineKind::EventTimer));
             }
         }
         for time in self.deadlines(message, state) {
             match kind {
-                // without a timer nothing is known of the time until the next one
+                // without a timer, the interval is unknown
                 TrafficKind::EventPdo if timer.is_none() => frame.limit(time, DeadlineKind::Receiver),
                 _ => frame.awaited(time),
             }
@@ -273,7 +277,7 @@ impl Traffic<'_> {
 }
 
 impl PdoState {
-    /// The shortest time in microseconds between two of them; `None` for PDOs that an event triggers at any time.
+    /// The minimum interval in microseconds; `None` for PDOs that an event may trigger at any time.
     pub(crate) fn period(&self, sync: Option<&Sync>) -> Option<u64> {
         match self.transmission {
             0..=240 => sync.map(|sync| sync.period * u64::from(self.transmission.max(1))),

@@ -7,9 +7,9 @@ use crate::traffic::Traffic;
 /// How many bits are sent, in thousandths of a bit each second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Load {
-    /// Without stuff bits, and PDOs as often as their event timers say, else as often as they may be sent.
+    /// Without stuff bits, and with PDOs at their event timer rate, otherwise at their maximum rate.
     pub average: u64,
-    /// With the most stuff bits, and PDOs as often as they may be sent.
+    /// With maximum bit stuffing, and with PDOs at their maximum rate.
     pub worst: u64,
 }
 
@@ -39,7 +39,7 @@ fn percent(load: u64, bit_rate: u16) -> u64 {
 }
 
 impl TimedFrame {
-    /// The load of the message. What errors, commands and requests trigger is not counted.
+    /// The load of the message. Errors, commands and requests are not included.
     fn load(&self) -> Load {
         // thousandths of a bit each second
         let load = |bits: u64, period: Option<u64>| {
@@ -63,7 +63,7 @@ impl Schedule {
 }
 
 impl Traffic<'_> {
-    /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
+    /// The permanently used share of the bit rate in thousandths; `None` without a bit rate.
     pub(crate) fn load(self) -> Option<u64> {
         let rate = self.network.bit_rate?.value;
         Some(Schedule::new(self, TimingOptions::default()).load_at(rate))

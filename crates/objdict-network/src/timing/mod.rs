@@ -1,4 +1,4 @@
-//! When messages are on the bus: its load, and how long each message may take until all have received it.
+//! Bus timing: the load, and the maximum time until all nodes have received each message.
 
 mod advice;
 mod analysis;
@@ -28,27 +28,27 @@ use crate::traffic::{Traffic, frame_bits};
 /// The bit rates of CiA 301 in kbit/s.
 const BIT_RATES: [u16; 8] = [10, 20, 50, 125, 250, 500, 800, 1000];
 
-/// What is assumed of a network and its nodes. Times are in nanoseconds.
+/// Assumptions about a network and its nodes. Times are in nanoseconds.
 #[derive(Clone, Copy, Debug)]
 pub struct TimingOptions {
-    /// The bit rate in kbit/s; `None`: that of the network.
+    /// The bit rate in kbit/s; `None`: from the network.
     pub bit_rate: Option<u16>,
-    /// The least time from an SDO request, or a request of guarding, to its answer.
+    /// The minimum time from an SDO or guarding request to its response.
     pub response_time: u64,
-    /// The most time from SYNC to the synchronous PDOs of a node.
+    /// The maximum time from SYNC to the synchronous PDOs of a node.
     pub node_delay: u64,
-    /// The inhibit time of PDOs that an event triggers and that have none.
+    /// The assumed inhibit time of event-driven PDOs without one.
     pub event_distance: Option<u64>,
     /// Whether there are SDO transfers in the background, one at a time.
     pub sdo: bool,
     /// Whether nodes send emergencies all the time.
     pub emergencies: bool,
-    /// Whether messages without a bound count as being in time.
+    /// Whether unbounded messages are considered to be in time.
     pub allow_unbounded: bool,
 }
 
 impl Default for TimingOptions {
-    /// Answers after 1 ms, no delay after SYNC, SDO transfers in the background, and no errors.
+    /// Responses after 1 ms, no delay after SYNC, SDO transfers in the background, and no errors.
     fn default() -> Self {
         Self {
             bit_rate: None,
@@ -67,28 +67,28 @@ impl Default for TimingOptions {
 pub struct Timing {
     /// The name of the network.
     pub name: Option<String>,
-    /// The language of its words.
+    /// The language of the text.
     pub language: Language,
     /// The bit rate in kbit/s.
     pub bit_rate: u16,
     /// How much of the bus is used.
     pub load: Load,
-    /// The same for each sender, in the order of the network.
+    /// The load by sender, in the order of the network.
     pub nodes: Vec<LoadShare<End>>,
-    /// The same for each kind of message.
+    /// The load by kind of message.
     pub kinds: Vec<LoadShare<TrafficKind>>,
-    /// What the load would be at the bit rates of CiA 301.
+    /// The load at the bit rates of CiA 301.
     pub rates: Vec<RateRow>,
-    /// SYNC and what it triggers; `None` without SYNC.
+    /// SYNC and the messages it triggers; `None` without SYNC.
     pub sync: Option<SyncTime>,
     /// All messages, by priority.
     pub messages: Vec<TimedMessage>,
-    /// The least inhibit time, in multiples of 100 µs, of the PDOs without one with which all messages meet their deadlines; `None` if there are no such PDOs, or
-    /// no time is enough.
+    /// The minimum inhibit time, in multiples of 100 µs, for PDOs without one, with which all messages meet their
+    /// deadlines; `None` if there are no such PDOs, or no time is sufficient.
     pub inhibit_time: Option<u16>,
-    /// What would help messages that miss their deadlines, in the order of the messages.
+    /// Remedies for messages that miss their deadlines, in the order of the messages.
     pub remedies: Vec<Remedy>,
-    /// How long it takes to configure the nodes; `None` without a manager.
+    /// The duration of the nodes' configuration; `None` without a manager.
     pub boot: Option<BootTimes>,
 }
 
@@ -97,15 +97,15 @@ pub struct Timing {
 pub struct TimedMessage {
     /// The CAN-ID.
     pub can_id: MessageId,
-    /// What it is for.
+    /// Its purpose.
     pub kind: TrafficKind,
     /// `TPDO 1`, `SYNC`, `boot-up`.
     pub name: String,
     /// The number of bytes.
     pub bytes: u64,
-    /// The bits on the bus without stuff bits, and with the most.
+    /// The minimum and maximum number of bits on the bus, without and with stuff bits.
     pub bits: [u64; 2],
-    /// The shortest time between two of them; `None` if there is none.
+    /// The minimum interval; `None` if there is none.
     pub period: Option<u64>,
     /// Whether it is sent once in each period.
     pub is_cyclic: bool,
@@ -113,13 +113,13 @@ pub struct TimedMessage {
     pub is_unbounded: bool,
     /// How late it may be queued.
     pub jitter: u64,
-    /// The longest time until it is received; `None` if there is none.
+    /// The maximum time until it is received; `None` if unbounded.
     pub response: Option<u64>,
-    /// The message because of which there is none.
+    /// The message that makes it unbounded.
     pub unbounded_by: Option<MessageId>,
-    /// Whether there is none because SDO transfers may leave no time to it.
+    /// Whether it is unbounded because SDO transfers may use all remaining time.
     pub waits_for_sdo: bool,
-    /// The longest time that it may take, and why.
+    /// Its deadline, and the reason for it.
     pub deadline: Option<(u64, DeadlineKind)>,
     /// Who sends it.
     pub sender: End,
@@ -128,7 +128,8 @@ pub struct TimedMessage {
 }
 
 impl TimedMessage {
-    /// Whether it may be too late. Nothing is known of a message that waits for PDOs which may come at any time, or for SDO transfers without an end.
+    /// Whether it may be late. This is unknown for a message that waits for PDOs at any time, or for SDO
+    /// transfers without an end.
     pub fn is_missed(&self) -> bool {
         let Some((deadline, _)) = self.deadline else { return false };
         match self.response {
@@ -138,14 +139,14 @@ impl TimedMessage {
     }
 }
 
-/// What would help a message that misses its deadline.
+/// Remedies for a message that misses its deadline.
 #[derive(Clone, Debug)]
 pub struct Remedy {
     /// Its position in the messages.
     pub message: usize,
-    /// The least bit rate of CiA 301 in kbit/s at which it meets its deadline.
+    /// The minimum CiA 301 bit rate in kbit/s at which it meets its deadline.
     pub bit_rate: Option<u16>,
-    /// The message before which it would have to come, with which the others still meet their deadlines.
+    /// The message that it must precede in priority, so that the others still meet their deadlines.
     pub before: Option<MessageId>,
 }
 
@@ -156,7 +157,7 @@ pub struct RateRow {
     pub bit_rate: u16,
     /// How much of the bus is used.
     pub load: Load,
-    /// How many messages miss their deadlines, if PDOs that are sent at any time are left out.
+    /// The number of messages that miss their deadlines, without PDOs that may be sent at any time.
     pub missed: usize,
 }
 
@@ -167,14 +168,15 @@ impl RateRow {
     }
 }
 
-/// SYNC and what it triggers. Times are in nanoseconds.
+/// SYNC and the messages it triggers. Times are in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SyncTime {
     /// The communication cycle period (1006h).
     pub period: u64,
     /// The synchronous window length (1007h); 0: none.
     pub window: u64,
-    /// From the start of SYNC to the end of the last synchronous PDO, if all are sent after one SYNC, and others delay them; `None` without a bound.
+    /// From the start of SYNC to the end of the last synchronous PDO, if all are sent after one SYNC and
+    /// other messages delay them; `None` if unbounded.
     pub needed: Option<u64>,
 }
 
@@ -184,7 +186,7 @@ impl SyncTime {
         if self.window == 0 { self.period } else { self.window }
     }
 
-    /// Whether the PDOs need no more; `None` without a bound.
+    /// Whether the PDOs fit into it; `None` if unbounded.
     pub fn fits(&self) -> Option<bool> {
         Some(self.needed? <= self.limit())
     }
@@ -196,7 +198,7 @@ impl Timing {
         Self::in_language(network, compiled, options, Language::default())
     }
 
-    /// The same with words in a language.
+    /// Like `new`, with text in a language.
     pub fn in_language(
         network: &Network,
         compiled: &Compiled,
@@ -228,7 +230,7 @@ impl Timing {
         })
     }
 
-    /// The least bit rate of CiA 301 from which the network fits.
+    /// The minimum CiA 301 bit rate from which the network fits.
     pub fn fits_from(&self) -> Option<u16> {
         let fitting = self.rates.iter().rev().take_while(|row| row.fits());
         fitting.last().map(|row| row.bit_rate)
@@ -239,8 +241,8 @@ impl Timing {
         self.messages.iter().filter(|message| message.is_unbounded)
     }
 
-    /// Whether all messages are sure to meet their deadlines, and the synchronous PDOs their window. Without a bound nothing is sure, unless
-    /// the options allow it.
+    /// Whether all messages certainly meet their deadlines, and the synchronous PDOs their window. Unbounded messages
+    /// are not certain, unless the options allow them.
     pub fn is_met(&self, options: &TimingOptions) -> bool {
         let is_late = self.sync.is_some_and(|sync| sync.fits() == Some(false));
         let is_open = |message: &TimedMessage| {
@@ -254,16 +256,16 @@ impl Timing {
     }
 }
 
-/// What PDOs that are sent at any time are taken for.
+/// The treatment of PDOs that are sent at any time.
 #[derive(Clone, Copy)]
 enum AnyTime {
     Counts,
     LeftOut,
-    /// For PDOs with an inhibit time in nanoseconds.
+    /// As PDOs with an inhibit time in nanoseconds.
     Inhibited(u64),
 }
 
-/// The messages of a network with what is assumed of it.
+/// The messages of a network with the assumptions about it.
 pub(crate) struct Schedule {
     pub(crate) frames: Vec<TimedFrame>,
     window: u64,
@@ -294,7 +296,7 @@ impl Schedule {
         let streams = self.frames.iter().enumerate().map(|(at, frame)| {
             let (after, jitter) = match frame.kind {
                 TrafficKind::SynchronousPdo => (sync, self.options.node_delay),
-                // the answer to the request behind it
+                // the response to the following request
                 TrafficKind::Guarding if !frame.is_remote => (Some(at + 1), self.options.response_time),
                 _ => (None, 0),
             };
@@ -399,7 +401,7 @@ impl Schedule {
         (0..self.frames.len()).filter(is_late).collect()
     }
 
-    /// The most bits of SYNC and all that it triggers.
+    /// The maximum number of bits of SYNC and all messages it triggers.
     pub(crate) fn bits_of_cycle(&self) -> u64 {
         let kinds = [TrafficKind::Sync, TrafficKind::SynchronousPdo];
         let frames = self.frames.iter().filter(|frame| kinds.contains(&frame.kind));
@@ -416,7 +418,7 @@ impl Schedule {
         late.collect()
     }
 
-    /// Whether SYNC and what it triggers may take longer than they have.
+    /// Whether SYNC and the messages it triggers may exceed the available time.
     fn is_over_window(&self, streams: &Streams, responses: &[ResponseTime]) -> bool {
         self.sync_time(streams, responses).is_some_and(|sync| sync.fits() != Some(true))
     }
@@ -431,7 +433,7 @@ impl Schedule {
 }
 
 impl TimedFrame {
-    /// Gives it an inhibit time.
+    /// Sets an inhibit time.
     fn inhibit(&mut self, distance: u64) {
         self.rhythm = Rhythm::AtLeast(distance);
         self.usual = self.usual.or(Some(distance));
@@ -450,12 +452,13 @@ impl TimedFrame {
     }
 }
 
-/// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
+/// The maximum number of bits of the download of a value: expedited up to 4 bytes, otherwise in segments of
+/// 7.
 pub(crate) const fn sdo_bits(size: usize) -> u64 {
     2 * sdo_requests(size) * frame_bits(8, false)
 }
 
-/// The number of requests of the download of a value.
+/// The number of requests for the download of a value.
 const fn sdo_requests(size: usize) -> u64 {
     1 + if size <= 4 { 0 } else { size.div_ceil(7) as u64 }
 }

@@ -8,7 +8,7 @@ use crate::messages::Party;
 use crate::network::Network;
 use crate::overview::End;
 
-/// What a part of the messages has of the load.
+/// The share of some messages in the load.
 #[derive(Clone, Debug)]
 pub struct LoadShare<T> {
     /// The part.

@@ -1,27 +1,27 @@
-//! Messages on a simulated bus: whenever it is free, the message with the highest priority of those that wait is sent.
+//! Messages on a simulated bus: whenever it is free, the waiting message with the highest priority is sent.
 
 /// A message that waits for the bus. Times are in nanoseconds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Queued {
     pub(super) at: u64,
-    /// How long it takes on the bus.
+    /// Its duration on the bus.
     pub(super) duration: u64,
 }
 
 /// A message that was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Sent {
-    /// Which stream it is of; the first has the highest priority.
+    /// Its stream; the first one has the highest priority.
     pub(super) stream: usize,
-    /// Which message of the stream it is.
+    /// Its number in the stream.
     pub(super) number: u64,
     pub(super) queued: u64,
     pub(super) start: u64,
     pub(super) end: u64,
 }
 
-/// Sends messages until a time, or until so many are sent. `next` has the message of a stream with a number, which is queued no earlier than the one before;
-/// it is given when that one was sent.
+/// Sends messages until a time, or until this many are sent. `next` returns the message of a stream with a number,
+/// which is queued no earlier than the previous one; it is called when that one has been sent.
 pub(super) fn send(
     streams: usize,
     until: u64,

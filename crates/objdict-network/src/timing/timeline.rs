@@ -1,4 +1,5 @@
-//! Pictures of a network in time: what each node sends when all messages come at once, and its share of the bus.
+//! Timing diagrams of a network: the transmissions of each node when all messages arrive simultaneously, and
+//! its share of the bus.
 
 use askama::Template;
 
@@ -10,7 +11,7 @@ use crate::messages::MessageId;
 
 /// The longest time that is drawn.
 const LONGEST: u64 = 1_000_000_000;
-/// The most messages that are drawn, but for those of the first moment.
+/// The maximum number of drawn messages, except those of the first moment.
 const MOST: usize = 90;
 
 /// Left edge of the lanes; the names of the nodes are to the left.
@@ -20,7 +21,7 @@ const LENGTH: u64 = 1000;
 const TOP: usize = 30;
 const LANE: usize = 26;
 const BAR: usize = 16;
-/// As many characters of a name as have a place.
+/// The maximum number of characters of a name.
 const NAME: usize = 18;
 
 #[derive(Template)]
@@ -42,7 +43,7 @@ struct Lane {
     bars: Vec<Bar>,
 }
 
-/// A message on the bus, with what it waited before.
+/// A message on the bus, with its waiting time.
 struct Bar {
     class: &'static str,
     title: String,
@@ -59,7 +60,8 @@ struct LoadBar {
     words: String,
 }
 
-/// The network as SVG, without scripts and without references to other files. `spelled` writes CAN-IDs as the document has them that the picture is for.
+/// The network as SVG, without scripts and external references. `spelled` formats CAN-IDs as in the document
+/// that contains the diagram.
 pub fn svg(timing: &Timing, spelled: impl Fn(MessageId) -> String) -> String {
     let (sent, span) = sent(timing);
     let lane = |number: usize| TOP + LANE * number;
@@ -101,7 +103,7 @@ pub fn svg(timing: &Timing, spelled: impl Fn(MessageId) -> String) -> String {
         load_title: timing.language.pick("Load of the bus", "Buslast"),
         loads,
     };
-    // writing to a text cannot fail
+    // writing to a string cannot fail
     picture.render().unwrap_or_default()
 }
 
@@ -113,7 +115,7 @@ struct Shown<'t> {
     end: u64,
 }
 
-/// What is sent after all messages came at once, each as long as it may be, and how long that is drawn.
+/// The messages sent after all arrive simultaneously, each with maximum length, and the drawn time span.
 fn sent(timing: &Timing) -> (Vec<Shown<'_>>, u64) {
     let is_drawn = |message: &&TimedMessage| message.period.is_some() || message.is_unbounded;
     let messages: Vec<&TimedMessage> =
@@ -124,7 +126,7 @@ fn sent(timing: &Timing) -> (Vec<Shown<'_>>, u64) {
     let next = |stream: usize, number: u64, _: u64| {
         let message = messages[stream];
         let after = if message.kind == TrafficKind::SynchronousPdo { sync } else { 0 };
-        // what comes at any time is drawn once
+        // aperiodic messages are drawn once
         let at = if number == 0 { Some(0) } else { message.period.map(|period| period * number) };
         Some(Queued { at: at? + after, duration: duration(message) })
     };
@@ -164,7 +166,7 @@ impl Bar {
     }
 }
 
-/// Where a part of a whole is in the lanes.
+/// The position of a part of a whole in the lanes.
 fn pixels(part: u64, whole: u64) -> String {
     thousandths((LEFT as u64 * 1000) + part * LENGTH * 1000 / whole.max(1))
 }
@@ -184,7 +186,7 @@ fn of_percent(percent: u64) -> String {
     format!("{}.{} %", percent / 1000, percent % 1000 / 100)
 }
 
-/// Places of times that are easy to read, with their words.
+/// Readable tick positions, with labels.
 fn ticks(span: u64) -> Vec<(u64, String)> {
     let steps = [1, 2, 5, 10, 20, 50, 100, 200].map(|milliseconds| milliseconds * 1_000_000);
     let step = steps.into_iter().find(|step| span / step <= 12).unwrap_or(200_000_000);

@@ -13,7 +13,8 @@ use crate::model::{CobId, Device, DeviceKind, MappedObject, PdoKind};
 use crate::source::{SourceFile, Span};
 use crate::{Link, LinkEnd, LinkParameters, Network, Node, PdoRequest, RequestedCobId, Said};
 
-/// What a test device has beside ten inputs (6000h), ten outputs (6200h) and four analogue ones of each kind (6401h, 6411h).
+/// Differences between a test device and the default: ten inputs (6000h), ten outputs (6200h) and four
+/// analogue ones of each kind (6401h, 6411h).
 #[derive(Clone, Debug)]
 struct Kit {
     tpdos: u16,
@@ -233,7 +234,7 @@ fn an_entry_is_sent_once_and_gaps_have_dummies() {
             "c RPDO 1 181: 6200:1 6:0 5:0 6200:5",
         ]
     );
-    // without dummies, the consumer gets a PDO of its own
+    // without dummies, the consumer gets a separate PDO
     assert_eq!(
         connected(&[Kit::default(), Kit::default(), Kit::default()], links())[1..],
         [
@@ -297,7 +298,7 @@ fn fixed_mappings_are_respected() {
         connected(&[sender.clone(), receiver.clone()], vec![link("a.6000:1-2", &["b.6200:1-2"])]),
         ["a TPDO 2 281: 6000:1 6000:2 6000:3 6000:4", "b RPDO 3 281: 6200:1 6200:2"]
     );
-    // the producer follows the consumer, and the rest finds no PDO there
+    // the producer follows the consumer, and the other finds no PDO there
     assert_eq!(
         connected(&[Kit::default(), receiver.clone()], vec![link("a.6000:1-2", &["b.6200:1-2"])]),
         ["a TPDO 1 181: 6000:1 6000:2", "b RPDO 3 181: 6200:1 6200:2"]
@@ -350,7 +351,7 @@ fn a_constant_cob_id_keeps_the_mapping() {
     assert_eq!(found(&[mapped, Kit::default()], slow), refused("a", "TPDO", "6000:1"));
 }
 
-/// A link with a CAN-ID is one PDO.
+/// A link with a CAN-ID becomes one PDO.
 #[test]
 fn a_link_with_a_can_id_is_not_split() {
     let narrow = Kit { slots: 2, ..Kit::default() };
@@ -373,7 +374,7 @@ fn can_ids_come_from_both_nodes_and_then_from_the_free_ranges() {
         .collect();
     let ids = |kits: &[Kit]| {
         let mut network = network(kits, links.clone());
-        // the network file configures TPDO 1 of `a` and sends something else with the CAN-ID of TPDO 2
+        // the network file configures TPDO 1 of `a`, and sends other data with the CAN-ID of TPDO 2
         let pdo = PdoName { kind: PdoKind::Tpdo, number: 1 };
         let said = |id| Some(Said::new(RequestedCobId::Number(id), Span::default()));
         network.nodes[0]
@@ -383,7 +384,8 @@ fn can_ids_come_from_both_nodes_and_then_from_the_free_ranges() {
         let requests = network.nodes[0].pdos.iter().skip(1);
         requests.map(|request| (request.pdo.number, cob_id(request))).collect::<Vec<_>>()
     };
-    // TPDO 2 takes the CAN-ID of RPDO 1 of `b`, TPDO 5 that of its RPDO 4, TPDO 6 a free one; the sixth link has no PDO
+    // TPDO 2 uses the CAN-ID of RPDO 1 of `b`, TPDO 5 that of its RPDO 4, TPDO 6 a free one; the sixth link
+    // has no PDO
     assert_eq!(ids(&[many.clone(), many]), [(2, 0x202), (3, 0x381), (4, 0x481), (5, 0x502), (6, 0x680)]);
 }
 
@@ -465,13 +467,13 @@ fn what_cannot_be_linked_is_reported() {
     }
 }
 
-/// Any kit whose entries can be mapped somewhere, or not.
+/// Any kit, with entries that may or may not be mappable.
 fn kits() -> impl Strategy<Value = Vec<Kit>> {
     let dummies = prop::sample::subsequence(vec![1, 5, 6, 7], 0..=4);
     let fixed = prop::sample::subsequence(vec![0x1400, 0x1600, 0x1601, 0x1800, 0x1A00], 0..=2);
     let kit = (4..9_u16, 6..13_u16, 2..9_u8, dummies, fixed, any::<bool>());
     let kit = kit.prop_map(|(tpdos, rpdos, slots, dummies, fixed, is_mapped)| {
-        // a PDO that is as linked, with a constant COB-ID, is not configured
+        // a PDO that already matches the link, with a constant COB-ID, is not configured
         let is_mapped = is_mapped && !fixed.contains(&0x1800);
         let mapped = vec![(0x1A00, vec![0x6000_0108, 0x6000_0208]), (0x1601, vec![0x6200_0108])];
         Kit { tpdos, rpdos, slots, dummies, fixed, mapped: if is_mapped { mapped } else { Vec::new() } }
@@ -502,12 +504,12 @@ fn links(drawn: &[Drawn], nodes: usize) -> Vec<Link> {
     links.filter(|link| !link.to.is_empty()).collect()
 }
 
-/// The sub-indexes of an end that names a range of them.
+/// The sub-indexes of a link end with a range.
 fn subs(end: &LinkEnd) -> std::ops::RangeInclusive<u8> {
     end.entries.clone().and_then(|entries| entries.subs).unwrap()
 }
 
-/// Where an entry of a node is in PDOs: COB-ID without flags and first bit.
+/// The positions of a node's entry in PDOs: COB-ID without flags and first bit.
 fn positions(node: &Node, kind: PdoKind, index: u16) -> BTreeMap<u8, BTreeSet<(u32, u32)>> {
     let mut positions: BTreeMap<u8, BTreeSet<(u32, u32)>> = BTreeMap::new();
     for request in node.pdos.iter().filter(|request| request.pdo.kind == kind) {

@@ -1,4 +1,4 @@
-//! What is against PDOs, managers without a description, and PDOs that no link uses.
+//! Obstacles of PDOs, managers without a description, and PDOs that no link uses.
 
 use super::{Kit, connect, link, network, shown};
 use crate::configure::{PdoName, Setting};
@@ -7,7 +7,7 @@ use crate::model::PdoKind;
 use crate::source::Span;
 use crate::{Link, LinkParameters, Manager, Network, PdoRequest, Said, UnusedPdos};
 
-/// What is against each PDO that is left, with the help.
+/// The obstacle of each remaining PDO, with the help.
 fn reasons(kits: &[Kit], links: Vec<Link>) -> (Vec<String>, String) {
     let mut network = network(kits, links);
     let mut findings = Findings::new();
@@ -46,7 +46,7 @@ fn findings_say_what_is_against_each_pdo() {
         };
         (1..=count).map(one).collect()
     };
-    /// Nodes, links, what is against each PDO, and the help.
+    /// Nodes, links, the obstacle of each PDO, and the help.
     type Row<'a> = (Vec<Kit>, Vec<Link>, &'a [&'a str], &'a str);
     let rows: Vec<Row<'_>> = vec![
         (
@@ -94,7 +94,7 @@ fn findings_say_what_is_against_each_pdo() {
     }
 }
 
-/// The same with a manager that has no description.
+/// Like `connect`, with a manager that has no description.
 fn with_manager(kits: &[Kit], links: Vec<Link>) -> (Network, Vec<String>) {
     let mut network = network(kits, links);
     let name = Said::new("plc".to_owned(), Span::default());
@@ -124,7 +124,7 @@ fn a_manager_without_a_description_has_the_other_side() {
         link("plc", &["a.6200:1-3", "b.6200:1-3"]),
         timed("plc", &["a.6411:1-2"]),
         link("plc", &["a.6200:3-4"]),
-        // the manager hears what nodes send to each other
+        // the manager receives the messages between nodes
         link("b.6000:1", &["plc", "a.6200:5"]),
     ];
     let (connected, found) = with_manager(&kits, links);
@@ -149,7 +149,7 @@ fn a_manager_without_a_description_has_the_other_side() {
     };
     let pdos = &connected.nodes[0].pdos;
     assert_eq!(times(&pdos[0]), (None, None, None, None));
-    // what the manager sends is an event for the node
+    // data from the manager is event-driven for the node
     assert_eq!(times(&pdos[1]), (Some(255), Some(50), Some(200), Some(300)));
     assert_eq!(times(&pdos[2]), (Some(253), Some(50), Some(200), Some(300)));
 }

@@ -1,4 +1,4 @@
-//! The published example, the network of the book, and the order of arbitration.
+//! The published example, the network of the book, and the arbitration order.
 
 mod observed;
 
@@ -26,7 +26,7 @@ fn within(microseconds: u64) -> ResponseTime {
 
 #[test]
 fn the_second_instance_may_be_the_slowest() {
-    // the example of the paper, for which analyses of one instance find 3 ms
+    // the example of the paper, for which single-instance analyses find 3 ms
     let example = streams(8000, &[(1000, 2500), (1000, 3500), (1000, 3500)]);
     assert_eq!(example.responses(), [within(2000), within(3000), within(3500)]);
 }
@@ -115,7 +115,7 @@ fn the_network_of_the_book_has_these_responses() {
     with_sdo.streams.iter_mut().for_each(|stream| stream.after = None);
     let expected = [152, 236, 288, 364, 440, 492, 576, 652, 728];
     assert_eq!(with_sdo.responses()[..9], expected.map(|time| within(time * 10)));
-    // nodes that answer at once leave no time between two SDO frames
+    // nodes that respond immediately leave no time between two SDO frames
     assert_eq!(with_sdo.responses()[10..], [ResponseTime::Unbounded(WaitCause::Background); 2]);
     with_sdo.background.as_mut().unwrap().response_time = MILLISECOND;
     assert!(matches!(with_sdo.responses()[11], ResponseTime::Within(time) if time > 724 * 10_000));
@@ -144,7 +144,7 @@ fn loads_are_those_of_the_sheet() {
     assert_eq!([all.average_percent(125), all.worst_percent(125)], [9761, 11_686]);
 }
 
-/// What a node sends until the data: 11 bits, then remote or not and one bit that says whether 18 bits follow.
+/// The bits before the data: 11 bits, then remote or not and one bit that states whether 18 bits follow.
 fn arbitration(frame: &TimedFrame) -> Vec<bool> {
     let bits = |number: u32, count: u32| (0..count).rev().map(move |bit| number >> bit & 1 == 1);
     let id = frame.id.number;

@@ -1,10 +1,10 @@
-//! No response that a simulated bus shows is longer than the one that the analysis says, and the worst case shows it.
+//! No response on a simulated bus takes longer than the analysis predicts, and the worst case reaches it.
 
 use super::super::analysis::{Arrival, Background, ResponseTime, Stream, Streams};
 use super::super::simulation::{Queued, Sent, send};
 use crate::traffic::frame_bits;
 
-/// Numbers that are the same in every run (xorshift64*).
+/// Random numbers that are the same in every run (xorshift64*).
 struct Random(u64);
 
 impl Random {
@@ -38,7 +38,7 @@ struct Bus {
 const BIT: u64 = 8000;
 
 impl Bus {
-    /// Messages of any length, whose load is from a few percent up to nearly all.
+    /// Messages of any length, with a load from a few percent to nearly full.
     fn random(random: &mut Random) -> Self {
         let count = random.between(3, 12);
         let load = random.between(50, 980);
@@ -81,7 +81,8 @@ impl Bus {
     }
 }
 
-/// Each message at its time, if it is asked for in this order: first the higher priorities, with the SDO frames where the bus has them.
+/// Each message at its time, if requested in this order: first the higher priorities, with the SDO frames
+/// where the bus sends them.
 fn simulate(bus: &Bus, random: &mut Random, until: u64) -> Vec<Sent> {
     let streams = &bus.streams.streams;
     let is_at_once = random.one_in(4);
@@ -91,7 +92,7 @@ fn simulate(bus: &Bus, random: &mut Random, until: u64) -> Vec<Sent> {
     let next = |place: usize, number: u64, sent: u64| {
         if Some(place) == sdo {
             let background = bus.streams.background?;
-            // requests follow responses at once, and responses take their time
+            // requests follow responses immediately, and responses are delayed
             let at = if number.is_multiple_of(2) { sent + background.response_time } else { sent };
             return Some(Queued { at, duration: background.cost });
         }
@@ -106,13 +107,13 @@ fn simulate(bus: &Bus, random: &mut Random, until: u64) -> Vec<Sent> {
     sent.retain(|sent| Some(sent.stream) != sdo);
     for sent in &mut sent {
         sent.stream -= usize::from(sdo.is_some_and(|sdo| sent.stream > sdo));
-        // responses count from the time without jitter
+        // responses are measured from the time without jitter
         sent.queued = phases[sent.stream] + sent.number * bus.period(sent.stream);
     }
     sent
 }
 
-/// Checks the responses of some runs; the number of those that were compared.
+/// Checks the responses of some runs; returns the number of compared ones.
 fn compare(bus: &Bus, random: &mut Random, seed: u64) -> usize {
     let bounds = bus.streams.responses();
     let mut compared = 0;
@@ -152,12 +153,12 @@ fn sdo_transfers_delay_no_message_longer_than_the_analysis_says() {
     assert!(compared > 150_000, "{compared}");
 }
 
-/// The longest response of a stream when all messages of higher priority come with it, as late as their jitter makes them, and the longest one below
-/// has just been sent.
+/// The longest response of a stream if all messages of higher priority arrive simultaneously, with maximum jitter, and
+/// the longest one of lower priority has just started.
 fn critical(streams: &Streams, stream: usize) -> u64 {
     let all = &streams.streams;
     let blocker = all[stream + 1..].iter().map(|below| below.cost).max();
-    // the frame below is on the bus a bit before the others come
+    // the lower frame starts one bit before the others arrive
     let start = streams.bit_time;
     let next = |place: usize, number: u64, _: u64| {
         if place > stream {
@@ -203,6 +204,6 @@ fn the_critical_instant_shows_the_response_within_a_few_bits() {
             exact += usize::from(bound - seen <= 2 * BIT);
         }
     }
-    // where a message of higher priority comes within the last bit, the analysis counts it
+    // a higher-priority message within the last bit is included in the analysis
     assert!(exact * 100 >= looked * 98, "{exact} of {looked}");
 }
