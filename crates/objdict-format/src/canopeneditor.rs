@@ -1,5 +1,5 @@
-//! Projects of CANopenEditor as JSON: its message `CanOpenDevice` (`libEDSsharp/proto/CanOpen.proto`) in the JSON of
-//! protobuf. It writes every field, also those with default values, and refuses files with unknown ones.
+//! JSON projects of CANopenEditor: its message `CanOpenDevice` (`libEDSsharp/proto/CanOpen.proto`) in protobuf JSON.
+//! CANopenEditor writes every field, including default values, and rejects files with unknown fields.
 
 use std::fmt;
 
@@ -59,7 +59,7 @@ messages! {
     }
 }
 
-/// What numbers there are: the largest, and the names of an enumeration's values in order, `-` for none.
+/// The number types: the maximum, and the names of an enumeration's values in order, `-` for none.
 const NUMBERS: [(u32, &str); 8] = [
     (u32::MAX, ""),
     (0xFF, ""),
@@ -84,7 +84,7 @@ const SDO: usize = 5;
 const PDO: usize = 6;
 const SRDO: usize = 7;
 
-/// A number of one of these kinds, which is read by name or number, and written by its name if it has one.
+/// A number of one of these types, which is read by name or number, and written by name if possible.
 #[derive(Clone, Copy, Default)]
 struct FormNumber<const KIND: usize>(u32);
 
@@ -145,12 +145,12 @@ fn map<S: Serializer, K: fmt::Display, T: Serialize>(
 /// The device of a project.
 ///
 /// # Errors
-/// The first problem with its place.
+/// The first problem with its position.
 pub fn read(text: &str) -> Result<Device, JsonError> {
     Ok(device(serde_json::from_str(text)?))
 }
 
-/// A text that is not empty.
+/// A string that is not empty.
 fn stated<'a, T: From<&'a str>>(text: &'a str) -> Option<T> {
     Some(text).filter(|text| !text.is_empty()).map(T::from)
 }
@@ -177,7 +177,7 @@ fn device(form: ProjectForm) -> Device {
     device
 }
 
-/// A time that is not stated, which CANopenEditor needs all the same, as in an XDD; it writes the year 1 itself.
+/// A placeholder for a missing time, which CANopenEditor requires, as in an XDD; it writes the year 1 itself.
 const NO_TIME: &str = "1970-01-01T00:00:00Z";
 
 fn file_info(form: &FileForm) -> FileInfo {
@@ -249,7 +249,7 @@ fn object(form: ObjectForm) -> Object {
             object.main = entry(sub);
             let is_domain = object.main.data_type == Some(DataType::DOMAIN);
             object.main.object_type = if is_domain { Some(ObjectType::Domain) } else { object_type };
-            // to CANopenEditor, a variable has no further name
+            // CANopenEditor does not support a second name for a variable
             if !sub.name.is_empty() && sub.name != form.name {
                 object.main.extra.push("SubName", &sub.name);
             }
@@ -282,7 +282,7 @@ fn object(form: ObjectForm) -> Object {
     object
 }
 
-/// By the numbers of their enumeration.
+/// In the order of their enumeration.
 const PDO_MAPPINGS: [PdoMapping; 4] =
     [PdoMapping::No, PdoMapping::Tpdo, PdoMapping::Rpdo, PdoMapping::Optional];
 
@@ -322,7 +322,7 @@ fn entry(form: &SubForm) -> Entry {
     entry
 }
 
-/// The fields of values, the high limit behind the others, which decide what it means.
+/// The fields of values; the high limit is last, because the others determine its meaning.
 const VALUES: [Field; 4] = [Field::DefaultValue, Field::ParameterValue, Field::LowLimit, Field::HighLimit];
 
 fn take(entry: &mut Entry, field: Field, text: &str) {
@@ -337,10 +337,10 @@ fn take(entry: &mut Entry, field: Field, text: &str) {
     }
 }
 
-/// The project of a device, and what it has no place for.
+/// The project of a device, and the content that it does not support.
 ///
 /// # Errors
-/// When it does not give back more values than allowed.
+/// If more values would be lost than allowed.
 pub fn write(device: &Device, max_losses: usize) -> Result<Written, EditError> {
     let device = device.expanded();
     let text = objdict_model::json::pretty(&project(&device)).unwrap_or_default() + "\n";
@@ -394,7 +394,8 @@ fn project(device: &Device) -> ProjectForm {
 }
 
 fn object_form(device: &Device, index: u16, object: &Object) -> ObjectForm {
-    // an entry without a valid type or access gets those that CiA 301 specifies, as in the dialects of an EDS
+    // an entry without a valid type or access gets the one that CiA 301 specifies, as in the dialects of an
+    // EDS
     let mut completed = object.clone();
     complete::complete(device, index, &mut completed);
     let (main, stack) = (&object.main, object.main.stack.clone().unwrap_or_default());

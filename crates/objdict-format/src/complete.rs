@@ -1,18 +1,19 @@
-//! Type and access of entries that do not state them validly, for texts that must: as CiA's documents fix them, else as they are meant.
+//! Completes missing or invalid types and access types of entries for formats that require them: from CiA
+//! documents, otherwise from the probable intention.
 
 use std::borrow::Cow;
 
 use objdict_model::model::{Access, DataType, Device, Entry, Field, InvalidValue, Object};
 use objdict_profile as profile;
 
-/// Type and access that an entry gets where it states none, and nothing says what they are.
+/// The fallback type and access of an entry.
 #[derive(Clone, Copy)]
 struct Assumed(DataType, Access);
 
 const VALUE: Assumed = Assumed(DataType::DOMAIN, Access::Rw);
 const COUNT: Assumed = Assumed(DataType::UNSIGNED8, Access::Ro);
 
-/// Where an entry is; without a sub-index, what the object itself describes.
+/// The address of an entry; without a sub-index, the content of the object itself.
 type EntryAddress = (u16, Option<u8>);
 
 /// The data type that an entry of an object has.
@@ -26,7 +27,7 @@ fn access(device: &Device, (index, sub): EntryAddress, entry: &Entry) -> Option<
     entry.implied_access().or_else(|| profile::access(device, index, sub)).or_else(meant)
 }
 
-/// States type and access of every entry of an object that has a value; `device` is the one that the object is of.
+/// Adds type and access to every entry with a value; `device` is the object's device.
 pub(super) fn complete(device: &Device, index: u16, object: &mut Object) {
     let has_subs = object.object_type().has_subs();
     if !has_subs || object.compact.is_some() {
@@ -45,7 +46,7 @@ fn complete_entry(device: &Device, at: EntryAddress, entry: &mut Entry, assumed:
     entry.invalid_values.retain(|invalid| !stated.contains(&invalid.field));
 }
 
-/// The device with an access where a text says one that is not valid, which CiA 311 has no place for.
+/// The device with valid access types; CiA 311 does not support invalid ones.
 pub(super) fn with_valid_access(device: &Device) -> Cow<'_, Device> {
     let is_due = |entry: &Entry| {
         entry.access.is_none()
@@ -70,7 +71,7 @@ pub(super) fn with_valid_access(device: &Device) -> Cow<'_, Device> {
     Cow::Owned(valid)
 }
 
-/// The fields of entries that a text states and its device does not, with their values.
+/// The fields of entries, with their values, that a text contains but its device does not.
 pub(super) fn stated_anew(device: &Device, text: &Device, found: &mut dyn FnMut(String, serde_json::Value)) {
     for (index, object) in &device.objects {
         let Some(read) = text.object(*index) else { continue };

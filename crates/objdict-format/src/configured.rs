@@ -1,4 +1,4 @@
-//! A description configured for a node: by edits of its text where that is possible.
+//! Configures a description for a node, by edits of its text if possible.
 
 use super::input::DEFAULT_MAX_ENTRIES;
 use super::{Description, Format, Syntax, WriteOptions, embedded};
@@ -11,18 +11,17 @@ use objdict_model::model::{
 };
 use objdict_model::source::{EditError, Edits};
 
-/// What a node is configured to be.
+/// The configuration of a node.
 #[derive(Clone, Copy, Debug)]
 pub struct NodeSettings<'a> {
-    /// What is said of the node.
+    /// The commissioning of the node.
     pub node: &'a Commissioning,
-    /// The dictionary with the modules that are plugged in ([`objdict_node::coupler::flatten`]); `None` for that of the
-    /// description.
+    /// The dictionary with the connected modules ([`objdict_node::coupler::flatten`]); `None` uses the description's.
     pub plugged: Option<&'a Device>,
     /// The values ([`objdict_node::configure::configure`]).
     pub assignments: &'a [Assignment],
-    /// The downloads beside the values ([`objdict_node::configure::configuration`]), in place of those of the description;
-    /// none: those stay.
+    /// The explicit downloads ([`objdict_node::configure::configuration`]), which replace those of the description;
+    /// empty keeps them.
     pub downloads: &'a [ExplicitDownload],
 }
 
@@ -34,15 +33,16 @@ pub struct ConfiguredFile {
     pub bytes: Vec<u8>,
     /// The device that they describe.
     pub device: Device,
-    /// Whether the text was edited, so that comments, order and spelling are still there; otherwise it is a new one.
+    /// Whether the text was edited, so that comments, order and spelling are kept; otherwise it is new.
     pub is_edited: bool,
 }
 
 impl Description {
-    /// This description as that of a node, called `file_name`, with the values: an EDS becomes a DCF, an XDD an XDC.
+    /// Converts this description to that of a node with the values, in a file called `file_name`: an EDS
+    /// becomes a DCF, an XDD an XDC.
     ///
     /// # Errors
-    /// When the text cannot be written in the encoding of the file, or is not valid.
+    /// If the text cannot be written in the encoding of the file, or is not valid.
     pub fn configured(
         &self,
         file_name: &str,
@@ -75,7 +75,7 @@ impl Description {
         Ok(ConfiguredFile { bytes, device, is_edited: false })
     }
 
-    /// The bytes of this text with the additional objects of `device`; `None` where edits cannot add them.
+    /// The bytes of this text with the additional objects of `device`; `None` if edits cannot add them.
     pub fn with_objects(&self, device: &Device) -> Option<Vec<u8>> {
         if let Some(realised) = self.realised().ok()? {
             return realised.with_objects(device);
@@ -86,7 +86,7 @@ impl Description {
         Some(self.with_values(device)?.source().to_bytes())
     }
 
-    /// The description with the objects and values of `device`; `None` where edits cannot make it of this text.
+    /// The description with the objects and values of `device`; `None` if edits cannot produce it.
     fn with_values(&self, device: &Device) -> Option<Self> {
         let values = self.device().reconfigured(device);
         let has_values = |index| self.locate(&Place::of(Part::CompactValues(index))).is_some();
@@ -128,7 +128,7 @@ fn has_values_of(device: &Device, wanted: &Device) -> bool {
     })
 }
 
-/// The text of a value, spelled as `ParameterValue` holds it.
+/// The string for a value, spelled as in `ParameterValue`.
 fn text_of(assignment: &Assignment) -> String {
     let hex = is_code(assignment.index, assignment.sub);
     literal::print(&assignment.value, Spelling { hex, ..Spelling::default() })
@@ -145,8 +145,8 @@ const fn is_code(index: u16, sub: u8) -> bool {
     }
 }
 
-/// The changes of a text that put the values: `ParameterValue` of each entry, and for compactly stored ones a line in the
-/// section with their values, which `has_values` says to be there or not.
+/// The changes that add values to a text: `ParameterValue` of each entry, and for compactly stored ones a line in the
+/// section with their values, which exists if `has_values`.
 fn changes(device: &Device, assignments: &[Assignment], has_values: impl Fn(u16) -> bool) -> Vec<Change> {
     let mut changes = Vec::new();
     let mut added: Vec<(u16, Vec<(Field, String)>)> = Vec::new();

@@ -1,4 +1,4 @@
-//! A device as a file of another format, as `objdict convert` and build scripts write it.
+//! Converts a device to a file of a different format, for `objdict convert` and build scripts.
 
 use std::mem;
 use std::path::Path;
@@ -13,8 +13,8 @@ use super::description::stated_name;
 use super::{Description, EditError, Format, Loss, LossKind, Syntax, WriteOptions, Written, write};
 use objdict_model::model::{Device, Objects, Place};
 
-/// The text of a device for a file, whose name it states. An EDS or DCF does not have the objects that are
-/// disabled, unless they are kept.
+/// Writes a device as the text of a file with this name. An EDS or DCF omits disabled objects, unless they
+/// are kept.
 ///
 /// # Errors
 /// As [`write()`](super::write()).
@@ -39,8 +39,8 @@ pub fn convert(
     Ok(Written { losses, ..written })
 }
 
-/// The text of a description of which its device has nothing, so that no new text has it: comments, repeated sections and keys, and
-/// lines that are neither. What was repeated with the same value is not among them.
+/// The text of a description that its device does not contain, and which a new text therefore lacks: comments, repeated
+/// sections and keys, and invalid lines. Repetitions with the same value are excluded.
 pub fn unread(description: &Description) -> Vec<Loss> {
     let is_unread = |finding: &&Diagnostic| match finding.rule.id {
         "cia306/duplicate-section" => finding.fix.is_some() && !finding.is_understood,
@@ -85,8 +85,7 @@ pub fn has_meaning_keys(description: &Description) -> bool {
     description.document().is_some() && description.findings().iter().any(is_meaning_key)
 }
 
-/// Removes the objects that the device does not have: an EDS cannot say so, and every other tool would take them for
-/// objects of the device.
+/// Removes disabled objects: an EDS cannot express that, and other tools would treat them as objects of the device.
 fn remove_disabled(device: &mut Device) -> Vec<Loss> {
     let (disabled, objects): (Objects, Objects) =
         mem::take(&mut device.objects).into_iter().partition(|(_, object)| object.is_disabled());

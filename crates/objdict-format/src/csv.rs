@@ -1,7 +1,7 @@
 //! Tables that spreadsheets write (RFC 4180).
 
-/// The records, each with the number of its line from 1, separated by what the first line is separated by: commas, semicolons or
-/// tabs. Lines of `#` are comments.
+/// The records, each with its line number from 1, delimited as in the first line by commas, semicolons or tabs. Lines
+/// that start with `#` are comments.
 pub fn records(text: &str) -> Vec<(usize, Vec<String>)> {
     let first = text.lines().find(|line| !is_skipped(line)).unwrap_or_default();
     let separator = [';', '\t'].into_iter().find(|&separator| first.contains(separator)).unwrap_or(',');

@@ -1,4 +1,5 @@
-//! Who reads an EDS or DCF: one table of how it is written for each tool, and which findings are fixed for it.
+//! The readers of an EDS or DCF: one table of the required style of each tool, and the findings that are
+//! fixed for it.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -12,7 +13,7 @@ use objdict_model::model::{
     TypeKind, Value,
 };
 
-/// The reader that an EDS or DCF is written for.
+/// The intended reader of an EDS or DCF.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Dialect {
@@ -27,15 +28,15 @@ pub enum Dialect {
     CanOpenEditor,
     /// CODESYS.
     Codesys,
-    /// The tools of Lely core, canopen for Python and of npm, canopen-host and CANopenEditor, each of them.
+    /// All of the tools of Lely core, canopen for Python and npm, canopen-host and CANopenEditor.
     Portable,
 }
 
-/// What a reader needs.
+/// The requirements of a reader.
 struct ReaderRow {
     dialect: Dialect,
     name: &'static str,
-    /// The readers whose reactions to findings are known.
+    /// The tools whose reactions to findings are known.
     tools: &'static [Tool],
     real: RealSpelling,
     quote_strings: bool,
@@ -43,15 +44,15 @@ struct ReaderRow {
     complete: bool,
     /// All three object lists, with the objects that belong into them.
     lists: bool,
-    /// Nothing but the sections and keys that the tool knows.
+    /// Only sections and keys that the tool supports.
     known_only: bool,
-    /// The sections about the file and the device, also those that say nothing.
+    /// The sections about the file and the device, even if empty.
     frame: bool,
     /// Keys for the unit, factor and description of an entry.
     meanings: bool,
-    /// Nothing that CANopenEditor skips, misreads or crashes at.
+    /// No content that CANopenEditor skips, misreads or crashes on.
     for_editor: bool,
-    /// Nothing that one of the readers refuses or takes for something else.
+    /// No content that one of the readers rejects or misreads.
     agreed: bool,
 }
 
@@ -132,7 +133,7 @@ impl Dialect {
         self.row().name
     }
 
-    /// The tools whose findings are fixed; none for CiA 306 itself.
+    /// The tools whose findings are fixed; empty for CiA 306 itself.
     pub fn tools(self) -> &'static [Tool] {
         self.row().tools
     }
@@ -143,10 +144,10 @@ impl Dialect {
         Style { real, quote_strings, meanings, ..Style::default() }
     }
 
-    /// The device with what the reader demands, and without what it refuses.
+    /// The device with the content that the reader requires, and without the content that it rejects.
     pub(super) fn adapted(self, device: &Device) -> Cow<'_, Device> {
         let row = self.row();
-        // no reader takes keys before the first section
+        // no reader supports keys before the first section
         let is_stray = |section: &ExtraSection| section.name().is_empty();
         if !row.complete && !device.extra.iter().any(is_stray) {
             return Cow::Borrowed(device);
@@ -176,7 +177,7 @@ impl Dialect {
             usage.invalid_values = InvalidValues::default();
         }
         if let Some(info) = &mut device.device_info {
-            // texts that are not numbers are refused
+            // non-numeric strings are rejected
             info.invalid_values = InvalidValues::default();
         }
         if row.lists {
@@ -192,9 +193,10 @@ impl Dialect {
     }
 }
 
-/// What CANopenEditor skips, misreads or crashes at.
+/// Removes content that CANopenEditor skips, misreads or crashes on.
 fn adapt_to_editor(device: &mut Device) {
-    // it reads the keys of another name into the section before, and those of `[4900sub100]` as sub-index 100h
+    // it adds the keys of an unknown section to the previous one, and those of `[4900sub100]` to sub-index
+    // 100h
     let is_passed_over = |name: &str| {
         let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric());
         is_plain && !name.replace("sub", "").bytes().all(|byte| byte.is_ascii_hexdigit())
@@ -203,7 +205,7 @@ fn adapt_to_editor(device: &mut Device) {
     if let Some(modules) = &mut device.modules {
         let lists = modules.supported.values_mut();
         let lists = lists.flat_map(|module| [&mut module.fixed_list, &mut module.extension_list]);
-        // it keeps a list by its values, so that none may be there twice
+        // it identifies list items by value, so values must be unique
         for list in lists.chain(&mut modules.connected) {
             let mut seen = BTreeSet::new();
             list.retain(|number| seen.insert(*number));
@@ -217,13 +219,13 @@ fn adapt_to_editor(device: &mut Device) {
     }
 }
 
-/// Gives an object with sub-indexes the type of one.
+/// Sets the object type of an object with sub-indexes.
 fn settle_kind(object: &mut Object) {
     let is_var = object.main.object_type.is_some() && !object.object_type().has_subs();
     if !object.object_type().has_subs() && (object.compact.is_some() || !is_var && !object.subs.is_empty()) {
         object.main.object_type = Some(ObjectType::Array);
     }
-    // a number of sub-indexes that is not valid is read as compact storage
+    // an invalid number of sub-indexes is read as compact storage
     object
         .main
         .invalid_values
@@ -248,7 +250,7 @@ fn list_all(device: &mut Device) {
     sorted(&mut lists.manufacturer, &is_vendor);
 }
 
-/// Removes the sections and keys that dcf-tools refuses.
+/// Removes the sections and keys that dcf-tools rejects.
 fn remove_unknown(device: &mut Device) {
     device.extra.retain(|section| section.name() == EMBEDDED_SECTION);
     device.modules = None;
@@ -270,7 +272,7 @@ fn remove_unknown(device: &mut Device) {
     }
     device.objects.retain(|index, _| *index >= 0x1000);
     device.objects.values_mut().for_each(remove_unknown_of);
-    // a number of sub-indexes without any is refused
+    // a number of sub-indexes without any is rejected
     device.objects.retain(|_, object| {
         !object.object_type().has_subs() || object.compact.is_some() || !object.subs.is_empty()
     });
@@ -298,7 +300,7 @@ fn remove_unknown_of(object: &mut Object) {
     }
 }
 
-/// Leaves out of an object what one of the readers refuses or takes for something else.
+/// Removes content of an object that one of the readers rejects or misreads.
 fn keep_agreed(object: &mut Object) {
     let has_subs = object.object_type().has_subs();
     if let Some(count) = object.subs.get_mut(0).filter(|_| has_subs) {
@@ -315,8 +317,8 @@ fn keep_agreed(object: &mut Object) {
     entries.chain([&mut object.main]).for_each(keep_agreed_values);
 }
 
-/// dcf-tools reads a REAL as bits where other tools read a number, and refuses values outside their type or limits; node-canopen
-/// refuses exchanged limits.
+/// dcf-tools reads a REAL as bits where other tools read a number, and rejects values outside their type or limits;
+/// node-canopen rejects swapped limits.
 fn keep_agreed_values(entry: &mut Entry) {
     let Some(data_type) = entry.data_type else { return };
     let is_real = matches!(data_type.kind(), TypeKind::Real32 | TypeKind::Real64);

@@ -1,8 +1,8 @@
-//! What a format has no place for, carried in places that every format has: comment lines in an EDS or DCF, properties of
-//! parameters and characteristics of the device in an XDD or XDC (docs/reference/formats.md).
+//! Content that a format does not support, embedded where every format has space: comment lines in an EDS or DCF,
+//! properties of parameters and characteristics of the device in an XDD or XDC (docs/reference/formats.md).
 //!
-//! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
-//! what the reader will find in its place, so that later edits are not undone.
+//! Embedded content is exactly the difference between a device and the result of reading it back. Each item states
+//! the expected value at its place, so that later edits are not undone.
 
 use crate::compare::{Datum, DatumChange, apply};
 use objdict_model::diagnostic::{Diagnostic, Findings, say, text_rules};
@@ -21,12 +21,12 @@ const MAX_LINE: usize = 250;
 /// The shortest room for a value, behind a long path.
 const MIN_VALUE: usize = 60;
 
-/// Where a format has room.
+/// The storage for embedded content in a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Carrier {
-    /// In a section with a key for each item, which an EDS has as comment lines.
+    /// In a section with a key for each item, written as comment lines in an EDS.
     Lines,
-    /// In properties of parameters, and in characteristics for what belongs to no object.
+    /// In properties of parameters, and in characteristics for content outside objects.
     Properties,
 }
 
@@ -40,7 +40,7 @@ text_rules! {
     source: "objdict, docs/reference/formats.md",
 }
 
-/// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is reported.
+/// Restores embedded content in a device. Items that no longer match the device are kept and reported.
 pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Findings) {
     let changes = extract(&mut device);
     for change in put_back(&mut device, changes) {
@@ -53,8 +53,7 @@ pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Fi
     (device, findings)
 }
 
-/// Makes the changes that were [extracted](extract) from a device. Those that do not belong to it as it is stay in it, and
-/// are returned.
+/// Applies [extracted](extract) changes to a device. Changes that no longer match are kept in it, and returned.
 pub(super) fn put_back(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
     let refused = if changes.is_empty() { changes } else { apply(device, changes) };
     if !refused.is_empty() {
@@ -63,7 +62,7 @@ pub(super) fn put_back(device: &mut Device, changes: Vec<DatumChange>) -> Vec<Da
     refused
 }
 
-/// Puts changes into a device, in the places that the format has.
+/// Embeds changes in a device, where the format has space.
 pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Carrier) {
     match room {
         Carrier::Lines => {
@@ -108,7 +107,7 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
     pieces.map(line).collect()
 }
 
-/// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
+/// The edits that set or remove the value at a path in the comment lines of an EDS or DCF.
 pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
     remove_lines(edits, |key| key == path);
     if let Some(after) = datum {
@@ -142,7 +141,7 @@ pub(super) fn add_lines(edits: &mut Edits<'_>, changes: &[DatumChange]) {
     edits.replace(Span::empty(text.len() as u32), added);
 }
 
-/// Takes what was embedded out of a device again. What cannot be understood stays.
+/// Extracts embedded changes from a device. Unreadable ones are kept.
 pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
     let mut changes = Vec::new();
     device.extra.retain(|section| {
@@ -155,7 +154,7 @@ pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
             !(ours && from_characteristics(list).map(|found| changes.extend(found)).is_some())
         });
     }
-    // the one that was made to hold them
+    // the one created as their container
     device.functions.retain(|function| changes.is_empty() || *function != DeviceFunction::default());
     let has_property = |entry: &Entry| {
         let mut properties = entry.parameter.iter().flat_map(|parameter| &parameter.properties);
@@ -214,7 +213,7 @@ fn from_properties(entry: &mut Entry, (index, sub): (u16, Option<u8>), changes: 
     }
 }
 
-/// The entry that a path leads into.
+/// The entry that a path refers to.
 fn entry_of<'a>(device: &'a mut Device, path: &str) -> Option<&'a mut Entry> {
     let number = |text: &str| u16::from_str_radix(text.strip_prefix("0x")?, 16).ok();
     let mut steps = path.strip_prefix("/objects/")?.split('/');
@@ -229,7 +228,7 @@ fn entry_of<'a>(device: &'a mut Device, path: &str) -> Option<&'a mut Entry> {
     }
 }
 
-/// The text of a change: the value as JSON in ISO 646, `instead of` the fingerprint of the former value.
+/// The string for a change: the value as ISO 646 JSON, `instead of` the fingerprint of the old value.
 fn print(change: &DatumChange) -> String {
     let mut text = change.after.as_ref().map_or("nothing".to_owned(), |after| ascii(after.text()));
     if let Some(before) = change.before {
@@ -238,7 +237,7 @@ fn print(change: &DatumChange) -> String {
     text
 }
 
-/// The change of a text; `None` when it is none.
+/// Parses a change; `None` if it is not one.
 fn parse(path: &str, text: &str) -> Option<DatumChange> {
     if !path.starts_with('/') {
         return None;
@@ -272,7 +271,8 @@ fn ascii(json: &str) -> String {
     text
 }
 
-/// How long a value may be behind its path, with the number of the piece, in blanks that may be spelled out, and in ` instead of 01234567`.
+/// The maximum length of a value after its path, with the number of the piece, escaped spaces, and
+/// ` instead of 01234567`.
 const fn room_behind(path: &str) -> usize {
     let taken =
         EMBEDDED_COMMENT.len() + path.len() + ";#000=".len() + "\\u0020\\u0020 instead of 01234567\r\n".len();
@@ -280,8 +280,8 @@ const fn room_behind(path: &str) -> usize {
     if room < MIN_VALUE { MIN_VALUE } else { room }
 }
 
-/// A text in pieces that fit into a line. A blank at the end of one would be lost, so it is written as JSON can write it;
-/// there it is inside quotes, or in ` instead of `, which is never cut.
+/// Splits a text into pieces that fit on a line. A trailing space would be lost, so it is written as a JSON escape; it
+/// is always inside quotes or in ` instead of `, which is never split.
 fn pieces(text: &str, room: usize) -> Vec<String> {
     let (json, suffix) = match text.rfind(" instead of ") {
         Some(at) if text.len() - at == " instead of 01234567".len() => text.split_at(at),
@@ -290,8 +290,8 @@ fn pieces(text: &str, room: usize) -> Vec<String> {
     let mut pieces = Vec::new();
     let mut rest = json;
     while rest.len() > room {
-        // an escape such as `\u00e4` stays whole either way: pieces are put together before they are read
-        // and some readers of INI files glue a line to the next after a backslash
+        // an escape such as `\u00e4` is never split: pieces are joined before they are parsed, and some
+        // INI readers join a line that ends with a backslash to the next one
         let is_escape = |at: &usize| rest.as_bytes()[at - 1] == b'\\';
         let end = (1..=room).rev().find(|at| !is_escape(at)).unwrap_or(room);
         let (piece, behind) = rest.split_at(end);

@@ -1,8 +1,8 @@
-//! JSON: the whole model of a device, or a configuration, with stable names.
+//! JSON: the complete model of a device, or a configuration, with stable names.
 //!
-//! A document says in `kind` what it holds and in `version` which names it uses. A name that a version does not have,
-//! a key that is defined twice and a value that does not fit its data type are errors with line and column: no
-//! part of a document is ignored.
+//! A document states its content in `kind` and its names in `version`. A name that a version does not have, a key
+//! that is defined twice and a value that does not fit its data type are errors with line and column: no part of a
+//! document is ignored.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,10 +10,10 @@ use objdict_model::json::Version;
 use objdict_model::model::{Device, WithPlainValues};
 use objdict_node::download::ConciseDcf;
 
-/// The version of the names. A change that older readers would not understand counts it up.
+/// The version of the names. It is incremented by changes that older readers would not understand.
 pub const VERSION: u32 = 1;
 
-/// What a document holds.
+/// The content of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -24,7 +24,7 @@ pub enum DocumentKind {
     ConciseDcf,
 }
 
-/// Why a text is no such document.
+/// The reason why a text is not a valid document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct JsonError {
@@ -47,7 +47,7 @@ objdict_model::error_messages! { JsonError: {
 pub struct DeviceDocument<T> {
     /// The version of the document.
     version: Version<VERSION>,
-    /// What the document holds.
+    /// The kind of document.
     #[cfg_attr(feature = "schema", schemars(extend("const" = "device")))]
     kind: DocumentKind,
     /// The device: the parts of its description.
@@ -61,14 +61,14 @@ pub struct DeviceDocument<T> {
 pub struct ConciseDocument<T> {
     /// The version of the document.
     version: Version<VERSION>,
-    /// What the document holds.
+    /// The kind of document.
     #[cfg_attr(feature = "schema", schemars(extend("const" = "concise-dcf")))]
     kind: DocumentKind,
     /// The downloads, in order.
     entries: T,
 }
 
-/// What every document starts with; the rest is looked at when this is known.
+/// The start of every document, which is read before the rest.
 #[derive(Deserialize)]
 #[serde(expecting = "an object with `version` and `kind`")]
 struct DocumentHead {
@@ -77,7 +77,8 @@ struct DocumentHead {
     kind: DocumentKind,
 }
 
-/// The device as a document, indented, with a line feed at its end. Each value has its plain form beside the exact one.
+/// The device as a document, indented, with a final line feed. Each value is written in plain and exact
+/// notation.
 pub fn write_device(device: &Device) -> String {
     print(&DeviceDocument { version: Version, kind: DocumentKind::Device, device: WithPlainValues(device) })
 }
@@ -87,10 +88,10 @@ pub fn write_configuration(configuration: &ConciseDcf) -> String {
     print(&ConciseDocument { version: Version, kind: DocumentKind::ConciseDcf, entries: configuration })
 }
 
-/// What a document holds.
+/// The kind of a document.
 ///
 /// # Errors
-/// When it is no JSON, or no document of this version.
+/// If it is not JSON, or not a document of this version.
 pub fn kind(text: &str) -> Result<DocumentKind, JsonError> {
     serde_json::from_str(text).map(|DocumentHead { kind, .. }| kind).map_err(JsonError::from)
 }
@@ -98,7 +99,7 @@ pub fn kind(text: &str) -> Result<DocumentKind, JsonError> {
 /// The device of a document.
 ///
 /// # Errors
-/// The first problem with its place.
+/// The first problem with its position.
 pub fn read_device(text: &str) -> Result<Device, JsonError> {
     expect(text, DocumentKind::Device)?;
     let document: DeviceDocument<Device> = serde_json::from_str(text)?;
@@ -108,7 +109,7 @@ pub fn read_device(text: &str) -> Result<Device, JsonError> {
 /// The configuration of a document.
 ///
 /// # Errors
-/// The first problem with its place.
+/// The first problem with its position.
 pub fn read_configuration(text: &str) -> Result<ConciseDcf, JsonError> {
     expect(text, DocumentKind::ConciseDcf)?;
     let document: ConciseDocument<ConciseDcf> = serde_json::from_str(text)?;
@@ -125,14 +126,14 @@ fn expect(text: &str, expected: DocumentKind) -> Result<(), JsonError> {
 }
 
 fn print(document: &impl Serialize) -> String {
-    // only a map with keys that are no texts could fail, and the model has none
+    // only a map with non-string keys could fail, and the model has none
     let mut text = objdict_model::json::pretty(document).unwrap_or_default();
     text.push('\n');
     text
 }
 
 impl DocumentKind {
-    /// What people call it.
+    /// Its common name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Device => "a device description",

@@ -1,4 +1,4 @@
-//! Description files: what a file is, and from its bytes to the model.
+//! Description files: format detection, reading and writing.
 
 #![cfg_attr(not(feature = "full"), allow(unreachable_pub, reason = "what is used depends on the features"))]
 
@@ -67,20 +67,21 @@ pub fn read(source: SourceFile, format: Format) -> Description {
     Description::read(source, format, None)
 }
 
-/// As [`read`], from the description of another text of the file: in an EDS or DCF, only objects whose sections differ are read.
+/// Like [`read`], based on the description of an earlier text of the file: in an EDS or DCF, only objects
+/// whose sections differ are read.
 #[doc(hidden)] // for the language server
 pub fn read_after(source: SourceFile, format: Format, before: Option<&Description>) -> Description {
     Description::read(source, format, before)
 }
 
-/// The words for data types in files that people write.
+/// The keywords for data types in files that users write.
 #[cfg(feature = "full")]
 pub fn type_words() -> impl Iterator<Item = &'static str> {
     objdict_keyed::types::TYPES.iter().map(|(word, _)| *word)
 }
 
-/// Problems in the structure of an XML document against CiA 311: all rules of the group `cia311`. A document
-/// without a container of CiA 311 has none to be held against.
+/// Problems in the structure of an XML document according to CiA 311: all rules of the group `cia311`. A
+/// document without a CiA 311 container has none.
 #[cfg(feature = "xdd")]
 pub fn check_structure(tree: &objdict_xdd::xml::Tree) -> objdict_model::diagnostic::Findings {
     let mut findings = objdict_model::diagnostic::Findings::new();

@@ -5,9 +5,9 @@ use objdict_model::source::Span;
 /// Digits of an index or a sub-index in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digits {
-    /// The bytes of the text.
+    /// Their bytes in the text.
     pub span: Span,
-    /// Whether they are a decimal number, in whose place a new one is written in hex with `0x`.
+    /// Whether they are a decimal number, which is replaced by hex with `0x`.
     is_decimal: bool,
 }
 
@@ -17,7 +17,7 @@ impl Digits {
         Self { span, is_decimal: false }
     }
 
-    /// Those of a number of its own: `0x6041`, or `24641`.
+    /// The digits of a complete number: `0x6041`, or `24641`.
     pub fn of_number(text: &str, span: Span) -> Self {
         let has_prefix = span.of(text).get(..2).is_some_and(|prefix| prefix.eq_ignore_ascii_case("0x"));
         match has_prefix {
@@ -26,7 +26,7 @@ impl Digits {
         }
     }
 
-    /// The edit that writes another number in their place, with as many digits.
+    /// The edit that replaces them with a different number, with the same number of digits.
     pub fn replaced(self, number: u16) -> (Span, String) {
         let width = (self.span.end - self.span.start) as usize;
         let new = if self.is_decimal { format!("0x{number:X}") } else { format!("{number:0width$X}") };
@@ -34,10 +34,10 @@ impl Digits {
     }
 }
 
-/// What names an object.
+/// The kind of a reference to an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MentionKind {
-    /// The header of a section or table, or an element: what describes it.
+    /// The header of a section or table, or an element, which describes it.
     Section,
     /// A list, a link, or a setting.
     List,
@@ -45,27 +45,28 @@ pub enum MentionKind {
     Mapping,
 }
 
-/// An object or an entry that a text names.
+/// A reference in a text to an object or an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mention {
-    /// What is mentioned.
+    /// The kind of reference.
     pub kind: MentionKind,
-    /// The whole of what names it.
+    /// The span of the whole reference.
     pub span: Span,
     /// The index of the object.
     pub index: u16,
-    /// The sub-index; of a range the first.
+    /// The sub-index; for a range, the first.
     pub sub: Option<u8>,
-    /// `None` where it is named otherwise.
+    /// `None` if it is not written as digits.
     pub index_at: Option<Digits>,
-    /// `None` where it is named otherwise, or as one of a range.
+    /// `None` if it is not written as digits, or is inside a range.
     pub sub_at: Option<Digits>,
     /// The last sub-index of a range.
     pub last: Option<u8>,
 }
 
 impl Mention {
-    /// What an address names: `6041`, `0x6041`, `1018:1`, `6000:1-5`, `2000:1/8`, also between quotes. `None` for any other text.
+    /// The reference in an address: `6041`, `0x6041`, `1018:1`, `6000:1-5`, `2000:1/8`, also in quotes.
+    /// `None` for any other text.
     pub fn of_address(text: &str, span: Span, kind: MentionKind) -> Option<Self> {
         let is_quote = |c: char| matches!(c, '"' | '\'' | ' ');
         let quoted = span.of(text);
@@ -91,7 +92,7 @@ impl Mention {
         Some(Self { sub: Some(sub), sub_at: last.is_none().then_some(sub_at), last, ..mention })
     }
 
-    /// What the value of a mapping parameter maps; `None` for an unused one or a dummy.
+    /// The reference in the value of a mapping parameter; `None` for an unused one or a dummy.
     pub fn of_mapping(text: &str, span: Span, value: u32) -> Option<Self> {
         let mapped = objdict_model::model::MappedObject::from_number(value);
         if mapped.is_unused() || mapped.is_dummy() {
@@ -108,20 +109,20 @@ impl Mention {
         Some(Self { kind, span, index, sub, index_at: part(0, 4), sub_at: part(4, 6), last: None })
     }
 
-    /// Whether it names the object, and if a sub-index is given, this one, alone or as one of a range.
+    /// Whether it refers to the object, and to the sub-index if given, alone or in a range.
     pub fn is_of(&self, index: u16, sub: Option<u8>) -> bool {
         let names =
             |sub: u8| self.sub.is_some_and(|first| (first..=self.last.unwrap_or(first)).contains(&sub));
         self.index == index && sub.is_none_or(names)
     }
 
-    /// Whether an offset is in it, or behind its last character.
+    /// Whether an offset is in it, or directly after it.
     pub fn has(&self, offset: u32) -> bool {
         self.span.start <= offset && offset <= self.span.end
     }
 }
 
-/// The digits of `6041`, `0x6041` or `6041h`, which begin at an offset.
+/// The digits of `6041`, `0x6041` or `6041h`, starting at an offset.
 fn hex_digits(text: &str, start: u32) -> Option<Digits> {
     let bare = text.trim_start_matches("0x").trim_end_matches('h');
     let at = start + (text.len() - text.trim_start_matches("0x").len()) as u32;

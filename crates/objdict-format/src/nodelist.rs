@@ -1,7 +1,7 @@
 //! CANopen project files, `nodelist.cpj` (CiA 306-3): small INI files that list the nodes of networks.
 //!
-//! They are read with rust-ini and not by the scanner that EDS and DCF go through: nothing in them is reported with its
-//! place, and nothing is written back.
+//! They are read with rust-ini, not by the scanner for EDS and DCF: findings need no positions, and nothing is written
+//! back.
 
 use ini::{Ini, ParseOption, Properties};
 
@@ -11,22 +11,22 @@ use objdict_model::literal::{self, Quirks};
 use objdict_model::model::{NodeList, Topology, TopologyNode};
 use objdict_model::source::SourceFile;
 
-/// Why a text is no node list.
+/// The reason why a text is not a node list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NodeListError {
     /// The text is XML.
     Xml,
-    /// The text is no INI file.
+    /// The text is not an INI file.
     Ini {
-        /// The line, counted from 1, up to which rust-ini came.
+        /// The line, counted from 1, at which rust-ini stopped.
         line: usize,
-        /// What rust-ini says.
+        /// The message of rust-ini.
         message: String,
     },
-    /// There is no network in it.
+    /// It contains no network.
     NoTopology,
-    /// A number is none, or out of range.
+    /// A number is not valid or out of range.
     Number {
         /// The section.
         section: String,
@@ -52,7 +52,7 @@ objdict_model::error_messages! { NodeListError: {
 /// Reads a node list.
 ///
 /// # Errors
-/// When the text is no INI file, has no network, or has numbers that are none.
+/// If the text is not an INI file, has no network, or has invalid numbers.
 pub fn read(source: &SourceFile) -> Result<NodeList, NodeListError> {
     let text = source.text();
     if text.trim_start().starts_with('<') {
@@ -68,8 +68,8 @@ pub fn read(source: &SourceFile) -> Result<NodeList, NodeListError> {
     if networks.is_empty() { Err(NodeListError::NoTopology) } else { Ok(NodeList { networks }) }
 }
 
-/// rust-ini with everything switched off that would change a value. Lines are handed over without blanks around them and
-/// with CR LF: at a lone LF, a backslash before it would join two lines.
+/// Calls rust-ini with all conversions of values disabled. Lines are passed without surrounding whitespace and with CR
+/// LF: at a lone LF, a backslash before it would join two lines.
 fn parse(text: &str) -> Result<Ini, NodeListError> {
     let mut lines = String::with_capacity(text.len());
     for line in Lines::new(text) {
@@ -106,7 +106,7 @@ fn network(section: &str, properties: &Properties) -> Result<Topology, NodeListE
     Ok(network)
 }
 
-/// The node-ID and what it is about: `(12, "name")` of `Node12Name`.
+/// The node-ID and the property: `(12, "name")` for `Node12Name`.
 fn node_key(key: &str) -> Option<(u8, &'static str)> {
     let rest = key.get(..4).filter(|word| word.eq_ignore_ascii_case("Node")).map(|_| &key[4..])?;
     let digits = rest.bytes().take_while(u8::is_ascii_digit).count();

@@ -12,7 +12,7 @@ use objdict_model::model::{
     Unit, Value, ValueRange,
 };
 
-/// The columns that are read. The first ones, with the address, the type and the access, must be there.
+/// The columns that are read. The first ones, with the address, the type and the access, are required.
 const COLUMNS: &str = "index sub object_type data_type access object_name name pdo default value low_limit high_limit unit denotation \
     description object_description name_in_file object_name_in_file default_formula value_formula named_values bit_fields groups facts \
     keys object_facts object_keys links invalid_values";
@@ -22,7 +22,7 @@ const NEEDED: usize = 5;
 const OF_OBJECT: &str =
     "object_type object_name object_description object_name_in_file object_facts object_keys links";
 
-/// The columns that follow from the others.
+/// The columns that are computed from the others.
 const COMPUTED: [&str; 5] = ["bits", "changed", "meaning", "mapped_in", "downloads"];
 
 /// A line with the cells of the columns that it has.
@@ -31,10 +31,10 @@ struct TableLine {
     cells: BTreeMap<&'static str, String>,
 }
 
-/// The objects of a table, with what their values mean.
+/// Reads the objects of a table, with the meanings of their values.
 ///
 /// # Errors
-/// The first cell that does not fit its column, or an unknown column.
+/// The first invalid cell, or an unknown column.
 pub fn read(text: &str) -> Result<Device, String> {
     let mut records = records(text.trim_start_matches('\u{FEFF}')).into_iter();
     let (line, headings) = records.next().unwrap_or((1, Vec::new()));
@@ -180,7 +180,7 @@ impl TableLine {
         }
     }
 
-    /// The pairs in a cell: `0 = off; 1 = on`. A separator without a key behind it belongs to the text before it.
+    /// The pairs in a cell: `0 = off; 1 = on`. A separator that no key follows belongs to the preceding text.
     fn pairs<'t>(
         &self,
         column: &str,
@@ -199,7 +199,7 @@ impl TableLine {
         Ok(pairs)
     }
 
-    /// The name in the file, and the shown one if that is another.
+    /// The name in the file, and the displayed name if it differs.
     fn name(&self, entry: &mut Entry, shown: &str, own: &str) {
         entry.name = self.get(if self.get(own).is_empty() { shown } else { own }).into();
         if !self.get(own).is_empty() {
@@ -256,7 +256,7 @@ impl TableLine {
         Ok(entry)
     }
 
-    /// A value, or the formula that it comes from.
+    /// A value, or the formula that it is calculated from.
     fn value(
         &self,
         column: &str,
@@ -278,7 +278,7 @@ impl TableLine {
         read.map(Some).map_err(|_| self.error(column, &wanted()))
     }
 
-    /// Description, facts and keys of an entry or object.
+    /// Description, properties and keys of an entry or object.
     fn details(&self, entry: &mut Entry, [description, facts, keys]: [&str; 3]) -> Result<(), String> {
         if !self.get(description).is_empty() {
             let text =
@@ -315,7 +315,7 @@ impl TableLine {
         }
         let mut stack = StackOptions::default();
         let keys = self.pairs(keys, self.get(keys), "; ", " = ")?;
-        // properties come before the settings for CANopenNode, and other keys after them
+        // properties precede the settings for CANopenNode, and other keys follow them
         let properties = keys.iter().position(|(key, _)| key.starts_with("CO_")).unwrap_or_default();
         for (number, (key, text)) in keys.into_iter().enumerate() {
             match text.strip_prefix('`').and_then(|text| text.strip_suffix("`?")) {
@@ -411,7 +411,7 @@ fn allow(text: &str, parameter: &mut Parameter) {
     parameter.allowed_values.get_or_insert_with(AllowedValues::default).ranges.push(range);
 }
 
-/// The most levels of groups; names of further ones are part of the last.
+/// The maximum depth of groups; names of deeper ones are part of the last.
 const MAX_DEPTH: usize = 8;
 
 /// Adds a parameter to the group of a path, `Drive / Limits`.

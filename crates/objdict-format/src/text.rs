@@ -1,4 +1,5 @@
-//! The text of a description, in the syntax of its format: what each syntax implements beside its reader.
+//! The text of a description, in the syntax of its format: the interface of each syntax in addition to its
+//! reader.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -11,26 +12,27 @@ use objdict_model::source::{EditError, SourceFile, Span};
 #[cfg(feature = "xdd")]
 use objdict_xdd::xml::Tree;
 
-/// A text that was read, the device that it describes, and what the reader found.
+/// A parsed text, its device, and the findings of the reader.
 pub(crate) type ReadText = (Box<dyn DescriptionText>, Device, Findings);
 
 /// Edits: each span with its replacement.
 pub(crate) type TextEdits = Vec<(Span, String)>;
 
-/// A node, and the name of the EDS of the type that it is made from.
+/// A node, and the file name of its type's EDS.
 pub(crate) type NodeOfType<'a> = (&'a Commissioning, Option<&'a str>);
 
-/// What was read of an INI file.
+/// The previous result for an INI file.
 #[derive(Clone, Copy)]
 pub(crate) struct LinesBefore<'a> {
     pub(crate) document: &'a ini::Document,
     pub(crate) plain: &'a Objects,
     pub(crate) sections: &'a SectionStarts,
-    /// Whether its lines were checked and nothing was found in them.
+    /// Whether its lines were checked without findings.
     pub(crate) is_clean: bool,
 }
 
-/// A text that was read as one of its devices. What a syntax does not have, such as variants, it leaves as it is here.
+/// A text, parsed as one of its devices. Syntaxes keep the defaults here for unsupported features, such as
+/// variants.
 pub(crate) trait DescriptionText: Debug + Send + Sync {
     /// The source.
     fn source(&self) -> &SourceFile;
@@ -43,8 +45,7 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         None
     }
 
-    /// Where the objects of the dictionary are written, by index, in the order of the text; an object may have several spans. Empty
-    /// where that is not known.
+    /// The spans of dictionary objects, by index, in text order; an object may have several. Empty if unknown.
     fn objects(&self) -> Vec<(u16, Span)> {
         Vec::new()
     }
@@ -54,12 +55,12 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         1
     }
 
-    /// The same text as another of its devices or variants, counted from 0; `None` where there are fewer.
+    /// The same text as a different device or variant, by number from 0; `None` if there are fewer.
     fn sibling(&self, _number: usize) -> Option<ReadText> {
         None
     }
 
-    /// The names of its variants, which are the siblings behind the first.
+    /// The names of its variants, which are the siblings after the first.
     fn variants(&self) -> Vec<String> {
         Vec::new()
     }
@@ -79,7 +80,7 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         &[]
     }
 
-    /// Where it names its objects, if it is a `device.toml`.
+    /// Its references to objects, if it is a `device.toml`.
     #[cfg(feature = "full")]
     fn mentions(&self) -> Option<Vec<crate::mention::Mention>> {
         None
@@ -90,7 +91,7 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         None
     }
 
-    /// What was read of its lines, for reading them again with edits.
+    /// The result of reading its lines, for reading them again with edits.
     fn read_lines(&self) -> Option<LinesBefore<'_>> {
         None
     }
@@ -111,17 +112,17 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         false
     }
 
-    /// What validation with the schema of its format refuses.
+    /// The violations of its format's schema.
     fn violations(&self) -> Findings {
         Findings::new()
     }
 
-    /// What it shows beyond what its reader found.
+    /// Findings in addition to those of its reader.
     fn findings(&self) -> Findings {
         Findings::new()
     }
 
-    /// The edits that make changes of the device; `None` where it has no place for one of them.
+    /// The edits for changes of the device; `None` if one cannot be expressed.
     fn edits(&self, _device: &Device, _changes: &[Change]) -> Option<TextEdits> {
         None
     }
@@ -131,20 +132,20 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
         true
     }
 
-    /// Its bytes as the description of a node, or without one of a type, in a file of this name; `None` where edits do not make
-    /// that of it.
+    /// Its bytes as the description of a node, or without one of a type, in a file of this name; `None` if edits cannot
+    /// produce that.
     fn of_node(&self, _file_name: &str, _node: Option<NodeOfType<'_>>) -> Option<Result<Vec<u8>, EditError>> {
         None
     }
 
-    /// It in canonical order and spelling, the most thorough first; what is read of it may differ.
+    /// The text in canonical order and spelling, the most thorough version first; the content may change.
     #[cfg(feature = "full")]
     fn arranged<'a>(&'a self, _device: &'a Device) -> Option<Box<dyn Iterator<Item = String> + 'a>> {
         None
     }
 }
 
-/// Whether validation refuses nothing in a text that it does not refuse in another one of this description.
+/// Whether a text has no violations that another text of this description does not have.
 pub(crate) fn is_as_valid(text: &dyn DescriptionText, other: &dyn DescriptionText) -> bool {
     let count = |text: &dyn DescriptionText| {
         let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
@@ -158,7 +159,7 @@ pub(crate) fn is_as_valid(text: &dyn DescriptionText, other: &dyn DescriptionTex
     }
 }
 
-/// A device with what a conversion carried in it at its place again; without JSON and XDD nothing is carried.
+/// A device with its embedded content restored; without JSON and XDD nothing is embedded.
 pub(crate) fn restored((device, findings): (Device, Findings)) -> (Device, Findings) {
     #[cfg(feature = "full")]
     let (device, findings) = crate::embedded::restore(device, findings);

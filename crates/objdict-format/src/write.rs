@@ -1,7 +1,7 @@
-//! Writing a device: the text of a format, what does not come back of it, and where that is kept.
+//! Writes a device: the text of a format, the losses, and their storage.
 //!
 //! Losses are measured: the written text is read back and compared. One mechanism therefore covers all pairs of
-//! formats, and no list of the gaps of a format is needed.
+//! formats, and no list of unsupported features is needed.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -22,27 +22,28 @@ use objdict_model::source::{Encoding, SourceFile, SourceOptions};
 use objdict_xdd::xdd;
 use objdict_xdd::xml::Tree;
 
-/// How a text is written that is no edit of another.
+/// Options for a text that is not an edit of another one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WriteOptions {
-    /// How an EDS or DCF is written.
+    /// The style of an EDS or DCF.
     pub eds: Style,
-    /// Who reads an EDS or DCF: what is stated for the reader, and what it refuses and is left out.
+    /// The intended reader of an EDS or DCF, which determines added and omitted content.
     pub dialect: Dialect,
-    /// The version of CiA 311 of an XDD or XDC, which are always written in UTF-8.
+    /// The CiA 311 version of an XDD or XDC, which are always written in UTF-8.
     pub xdd_version: XddVersion,
-    /// Whether what the format has no place for is kept in comment lines or properties, which other tools pass over and
-    /// objdict reads (docs/reference/formats.md).
+    /// Whether unsupported content is embedded in comment lines or properties, which other tools ignore and objdict
+    /// reads (docs/reference/formats.md).
     pub embed: bool,
-    /// In how many values of its JSON the text may differ from the device: in more, [`EditError::TooMuchLost`].
+    /// The maximum number of JSON values that may differ between the text and the device; beyond it,
+    /// [`EditError::TooMuchLost`].
     pub max_losses: usize,
 }
 
-/// The limit of values that a text does not give back: each takes up to 1 kB while it is embedded.
+/// The maximum number of lost values: each needs up to 1 kB while it is embedded.
 const DEFAULT_MAX_LOSSES: usize = WriteOptions::max_losses_of(0, DEFAULT_MAX_ENTRIES);
 const VALUES_PER_LOSS: usize = 4;
 
-/// What is left out is only reported, so there may be so many times more of it.
+/// Omitted values are only reported, so this many times more of them are allowed.
 const LEFT_OUT: usize = 8;
 
 impl Default for WriteOptions {
@@ -58,14 +59,14 @@ impl Default for WriteOptions {
 }
 
 impl WriteOptions {
-    /// The limit for the text of a description, which is higher for a large one, where it may have so many
+    /// The limit for the text of a description, which is higher for a large one, with this many
     /// [entries](super::input::Reading::max_entries).
     pub const fn max_losses_of(bytes: usize, max_entries: usize) -> usize {
         max_entries.saturating_mul(VALUES_PER_ENTRY) / VALUES_PER_LOSS + bytes / BYTES_PER_LOSS
     }
 }
 
-/// How many bytes of a text allow one more value to be lost.
+/// The number of bytes of a text per additional lost value.
 const BYTES_PER_LOSS: usize = 64;
 
 impl From<Dialect> for WriteOptions {
@@ -80,36 +81,36 @@ impl From<Dialect> for WriteOptions {
 pub struct Written {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// Every datum of the device that a reader of the file does not get, and every one that only the file states, by kind
+    /// The values of the device that a reader of the file does not get, and values that only the file states, by kind
     /// and in the order of the model.
     pub losses: Vec<Loss>,
 }
 
-/// A datum that a written text does not give back, or that only the text states.
+/// A value that a written text does not preserve, or that only the text states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Loss {
-    /// Its place in the model.
+    /// The place in the model.
     #[serde(serialize_with = "place_text")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub place: Place,
-    /// The same as a JSON pointer into the JSON of the device (docs/reference/json.md).
+    /// The place as a JSON pointer into the JSON of the device (docs/reference/json.md).
     pub path: String,
-    /// What became of it.
+    /// The kind of loss.
     #[serde(rename = "fate")]
     pub kind: LossKind,
-    /// What the device says; of what is invented, what the text says.
+    /// The value in the device; for an invented one, in the text.
     pub value: Datum,
-    /// What the text says in its place; `None` for nothing.
+    /// The value in the text; `None` if missing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub becomes: Option<Datum>,
-    /// Why, if the format has a place for other data of this kind.
+    /// The reason, if the format supports other values of this kind.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
 objdict_model::named! {
-    /// What became of a datum that only the device or only the text has.
+    /// The kind of a value that only the device or only the text has.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
     #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Fate"))]
     #[serde(rename_all = "snake_case")]
@@ -117,11 +118,12 @@ objdict_model::named! {
     pub enum LossKind {
         /// It is gone.
         Lost = "lost",
-        /// It belongs to a node, and the format describes a type of device; or the format is for other data.
+        /// The value belongs to a node, but the format describes a device type; or the format does not
+        /// support such values.
         LeftOut = "left out",
-        /// The text states it although the device does not, because the format demands it.
+        /// Only the text states the value, because the format requires it.
         Invented = "invented",
-        /// objdict reads it from a comment line or property of its own; other tools do not see it.
+        /// objdict reads it from a separate comment line or property, which other tools ignore.
         #[serde(rename = "carried")]
         Embedded = "embedded",
     }
@@ -132,13 +134,13 @@ fn place_text<S: serde::Serializer>(place: &Place, serializer: S) -> Result<S::O
 }
 
 impl Loss {
-    /// The losses of a difference. Data that only the text has are not losses.
+    /// The losses of a difference. Values that only the text has are not losses.
     fn of(difference: DatumDifference, kind: LossKind, losses: &mut Vec<Self>) {
         let place = difference.place();
         let DatumDifference { path, left, right } = difference;
         let is_part = right.is_none() && PARTS.iter().any(|part| path.ends_with(part));
         match (left, right) {
-            // a part that is gone as a whole: what it said, datum by datum
+            // a completely missing part is reported value by value
             (Some(part), None) if is_part && part.text().starts_with('{') => {
                 let Value::Object(fields) = part.value() else { return };
                 for (name, value) in fields {
@@ -153,7 +155,7 @@ impl Loss {
         }
     }
 
-    /// A datum that only the text has, by its path.
+    /// A value that only the text has, by its path.
     pub fn invented(path: String, value: Value) -> Self {
         let difference = DatumDifference { path, left: None, right: None };
         let (place, path, value) = (difference.place(), difference.path, value.into());
@@ -187,7 +189,7 @@ impl fmt::Display for Loss {
     }
 }
 
-/// A datum in a line: as JSON, but cut where it is long, and values of entries as they are written.
+/// A value on one line: as JSON, truncated if long, and values of entries as written.
 struct ShownDatum<'a>(&'a Datum);
 
 impl fmt::Display for ShownDatum<'_> {
@@ -205,19 +207,19 @@ impl fmt::Display for ShownDatum<'_> {
     }
 }
 
-/// The value of an entry that JSON is, if it is one.
+/// The value of an entry, if the JSON is one.
 fn value_of_entry(json: &Datum) -> Option<objdict_model::model::Value> {
     if json.text().starts_with('{') { serde_json::from_str(json.text()).ok() } else { None }
 }
 
-/// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
-/// With it comes what the text does not give back: the differences of the device and what is read of the text.
+/// Writes the canonical text of a device without source: an EDS without the node's configuration, or a DCF with it.
+/// Also returns the losses: the differences between the device and the result of reading the text.
 ///
 /// # Errors
-/// When the text violates CiA 311, which is an error of objdict, or does not give back more values than allowed.
+/// If the text violates CiA 311, which is a bug in objdict, or loses more values than allowed.
 pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     if format == Format::Toml {
-        // it has a place for everything
+        // it supports all content
         let bytes = device_toml::write(device, options.max_losses)?.into_bytes();
         let losses = losses(device, &bytes, format, options)?;
         return Ok(Written { bytes, losses });
@@ -226,7 +228,7 @@ pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<
     let kept = kept(device, format);
     let left_out = missing(device, &kept, limit.saturating_mul(LEFT_OUT))?;
     let mut losses = losses_of(left_out, LossKind::LeftOut);
-    // of what is stored compactly only the form is lost, and only where that was asked for
+    // compact storage loses only its notation, and only on request
     let wanted = match options.eds.compact || options.embed {
         true => kept,
         false => Cow::Owned(kept.expanded().into_owned()),
@@ -250,15 +252,15 @@ pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<
     }
 }
 
-/// A text, and what it does not give back of the device that it was made of.
+/// A text, and its losses compared with its device.
 struct Measured {
-    /// Its device is without what it carries.
+    /// Its device does not include embedded content.
     text: Decoded,
     lost: Vec<Missing>,
     carried: Vec<DatumChange>,
 }
 
-/// Writes a device that carries changes of the `wanted` one, and reads it back.
+/// Writes a device that contains changes of the `wanted` one, and reads it back.
 fn measure(
     wanted: &Device,
     carrier: Cow<'_, Device>,
@@ -274,8 +276,8 @@ fn measure(
     Ok(Measured { text, lost, carried })
 }
 
-/// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
-/// what is embedded is measured again until it is what is lost.
+/// The text of a device with its losses embedded. Embedding may change how a reader interprets neighbouring content, so
+/// the losses are measured again until they equal the embedded content.
 fn write_embedded(wanted: &Device, format: Format, options: &WriteOptions) -> Result<Measured, EditError> {
     const ROUNDS: usize = 5;
     let mut carrier = wanted.clone();
@@ -297,25 +299,25 @@ fn write_embedded(wanted: &Device, format: Format, options: &WriteOptions) -> Re
     }
 }
 
-/// What a text does not give back of a device without its objects: mostly that is all that it does not give back with
-/// them, so that the long text is written and read once.
+/// The losses of a device without its objects: usually these are all losses, so that the long text is written and
+/// read only once.
 fn lost_without_objects(device: &mut Device, format: Format, options: &WriteOptions) -> Vec<DatumChange> {
     let objects = std::mem::take(&mut device.objects);
     let mut read = decode(encode(device, format, options), format, options.eds.encoding).device;
     read.objects = Default::default();
     let lost = missing(device, &read, options.max_losses).unwrap_or_default();
     device.objects = objects;
-    // the text has them with the objects
+    // the text contains them with the objects
     let is_apart = |change: &DatumChange| !change.path.starts_with("/lists");
     lost.into_iter().map(|found| found.change).filter(is_apart).collect()
 }
 
-/// What is read of a text of a format without embedded data does not have of the device that it was made of.
+/// The losses of a text in a format without embedded data.
 pub(super) fn lost(device: &Device, read: &Device, limit: usize) -> Result<Vec<Loss>, EditError> {
     Ok(losses_of(missing(device, read, limit)?, LossKind::Lost))
 }
 
-/// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.
+/// The losses of a text in a format. Only the encoding and the limit of the options are used.
 ///
 /// # Errors
 /// [`EditError::TooMuchLost`] where that is more than the limit.
@@ -337,7 +339,7 @@ pub fn losses(
     Ok(losses)
 }
 
-/// What a text states of file, device and node although the device does not.
+/// Values about file, device and node in a text that the device does not have.
 fn invented(device: &Device, stated: &Device) -> Vec<Loss> {
     let mut losses = Vec::new();
     let mut found = |DatumDifference { path, left, right }| {
@@ -370,20 +372,20 @@ fn add_invented(path: String, value: Value, losses: &mut Vec<Loss>) {
         }
         return;
     }
-    // a bit rate that is not supported, and what a missing key of the node means
+    // an unsupported bit rate, and the implied value of a missing key of the node
     let is_zero = value == Value::Bool(false) || value.as_u64() == Some(0);
     let says_nothing =
         is_zero && ["/device_info/baud_rates/", "/commissioning/"].iter().any(|part| path.starts_with(part));
     let is_empty = value.as_str().is_some_and(|text| text.trim().is_empty())
         || value.as_array().is_some_and(Vec::is_empty);
-    // the file that a DCF was made of is a fact
+    // the source file of a DCF is a genuine value
     let is_fact = path == "/file_info/last_eds";
     if !(says_nothing || is_empty || is_fact) {
         losses.push(Loss::invented(path, value));
     }
 }
 
-/// What a format describes of a device: all of it, or its type.
+/// The part of a device that a format describes: all of it, or its type.
 fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     match format.kind() {
         DeviceKind::Type if format == Format::Toml => Cow::Borrowed(device),
@@ -392,8 +394,8 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     }
 }
 
-/// A difference between a device and what comes back of it: what brings it back. What comes back in excess is only known by
-/// its fingerprint: of entries in compact storage it is much more than the device.
+/// A difference between a device and the result of reading it back, with the change that restores it. Additional values
+/// are identified only by fingerprint: for compactly stored entries they are much larger than the device.
 struct Missing {
     change: DatumChange,
     becomes: Option<Datum>,
@@ -419,7 +421,7 @@ fn losses_of(missing: Vec<Missing>, kind: LossKind) -> Vec<Loss> {
     losses
 }
 
-/// The differences of which none is among others, nor one inside it or around it.
+/// The differences that are neither among others, nor inside or around one of them.
 fn without(missing: Vec<Missing>, others: &[Missing]) -> Vec<Missing> {
     let paths: BTreeSet<&str> = others.iter().map(|other| other.change.path.as_str()).collect();
     let is_apart = |found: &Missing| {
@@ -449,12 +451,12 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     }
 }
 
-/// A text and what readers find in it.
+/// A text and the result of reading it.
 struct Decoded {
     bytes: Vec<u8>,
-    /// With what is embedded still where it is kept.
+    /// Including the embedded content where it is stored.
     device: Device,
-    /// What it says of file, device and node to a tool that does not know the placeholders of objdict.
+    /// The file, device and node as seen by a tool that does not know the placeholders of objdict.
     stated: Device,
     /// The first violation of CiA 311.
     violation: Option<String>,

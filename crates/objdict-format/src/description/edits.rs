@@ -7,21 +7,21 @@ use objdict_model::model::{Commissioning, DeviceKind};
 use objdict_model::source::{EditError, Encoding, Span};
 
 impl Description {
-    /// The bytes of this text as the description of a node, called `file_name`: an EDS becomes a DCF. Only the text that
-    /// must change does, so comments, order, spelling, line ends and encoding stay. `LastEDS` is the name that the text
-    /// was read by, unless it is of a node already.
+    /// Converts this text to the description of a node, in a file called `file_name`: an EDS becomes a DCF. Only the
+    /// necessary text changes, so comments, order, spelling, line ends and encoding are kept. `LastEDS` is the name of
+    /// the current file, unless it already describes a node.
     ///
     /// # Errors
-    /// When an edited text cannot be written in the encoding of the file.
+    /// If an edited text cannot be written in the encoding of the file.
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
         self.of_node(file_name, Some(node))
     }
 
-    /// The bytes of this text as the description of a device type, called `file_name`: without the node and the values
-    /// that were configured for it. A DCF becomes an EDS.
+    /// Converts this text to the description of a device type, in a file called `file_name`: without the node and its
+    /// configured values. A DCF becomes an EDS.
     ///
     /// # Errors
-    /// When an edited text cannot be written in the encoding of the file.
+    /// If an edited text cannot be written in the encoding of the file.
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         self.of_node(file_name, None)
     }
@@ -41,14 +41,14 @@ impl Description {
         edited.unwrap_or_else(|| Err(EditError::ReadOnly(self.source().name().to_owned())))
     }
 
-    /// The edits of the text that a fix makes, in its order: each span with its replacement. `None`
-    /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
-    /// another encoding is no edit of it either.
+    /// The text edits of a fix, in text order: each span with its replacement. `None` if this format or file cannot be
+    /// edited in this way; the finding then has no fix. A fix that changes the encoding is not an edit either.
     pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
         self.placed(fix).filter(|edits| self.text.can_take(edits))
     }
 
-    /// The edits of a fix, without the proof that the text can be read with them, which takes as long as to read it.
+    /// The edits of a fix, without verifying that the edited text can be read, which takes as long as reading
+    /// it.
     fn placed(&self, fix: &Fix) -> Option<TextEdits> {
         if self.source().is_read_only() || self.is_project() || self.is_composed() {
             return None;
@@ -63,7 +63,7 @@ impl Description {
         (changes && edits.iter().all(is_sound)).then_some(edits)
     }
 
-    /// The encoding that a fix writes the text in, where it does and the text can be written so.
+    /// The new encoding of a fix, if it changes the encoding and the text can be written in it.
     pub fn encoding_of(&self, fix: &Fix) -> Option<Encoding> {
         let [Change::Encode(encoding)] = fix.changes[..] else { return None };
         let can_be_written = !self.source().is_read_only() && encoding.encode(self.source().text()).is_ok();

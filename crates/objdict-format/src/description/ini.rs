@@ -9,20 +9,20 @@ use objdict_model::diagnostic::{Change, Findings};
 use objdict_model::model::{Device, DeviceKind, Objects, Place};
 use objdict_model::source::{EditError, SourceFile, Span};
 
-/// Lines with what finds places in them, which is made when it is asked for.
+/// A text of lines with its locator, which is created on demand.
 #[derive(Debug)]
 struct IniText {
     document: Document,
     locator: OnceLock<SectionLocator>,
-    /// What is found in the lines.
+    /// The findings about the lines.
     findings: OnceLock<Findings>,
-    /// The objects that need not be read again while their sections stay the same.
+    /// The objects that need not be read again while their sections are unchanged.
     plain: Objects,
-    /// Where its sections start, for the next edit.
+    /// The starts of its sections, for the next edit.
     starts: OnceLock<SectionStarts>,
 }
 
-/// Reads lines, from what was read of them before an edit.
+/// Reads lines, reusing the result from before an edit.
 pub(super) fn read(source: SourceFile, kind: DeviceKind, before: Option<LinesBefore<'_>>) -> ReadText {
     let document = Document::new(source);
     let (findings, starts) = (OnceLock::new(), OnceLock::new());

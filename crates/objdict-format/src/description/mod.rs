@@ -1,4 +1,4 @@
-//! A description that was read: the device together with the text that it came from.
+//! A parsed description: the device together with its source text.
 //!
 //! It and the parent module import each other, because a description reads and writes every format.
 
@@ -23,20 +23,20 @@ use objdict_model::source::{SourceFile, Span};
 #[cfg(feature = "xdd")]
 use objdict_xdd::xml::Tree;
 
-/// A description that was read: the device, the text that it came from, and what the reader found.
+/// A parsed description: the device, its source text, and the findings of the reader.
 #[derive(Debug)]
 pub struct Description {
     format: Format,
     text: Box<dyn DescriptionText>,
-    /// Which device of the file it is.
+    /// The number of the device in the file.
     number: usize,
     device: Device,
-    /// The same without the objects that are disabled, where there are any.
+    /// The device without disabled objects, if there are any.
     enabled: OnceLock<Option<Box<Device>>>,
     findings: Findings,
     /// The description of the type that this node was made from.
     origin: Option<Box<Self>>,
-    /// The patches that made the device of what the text says.
+    /// The patches that changed the device relative to the text.
     #[cfg(feature = "full")]
     patched: Option<Box<super::patch::Patched>>,
 }
@@ -53,11 +53,11 @@ impl Description {
             super::Syntax::Xml => xml::read(source, format.kind()),
             #[cfg(feature = "full")]
             super::Syntax::Toml => super::device_toml::document::read(source),
-            // a build without XDD finds nothing but junk in one
+            // a build without XDD finds only junk in one
             _ => ini::read(source, format.kind(), before.and_then(|before| before.text.read_lines())),
         };
         let mut read = Self::of(format, 0, read);
-        // a source keeps the name of the description that is made of it
+        // a source keeps the name of the description generated from it
         if read.device_count() == 1 && format != Format::Toml {
             eds::file_name::check(&read.device, read.text.source().name(), &mut read.findings);
         }
@@ -78,25 +78,25 @@ impl Description {
         }
     }
 
-    /// The same file with other bytes; `None` where they are no text, or describe fewer devices.
+    /// The same file with new bytes; `None` if they are not text, or describe fewer devices.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Option<Self> {
         Self::read(self.source().with_bytes(bytes).ok()?, self.format, None).select(self.number)
     }
 
-    /// How many devices the file describes. A network of CANopenEditor (`.nxdd`, `.nxdc`) describes several, and this is
-    /// the description of the first, unless another is [selected](Self::select).
+    /// The number of devices in the file. A network of CANopenEditor (`.nxdd`, `.nxdc`) describes several; this
+    /// description is of the first, unless a different one is [selected](Self::select).
     pub fn device_count(&self) -> usize {
         self.text.device_count()
     }
 
-    /// The description of another device of the same file, counted from 0; `None` where there are fewer.
+    /// Selects the description of a device of the same file by number, from 0; `None` if there are fewer.
     #[must_use]
     pub fn select(self, number: usize) -> Option<Self> {
         if number == self.number { Some(self) } else { self.sibling(number) }
     }
 
-    /// The description of a device of the same XML file, counted from 0, which shares the text; `None` where there are fewer.
-    /// Those of a `device.toml` behind the first are its variants.
+    /// The description of a device of the same XML file by number, from 0, which shares the text; `None` if there are
+    /// fewer. In a `device.toml`, the second and later ones are its variants.
     pub fn sibling(&self, number: usize) -> Option<Self> {
         // a variant that was asked for is the only device
         if self.number == 0 && self.variant().is_some() {
@@ -111,7 +111,7 @@ impl Description {
     /// The description of a variant of a `device.toml`, as the only device of the file.
     ///
     /// # Errors
-    /// When there is no variant of this name: the names that there are.
+    /// If there is no variant of this name: the existing names.
     pub(super) fn into_variant(self, name: &str) -> Result<Self, Vec<String>> {
         let variants = self.text.variants();
         let number = variants.iter().position(|variant| variant == name);
@@ -119,27 +119,28 @@ impl Description {
         variant.map(|variant| Self { number: 0, ..variant }).ok_or(variants)
     }
 
-    /// Whether the text alone does not say what the device is: it is a variant, or extends another file. It is not edited then.
+    /// Whether the text does not fully define the device, because it is a variant or extends another file. It
+    /// is then not edited.
     pub fn is_composed(&self) -> bool {
         self.variant().is_some() || self.extended().is_some()
     }
 
-    /// The file that a `device.toml` extends, as it names it, and where it does.
+    /// The file that a `device.toml` extends, as named in the text, and its position there.
     pub fn extended(&self) -> Option<(&str, Span)> {
         self.text.extended()
     }
 
-    /// The files that a `device.toml` extends, which say a part of what the device is.
+    /// The files that a `device.toml` extends, which define a part of the device.
     pub fn extended_files(&self) -> &[PathBuf] {
         self.text.extended_files()
     }
 
-    /// The name of the variant that it describes; `None` of a file as a whole.
+    /// The name of its variant; `None` for a file as a whole.
     pub fn variant(&self) -> Option<&str> {
         self.text.variant()
     }
 
-    /// What a function makes of each device of the file, from this one on.
+    /// Applies a function to each device of the file, from this one on.
     pub fn map_devices<T>(&self, mut make: impl FnMut(&Self) -> T) -> Vec<T> {
         let mut made = vec![make(self)];
         let others = (self.number + 1..).map_while(|number| self.sibling(number));
@@ -147,7 +148,7 @@ impl Description {
         made
     }
 
-    /// Which device of the file it describes, counted from 0.
+    /// The number of its device in the file, from 0.
     pub fn number(&self) -> usize {
         self.number
     }
@@ -162,29 +163,29 @@ impl Description {
         self.text.source()
     }
 
-    /// The text as lines; `None` for one that is no INI file.
+    /// The text as lines; `None` if it is not an INI file.
     pub fn document(&self) -> Option<&Document> {
         self.text.lines()
     }
 
-    /// The text as elements; `None` for one that is no XML.
+    /// The text as elements; `None` if it is not XML.
     #[cfg(feature = "xdd")]
     pub fn tree(&self) -> Option<&Tree> {
         self.text.tree()
     }
 
-    /// Whether the text is a project: of the editors for CANopenNode from before XDD, or of objdictgen. It is read and never
+    /// Whether the text is a project of a CANopenNode editor from before XDD, or of objdictgen. Projects are never
     /// changed.
     pub fn is_project(&self) -> bool {
         self.text.is_project()
     }
 
-    /// Whether the text is a network of devices, of which this is one.
+    /// Whether the text is a network of several devices.
     pub fn is_network(&self) -> bool {
         self.text.is_network()
     }
 
-    /// The bytes of the file, put together from what was read: always the bytes as they came.
+    /// The bytes of the file, reassembled from the text: always identical to the input.
     pub fn print(&self) -> Vec<u8> {
         self.document().map_or_else(|| self.source().to_bytes(), Document::print)
     }
@@ -198,46 +199,44 @@ impl Description {
         enabled.as_deref().unwrap_or(&self.device)
     }
 
-    /// All that is described, disabled objects too, for what is written as a description again.
+    /// The complete described device including disabled objects, for writing it as a description again.
     pub fn described(&self) -> &Device {
         &self.device
     }
 
-    /// The description of a configured node beside that of its type, with which it is then checked too.
+    /// Adds the type description to that of a configured node, for additional checks.
     #[must_use]
     pub fn with_origin(self, origin: Self) -> Self {
         Self { origin: Some(Box::new(origin)), ..self }
     }
 
-    /// The description of the type that the node was made from, as far as it was [given](Self::with_origin); labels at
-    /// [`At::Node`] point into it.
+    /// The type description of the node, if it was [given](Self::with_origin); labels at [`At::Node`] point into it.
     pub fn origin(&self) -> Option<&Self> {
         self.origin.as_deref()
     }
 
-    /// The device, without its text.
+    /// Returns the device without its text.
     pub fn into_device(self) -> Device {
         self.device();
         self.enabled.into_inner().flatten().map_or(self.device, |enabled| *enabled)
     }
 
-    /// What is [described](Self::described), without its text.
+    /// Returns the [described](Self::described) device without its text.
     pub fn into_described(self) -> Device {
         self.device
     }
 
-    /// Where the objects of the dictionary are written, by index, in the order of the text; an object may have several spans. Empty
-    /// where that is not known.
+    /// The spans of dictionary objects, by index, in text order; an object may have several. Empty if unknown.
     pub fn object_spans(&self) -> Vec<(u16, Span)> {
         self.text.objects()
     }
 
-    /// The span of a place of the model in the text; `None` for what has no text.
+    /// The span of a place of the model in the text; `None` if it has no text.
     pub fn locate(&self, place: &Place) -> Option<Span> {
         self.text.locate(place)
     }
 
-    /// Where a label points in the text; the start of the text for what has none.
+    /// The span of a label in the text; the start of the text if it has none.
     pub fn span_of(&self, at: &At) -> Span {
         match at {
             At::Span(span) => *span,
@@ -246,8 +245,8 @@ impl Description {
         }
     }
 
-    /// The place in the model that a label points to; of a label of the text, that of its section or element.
-    /// `None` outside the parts of a description.
+    /// The place in the model that a label points to; for a label in the text, that of its section or
+    /// element. `None` outside the parts of a description.
     pub fn place_of<'a>(&self, at: &'a At) -> Option<Cow<'a, Place>> {
         let span = match at {
             At::Place(place) | At::Node(_, place) => return Some(Cow::Borrowed(place)),
@@ -257,12 +256,12 @@ impl Description {
         self.text.place_at(span.start).map(Cow::Owned)
     }
 
-    /// What the reader of the format found: in the spelling and structure of the text.
+    /// The findings of the format reader about spelling and structure.
     pub fn findings(&self) -> &Findings {
         &self.findings
     }
 
-    /// The device as other tools read it, without what is embedded in comments; `None` where nothing is.
+    /// The device as other tools read it, without content embedded in comments; `None` if there is none.
     pub fn seen_by_others(&self) -> Option<Device> {
         let document = self.document().filter(|document| document.text().contains(EMBEDDED_COMMENT))?;
         let (mut device, _) = eds::read(document, self.format.kind());
@@ -270,7 +269,7 @@ impl Description {
         Some(device)
     }
 
-    /// What the text shows that other tools choke on, which read `device`; see `compat`.
+    /// Content of the text that other tools cannot read, with `device` as read; see `compat`.
     pub fn portability_findings(&self, device: &Device) -> Findings {
         let mut findings = Findings::new();
         if let Some(document) = self.document() {
@@ -279,18 +278,18 @@ impl Description {
         findings
     }
 
-    /// What validation with the schema of CiA 311 refuses in the text of an XDD or XDC.
+    /// Violations of the CiA 311 schema in the text of an XDD or XDC.
     pub fn violations(&self) -> Findings {
         self.text.violations()
     }
 
-    /// Whether validation refuses nothing in the text that it does not refuse in another one of this description.
+    /// Whether the text has no schema violations that `other`, of the same description, does not have.
     pub fn is_as_valid_as(&self, other: &Self) -> bool {
         text::is_as_valid(&*self.text, &*other.text)
     }
 
-    /// What the text shows beyond that, healthy or not: the lines of an INI file, the structure of XML. It is not looked
-    /// for until it is asked for. Of a file with several devices it belongs to the first.
+    /// Additional findings about the text: the lines of an INI file, the structure of XML. Computed on demand. If a
+    /// file describes several devices, they belong to the first.
     pub fn text_findings(&self) -> Findings {
         self.text.findings()
     }

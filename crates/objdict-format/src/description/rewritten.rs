@@ -1,4 +1,4 @@
-//! Descriptions that are rewritten: with patches, in canonical order, or from scratch.
+//! Rewrites descriptions: with patches, in canonical order, or from scratch.
 //!
 //! `arranged` compares the devices before and after, because it moves text that the model does not contain.
 
@@ -19,7 +19,7 @@ impl Description {
         Self { device, enabled: OnceLock::new(), patched: Some(Box::new(patched)), ..self }
     }
 
-    /// The description with the patches that were given for another device of the file.
+    /// Applies the patches that were given for a different device of the file.
     pub(super) fn with_patches_of(self, other: &Self) -> Self {
         match &other.patched {
             Some(patched) => patch::apply(self, &patched.given),
@@ -35,7 +35,7 @@ impl Description {
     /// The description with its patches written into its text; `None` if none matched.
     ///
     /// # Errors
-    /// When that text cannot be written in the encoding of the file.
+    /// If that text cannot be written in the encoding of the file.
     pub fn realised(&self) -> Result<Option<Self>, EditError> {
         if self.patched.is_none() {
             return Ok(None);
@@ -50,7 +50,7 @@ impl Description {
         are_equal(&self.device, device)
     }
 
-    /// Where a `device.toml` names its objects; `None` for another format.
+    /// The references to objects in a `device.toml`; `None` for any other format.
     pub fn toml_mentions(&self) -> Option<Vec<Mention>> {
         self.text.mentions()
     }
@@ -85,12 +85,12 @@ impl Description {
         Cow::Owned(self.sibling(number).map(|other| other.device).unwrap_or_default())
     }
 
-    /// The bytes of this text in the canonical order and spelling. EDS and DCF: sections and keys in the order of CiA 306-1,
-    /// with the comments that belong to them; keys, section names, hex numbers and formulas spelled alike. XDD and XDC: elements
-    /// and attributes in the order of CiA 311, one element a line. What is read of it stays the same.
+    /// The bytes of this text in canonical order and spelling. EDS and DCF: sections and keys in the order of CiA
+    /// 306-1, with their comments; consistent spelling of keys, section names, hex numbers and formulas. XDD and XDC:
+    /// elements and attributes in the order of CiA 311, one element per line. The content remains the same.
     ///
     /// # Errors
-    /// When the text cannot be written in the encoding of the file, something else would be read of it, or it is XML that is not
+    /// If the text cannot be written in the encoding of the file, its content would change, or it is XML that is not
     /// well-formed or has a document type.
     pub fn arranged(&self) -> Result<Vec<u8>, EditError> {
         if let Some(realised) = self.realised()? {
@@ -113,7 +113,7 @@ impl Description {
     }
 }
 
-/// Whether two devices are the same, but for the order of the sections that the model does not know.
+/// Whether two devices are equal, apart from the order of unknown sections.
 fn are_equal(one: &Device, other: &Device) -> bool {
     let sorted = |device: &Device| {
         let mut device = device.clone();

@@ -10,11 +10,11 @@ use objdict_model::source::{EditError, SourceFile, Span};
 use objdict_xdd::xdd::{self, ElementLocator};
 use objdict_xdd::xml::Tree;
 
-/// Elements as one of the devices that they describe, with what finds places of it, which is made when it is asked for.
+/// Elements of one of the described devices, with its locator, which is created on demand.
 #[derive(Debug)]
 struct XmlText {
     tree: Arc<Tree>,
-    /// Of the device: its profile container.
+    /// The number of the device's profile container.
     number: usize,
     kind: DeviceKind,
     locator: OnceLock<ElementLocator>,
@@ -55,8 +55,8 @@ impl XmlText {
         self.locator.get_or_init(|| ElementLocator::new(&self.tree, self.number))
     }
 
-    /// Whether an edited text is as valid as this one, and a reader finds the node in it, or none: in a malformed text it may look
-    /// in another place.
+    /// Whether an edited text is as valid as this one, and a reader finds the given node in it: in a malformed text it
+    /// may look in a different place.
     fn can_become(&self, bytes: &[u8], node: Option<&Commissioning>) -> bool {
         let source = self.source().with_bytes(bytes.to_vec());
         let kind = if node.is_some() { DeviceKind::Node } else { DeviceKind::Type };

@@ -1,16 +1,16 @@
-//! What follows from missing keys of an entry, for the reader and for the writer.
+//! The implications of missing keys of an entry, for the reader and for the writer.
 
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::section::KeyedTable;
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{Access, DataType, Entry, ObjectType, PdoMapping, Value};
 
-/// What an entry is in its object.
+/// The role of an entry in its object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EntryRole {
-    /// The value of an object without sub-indexes, or all elements of one in compact storage.
+    /// The value of an object without sub-indexes, or all elements of a compactly stored one.
     Value,
-    /// An object whose entries are described below it.
+    /// An object with separately described entries.
     Whole,
     /// A sub-index.
     Sub,
@@ -18,7 +18,7 @@ pub(super) enum EntryRole {
     First,
 }
 
-/// A fact that a description may leave out although it follows from a missing key.
+/// A property that a description may lack although a missing key implies it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OmittedFact {
     ObjectType,
@@ -40,7 +40,7 @@ impl OmittedFact {
     ];
 }
 
-/// A set of them.
+/// A set of omitted properties.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Omissions(u8);
 
@@ -53,7 +53,7 @@ impl Omissions {
         self.0 |= 1 << omission as u8;
     }
 
-    /// Those that count for a role without a list of its own: most descriptions state the types of objects.
+    /// The omissions of a role without its own list: most descriptions state the types of objects.
     pub(super) const fn of_role(self, role: EntryRole) -> Self {
         match role {
             EntryRole::Value | EntryRole::Whole => Self(self.0 & !(1 << OmittedFact::ObjectType as u8)),
@@ -71,7 +71,7 @@ impl Omissions {
         there.map(|(_, word)| word).collect()
     }
 
-    /// Those of the key `unstated`; `None` without it.
+    /// The omissions in the key `unstated`; `None` without it.
     pub(super) fn read(section: &KeyedTable<'_>, findings: &mut Findings) -> Option<Self> {
         section.get("unstated")?;
         let mut omissions = Self::default();
@@ -90,7 +90,7 @@ impl Omissions {
     }
 }
 
-/// What entries have that do not say otherwise.
+/// The defaults of entries.
 #[derive(Clone, Debug)]
 pub(super) struct Defaults {
     pub(super) access: Access,
@@ -115,7 +115,7 @@ impl Default for Defaults {
 }
 
 impl Defaults {
-    /// What an entry without keys is, whose description leaves out so much.
+    /// The implied entry without keys, for a description with these omissions.
     pub(super) fn implied(&self, role: EntryRole, unstated: Omissions) -> Entry {
         if role == EntryRole::First {
             return self.sub0.clone();

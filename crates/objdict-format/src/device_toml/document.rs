@@ -1,4 +1,4 @@
-//! The text of a device: places in it, edits of it, and its variants.
+//! The text of a device: its positions, its edits, and its variants.
 
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -13,7 +13,7 @@ use objdict_model::diagnostic::{Change, Findings};
 use objdict_model::model::{Device, Place};
 use objdict_model::source::{EditError, Edits, SourceFile, Span};
 
-/// A text, or a variant of it, with what finds places in it.
+/// A text, or a variant in it, with its positions.
 #[derive(Debug)]
 struct TomlText {
     source: Arc<SourceFile>,
@@ -22,7 +22,7 @@ struct TomlText {
     places: OnceLock<KeyPlaces>,
 }
 
-/// A text and the device that it describes.
+/// Reads a text and its device.
 pub(crate) fn read(source: SourceFile) -> ReadText {
     let mut findings = Findings::new();
     let base = extends::read(source.text(), source.name(), &mut findings).map(Arc::new);
@@ -44,7 +44,7 @@ impl TomlText {
         TomlEditor { text: self.source.text(), places: self.places() }
     }
 
-    /// The bytes of the text with edits; `None` for a text that does not say alone what the device is.
+    /// The bytes of the text with edits; `None` if the text does not fully define the device.
     fn edited(&self, edits: TextEdits) -> Option<Result<Vec<u8>, EditError>> {
         let mut edited = Edits::new(&self.source);
         edits.into_iter().for_each(|(span, text)| edited.replace(span, text));

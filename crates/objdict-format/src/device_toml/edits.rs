@@ -1,4 +1,4 @@
-//! Edits of the text: values of keys in their places, and keys that are added or taken away.
+//! Edits of the text: changed values of existing keys, and added or removed keys.
 
 use super::facts;
 use super::keys::{DEVICE, FILE, NODE};
@@ -12,21 +12,21 @@ use objdict_model::literal;
 use objdict_model::model::{Commissioning, DataType, Device, Entry, Field, ObjectType, Part, Place, Value};
 use objdict_model::source::Span;
 
-/// What edits a text.
+/// Creates edits of a text.
 pub(super) struct TomlEditor<'a> {
     pub text: &'a str,
     pub places: &'a KeyPlaces,
 }
 
 impl TomlEditor<'_> {
-    /// The edits that make changes of a device; `None` where the text has no place for one of them. The edited text may not be
-    /// TOML; [`is_toml`](Self::is_toml) tests it.
+    /// The edits for changes of a device; `None` if one cannot be expressed. The edited text may not be valid TOML;
+    /// [`is_toml`](Self::is_toml) tests it.
     pub(super) fn edits(&self, device: &Device, changes: &[Change]) -> Option<TextEdits> {
         let mut edits = TextEdits::new();
         let each: Option<Vec<TextEdits>> = changes.iter().map(|change| self.change(device, change)).collect();
         for (span, new) in each?.concat() {
             match edits.iter_mut().find(|(known, _)| *known == span && span.start == span.end) {
-                // keys that are added at one place are one edit: those that touch each other are refused
+                // keys added at one position are merged into one edit, because adjacent edits are rejected
                 Some((_, before)) => before.push_str(&new),
                 None => edits.push((span, new)),
             }
@@ -34,7 +34,7 @@ impl TomlEditor<'_> {
         Some(edits)
     }
 
-    /// The edits that make a text the description of a node in a file of this name.
+    /// The edits that convert a text to the description of a node in a file of this name.
     pub(super) fn to_node(&self, file_name: &str, node: &Commissioning) -> Option<TextEdits> {
         let node_path = ["node".to_owned()];
         let mut edits = self.remove(&node_path).unwrap_or_default();
@@ -49,7 +49,7 @@ impl TomlEditor<'_> {
         self.is_toml(&edits).then_some(edits)
     }
 
-    /// The edits that take away what is configured for a node.
+    /// The edits that remove the configuration for a node.
     pub(super) fn to_type(&self, file_name: &str) -> Option<TextEdits> {
         let mut edits = self.remove(&["node".to_owned()]).unwrap_or_default();
         if self.places.at(&["file".to_owned(), "file-name".to_owned()]).is_some() {
@@ -66,7 +66,7 @@ impl TomlEditor<'_> {
         self.is_toml(&edits).then_some(edits)
     }
 
-    /// Whether a text is TOML with the edits, and no edit overlaps another.
+    /// Whether the edited text is valid TOML, and no edits overlap.
     pub(super) fn is_toml(&self, edits: &TextEdits) -> bool {
         let mut sorted: Vec<&(Span, String)> = edits.iter().collect();
         sorted.sort_by_key(|(span, _)| (span.start, span.end));
@@ -82,7 +82,7 @@ impl TomlEditor<'_> {
         toml::read(&text, &mut Findings::new()).is_some()
     }
 
-    /// A text with blanks at the ends of lines and repeated empty lines taken away, but for those in texts of several lines.
+    /// The text without trailing spaces and repeated empty lines, except in multi-line strings.
     pub(super) fn arranged(&self) -> String {
         let long: Vec<Span> = self.places.long_values(self.text);
         let mut arranged = String::with_capacity(self.text.len());
@@ -142,7 +142,7 @@ impl TomlEditor<'_> {
         }
     }
 
-    /// The path of a part; `None` for one in a range, which has no key of its own.
+    /// The path of a part; `None` for a part in a range, which has no separate key.
     fn path(&self, part: &Part) -> Option<Vec<String>> {
         let path = self.places.path_of(part);
         let is_range = |key: &String| subs(key).is_some_and(|(first, last)| first != last);
@@ -158,7 +158,7 @@ impl TomlEditor<'_> {
         Span::new(start as u32, end as u32)
     }
 
-    /// Where a table about the whole device belongs: before those of its objects.
+    /// The position for a table about the whole device: before the tables of its objects.
     fn first_table_of_objects(&self) -> u32 {
         const TABLES: [&str; 6] = ["[features", "[defaults", "[rpdo.", "[tpdo.", "[lists", "[object"];
         let mut at = 0;
@@ -171,13 +171,13 @@ impl TomlEditor<'_> {
         at
     }
 
-    /// Sets a key of a table, which is added where it is missing.
+    /// Sets a key of a table, adding it if missing.
     fn set(&self, table: &[String], name: &str, value: &str) -> Option<TextEdits> {
         let path = [table, &[name.to_owned()]].concat();
         if let Some(spot) = self.places.at(&path) {
             return (!spot.is_table).then(|| vec![(spot.value, value.to_owned())]);
         }
-        // the deepest table that there is; dotted keys in braces have no line for another
+        // the deepest existing table; dotted keys in braces have no line for a new one
         let at = |length: usize| self.places.at(&table[..length]);
         let has_braces = |spot: KeySpan| spot.value.of(self.text).starts_with('{');
         let known = (1..=table.len()).rev().find(|&length| at(length).is_some_and(has_braces));
@@ -204,7 +204,7 @@ impl TomlEditor<'_> {
         }
     }
 
-    /// Adds a key to a table, in the form that it has.
+    /// Adds a key to a table, in the table's notation.
     fn insert(&self, table: &[String], spot: KeySpan, line: &str) -> Option<TextEdits> {
         let value = spot.value.of(self.text);
         if value.starts_with('{') && value.ends_with('}') {
@@ -216,7 +216,7 @@ impl TomlEditor<'_> {
         let key_line = self.line(spot.key.start);
         let is_header = key_line.of(self.text).trim_start().starts_with('[');
         let own = table.last().map(|name| key(name)).unwrap_or_default();
-        // `[object.2000]` is the header of 2000, and for `object` only a part of a name
+        // `[object.2000]` is the header of 2000, but only a name prefix for `object`
         let is_own_header = is_header
             && key_line
                 .of(self.text)
@@ -240,7 +240,7 @@ impl TomlEditor<'_> {
             let block = format!("{}[{header}{tables}]\n{name} = {value}\n", self.gap());
             return Some(vec![(Span::empty(self.text.len() as u32), block)]);
         }
-        // dotted keys: a line of the same beginning after the last of them
+        // dotted keys: a line with the same prefix after the last of them
         let (rest, last) = self
             .places
             .below(table)
@@ -254,7 +254,7 @@ impl TomlEditor<'_> {
         Some(vec![(Span::empty(end), format!("{before}{prefix}{line}\n"))])
     }
 
-    /// Takes a key away, with what is below it.
+    /// Removes a key, including nested ones.
     fn remove(&self, path: &[String]) -> Option<TextEdits> {
         let spot = self.places.at(path)?;
         let line = self.line(spot.key.start);
@@ -291,7 +291,7 @@ impl TomlEditor<'_> {
         }
     }
 
-    /// A pair in braces with the comma that separates it from another.
+    /// A pair in braces with its separating comma.
     fn with_comma(&self, spot: KeySpan) -> Span {
         // the key may be dotted: its first word
         let before = self.text[..spot.key.start as usize].rfind([',', '{']).unwrap_or_default();
@@ -309,7 +309,7 @@ impl TomlEditor<'_> {
     }
 }
 
-/// The key and the value in TOML of a field with a text of CiA 306.
+/// The key and the TOML value of a field with a CiA 306 string.
 fn stated(device: &Device, part: &Part, field: &Field, text: &str) -> Option<(String, String)> {
     let data_type = match part {
         Part::Object(index) => device.object(*index).map(|object| &object.main).and_then(Entry::implied_type),
@@ -330,7 +330,7 @@ fn integer(text: &str) -> Option<i128> {
     literal::integer(text, i64::MIN, u64::MAX, &mut literal::Quirks::default()).ok()
 }
 
-/// The same for a value of a data type.
+/// Like `stated`, for a value of a data type.
 pub(super) fn stated_of(
     data_type: Option<DataType>,
     part: &Part,
@@ -382,7 +382,7 @@ fn value(text: &str, data_type: Option<DataType>) -> Option<String> {
     spelled(&value, matches!(text.get(..2), Some("0x" | "0X")))
 }
 
-/// A fact as TOML.
+/// The TOML for a field with a string.
 fn fact(known: &Key, text: &str) -> Option<String> {
     Some(match (known.name, &known.shape) {
         ("bit-rates" | "languages" | "communication-entities" | "extra" | "unstated", _) => return None,

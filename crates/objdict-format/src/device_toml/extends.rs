@@ -1,4 +1,4 @@
-//! The file that a `device.toml` extends, and those that it extends in turn.
+//! The file that a `device.toml` extends, and recursively the files that it extends.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,23 +11,23 @@ use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
 use objdict_model::source::{Folder, MAX_TOML_SIZE, SourceFile, SourceOptions, Span, is_file};
 
-/// So many files may extend each other.
+/// The maximum number of files that extend each other.
 const MAX_FILES: usize = 16;
 
-/// What a text extends.
+/// The file that a text extends.
 #[derive(Clone, Debug)]
 pub(super) struct Base {
-    /// The name in the text.
+    /// Its name in the text.
     pub(super) name: String,
-    /// Where it is.
+    /// Its position in the text.
     pub(super) span: Span,
     /// The files that were read, the nearest first.
     pub(super) files: Vec<PathBuf>,
-    /// What they say, all of it in the place of the name.
+    /// The merged content of the files, all at the position of the name.
     pub(super) merged: Merged,
 }
 
-/// Reads what a text of this name extends; a file that cannot be used is a finding at the key.
+/// Reads the file that a text of this name extends; an unusable file is a finding at the key.
 pub(super) fn read(text: &str, name: &str, findings: &mut Findings) -> Option<Base> {
     // most texts need not be read twice
     let tree = text.contains("extends").then(|| toml::read(text, &mut Findings::new())).flatten()?;
@@ -53,14 +53,14 @@ pub(super) fn read(text: &str, name: &str, findings: &mut Findings) -> Option<Ba
     Some(Base { name: named.spelled(), span, files: chain.files, merged })
 }
 
-/// The files that were followed, the nearest first; the first one is that which extends.
+/// The files read so far, starting with the extending one.
 struct Chain {
     files: Vec<PathBuf>,
     trees: Vec<KeyedTree>,
 }
 
 impl Chain {
-    /// Reads one more file; returns what this one extends.
+    /// Reads one more file; returns the file that it extends.
     fn follow(&mut self, named: &KeyedTree, span: Span) -> Result<Option<KeyedTree>, (Text, Text)> {
         let name = named.spelled();
         let Some(file) = self.files.last().filter(|file| is_file(file)) else {
@@ -110,14 +110,14 @@ fn opened(path: &Path) -> Result<KeyedTree, String> {
     })
 }
 
-/// What a file says of its device: variants are of the file alone.
+/// The content about a file's device: variants belong only to their file.
 fn only_device(tree: &KeyedTree) -> KeyedTree {
     let is_other = |entry: &&Pair| !matches!(entry.key.text(), Some("format" | "extends" | "variant"));
     let entries = tree.entries().unwrap_or_default().iter().filter(is_other);
     KeyedTree::new(tree.span, Kind::Map(entries.cloned().collect()))
 }
 
-/// The tree with all its values in one place.
+/// The tree with all its values at one position.
 fn placed(tree: &KeyedTree, span: Span) -> KeyedTree {
     let kind = match &*tree.kind {
         Kind::List(items) => Kind::List(items.iter().map(|item| placed(item, span)).collect()),

@@ -1,4 +1,4 @@
-//! The tables of plain facts: keys that are fields of a part of the model, with dashes in their names where JSON has
+//! The tables of plain properties: keys that are fields of a part of the model, with hyphens instead of JSON's
 //! underscores.
 
 use serde::Serialize;
@@ -11,15 +11,15 @@ use objdict_keyed::section::{Key, KeyedTable, Shape};
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 
-/// What a field is without its key.
+/// The value of a field whose key is missing.
 pub(super) type Implied = (&'static str, Value);
 
-/// What a file states that is generated.
+/// The file information of a generated file.
 pub(super) fn implied_file() -> Vec<Implied> {
     vec![("file-version", json!(1)), ("file-revision", json!(0)), ("eds-version", json!("4.0"))]
 }
 
-/// What most devices are.
+/// The device information of most devices.
 pub(super) fn implied_device(rpdos: u16, tpdos: u16) -> Vec<Implied> {
     vec![
         ("simple-boot-up-master", json!(false)),
@@ -33,7 +33,7 @@ pub(super) fn implied_device(rpdos: u16, tpdos: u16) -> Vec<Implied> {
     ]
 }
 
-/// The part that a section describes; `None` in the place of a section is one without keys.
+/// The part that a section describes; `None` means a section without keys.
 pub(super) fn read<T: DeserializeOwned + Default>(
     section: Option<&KeyedTable<'_>>,
     keys: &'static [Key],
@@ -71,7 +71,7 @@ pub(super) fn read<T: DeserializeOwned + Default>(
 }
 
 fn parse<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, String> {
-    // as a text: reading the model from another source would be a megabyte of code
+    // from a string, because a second deserializer would add a megabyte of code
     serde_json::from_str(&Value::Object(fields).to_string()).map_err(|error| {
         let text = error.to_string();
         text.split(" at line ").next().unwrap_or_default().to_owned()
@@ -104,7 +104,7 @@ pub(super) fn field(key: &str) -> String {
     if key == "bit-rates" { "baud_rates".to_owned() } else { key.replace('-', "_") }
 }
 
-/// The bit rates of a list: the others that CiA 301 defines are not supported.
+/// The bit rates of a list: all other rates of CiA 301 are not supported.
 fn bit_rates(tree: &KeyedTree) -> Value {
     let one = std::slice::from_ref(tree);
     let listed = match &*tree.kind {
@@ -119,7 +119,7 @@ fn bit_rates(tree: &KeyedTree) -> Value {
     Value::Object(rates)
 }
 
-/// Pairs of texts by a table of them, or a list where keys are there more than once.
+/// Pairs of strings from a table, or from a list if keys are repeated.
 pub(super) fn pairs(tree: &KeyedTree) -> Value {
     if let Kind::List(items) = &*tree.kind {
         let pair = |item: &KeyedTree| match &*item.kind {
@@ -132,7 +132,7 @@ pub(super) fn pairs(tree: &KeyedTree) -> Value {
     entries.map(|entry| json!([entry.key.spelled(), entry.value.spelled()])).collect()
 }
 
-/// Pairs of texts as a table, or as a list where a key is there twice.
+/// Pairs of strings as a table, or as a list if a key is repeated.
 pub(super) fn table_of_pairs(pairs: &[(&str, &str)]) -> String {
     let mut seen = std::collections::BTreeSet::new();
     let is_table = pairs.iter().all(|(name, _)| seen.insert(name));
@@ -144,7 +144,7 @@ pub(super) fn table_of_pairs(pairs: &[(&str, &str)]) -> String {
     if is_table { format!("{{ {items} }}") } else { format!("[{items}]") }
 }
 
-/// The lines of a part: what differs from what is implied.
+/// The lines of a part: values that differ from the implied ones.
 pub(super) fn lines(part: &impl Serialize, keys: &[Key], implied: &[Implied]) -> Vec<String> {
     let Ok(Value::Object(fields)) = serde_json::to_value(part) else { return Vec::new() };
     let mut lines = Vec::new();

@@ -1,4 +1,4 @@
-//! The keys of `device.toml`, and its JSON Schema, which is made of them.
+//! The keys of `device.toml`, and its JSON Schema, which is generated from them.
 
 use std::sync::LazyLock;
 
@@ -16,7 +16,7 @@ const UNSTATED: &str = "Which facts the description leaves out that would follow
 
 const EXTRA: &str = "Keys of a description that CiA's documents do not have, in their order.";
 
-/// What `format` says in the first line.
+/// The value of `format` in the first line.
 pub(super) const FORMAT: &str = "objdict-device/1";
 
 /// The keys of the file.
@@ -24,7 +24,7 @@ pub(super) fn root() -> &'static [Key] {
     &ROOT
 }
 
-/// The same for a device without the variants beside it, which are read by themselves.
+/// The keys for a device without the variants in its file, which are read separately.
 pub(super) fn of_one_device() -> &'static [Key] {
     &OF_ONE_DEVICE
 }
@@ -54,7 +54,7 @@ static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     [&[format, extends], variant_keys(), &[variant]].concat()
 });
 
-/// The keys of a variant, which are those of the file but for the variants themselves.
+/// The keys of a variant: those of the file except the variants.
 pub(super) fn variant_keys() -> &'static [Key] {
     &VARIANT
 }
@@ -246,7 +246,7 @@ pub(super) const DEFAULTS: &[Key] = &[
     key("unstated", Shape::Texts, UNSTATED),
 ];
 
-/// The keys of an entry and those of an object, which has them all and more.
+/// The keys of an entry, and those of an object, which has additional ones.
 macro_rules! entry_keys {
     ($($of_object:expr,)*) => {
         &[
@@ -314,7 +314,7 @@ pub(super) const OBJECT: &[Key] = entry_keys![
     key("links", Shape::Spelled(INDEXES), "`ObjectLinks`: indexes as in a list."),
 ];
 
-/// The JSON Schema of `device.toml`, by which editors complete and check it.
+/// The JSON Schema of `device.toml`, with which editors complete and check it.
 pub fn schema() -> Value {
     let mut schema = object(root());
     refine(&mut schema["properties"]);
@@ -328,7 +328,7 @@ pub fn schema() -> Value {
     schema
 }
 
-/// Says of tables by address what their keys are.
+/// Adds the keys of tables by address.
 fn refine(properties: &mut Value) {
     let by_hex = |digits: &str, values: Value| json!({ "type": "object", "patternProperties": { digits: values }, "additionalProperties": false });
     let mut of_object = object(OBJECT);

@@ -1,4 +1,5 @@
-//! What values mean: description, unit, names of values and bits, as parts of the application process (CiA 311).
+//! The meanings of values: description, unit, names of values and bits, as parts of the application process
+//! (CiA 311).
 
 use super::words::{key, quoted, type_word};
 use objdict_keyed::rules::{OUT_OF_RANGE, WRONG_TYPE};
@@ -68,7 +69,7 @@ pub(super) fn read(
     }
 }
 
-/// Gives an entry the type of a word of bits.
+/// Assigns the type of a bit word to an entry.
 pub(crate) fn set_bits(
     address: &str,
     entry: &mut Entry,
@@ -124,7 +125,7 @@ pub(crate) fn member(address: &str, (first, last): (u8, u8), name: &str) -> VarD
     }
 }
 
-/// The keys of what an entry means, as far as there are any for it.
+/// The keys for the meaning of an entry, if it can be expressed.
 pub(super) fn keys(device: &Device, address: &str, entry: &Entry) -> Vec<(&'static str, String)> {
     let Some(parameter) = &entry.parameter else { return Vec::new() };
     let mut keys = Vec::new();
@@ -145,7 +146,7 @@ pub(super) fn keys(device: &Device, address: &str, entry: &Entry) -> Vec<(&'stat
     keys
 }
 
-/// A number as TOML reads it back with the same digits, or a text.
+/// A number that TOML reads back with the same digits, otherwise a string.
 fn number(text: &str) -> String {
     let is_same = text.parse::<i64>().is_ok_and(|number| number.to_string() == text)
         || text.parse::<f64>().is_ok_and(|number| number.is_finite() && format!("{number:?}") == text);
@@ -192,7 +193,7 @@ fn names_of_bits(device: &Device, address: &str, entry: &Entry, parameter: &Para
     table(bits.iter().map(|(bit, name)| (bit.as_str(), *name)))
 }
 
-/// A table of names by number; `None` where a number is there twice.
+/// A table of names by number; `None` if a number is repeated.
 fn table<'a>(names: impl Iterator<Item = (&'a str, &'a str)>) -> Option<String> {
     let mut seen = std::collections::BTreeSet::new();
     let mut items = Vec::new();

@@ -1,11 +1,11 @@
-//! Where the text of a `device.toml` names objects: tables, mappings, lists and links.
+//! References to objects in the text of a `device.toml`: tables, mappings, lists and links.
 
 use crate::mention::{Digits, Mention, MentionKind};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::source::Span;
 
-/// All that a text names, in its variants too, in the order of the text.
+/// All references in a text, including its variants, in text order.
 pub(super) fn of(text: &str) -> Vec<Mention> {
     let mut finder = Finder { text, found: Vec::new() };
     if let Some(tree) = toml::read(text, &mut objdict_model::diagnostic::Findings::new()) {
@@ -57,7 +57,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A table of a sub-index, by the digits of its key.
+    /// The table of a sub-index, by the digits of its key.
     fn sub(&mut self, index: u16, span: Span) {
         let digits = span.of(self.text).trim_matches(['"', '\'']);
         if let Ok(sub) = u8::from_str_radix(digits, 16) {
@@ -75,7 +75,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Addresses with blanks between them; ranges name no single object.
+    /// Addresses separated by spaces; ranges do not refer to single objects.
     fn words(&mut self, list: &KeyedTree) {
         for item in items(list) {
             let Kind::Text(_) = &*item.kind else { continue };
@@ -88,7 +88,7 @@ impl Finder<'_> {
         }
     }
 
-    /// The headers of tables: the tree has the first key of a name alone.
+    /// The headers of tables: the tree only contains the first key of a name.
     fn headers(&mut self) {
         let mut start = 0;
         for line in self.text.split_inclusive('\n') {
@@ -115,7 +115,7 @@ impl Finder<'_> {
     }
 }
 
-/// The items of a list, or the one value.
+/// The items of a list, or the single value.
 fn items(tree: &KeyedTree) -> &[KeyedTree] {
     match &*tree.kind {
         Kind::List(items) => items,

@@ -1,4 +1,5 @@
-//! A file or a variant on top of another file: tables merge key by key, the nearer value wins, and `remove` removes.
+//! Merges a file or variant over another file: tables are merged key by key, the nearer value wins, and
+//! `remove` removes.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +13,8 @@ use objdict_model::source::Span;
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
     pub(super) tree: KeyedTree,
-    /// What nearer trees removed from those below them, in capital letters; no profile has to bring it.
+    /// Addresses that nearer trees removed from those below, in capital letters; no profile needs to provide
+    /// them.
     pub(super) taken: BTreeSet<String>,
 }
 
@@ -21,7 +23,7 @@ impl Merged {
         Self { tree, taken: BTreeSet::new() }
     }
 
-    /// The same with a nearer tree on top.
+    /// Merges a nearer tree over this one.
     pub(super) fn with(self, near: &KeyedTree) -> Self {
         let Self { mut tree, mut taken } = self;
         let removed = removals(near);
@@ -41,7 +43,7 @@ impl Merged {
             }
         }
         let mut removals = removals(&tree);
-        // what the nearer one describes is there again
+        // objects that the nearer one describes exist again
         removals.retain(|removal| !paths_of(&removal.key.spelled()).iter().any(|path| has(near, path)));
         removals.extend(removed);
         let mut tree = near.on(&tree, &|key| spelling(present_name(PDO, key)));
@@ -56,7 +58,7 @@ impl Merged {
     }
 }
 
-/// What `remove` names, each as a key.
+/// The entries of `remove`, each as a key.
 fn removals(tree: &KeyedTree) -> Vec<Pair> {
     let entry = |key: &KeyedTree| Pair { key: key.clone(), value: KeyedTree::new(key.span, Kind::Null) };
     match tree.get("remove").map(|tree| (tree, &*tree.kind)) {
@@ -67,7 +69,7 @@ fn removals(tree: &KeyedTree) -> Vec<Pair> {
     }
 }
 
-/// Where a file may describe what is at an address: objects, also as PDOs, and entries.
+/// The paths at which a file may describe an address: objects, PDOs, and entries.
 fn paths_of(address: &str) -> Vec<Vec<String>> {
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
     match address.split_once(':') {
@@ -89,7 +91,7 @@ fn paths_of(address: &str) -> Vec<Vec<String>> {
     }
 }
 
-/// A key in one spelling: `200a` and `200A`, `1` and `01` are the same.
+/// The normalised spelling of a key: `200a` and `200A`, `1` and `01` are equal.
 fn spelling(key: &str) -> String {
     let is_hex = !key.is_empty() && key.len() <= 4 && key.bytes().all(|byte| byte.is_ascii_hexdigit());
     match u16::from_str_radix(key, 16) {
@@ -109,7 +111,7 @@ fn has(tree: &KeyedTree, path: &[String]) -> bool {
     }
 }
 
-/// The tree without what is at a path; `None` where nothing is.
+/// The tree without the value at a path; `None` if there is none.
 fn without(tree: &KeyedTree, path: &[String]) -> Option<KeyedTree> {
     let (key, rest) = path.split_first()?;
     let found = entry_of(tree, key)?;

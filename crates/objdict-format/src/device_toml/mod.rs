@@ -1,4 +1,4 @@
-//! `device.toml`: a device in few lines, which says only what does not follow from something else (docs/reference/device.md).
+//! `device.toml`: a compact device description without derivable content (docs/reference/device.md).
 
 mod defaults;
 pub(super) mod document;
@@ -42,14 +42,14 @@ use objdict_model::model::{
 };
 use objdict_model::source::EditError;
 
-/// The device of a text that extends nothing.
+/// The device of a text that extends no file.
 pub(super) fn read(text: &str) -> (Device, Findings) {
     let mut findings = Findings::new();
     let device = read_on(text, None, &mut findings);
     (device, findings)
 }
 
-/// The device of a text on top of what it extends.
+/// The device of a text, based on the file that it extends.
 fn read_on(text: &str, base: Option<&Base>, findings: &mut Findings) -> Device {
     let merged = merged(text, base, None, findings);
     merged.map_or_else(Device::default, |merged| {
@@ -69,7 +69,7 @@ fn read_variant(text: &str, base: Option<&Base>, variant: &str) -> (Device, Find
     (device, findings)
 }
 
-/// The tree of a text, or of a variant in it, on top of what the text extends.
+/// The tree of a text, or of a variant in it, merged over the file that the text extends.
 fn merged(text: &str, base: Option<&Base>, variant: Option<&str>, findings: &mut Findings) -> Option<Merged> {
     let tree = toml::read(text, findings)?;
     let own = match base {
@@ -124,7 +124,8 @@ fn reader<'f>(root: &KeyedTable<'_>, findings: &'f mut Findings) -> ObjectReader
     reader
 }
 
-/// What writes an object that a text does not have, as a line of the table `object` of a `device.toml`; `None` of a text that is none.
+/// Returns a writer for an object that a text lacks, as a line of the table `object` of a `device.toml`;
+/// `None` if the text is not one.
 pub fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
     let mut findings = Findings::new();
     let tree = merged(text, None, None, &mut findings)?.tree;
@@ -138,7 +139,7 @@ pub fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
     })
 }
 
-/// Reads the objects; PDOs after what they map.
+/// Reads the objects; PDOs are read after their mapped objects.
 fn read_objects(root: &KeyedTable<'_>, device: &mut Device, findings: &mut Findings) {
     let mut reader = reader(root, findings);
     let tree = root.get("object");
@@ -218,7 +219,7 @@ fn frame(root: &KeyedTable<'_>, device: &mut Device, base: Option<&DeviceInfo>, 
     device.extra = extra(root, findings);
 }
 
-/// The sections that CiA's documents do not have; a list where several have the same name.
+/// Non-CiA sections; a list if several have the same name.
 fn extra(root: &KeyedTable<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
     let section = |name: &str, entries: &KeyedTree| {
         let entries: Extra = serde_json::from_str(&facts::pairs(entries).to_string()).unwrap_or_default();
@@ -253,7 +254,7 @@ fn read_lists(root: &KeyedTable<'_>, device: &Device, findings: &mut Findings) -
     read
 }
 
-/// The text of a device, with all that it says. What has no key is measured, and written as `[raw]`.
+/// The complete text of a device. Content without a key is detected and written as `[raw]`.
 ///
 /// # Errors
 /// When more values have no key than allowed.

@@ -1,4 +1,4 @@
-//! From an object to its keys: what is not as it would be without them.
+//! Converts an object to its keys: everything that differs from the defaults.
 
 use super::defaults::{Defaults, EntryRole, Omissions, OmittedFact};
 use super::reader::{numbered, sub_number, without};
@@ -6,16 +6,16 @@ use super::words::{TypeSaid, index_list, map_word, push, quoted, spelled, type_w
 use super::{facts, meaning};
 use objdict_model::model::{Compact, DataType, Device, Entry, Object, ObjectType, TypeKind, Value};
 
-/// An object that fits into a line of so many characters is one.
+/// The maximum length of an object on one line.
 const LINE: usize = 110;
 
-/// So many sub-indexes with values of their own are in a line.
+/// The maximum number of sub-indexes with individual values on one line.
 const MAX_RANGE: usize = 16;
 
 /// A key and its value in TOML.
 pub(super) type TomlPair = (String, String);
 
-/// Access and mapping that differ from what is implied, and what is left out.
+/// Access and mapping that differ from the implied ones, and omitted properties.
 pub(super) fn common(found: &Entry, implied: &Entry, keys: &mut Vec<TomlPair>, left_out: &mut Omissions) {
     match (found.object_type, implied.object_type) {
         (None, Some(_)) => left_out.add(OmittedFact::ObjectType),
@@ -51,7 +51,7 @@ pub(super) fn inline(pairs: &[TomlPair]) -> String {
 pub(super) struct ObjectWriter<'a> {
     pub(super) device: &'a Device,
     pub(super) defaults: Defaults,
-    /// What there is without keys.
+    /// The device without keys.
     pub(super) base: Option<&'a Device>,
 }
 
@@ -61,7 +61,7 @@ impl ObjectWriter<'_> {
         let subs = self.subs(index, object, base);
         pairs.extend(subs.iter().map(|(subs, pairs)| (format!("sub.{subs}"), inline(pairs))));
         let line = format!("{index:04X} = {}", inline(&pairs));
-        // what is one entry is one line; the keys of a record are lines of their own where that is shorter
+        // a single entry is one line; the keys of a record are separate lines if that is shorter
         if subs.is_empty() || line.chars().count() <= LINE {
             push(text, &line);
             return;
@@ -125,7 +125,7 @@ impl ObjectWriter<'_> {
         pairs
     }
 
-    /// What the description of an object leaves out, and whether that needs a key.
+    /// The omissions of an object's description, and whether they need a key.
     fn omissions(&self, object: &Object, role: EntryRole, base: Option<&Object>) -> (Omissions, bool) {
         let stated = match base {
             Some(base) => base.main.clone(),
@@ -179,7 +179,7 @@ impl ObjectWriter<'_> {
         keys
     }
 
-    /// How many entries of the base, from the first one on, are changed in the same way.
+    /// The number of leading entries of the base that are changed in the same way.
     fn changed_alike(
         &self,
         index: u16,
@@ -201,7 +201,7 @@ impl ObjectWriter<'_> {
         alike.count() + 1
     }
 
-    /// What a sub-index is without a key, where it is there at all.
+    /// The sub-index without a key, if it exists.
     fn before(&self, sub: u8, object: &Object, base: Option<&Object>) -> Option<Entry> {
         let highest = object.highest_sub();
         let value = || self.defaults.highest(highest, self.defaults.unstated);
@@ -265,7 +265,7 @@ impl ObjectWriter<'_> {
         pairs
     }
 
-    /// The keys that no other facts decide about.
+    /// The keys of independent properties.
     fn rest(&self, address: &str, entry: &Entry, implied: &Entry, pairs: &mut Vec<TomlPair>) {
         // CAN-IDs, mapped entries and identity
         let hex = address.starts_with('1') && entry.data_type == Some(DataType::UNSIGNED32);
@@ -311,7 +311,7 @@ impl ObjectWriter<'_> {
     }
 }
 
-/// The facts that an entry leaves out although a missing key implies them.
+/// The properties that an entry lacks although a missing key implies them.
 fn needed(entry: &Entry, stated: &Entry) -> Omissions {
     let mut needed = Omissions::default();
     common(entry, stated, &mut Vec::new(), &mut needed);
@@ -328,7 +328,7 @@ fn stated_value(value: &Value, data_type: Option<DataType>, hex: bool) -> Option
     }
 }
 
-/// For how many characters a text has room, unless its default is longer: a type that says so would be wrong.
+/// The capacity of a string in characters, unless its default is longer: stating it would be wrong.
 fn room(entry: &Entry) -> Option<u32> {
     let length = entry.stack.as_ref()?.min_string_length?;
     let is_enough = |text: &str| text.chars().nth(length as usize).is_none();
@@ -336,13 +336,13 @@ fn room(entry: &Entry) -> Option<u32> {
     Some(length).filter(|_| !matches!(default, Some(Value::Text(text)) if !is_enough(text)))
 }
 
-/// What `type` says of an object.
+/// The value of `type` for an object.
 fn said_of(object: &Object) -> TypeSaid {
     let main = &object.main;
     let count = object.compact.as_ref().map(|compact| compact.count);
     let is_word = |of: &ObjectType| matches!(of, ObjectType::Array | ObjectType::Record | ObjectType::Domain);
     let object_type = match count {
-        // equal elements are an array, unless another key says what they are
+        // equal elements are an array, unless a different key states the object type
         Some(_) => Some(ObjectType::Array),
         None => main.object_type.filter(is_word),
     };
@@ -370,7 +370,7 @@ fn compact_keys(compact: &Compact, data_type: Option<DataType>, pairs: &mut Vec<
     }
 }
 
-/// How many entries from the first on differ only in the number in their names, and in their values.
+/// The number of leading entries that differ only in the number in their names, and in their values.
 fn run(entries: &[(u8, &Entry)]) -> usize {
     let Some((&(first, one), rest)) = entries.split_first() else { return 0 };
     let Some(&(second, next)) = rest.first() else { return 1 };
@@ -390,7 +390,8 @@ fn run(entries: &[(u8, &Entry)]) -> usize {
     if is_one_value { alike } else { alike.min(MAX_RANGE) }
 }
 
-/// Whether two entries are the same but for name and value. What names their own address has no range.
+/// Whether two entries are equal apart from name and value. Entries that refer to their own address cannot be
+/// in a range.
 fn is_alike(one: &Entry, other: &Entry) -> bool {
     let bare = |entry: &Entry| {
         let is_own = entry.parameter.as_ref().is_some_and(|parameter| parameter.data_type.is_some());
@@ -414,7 +415,7 @@ fn template(one: &str, first: u8, next: &str, second: u8) -> Option<String> {
     })
 }
 
-/// Makes the keys of the first entry those of a range.
+/// Turns the keys of the first entry into those of a range.
 fn range_keys(entries: &[(u8, &Entry)], template: &str, index: u16, pairs: &mut [TomlPair]) {
     let one = entries[0].1;
     let is_one_value = entries.iter().all(|(_, entry)| entry.default == one.default);

@@ -1,4 +1,4 @@
-//! PDOs by what they do, as objects with the names and types of CiA 301.
+//! PDOs by function, as objects with the names and types of CiA 301.
 
 use super::keys::PDO;
 use super::words::{index, quoted, sub, value_of};
@@ -31,7 +31,7 @@ pub(super) fn key_of(sub: u8) -> Option<&'static str> {
     })
 }
 
-/// What is said of a PDO.
+/// The keys of a PDO.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct PdoSaid {
     map: Option<Vec<MappedObject>>,
@@ -47,7 +47,7 @@ pub(super) fn is_pdo(index: u16) -> bool {
     PdoKind::of_communication(index).is_some() || PdoKind::of_mapping(index).is_some()
 }
 
-/// Reads the PDOs of a direction into a device that has the other objects.
+/// Reads the PDOs of a direction into a device that already has the other objects.
 pub(super) fn read(root: &KeyedTable<'_>, kind: PdoKind, device: &mut Device, findings: &mut Findings) {
     let name = if kind == PdoKind::Rpdo { "rpdo" } else { "tpdo" };
     let mut standard = Standard::default();
@@ -145,7 +145,7 @@ impl Standard {
 }
 
 impl PdoSaid {
-    /// Makes the objects of a PDO, or changes those that are there.
+    /// Creates the objects of a PDO, or changes existing ones.
     pub(super) fn apply(&self, kind: PdoKind, number: u16, objects: &mut Objects, standard: &mut Standard) {
         let indexes = kind.communication_index(number).zip(kind.mapping_index(number));
         let Some((communication, mapping)) = indexes else { return };
@@ -204,7 +204,7 @@ impl PdoSaid {
         objects.insert(index, object);
     }
 
-    /// What has to be said so that a PDO becomes that of a device; `None` where it lacks an object.
+    /// The keys that turn a PDO into that of a device; `None` if an object is missing.
     pub(super) fn of(device: &Device, kind: PdoKind, number: u16) -> Option<Self> {
         let pdo = device.pdo(kind, number)?;
         let (communication, mapping) = (pdo.communication?, pdo.mapping?);
@@ -225,7 +225,7 @@ impl PdoSaid {
         })
     }
 
-    /// The least that has to be said to get the same objects from those that are there.
+    /// The minimum of keys that produce the same objects from the existing ones.
     pub(super) fn least(
         self,
         kind: PdoKind,
@@ -301,7 +301,7 @@ fn address(mapped: MappedObject, device: &Device) -> String {
     if sub == 0 { format!("{index:04X}{bits}") } else { format!("{index:04X}:{sub:X}{bits}") }
 }
 
-/// A mapping parameter with these entries, which takes further ones from the full one.
+/// A mapping parameter with these entries; further ones come from the full object.
 fn with_map(mut object: Object, map: &[MappedObject], full: &Object, is_new: bool) -> Object {
     if is_new {
         let count = if map.is_empty() { 8 } else { map.len() };
@@ -328,7 +328,7 @@ fn with_map(mut object: Object, map: &[MappedObject], full: &Object, is_new: boo
     object
 }
 
-/// Sets the number of entries of a communication parameter, where a sub-index was added.
+/// Sets the number of entries of a communication parameter after adding a sub-index.
 fn counted(object: &mut Object) {
     let highest = object.highest_sub().map(|highest| Value::Unsigned(highest.into()));
     if let Some(entry) = object.subs.get_mut(0) {
@@ -337,7 +337,7 @@ fn counted(object: &mut Object) {
     object.sub_number = u8::try_from(object.subs.len()).ok();
 }
 
-/// Takes an entry from another object.
+/// Copies an entry from another object.
 fn take(object: &mut Object, sub: u8, full: &Object) {
     if let Some(entry) = full.subs.get(sub) {
         object.subs.insert(sub, entry.clone());

@@ -1,4 +1,4 @@
-//! Where the data of a device are in the text.
+//! Positions of device data in the text.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub(super) struct KeySpan {
 }
 
 impl KeySpan {
-    /// What a finding about it points to: of a table, its name.
+    /// The span that findings point to: for a table, its name.
     fn shown(self) -> Span {
         if self.is_table { self.key } else { self.value }
     }
@@ -57,7 +57,7 @@ impl KeyPlaces {
         self.spots.get(path).copied()
     }
 
-    /// The keys below a path, with what follows it.
+    /// The keys below a path, with the rest of their paths.
     pub(super) fn below<'a>(&'a self, path: &'a [String]) -> impl Iterator<Item = (&'a [String], KeySpan)> {
         let found = self.spots.range(path.to_vec()..).take_while(move |(key, _)| key.starts_with(path));
         found.filter(|(key, _)| key.len() > path.len()).map(move |(key, spot)| (&key[path.len()..], *spot))
@@ -69,7 +69,7 @@ impl KeyPlaces {
         spots.map(|spot| spot.value).filter(|span| span.of(text).contains('\n')).collect()
     }
 
-    /// The span of a place; of what follows from something else, that of the part which it belongs to.
+    /// The span of a place; for a derived value, the span of the part that it belongs to.
     pub(super) fn locate(&self, place: &Place) -> Option<Span> {
         let path = self.path_of(&place.part);
         if let Some(spot) = self.of_pdo(&path, place) {
@@ -86,7 +86,7 @@ impl KeyPlaces {
                 return Some(spot.shown());
             }
             path.pop();
-            // what has no table of its own comes from the profile
+            // content without its own table comes from the profile
             if path.len() == 1
                 && path[0] == "object"
                 && let Some(spot) = self.at(&["profile".to_owned()])
@@ -97,7 +97,7 @@ impl KeyPlaces {
         self.at(&["format".to_owned()]).map(KeySpan::shown)
     }
 
-    /// The key that makes a PDO parameter or a mapping, where the text has no table for the object.
+    /// The key that generates a PDO parameter or a mapping, if the text has no table for the object.
     fn of_pdo(&self, path: &[String], place: &Place) -> Option<KeySpan> {
         let (Part::Object(index) | Part::Entry(index, _)) = place.part else { return None };
         if self.at(path.get(..2)?).is_some() {
@@ -191,7 +191,7 @@ impl KeyPlaces {
 pub(super) fn keys_of(part: &Part, field: &Field) -> Vec<String> {
     match field {
         Field::Item(number) => return vec![format!("{number:X}")],
-        // the type says what kind of object it is; `data-type` is that of a record or array as a whole
+        // the type determines the object type; `data-type` belongs to a record or array as a whole
         Field::ObjectType => return vec!["object-type".to_owned(), "type".to_owned()],
         Field::DataType => return vec!["data-type".to_owned(), "type".to_owned()],
         Field::CompactSubObj => return vec!["type".to_owned()],

@@ -1,4 +1,4 @@
-//! The profile of a device: everything that it demands, before the device says what is different.
+//! The profile of a device: all its requirements, before the device's own keys.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{DataType, Device, DeviceInfo, Object};
 
-/// The profile of a device, its version, and the features.
+/// The profile of a device with its version and features.
 #[derive(Clone, Debug)]
 pub(super) struct ProfileSaid {
     pub(super) profile: u16,
@@ -23,20 +23,20 @@ pub(super) struct ProfileSaid {
 }
 
 impl ProfileSaid {
-    /// What comes nearest to a device.
+    /// The profile and features closest to a device.
     pub(super) fn of(device: &Device) -> Option<Self> {
         let (profile, inferred) = scaffold::infer(device);
         let mut features = Features::default();
         for feature in FEATURES {
             if let Some(value) = inferred.get(feature.word) {
-                // what a file cannot state is as usual
+                // values that a file cannot state keep their defaults
                 let _ = features.set(feature.word, &value);
             }
         }
         Some(Self { profile, version: scaffold::newest_version(profile)?, features })
     }
 
-    /// The device with what it demands.
+    /// The device with all required objects.
     pub(super) fn base(&self) -> Option<Device> {
         scaffold::base(self.profile, self.version, &self.features).ok()
     }
@@ -116,7 +116,7 @@ fn read_features(root: &KeyedTable<'_>, findings: &mut Findings) -> Features {
     read
 }
 
-/// What follows for `[device]`: from a profile, else what most devices are.
+/// The implied values of `[device]`: from a profile, otherwise those of most devices.
 pub(super) fn implied_device(base: Option<&DeviceInfo>, device: &Device) -> Vec<Implied> {
     let count = |kind: objdict_model::model::PdoKind| u16::try_from(device.pdo_count(kind)).unwrap_or(512);
     let counts = [count(objdict_model::model::PdoKind::Rpdo), count(objdict_model::model::PdoKind::Tpdo)];
@@ -134,12 +134,12 @@ pub(super) fn implied_device(base: Option<&DeviceInfo>, device: &Device) -> Vec<
     implied.collect()
 }
 
-/// The granularity where no key states it: in bytes, as soon as a device has PDOs beside those of its profile.
+/// The granularity without a key: in bytes if a device has PDOs in addition to its profile's.
 pub(super) fn implied_granularity(of_profile: Option<u8>, pdo_counts: [u16; 2]) -> Option<u8> {
     if of_profile == Some(0) && pdo_counts != [0, 0] { Some(8) } else { of_profile }
 }
 
-/// Removes what the device does not have; some of it may be taken away already, and the profile need not bring that.
+/// Removes objects that the device does not have; they may already be removed, or missing in the profile.
 pub(super) fn remove(
     root: &KeyedTable<'_>,
     taken: &BTreeSet<String>,
@@ -179,7 +179,7 @@ fn take_away(text: &str, device: &mut Device) -> bool {
     }
 }
 
-/// Sets what an object says of its sub-indexes, after they have changed.
+/// Updates the sub-index counts of an object after its sub-indexes have changed.
 fn recount(object: &mut Object, highest_before: Option<u8>) {
     let highest = object.highest_sub();
     if let Some(entry) = object.subs.get_mut(0).filter(|_| highest != highest_before) {
@@ -191,7 +191,7 @@ fn recount(object: &mut Object, highest_before: Option<u8>) {
     object.sub_number = object.sub_number.and(u8::try_from(count).ok());
 }
 
-/// Removes what a device does not have of its profile; returns the addresses.
+/// Removes profile content that a device does not have; returns the addresses.
 pub(super) fn take_absent(base: &mut Device, device: &Device) -> Vec<String> {
     let mut absent = Vec::new();
     for (&index, object) in &base.objects {

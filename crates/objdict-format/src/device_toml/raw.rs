@@ -1,4 +1,4 @@
-//! What has no key: values of the JSON of a device by their paths.
+//! Content without a key: values of the device JSON by path.
 
 use serde_json::{Map, Value};
 
@@ -61,7 +61,7 @@ fn json(tree: &KeyedTree) -> Value {
     }
 }
 
-/// Writes what a text does not give back: `left` is what is read of it, `right` the device.
+/// Writes values that a text does not preserve: `left` is the result of reading it, `right` the device.
 pub(super) fn write(missing: &[DatumDifference], text: &mut String) {
     let removed: Vec<String> =
         missing.iter().filter(|found| found.right.is_none()).map(|found| quoted(&found.path)).collect();
@@ -89,7 +89,7 @@ fn spelled(value: &Value) -> String {
             format!("[{}]", items.iter().map(spelled).collect::<Vec<_>>().join(", "))
         }
         Value::Object(fields) => {
-            // what is null in JSON is not there
+            // null in JSON means missing
             let fields = fields.iter().filter(|(_, value)| !value.is_null());
             let items: Vec<String> =
                 fields.map(|(name, value)| format!("{} = {}", key(name), spelled(value))).collect();

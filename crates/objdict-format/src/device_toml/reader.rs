@@ -1,4 +1,4 @@
-//! From the tree to the objects.
+//! Converts the tree to objects.
 
 use std::collections::BTreeSet;
 
@@ -29,7 +29,8 @@ pub(super) struct ObjectReader<'f> {
 /// The keys of values.
 const VALUES: [&str; 4] = ["default", "min", "max", "value"];
 
-/// So many entries may be in ranges: a few bytes of a text make an object of them. Real devices have a few thousand.
+/// The maximum number of entries in ranges, because a few bytes of text can create an object of them. Real
+/// devices have a few thousand.
 const MAX_RANGED: usize = 15_000;
 
 impl ObjectReader<'_> {
@@ -53,7 +54,7 @@ impl ObjectReader<'_> {
         }
     }
 
-    /// Reads those objects of a table by index that are wanted, into those that a profile demands.
+    /// Reads the selected objects of a table by index, and merges them into those that a profile requires.
     pub(super) fn read_objects(&mut self, tree: &KeyedTree, objects: &mut Objects, wanted: fn(u16) -> bool) {
         let Some(entries) = tree.entries() else {
             let message = say!("`object` is {}, not a table of objects", tree.kind_name());
@@ -65,7 +66,7 @@ impl ObjectReader<'_> {
         for entry in entries {
             let name = entry.key.spelled();
             let Some(index) = index(&name) else {
-                // said once
+                // reported once
                 if wanted(0) {
                     let message = say!("`{}` is not an index", name);
                     let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
@@ -117,7 +118,7 @@ impl ObjectReader<'_> {
         Some(object)
     }
 
-    /// The types of an object that are no consequence of `type`.
+    /// The types of an object that `type` does not imply.
     fn override_types(&mut self, section: &KeyedTable<'_>, main: &mut Entry) {
         if let Some(word) = section.text("data-type", self.findings) {
             main.data_type = data_type(&word.value);
@@ -179,7 +180,7 @@ impl ObjectReader<'_> {
         compact
     }
 
-    /// The values that are listed one for each element of an array. Such elements have entries of their own.
+    /// The values of an array's elements, listed one per element. Such elements get separate entries.
     fn elements(&mut self, section: &KeyedTable<'_>, count: u8, object: &mut Object) {
         for (name, items) in self.listed(section, count.into()) {
             let items = (1..=count).zip(items);
@@ -199,7 +200,7 @@ impl ObjectReader<'_> {
         }
     }
 
-    /// The lists of values among the keys of a section, which have one for each of so many entries.
+    /// The lists of values among the keys of a section, with one value for each of this many entries.
     fn listed<'t>(&mut self, section: &KeyedTable<'t>, count: usize) -> Vec<(&'static str, &'t [KeyedTree])> {
         let listed = VALUES.into_iter().filter_map(|name| Some((name, items_of(section, name)?)));
         let listed: Vec<_> = listed.collect();
@@ -214,7 +215,7 @@ impl ObjectReader<'_> {
         }
     }
 
-    /// The entries of an object, and what follows from them.
+    /// The entries of an object, and the resulting properties.
     fn subs(&mut self, index: u16, section: &KeyedTable<'_>, object: &mut Object, unstated: Omissions) {
         let entries = section.named("sub", self.findings);
         self.check_hexadecimal(index, entries);
@@ -251,7 +252,7 @@ impl ObjectReader<'_> {
         };
         let value = self.defaults.highest(highest, self.defaults.unstated);
         match object.subs.get_mut(0) {
-            // that of a profile stays where there are as many sub-indexes as there
+            // the profile's value remains if the number of sub-indexes is unchanged
             Some(_) if highest_before == Some(highest) => {}
             Some(entry) if !has_default(entries) => entry.default = value,
             Some(_) => {}
@@ -343,7 +344,7 @@ impl ObjectReader<'_> {
         });
     }
 
-    /// An entry, and what its description leaves out.
+    /// An entry, and its omissions.
     fn entry(
         &mut self,
         address: &str,
@@ -397,7 +398,8 @@ impl ObjectReader<'_> {
         (entry, unstated)
     }
 
-    /// The values of an entry. Lists of them may be read elsewhere, one for each of several entries.
+    /// The values of an entry. Lists of them may be read elsewhere, with one value for each of several
+    /// entries.
     fn values(&mut self, section: &KeyedTable<'_>, takes_lists: bool, entry: &mut Entry) {
         for name in VALUES {
             if let Some(tree) =
@@ -421,7 +423,7 @@ impl ObjectReader<'_> {
         }
     }
 
-    /// A text has room for as many characters as its type says, at least.
+    /// A string has at least the capacity that its type states.
     fn check_length(&mut self, section: &KeyedTable<'_>, entry: &Entry) {
         let length = self.said(section).and_then(|said| said.length);
         let (Some(length), Some(Value::Text(text))) = (length, &entry.default) else { return };
@@ -487,7 +489,7 @@ impl ObjectReader<'_> {
     }
 }
 
-/// The list that a key has, and its items.
+/// The list in a key, and its items.
 fn items_of<'t>(section: &KeyedTable<'t>, name: &str) -> Option<(&'t KeyedTree, &'t [KeyedTree])> {
     let tree = section.get(name)?;
     match &*tree.kind {
@@ -496,7 +498,7 @@ fn items_of<'t>(section: &KeyedTable<'t>, name: &str) -> Option<(&'t KeyedTree, 
     }
 }
 
-/// Whether a text or a list of texts has a word.
+/// Whether a string or a list of strings contains a keyword.
 pub(super) fn names(tree: &KeyedTree, word: &str) -> bool {
     match &*tree.kind {
         Kind::List(items) => items.iter().any(|item| item.text() == Some(word)),
@@ -504,7 +506,7 @@ pub(super) fn names(tree: &KeyedTree, word: &str) -> bool {
     }
 }
 
-/// `SubNumber` of an object that does not state another one.
+/// `SubNumber` of an object that does not state a different one.
 pub(super) fn sub_number(object: &Object, unstated: Omissions) -> Option<u8> {
     let count = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
     let is_there =
@@ -512,7 +514,7 @@ pub(super) fn sub_number(object: &Object, unstated: Omissions) -> Option<u8> {
     u8::try_from(count).ok().filter(|_| is_there)
 }
 
-/// An entry without what its description leaves out.
+/// An entry without its omitted properties.
 pub(super) fn without(mut entry: Entry, unstated: Omissions) -> Entry {
     if unstated.has(OmittedFact::ObjectType) {
         entry.object_type = None;

@@ -1,4 +1,5 @@
-//! The `device.toml` of a new device: profile, identity and features, and in comments how to go on.
+//! The initial `device.toml` of a new device: profile, identity and features, with comments about the next
+//! steps.
 
 use super::facts;
 use super::keys::{DEVICE, FILE, FORMAT};
@@ -22,7 +23,7 @@ pub fn new_device_toml(wanted: &Wanted) -> Result<String, BaseError> {
     let said = ProfileSaid { profile, version, features: features.clone() };
     let base = scaffold::base(profile, version, features)?;
     let mut text = format!("format = {}\n{}", quoted(FORMAT), said.line());
-    // the file that is made of it has another name
+    // the generated file has a different name
     let file = device.file_info.clone().map(|info| FileInfo { file_name: None, ..info });
     section(&mut text, "file", file.as_ref(), FILE, &facts::implied_file());
     let implied = implied_device(base.device_info.as_ref(), device);
@@ -43,7 +44,7 @@ pub fn new_device_toml(wanted: &Wanted) -> Result<String, BaseError> {
     Ok(text)
 }
 
-/// Two objects, another default of an object that the device has, and a PDO.
+/// Two objects, a changed default of an existing object, and a PDO.
 fn example(device: &Device) -> String {
     let mut text = String::new();
     let is_free =

@@ -1,4 +1,4 @@
-//! What most entries of a device have, which is written once.
+//! Common properties of a device's entries, which are written once.
 
 use std::collections::BTreeMap;
 
@@ -7,14 +7,14 @@ use super::objects::{TomlPair, common, inline};
 use super::words::{map_word, push, quoted, type_word, words};
 use objdict_model::model::{Device, Entry, Object};
 
-/// The most frequent of these.
+/// The most frequent item.
 fn most<T: Ord + Clone>(items: impl Iterator<Item = T>) -> Option<T> {
     let mut counts: BTreeMap<T, usize> = BTreeMap::new();
     items.for_each(|item| *counts.entry(item).or_default() += 1);
     counts.into_iter().max_by_key(|(_, count)| *count).map(|(item, _)| item)
 }
 
-/// What most entries of a device have.
+/// The common properties of most entries of a device.
 pub(super) fn usual(device: &Device) -> Defaults {
     let entries = || {
         let of_object = |object: &'_ Object| -> Vec<Entry> {
@@ -65,7 +65,7 @@ pub(super) fn usual(device: &Device) -> Defaults {
     defaults
 }
 
-/// What sub-index 0 is in most objects; `None` in it for none.
+/// The common sub-index 0 of most objects; the inner `None` if there is none.
 fn usual_first(device: &Device) -> Option<Option<Entry>> {
     let mut counts: BTreeMap<String, (usize, Option<Entry>)> = BTreeMap::new();
     let described =

@@ -1,4 +1,4 @@
-//! The variants of a device: what each has otherwise than the file.
+//! The variants of a device: the differences of each from the file.
 
 use super::keys::variant_keys;
 use super::merge::Merged;
@@ -8,7 +8,7 @@ use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::Device;
 
-/// Each is read and checked like a file.
+/// Limited because each is read and checked like a file.
 const MAX_VARIANTS: usize = 64;
 
 /// The names of the variants of a tree, in its order.
@@ -18,7 +18,7 @@ pub(super) fn names(tree: &KeyedTree) -> Vec<String> {
     names.filter(|name| is_name(name)).take(MAX_VARIANTS).collect()
 }
 
-/// Whether a name can be an argument and a part of the names of files.
+/// Whether a name is valid as an argument and as a part of file names.
 fn is_name(name: &str) -> bool {
     let is_part = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b'.');
     name.starts_with(|first: char| first.is_ascii_alphanumeric()) && name.bytes().all(is_part)
@@ -71,7 +71,7 @@ fn product_code(tree: &KeyedTree) -> Option<i128> {
     at(&["object", "1018", "sub", "2", "default"]).or_else(|| at(&["device", "product-number"]))
 }
 
-/// What the file says of a variant.
+/// The keys of a variant in the file.
 fn own<'t>(tree: &'t KeyedTree, name: &str) -> Option<&'t KeyedTree> {
     let variants = tree.get("variant").and_then(KeyedTree::entries).unwrap_or_default();
     variants.iter().find(|entry| entry.key.spelled() == name).map(|entry| &entry.value)
@@ -86,7 +86,7 @@ pub(super) fn merged(base: Merged, name: &str, findings: &mut Findings) -> Merge
     base.with(&KeyedTree::new(section.span(), Kind::Map(known.cloned().collect())))
 }
 
-/// Gives a variant without a file name of its own one.
+/// Sets the file name of a variant that does not state one.
 pub(super) fn name_file(tree: &KeyedTree, variant: &str, device: &mut Device) {
     let has_own = |tree: &KeyedTree| tree.get("file").is_some_and(|file| file.get("file-name").is_some());
     let name = device.file_info.as_mut().and_then(|info| info.file_name.as_mut());

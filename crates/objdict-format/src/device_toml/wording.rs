@@ -15,7 +15,7 @@ const TABLES: [(Part, &[Key]); 4] = [
     (Part::Commissioning, NODE),
 ];
 
-/// The sections of CiA 306 that are tables of another name.
+/// The sections of CiA 306 that are tables with a different name.
 const SECTIONS: [(&str, &str); 7] = [
     ("FileInfo", "[file]"),
     ("DeviceInfo", "[device]"),
@@ -66,7 +66,7 @@ fn value(name: &str, text: &str) -> Option<String> {
     stated_of(Some(DataType::INTEGER64), part, &field, text).map(|(_, value)| value)
 }
 
-/// The table of a section: of `1018` and `1018sub1` that of the object.
+/// The table of a section: for `1018` and `1018sub1`, that of the object.
 fn section(name: &str) -> Option<String> {
     if let Some((_, table)) = SECTIONS.iter().find(|(known, _)| *known == name) {
         return Some((*table).to_owned());

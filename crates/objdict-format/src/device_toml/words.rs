@@ -1,4 +1,4 @@
-//! The words and values of `device.toml`: data types, values, lists of indexes, of dummies and of lines.
+//! The keywords and values of `device.toml`: data types, values, and lists of indexes, dummies and lines.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use objdict_model::model::{
     DataType, Device, ObjectList, ObjectLists, ObjectType, PdoMapping, TypeKind, Value,
 };
 
-/// The word of a data type, or its index.
+/// The keyword for a data type, otherwise its index.
 pub(super) fn type_word(data_type: DataType) -> String {
     types::word_of(data_type).map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
 }
@@ -21,15 +21,15 @@ pub(super) fn data_type(word: &str) -> Option<DataType> {
     types::named(word).or_else(|| index().map(DataType))
 }
 
-/// All words of data types, for suggestions.
+/// All data type keywords, for suggestions.
 pub(super) fn type_words() -> impl Iterator<Item = &'static str> {
     TYPES.iter().map(|(word, _)| *word).chain(["record", "array"])
 }
 
-/// What `type` says.
+/// The value of `type`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct TypeSaid {
-    /// `None` for what follows from the data type.
+    /// `None` if it follows from the data type.
     pub(super) object_type: Option<ObjectType>,
     pub(super) data_type: Option<DataType>,
     /// The number of equal elements.
@@ -39,7 +39,7 @@ pub(super) struct TypeSaid {
 }
 
 impl TypeSaid {
-    /// Whether it is a type of the object as a whole, whose entries are described below it.
+    /// Whether it is the type of the object as a whole, with separately described entries.
     pub(super) fn has_subs(&self) -> bool {
         self.count.is_none() && self.object_type.is_some_and(ObjectType::has_subs)
     }
@@ -70,7 +70,7 @@ impl TypeSaid {
         }
     }
 
-    /// Its word; `None` where there is none, and the object type needs a key of its own.
+    /// Its keyword; `None` if there is none, and the object type needs a separate key.
     pub(super) fn word(&self) -> Option<String> {
         let data_type = self.data_type.map(type_word);
         Some(match (self.object_type, data_type, self.count) {
@@ -88,7 +88,7 @@ impl TypeSaid {
     }
 }
 
-/// The value that a key states for an entry of this type; `None` if it is none of the type.
+/// The value that a key states for an entry of this type; `None` if it is not valid.
 pub(super) fn value_of(tree: &KeyedTree, data_type: Option<DataType>) -> Option<Value> {
     let kind = data_type.map_or(TypeKind::Reserved, DataType::kind);
     let is_open = matches!(kind, TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved);
@@ -118,7 +118,7 @@ pub(super) fn value_of(tree: &KeyedTree, data_type: Option<DataType>) -> Option<
     }
 }
 
-/// A value as TOML; `None` for one that has no short form.
+/// A value as TOML; `None` if it has no short notation.
 pub(super) fn spelled(value: &Value, hex: bool) -> Option<String> {
     Some(match value {
         Value::Boolean(value) => value.to_string(),
@@ -141,7 +141,7 @@ pub(crate) fn map_word(map: PdoMapping) -> String {
     map.name().to_ascii_lowercase()
 }
 
-/// What such a word says.
+/// The mapping that a keyword stands for.
 pub(crate) fn mapping(word: &str) -> Option<PdoMapping> {
     PdoMapping::ALL.into_iter().find(|map| map_word(*map) == word)
 }
@@ -168,11 +168,11 @@ pub(super) fn index_list(indexes: &[u16]) -> String {
     words.into_iter().map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// What other texts are not, and what to write.
+/// What other strings are not, and the correct notation.
 pub(super) const NO_INDEXES: [&str; 2] =
     ["a list of indexes", "write indexes of four hex digits, as in `1000-1001 1018`"];
 
-/// The indexes of such a text.
+/// The indexes in such a string.
 pub(super) fn indexes(text: &str) -> Option<Vec<u16>> {
     let mut indexes = Vec::new();
     for word in text.split_whitespace() {
@@ -210,7 +210,7 @@ pub(super) fn push(text: &mut String, line: &str) {
     text.push('\n');
 }
 
-/// Words in quotes.
+/// Keywords in quotes.
 pub(super) fn words(words: &[&str]) -> String {
     words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ")
 }
@@ -222,12 +222,12 @@ pub(super) const NAMES: [(ObjectList, &str); 3] = [
     (ObjectList::Manufacturer, "manufacturer"),
 ];
 
-/// The lists that follow from the objects.
+/// The lists derived from the objects.
 pub(super) fn implied(device: &Device) -> ObjectLists {
     ObjectLists::naming(device.objects.keys().copied())
 }
 
-/// Writes the lists that do not follow from the objects.
+/// Writes the lists that differ from the derived ones.
 pub(super) fn write(device: &Device, text: &mut String) {
     let implied = implied(device);
     if device.lists == implied {
@@ -250,7 +250,7 @@ pub(super) fn write(device: &Device, text: &mut String) {
 /// The data types that CiA 306 lists under `DummyUsage`.
 const DUMMIES: std::ops::RangeInclusive<u16> = 1..=7;
 
-/// The words of the types that are allowed. Where others are listed than usual, all of them, after `only`.
+/// The keywords of the allowed types. If the listed types are unusual, all of them, after `only`.
 pub(super) fn dummy_words(types: &BTreeMap<DataType, bool>) -> String {
     let is_usual = types.keys().map(|data_type| data_type.0).eq(DUMMIES);
     let word = |(data_type, allowed): (&DataType, &bool)| match allowed {
@@ -262,7 +262,7 @@ pub(super) fn dummy_words(types: &BTreeMap<DataType, bool>) -> String {
     only.into_iter().chain(types.iter().filter_map(word)).collect::<Vec<_>>().join(" ")
 }
 
-/// The types of these words.
+/// The types of these keywords.
 pub(super) fn dummies(text: &str) -> Option<BTreeMap<DataType, bool>> {
     let listed = text.strip_prefix("only").filter(|rest| rest.is_empty() || rest.starts_with(' '));
     let usual = DUMMIES.map(|code| (DataType(code), false));
@@ -275,7 +275,7 @@ pub(super) fn dummies(text: &str) -> Option<BTreeMap<DataType, bool>> {
     Some(types)
 }
 
-/// Lines as a text between triple quotes.
+/// Lines as a triple-quoted string.
 pub(super) fn several_lines(lines: &[String]) -> String {
     let is_plain = |line: &String| {
         !line.starts_with('[') && !line.contains(|c: char| c.is_control() || matches!(c, '"' | '\\'))

@@ -1,4 +1,4 @@
-//! From a device to the text: the short form of each part, where it has one.
+//! Converts a device to text: each part in its short notation, if possible.
 
 use super::facts::{self, Implied};
 use super::keys::{DEVICE, FILE, FORMAT, NODE};
@@ -10,8 +10,8 @@ use super::words::{self, key, push, quoted, words};
 use crate::scaffold;
 use objdict_model::model::{Device, DeviceKind, ExtraSection, PdoKind};
 
-/// Writes a device, without what it has no keys for: as what is different from the device that a profile demands, and with
-/// tables of its PDOs, where that is asked for.
+/// Writes a device, without content that has no keys; optionally as differences from the device that a profile
+/// requires, and with PDO tables.
 pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, with_pdos: bool) -> String {
     let mut text = format!("format = {}\n", quoted(FORMAT));
     let mut base = profile.map(|(_, base)| base.clone());
@@ -56,7 +56,7 @@ pub(super) fn write_features(said: &ProfileSaid, text: &mut String) {
     }
 }
 
-/// The objects that are not as they would be without a key.
+/// The objects that differ from their state without keys.
 fn objects(writer: &ObjectWriter<'_>, text: &mut String) {
     let start = text.len();
     for (&index, object) in &writer.device.objects {
@@ -77,15 +77,15 @@ fn insert_removed(removed: &[String], text: &mut String) {
     }
 }
 
-/// Adds lines in front of the first table. No other line begins with a bracket.
+/// Inserts lines before the first table. No other line begins with a bracket.
 pub(super) fn insert_before_tables(lines: &str, text: &mut String) {
     let at = text.find("\n[").map_or(text.len(), |at| at + 1);
-    // the empty line before the table stays there
+    // the empty line before the table remains there
     let at = if at < text.len() && text[..at].ends_with("\n\n") { at - 1 } else { at };
     text.insert_str(at, lines);
 }
 
-/// Writes tables of PDOs, and makes the objects in the base those that they say.
+/// Writes PDO tables, and adds the resulting objects to the base.
 fn write_pdos(device: &Device, base: &mut Device, text: &mut String) {
     let mut standard = Standard::default();
     for (kind, name) in [(PdoKind::Rpdo, "rpdo"), (PdoKind::Tpdo, "tpdo")] {
@@ -159,7 +159,7 @@ fn extra(device: &Device, text: &mut String) {
     };
     let mut names = std::collections::BTreeSet::new();
     if !device.extra.iter().all(|section| names.insert(section.name())) {
-        // equal keys are no TOML
+        // repeated keys are not valid TOML
         let section = |section: &ExtraSection| {
             let entries = facts::table_of_pairs(&section.entries().collect::<Vec<_>>());
             format!("[{}, {entries}]", quoted(section.name()))

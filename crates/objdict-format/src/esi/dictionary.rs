@@ -18,21 +18,21 @@ const TYPES: &str = "BOOL=BOOLEAN BIT=BOOLEAN SINT=INTEGER8 INT=INTEGER16 INT24=
     DWORD=UNSIGNED32 UINT40=UNSIGNED40 UINT48=UNSIGNED48 UINT56=UNSIGNED56 ULINT=UNSIGNED64 LWORD=UNSIGNED64 REAL=REAL32 LREAL=REAL64 \
     STRING=VISIBLE_STRING WSTRING=UNICODE_STRING";
 
-/// The fields of values, and the elements that state them.
+/// The fields of values, and their elements.
 const VALUES: [(Field, &[&str]); 3] = [
     (Field::DefaultValue, &["DefaultData", "DefaultValue", "DefaultString"]),
     (Field::LowLimit, &["MinData", "MinValue"]),
     (Field::HighLimit, &["MaxData", "MaxValue"]),
 ];
 
-/// A dictionary while it is read.
+/// A dictionary during reading.
 pub(super) struct EsiDictionary<'a, 'd> {
     types: HashMap<String, Element<'a>>,
     /// The symbols of units by their indexes.
     units: HashMap<String, String>,
-    /// What names the dictionary, if it is in another file.
+    /// The reference to the dictionary, if it is in another file.
     named: Option<Element<'d>>,
-    /// How many bytes entries may still take: many objects can have one type.
+    /// The remaining bytes for entries, because many objects can have the same type.
     room: u32,
     read: &'d mut EsiDevice,
 }
@@ -40,7 +40,7 @@ pub(super) struct EsiDictionary<'a, 'd> {
 /// An entry before its values are known.
 struct TypedItem<'a> {
     sub: u8,
-    /// Its name; `None` of an array, which has none.
+    /// Its name; `None` for an array, which has none.
     name: Option<String>,
     type_name: String,
     /// The item of the type, or the object itself.
@@ -77,10 +77,10 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         if type_of(name).is_none() { self.types.get(name).copied() } else { None }
     }
 
-    /// The types from a name of the file to the one of ETG.2000.
+    /// The types from a name in the file to the base type of ETG.2000.
     fn bases(&self, name: &str) -> impl Iterator<Item = Element<'a>> {
         let next = |of: &Element<'a>| self.defined(&text(*of, "BaseType"));
-        // so many types may follow from each other
+        // maximum depth of type references
         iter::successors(self.defined(name), next).take(16)
     }
 
@@ -103,7 +103,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         Some(AllowedValues::named(of.children_named("EnumInfo").map(|of| (number(of), text(of, "Text")))))
     }
 
-    /// Reads an object; `None` if there is no room for its entries.
+    /// Reads an object; `None` if there is no memory left for its entries.
     fn object(&mut self, element: Element<'a>) -> Option<()> {
         let index: Option<u16> = number(&text(element, "Index")).filter(|index| *index > 0);
         let Some(index) = index.filter(|index| !self.read.device.objects.contains_key(index)) else {
@@ -120,7 +120,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
             object.main.name = name.into();
             object.sub_number = members.iter().filter(|member| member.sub < 0xFF).count().try_into().ok();
         }
-        // what the object says of each entry: in their order if it does of all, else by their names
+        // the object's information about each entry: by position if it covers all, otherwise by name
         let mut infos: Vec<_> =
             list(element, "Info", "SubItem").map(|info| (text(info, "Name"), info)).collect();
         let are_all = infos.len() == members.len();
@@ -147,7 +147,8 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         Some(())
     }
 
-    /// The entries of an object by its type, which are those of an ARRAY or RECORD of CiA 301; none for a single one.
+    /// The entries of an object according to its type, as for an ARRAY or RECORD of CiA 301; empty for a
+    /// single one.
     fn members(&mut self, of: Element<'a>, type_name: &str, object: &mut Object) -> Vec<TypedItem<'a>> {
         let items: Vec<Element<'a>> = match self.defined(type_name) {
             Some(record) if record.child("SubItem").is_some() => record.children_named("SubItem").collect(),
@@ -181,14 +182,14 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
         members
     }
 
-    /// An entry; `None` if there is no room for it.
+    /// An entry; `None` if there is no memory left for it.
     fn entry(&mut self, of: &TypedItem<'a>, object: Element<'a>, info: Option<Element<'a>>) -> Option<Entry> {
         let TypedItem { sub, item, type_name, name } = of;
         let data_type = self.single(type_name);
         let size = if item.id() == object.id() { 0 } else { item.span().len() };
         let named = self.named_values(type_name);
         let names = named.as_ref().map_or(0, |named| named.values.len() as u32);
-        // what an entry takes beside its texts, and the name of a value
+        // the memory for an entry in addition to its strings, and the name of a value
         self.room =
             self.room.checked_sub(size.saturating_add(256).saturating_add(names.saturating_mul(128)))?;
         let name = name.clone().unwrap_or_else(|| format!("SubIndex {sub:03}")).into();
@@ -221,7 +222,7 @@ impl<'a, 'd> EsiDictionary<'a, 'd> {
     }
 }
 
-/// Access, mapping, necessity and storage by the flags of the item, else by those of the object.
+/// Access, mapping, necessity and storage from the flags of the item, otherwise of the object.
 fn flags(entry: &mut Entry, flags: [Option<Element<'_>>; 2]) {
     let stated = |name: &str| {
         let of = flags.into_iter().flatten().find_map(|flags| flags.child(name));
@@ -235,7 +236,7 @@ fn flags(entry: &mut Entry, flags: [Option<Element<'_>>; 2]) {
         "rt" | "tr" => entry.pdo_mapping = Some(PdoMapping::Optional),
         word => entry.invalid_values.push(Field::PdoMapping, word, Reason::UnknownWord),
     }
-    // what is not stated can only be read; CiA 306 has words for both
+    // the default is read-only; CiA 306 has keywords for both
     entry.access = match (&*access, entry.pdo_mapping) {
         ("", _) => Some(Access::Ro),
         ("rw", Some(PdoMapping::Tpdo)) => Some(Access::Rwr),
@@ -268,7 +269,7 @@ fn type_of(name: &str) -> Option<DataType> {
     DataType::from_name(known).filter(|of| of.kind() != TypeKind::Structure)
 }
 
-/// The value that an element states, of a type: little-endian bytes, a number or a text.
+/// The value of an element for a type: little-endian bytes, a number or a string.
 fn value(element: Element<'_>, data_type: Option<DataType>) -> Result<Value, Reason> {
     let text = line(element);
     let read = |text: &str, data_type| literal::value(text, Some(data_type), &mut Quirks::default());

@@ -1,5 +1,4 @@
-//! EtherCAT slave information (ESI): the dictionaries that devices serve over CoE, as `EtherCATInfo` lists them (ETG.2000). They
-//! are read and never written.
+//! EtherCAT slave information (ESI): the CoE dictionaries of devices in `EtherCATInfo` (ETG.2000). Read-only.
 
 mod dictionary;
 
@@ -18,7 +17,7 @@ use objdict_model::source::{Folder, SourceFile, SourceOptions, Span};
 use objdict_xdd::xdd::Leftovers;
 use objdict_xdd::xml::{Element, ElementId, Tree};
 
-/// The elements and attributes that are read; the rest is kept.
+/// The elements and attributes that are parsed; the rest is kept.
 const KNOWN: &str = " Access AddInfo ArrayInfo Backup BaseType BitLen BitOffs BitSize Category DataType DataTypes DefaultData DefaultString DefaultValue \
     Dictionary DictionaryFile Elements Entry Enum EnumInfo Flags Index Info LBound LcId MaxData MaxValue MinData MinValue Name Object Objects PdoMapping \
     ProductCode Profile ProfileNo RevisionNo RxPdo SubIdx SubIndex SubItem Symbol Text TxPdo Type Unit UnitType UnitTypes ";
@@ -30,7 +29,7 @@ struct EsiText {
     places: BTreeMap<Part, ElementId>,
 }
 
-/// A device while it is read, and where its objects and entries are described.
+/// A device during reading, and the locations of its objects and entries.
 #[derive(Default)]
 struct EsiDevice {
     device: Device,
@@ -38,7 +37,7 @@ struct EsiDevice {
     places: BTreeMap<Part, ElementId>,
 }
 
-/// Reads one of the devices of a file, counted from 0.
+/// Reads one of the devices of a file, by number from 0.
 pub(super) fn read(tree: Arc<Tree>, number: usize, kind: DeviceKind) -> ReadText {
     let mut read = EsiDevice::default();
     if let Some(element) = devices(&tree).nth(number) {
@@ -62,28 +61,28 @@ fn line(element: Element<'_>) -> String {
     element.text().split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The text of a child on one line, in English if there are several; empty if there is none.
+/// The text of a child on one line; the English one if there are several; empty if there is none.
 fn text(of: Element<'_>, name: &str) -> String {
     let found = of.children_named(name).find(|text| !is_foreign(*text)).or_else(|| of.child(name));
     found.map(line).unwrap_or_default()
 }
 
-/// Whether a text is in another language than English.
+/// Whether a text is in a language other than English.
 fn is_foreign(text: Element<'_>) -> bool {
     text.attribute("LcId").is_some_and(|language| language.value() != "1033")
 }
 
-/// A number as ETG.2000 writes it: decimal, or hexadecimal behind `#x`.
+/// A number in ETG.2000 notation: decimal, or hexadecimal after `#x`.
 fn number<T: TryFrom<u64>>(text: &str) -> Option<T> {
     let hex = text.strip_prefix("#x").map(|digits| u64::from_str_radix(digits, 16));
     hex.unwrap_or_else(|| text.parse()).ok()?.try_into().ok()
 }
 
-/// What is in an element that the model has no place for.
+/// The content of an element that the model does not support.
 fn leftovers(of: Element<'_>) -> Vec<ExtraSection> {
     let (mut leftovers, mut end) = (Leftovers::default(), 0);
     let is_known = |name: &str| KNOWN.contains(&format!(" {name} "));
-    // what most are
+    // the most common case
     let is_usual = |of: Element<'_>| of.name() == "Setting" && line(of) == "0";
     for part in of.descendants().filter(|part| !is_usual(*part)) {
         if part.span().start >= end && (!is_known(part.name()) || is_foreign(part)) {
@@ -145,7 +144,7 @@ impl EsiDevice {
         Some(())
     }
 
-    /// A PDO: the object with its mapping, or the values that the dictionary does not state.
+    /// A PDO: the object with its mapping, or the values that the dictionary does not contain.
     fn pdo(&mut self, pdo: Element<'_>) {
         let index = number::<u16>(&text(pdo, "Index")).unwrap_or(0);
         if !matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF) {

@@ -1,14 +1,14 @@
-//! A concise DCF as a stream or as a text, and the layout of the stream in Ethernet POWERLINK.
+//! A concise DCF as a stream or as text, and the same stream layout in Ethernet POWERLINK.
 
 use super::{ContentKind, Identification, list};
 use objdict_node::concise::looks_like;
 use objdict_node::download::{ConciseDcf, DecodeErrorKind, Download};
 
-/// The count, and the least that each entry has.
+/// The size of the count, and the minimum size of an entry.
 const COUNT: usize = 4;
 const HEADER: usize = 7;
 
-/// A stream that is a concise DCF from the first to the last byte.
+/// Identifies a stream that is entirely a concise DCF.
 pub(super) fn of_stream(bytes: &[u8]) -> Option<Identification> {
     let count = u32::from_le_bytes(*bytes.first_chunk()?);
     let least = u64::from(count) * HEADER as u64 + COUNT as u64;
@@ -24,7 +24,7 @@ pub(super) fn of_stream(bytes: &[u8]) -> Option<Identification> {
     }
 }
 
-/// Our text of a concise DCF: the first line has an entry and a data type.
+/// Identifies objdict's text format of a concise DCF: the first line has an entry and a data type.
 pub(super) fn of_text(text: &str) -> Option<Identification> {
     let reason = "its first line has an entry, a data type and a value, as the text of a download";
     looks_like(text).then(|| Identification::new(ContentKind::ConciseText, reason))
@@ -47,7 +47,8 @@ fn identified(configuration: &ConciseDcf, length: usize) -> Identification {
     Identification { technology, ..Identification::new(ContentKind::PowerlinkConcise, reason) }
 }
 
-/// Objects that POWERLINK managers receive and CANopen devices do not. One of them alone may be an oddity of a device.
+/// Objects that POWERLINK managers receive and CANopen devices do not. A single one may be a peculiarity of a
+/// device.
 fn powerlink_marks(configuration: &ConciseDcf) -> Vec<String> {
     let has = |test: fn(&Download) -> bool| configuration.0.iter().find(|download| test(download));
     let mut marks = Vec::new();
@@ -58,7 +59,7 @@ fn powerlink_marks(configuration: &ConciseDcf) -> Vec<String> {
     if let Some(cycle) = has(|download| matches!(download.index, 0x1C01..=0x1C0F)) {
         marks.push(format!("{:04X}h", cycle.index));
     }
-    // CiA 302 ends at 1F91h, where network management of POWERLINK goes on
+    // CiA 302 ends at 1F91h, where network management of POWERLINK continues
     if let Some(timing) = has(|download| matches!(download.index, 0x1F8B..=0x1F8D | 0x1F92..=0x1F9F)) {
         marks.push(format!("{:04X}h", timing.index));
     }

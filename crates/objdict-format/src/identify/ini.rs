@@ -12,24 +12,24 @@ use objdict_model::model::Part;
 /// Sections that a reason names.
 const NAMED: usize = 3;
 
-/// So many bytes behind the start of a section are looked at for its keys.
+/// The number of bytes after the start of a section that are searched for its keys.
 const SECTION: usize = 1 << 12;
 
-/// What the sections of a file show.
+/// The evidence in the sections of a file.
 #[derive(Default)]
 struct IniSigns<'a> {
-    /// Names of sections that an EDS or DCF has and hardly anything else.
+    /// Section names that are specific to an EDS or DCF.
     canopen: Vec<&'a str>,
     /// The section of the node, as it is spelled.
     commissioning: Option<&'a str>,
     version: Option<&'a str>,
     node_id: Option<&'a str>,
     topology: Option<&'a str>,
-    /// The first key of CIP in each of its sections.
+    /// The first CIP key in each of its sections.
     cip: Vec<(&'static str, &'static str)>,
     /// `Class1` of a CIP device.
     class: Option<&'a str>,
-    /// `[IO_Info]`, which the EDS of DeviceNet has.
+    /// `[IO_Info]`, which only the EDS of DeviceNet contains.
     io_info: bool,
 }
 
@@ -72,13 +72,13 @@ fn powerlink() -> Identification {
     Identification { technology, ..Identification::new(ContentKind::PowerlinkEds, reason) }
 }
 
-/// Where lines start with a text.
+/// The positions at which lines start with a string.
 fn line_starts<'a>(bytes: &'a [u8], text: &'a str) -> impl Iterator<Item = usize> + 'a {
     memchr::memmem::find_iter(bytes, text)
         .filter(|&at| matches!(bytes[..at].last(), None | Some(b'\n' | b'\r')))
 }
 
-/// The section of the node, where it is behind the first objects: it may be the last of the file.
+/// The node section after the first objects: it may be the last in the file.
 fn commissioning_behind<'a>(content: &'a ExaminedContent<'_>) -> Option<Cow<'a, str>> {
     // both spellings start with this, so one look at a large file is enough
     let start = line_starts(content.bytes, "[DeviceCom").find(|&at| {
@@ -90,7 +90,7 @@ fn commissioning_behind<'a>(content: &'a ExaminedContent<'_>) -> Option<Cow<'a, 
 }
 
 impl<'a> IniSigns<'a> {
-    /// The text before the first object, which is enough.
+    /// Reads only the text before the first object.
     fn of(text: &'a str) -> Self {
         let mut signs = Self::default();
         let mut section = "";
@@ -109,7 +109,7 @@ impl<'a> IniSigns<'a> {
         signs
     }
 
-    /// Takes note of a section, and says whether it is that of an object.
+    /// Records a section, and returns whether it belongs to an object.
     fn section(&mut self, name: &'a str) -> bool {
         match SectionName::parse(name).part {
             Part::Commissioning => {
@@ -154,7 +154,7 @@ impl<'a> IniSigns<'a> {
         self.cip.extend(found.filter(|(section, _)| self.cip.iter().all(|(known, _)| known != section)));
     }
 
-    /// An EDS or a DCF. They have the same sections, so the name decides where it says one of them.
+    /// An EDS or a DCF. They have the same sections, so the file extension decides if it is one of the two.
     fn description(&self, content: &ExaminedContent<'_>) -> Identification {
         let commissioning = self.commissioning;
         let mut sections: Vec<String> = Vec::new();
@@ -182,7 +182,7 @@ impl<'a> IniSigns<'a> {
         }
     }
 
-    /// Which network of the CIP family it is for, where the file says it.
+    /// The network of the CIP family, if stated in the file.
     fn cip_technology(&self) -> &'static str {
         let class = self.class.unwrap_or_default().to_ascii_lowercase();
         let networks = [

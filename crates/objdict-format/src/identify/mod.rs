@@ -1,9 +1,9 @@
-//! What a file is, found out from its content: the formats of CANopen, and the look-alikes that are taken for them.
+//! Detects file formats by content: the formats of CANopen, and other files that are mistaken for them.
 //!
 //! Its readers return the type of this module, so they import each other.
 //!
-//! The name counts only where the content does not decide: an EDS and a DCF, or an XDD and an XDC, may have the same text.
-//! Nothing here fails on malformed content; unrecognised content is [`ContentKind::Unknown`].
+//! The file name is used only if the content is ambiguous: an EDS and a DCF, or an XDD and an XDC, may have the same
+//! text. Detection never fails on malformed content; unrecognised content is [`ContentKind::Unknown`].
 
 #[cfg(feature = "full")]
 mod concise;
@@ -19,13 +19,13 @@ use std::fmt;
 pub use self::kind::ContentKind;
 use objdict_model::source::{Encoding, SourceFile};
 
-/// So many bytes from the start are looked at; single words are looked for in all of them.
+/// The number of bytes examined from the start; single words are searched in all of them.
 const HEAD: usize = 1 << 16;
 
-/// So many characters of a text from a file are quoted.
+/// The maximum number of characters quoted from a file.
 const QUOTED: usize = 100;
 
-/// What files of other programs begin with.
+/// The signatures of files of other programs.
 const SIGNATURES: [(&[u8], &str); 11] = [
     (b"\x89PNG\r\n", "it is a PNG image"),
     (b"\xFF\xD8\xFF", "it is a JPEG image"),
@@ -40,18 +40,18 @@ const SIGNATURES: [(&[u8], &str); 11] = [
     (b"\xD0\xCF\x11\xE0", "it is a document of Microsoft Office"),
 ];
 
-/// What a file is, and why it is taken for that.
+/// The format of a file, and the evidence for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "full", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Identification {
-    /// What it holds.
+    /// Its content.
     pub kind: ContentKind,
-    /// The technology that it belongs to, such as `CANopen` or `EtherNet/IP`; `None` where it is not known.
+    /// Its technology, such as `CANopen` or `EtherNet/IP`; `None` if unknown.
     #[cfg_attr(feature = "full", serde(skip_serializing_if = "Option::is_none"))]
     pub technology: Option<String>,
-    /// The version of its format, as the file states it: `4.0` of an EDS, `1.1` of an XDD.
+    /// The version of its format, as stated in the file: `4.0` for an EDS, `1.1` for an XDD.
     #[cfg_attr(feature = "full", serde(rename = "format_version", skip_serializing_if = "Option::is_none"))]
     pub version: Option<String>,
     /// The namespace of an XML file.
@@ -63,13 +63,15 @@ pub struct Identification {
     /// The node-ID that a DCF or XDC states.
     #[cfg_attr(feature = "full", serde(skip_serializing_if = "Option::is_none"))]
     pub node_id: Option<u8>,
-    /// What shows it, as a clause: "the root element is …".
+    /// The evidence, as a clause: "the root element is …".
     pub reason: String,
 }
 
-/// What a file with these bytes is; `name` is its name or path, or anything without an ending where there is none.
+/// Detects the format of a file from its bytes; `name` is its name or path, or any string without an
+/// extension if there is none.
 ///
-/// It looks at the first 64 KiB, at all of a concise DCF, and for single words in the whole of a description.
+/// It examines the first 64 KiB, the whole of a concise DCF, and searches the whole of a description for
+/// single words.
 pub fn identify(name: &str, bytes: &[u8]) -> Identification {
     if let Some(encoding) = utf16(bytes) {
         let text = encoding.decode(bytes.to_vec());
@@ -83,7 +85,7 @@ pub fn identify(name: &str, bytes: &[u8]) -> Identification {
     of_text(&content)
 }
 
-/// What an opened file is; as [`identify`].
+/// Detects the format of an opened file; see [`identify`].
 pub fn identify_source(source: &SourceFile) -> Identification {
     let content = ExaminedContent::new(source.name(), source.text().as_bytes());
     if content.looks_binary() {
@@ -106,8 +108,8 @@ impl Identification {
         }
     }
 
-    /// What a file is that no description can be read from, with a verb in front: "describes an IO-Link device (IODD), not
-    /// a CANopen one".
+    /// A description of a file without a readable description, starting with a verb: "describes an IO-Link device
+    /// (IODD), not a CANopen one".
     pub fn verdict(&self) -> Cow<'static, str> {
         Cow::Owned(match self.kind {
             ContentKind::NetworkXdd | ContentKind::NetworkXdc => {
@@ -130,7 +132,7 @@ impl Identification {
         })
     }
 
-    /// What to do about a file that no description can be read from.
+    /// Advice for a file without a readable description.
     pub fn advice(&self) -> Option<&'static str> {
         self.kind.advice()
     }
@@ -164,7 +166,7 @@ struct ExaminedContent<'a> {
     name: &'a str,
     /// All bytes, in an encoding that has ASCII as its lower half.
     bytes: &'a [u8],
-    /// The start of it as text.
+    /// The start of the file as text.
     head: Cow<'a, str>,
 }
 
@@ -172,7 +174,7 @@ impl<'a> ExaminedContent<'a> {
     fn new(name: &'a str, bytes: &'a [u8]) -> Self {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let head = &bytes[..bytes.len().min(HEAD)];
-        // looking for the first invalid byte takes a tenth of what replacing those that may come does
+        // finding the first invalid byte takes a tenth of the time of replacing possible ones
         let head = std::str::from_utf8(head).map_or_else(|_| String::from_utf8_lossy(head), Cow::Borrowed);
         Self { name: file_name(name), bytes, head }
     }
@@ -182,7 +184,7 @@ impl<'a> ExaminedContent<'a> {
         memchr::memchr(0, start).is_some()
     }
 
-    /// Whether the name has one of these endings, the last known one or not.
+    /// Whether the name has one of these extensions, which need not be the last known one.
     fn is_called(&self, endings: &[&str]) -> bool {
         let mut parts = self.name.rsplit('.');
         parts.any(|part| endings.iter().any(|ending| ending.eq_ignore_ascii_case(part)))
@@ -206,7 +208,7 @@ fn of_text(content: &ExaminedContent<'_>) -> Identification {
     if let Some(found) = text::toml(text) {
         return found;
     }
-    // an EDS may start with the marks of a merge conflict, or with a line of a mail
+    // an EDS may start with merge conflict markers, or with a line of an e-mail
     ini::identify(content)
         .or(xml)
         .or_else(|| text::identify(content, text))
@@ -214,7 +216,7 @@ fn of_text(content: &ExaminedContent<'_>) -> Identification {
         .unwrap_or_else(|| unknown(content))
 }
 
-/// XML, which a build without the feature `xdd` does not look into.
+/// XML, which a build without the feature `xdd` does not examine.
 #[cfg(not(feature = "xdd"))]
 mod xml {
     use super::{ContentKind, ExaminedContent, Identification};
@@ -243,7 +245,7 @@ fn is_blank(character: char) -> bool {
     character.is_whitespace() || matches!(character, '\0' | '\u{1A}' | '\u{FEFF}')
 }
 
-/// UTF-16, by its byte order mark or by the first character, which is ASCII in every format.
+/// Detects UTF-16 by its byte order mark or by the first character, which is ASCII in every format.
 fn utf16(bytes: &[u8]) -> Option<Encoding> {
     match bytes {
         [0xFF, 0xFE, ..] => Some(Encoding::Utf16Le),
@@ -259,7 +261,7 @@ fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// A text from the file as it is quoted: not without end, and without what steers a terminal.
+/// A quotation from the file, truncated and without terminal control characters.
 fn quoted(text: &str) -> String {
     let clean = |c: char| if c.is_control() { ' ' } else { c };
     let mut quoted: String = text.trim().chars().take(QUOTED).map(clean).collect();

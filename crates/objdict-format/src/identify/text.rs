@@ -1,4 +1,4 @@
-//! Other texts: JSON, YAML, and the look-alikes that are neither INI nor XML.
+//! Other texts: JSON, YAML, and files mistaken for CANopen that are neither INI nor XML.
 
 use super::{ContentKind, ExaminedContent, Identification, list, quoted};
 
@@ -17,7 +17,7 @@ pub(super) fn identify(content: &ExaminedContent<'_>, text: &str) -> Option<Iden
         .or_else(|| bus_configuration(content, text))
 }
 
-/// TOML of objdict whose first key says what it is.
+/// TOML of objdict, identified by its first key.
 pub(super) fn toml(text: &str) -> Option<Identification> {
     const FORMATS: [(&str, ContentKind); 2] =
         [("objdict-device/", ContentKind::DeviceToml), ("objdict-patch/", ContentKind::Patch)];
@@ -52,7 +52,7 @@ fn json(text: &str) -> Option<Identification> {
     })
 }
 
-/// PROFIBUS: the first thing that is no comment is `#Profibus_DP`.
+/// PROFIBUS: `#Profibus_DP` is the first line that is not a comment.
 fn gsd(text: &str) -> Option<Identification> {
     let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with(';'));
     let first = lines.next()?;
@@ -72,7 +72,8 @@ fn dbc(text: &str) -> Option<Identification> {
     Some(Identification::new(ContentKind::Dbc, reason))
 }
 
-/// Tcl commands of Vivado about ports, pins and clocks. In the files that come with boards all of them are comments.
+/// Tcl commands of Vivado about ports, pins and clocks. In files supplied with boards, all of them are
+/// comments.
 fn fpga_constraints(text: &str) -> Option<Identification> {
     let commands = [
         "set_property",
@@ -105,7 +106,7 @@ fn fpga_constraints(text: &str) -> Option<Identification> {
     })
 }
 
-/// TOML for objdict: the tables of nodes, links and the bus, two of which must be there.
+/// TOML for objdict: at least two of the tables of nodes, links and the bus.
 fn network(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     const TABLES: [(&str, &str); 4] =
         [("[bus]", "[bus]"), ("[manager]", "[manager]"), ("[node.", "[node.…]"), ("[[link]]", "[[link]]")];
@@ -117,7 +118,7 @@ fn network(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> 
     (found.len() >= enough).then(|| Identification::new(ContentKind::Network, reason()))
 }
 
-/// YAML for dcfgen: keys of nodes, of which at least the description or the node-ID must be there.
+/// YAML for dcfgen: keys of nodes, including at least the description or the node-ID.
 fn bus_configuration(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     const NEEDED: [&str; 2] = ["dcf", "node_id"];
     const USUAL: [&str; 16] = [
@@ -139,7 +140,7 @@ fn bus_configuration(content: &ExaminedContent<'_>, text: &str) -> Option<Identi
         "master",
     ];
     let mut found: Vec<&str> = Vec::new();
-    // a key begins a line, or follows a brace or a comma, as in `{node_id: 1, dcf: a.eds}`
+    // a key starts a line, or follows a brace or a comma, as in `{node_id: 1, dcf: a.eds}`
     let lines = text.lines().filter(|line| !line.trim_start().starts_with('#'));
     for part in lines.flat_map(|line| line.split(['{', ','])) {
         let Some((key, _)) = part.split_once(':') else { continue };

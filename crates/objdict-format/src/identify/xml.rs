@@ -1,11 +1,11 @@
-//! XML: the root element, its namespace, and what a profile says of its technology.
+//! XML: the root element, its namespace, and the technology in a profile.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 use super::{ContentKind, ExaminedContent, Identification, quoted};
 
-/// The element that holds the profiles of an XDD.
+/// The element that contains the profiles of an XDD.
 const CONTAINER: &str = "ISO15745ProfileContainer";
 
 impl ExaminedContent<'_> {
@@ -19,7 +19,7 @@ impl ExaminedContent<'_> {
     }
 }
 
-/// What an XML file says of itself.
+/// The evidence in an XML file.
 #[derive(Default)]
 struct XmlSigns {
     root: Option<Root>,
@@ -40,7 +40,7 @@ struct Root {
     location: Option<String>,
 }
 
-/// What a text is that starts like XML.
+/// Identifies a text that starts like XML.
 pub(super) fn identify(content: &ExaminedContent<'_>, text: &str) -> Option<Identification> {
     let is_start = |c: char| c.is_alphabetic() || matches!(c, '_' | '?' | '!');
     if !text.strip_prefix('<')?.starts_with(is_start) {
@@ -58,7 +58,7 @@ pub(super) fn identify(content: &ExaminedContent<'_>, text: &str) -> Option<Iden
     Some(Identification { namespace, ..found })
 }
 
-/// XML that starts somewhere behind the start of the text, as behind the messages of a tool.
+/// XML that does not start at the beginning of the text, for example after the messages of a tool.
 pub(super) fn behind_junk(content: &ExaminedContent<'_>) -> Option<Identification> {
     let declaration = content.head.find("<?xml");
     let start = declaration.or_else(|| content.head.find(&format!("<{CONTAINER}")))?;
@@ -66,7 +66,7 @@ pub(super) fn behind_junk(content: &ExaminedContent<'_>) -> Option<Identificatio
 }
 
 impl XmlSigns {
-    /// Reads until all is known, the text ends, or it is too malformed to go on.
+    /// Reads until all is known, the text ends, or it is too malformed to continue.
     fn of(text: &str) -> Self {
         let mut signs = Self::default();
         let mut reader = Reader::from_str(text);
@@ -195,8 +195,8 @@ impl XmlSigns {
         Identification { version, node_id, ..Identification::new(kind, reason) }
     }
 
-    /// What shows that it is the configuration of a node. An XDD and an XDC have the same elements, so the name decides
-    /// where it says one of them.
+    /// The evidence for the configuration of a node. An XDD and an XDC have the same elements, so the file extension
+    /// decides if it is one of the two.
     fn configured(&self, content: &ExaminedContent<'_>) -> Option<&'static str> {
         match known_ending(content.name) {
             Some("xdc") if commissioning(content).is_some() => Some(", with `deviceCommissioning`"),
@@ -271,7 +271,7 @@ fn network(content: &ExaminedContent<'_>, root: &Root, reason: String) -> Identi
     Identification { version: root.version.clone(), devices, ..Identification::new(kind, reason) }
 }
 
-/// Where an element with this local name starts.
+/// The positions at which an element with this local name starts.
 fn starts<'a>(content: &'a ExaminedContent<'_>, name: &'a str) -> impl Iterator<Item = usize> + 'a {
     let bytes = content.bytes;
     memchr::memmem::find_iter(bytes, name).filter(move |&at| {
@@ -293,7 +293,7 @@ fn starts<'a>(content: &'a ExaminedContent<'_>, name: &'a str) -> impl Iterator<
     })
 }
 
-/// The place of the element with the node of a description.
+/// The position of the element with the node of a description.
 fn commissioning(content: &ExaminedContent<'_>) -> Option<usize> {
     starts(content, "deviceCommissioning").next()
 }

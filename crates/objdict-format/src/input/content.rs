@@ -6,11 +6,11 @@ use objdict_model::source::SourceFile;
 use objdict_node::concise;
 use objdict_node::download::ConciseDcf;
 
-/// The JSON of a device may have a value for so many bytes, and one for each entry that is allowed.
+/// The JSON of a device may contain one value per this number of bytes, and one for each allowed entry.
 const BYTES_PER_VALUE: usize = 16;
 
 impl Reading {
-    /// What a source of another kind than a description holds.
+    /// The content of a source that is not a description.
     pub(super) fn content(&self, kind: FileKind, source: &SourceFile) -> Result<Input, ReadError> {
         let damaged = |error: Box<dyn std::error::Error + Send + Sync>| ReadError::Content {
             name: source.name().to_owned(),
@@ -48,7 +48,7 @@ impl Reading {
         }
     }
 
-    /// Refuses a document of many short values: each takes more memory than its text.
+    /// Rejects a document of many short values: each needs more memory than its text.
     fn limited_values(&self, source: &SourceFile) -> Result<(), ReadError> {
         let count = memchr::memchr3_iter(b',', b'[', b'{', source.text().as_bytes()).count();
         let limit = self.max_values() + source.text().len() / BYTES_PER_VALUE;

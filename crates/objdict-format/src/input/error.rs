@@ -1,4 +1,4 @@
-//! Why a file is not read.
+//! The reason why a file is not read.
 
 use std::error::Error;
 use std::num::NonZeroUsize;
@@ -8,19 +8,19 @@ use crate::identify::Identification;
 use objdict_model::diagnostic::{counted, series};
 use objdict_model::source::{FolderError, SourceError};
 
-/// Why a file is not read.
+/// The reason why a file is not read.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum ReadError {
-    /// It could not be opened, or is too large.
+    /// It cannot be opened, or is too large.
     Source(SourceError),
-    /// Another file names it, and it may not be read.
+    /// Another file refers to it, and it may not be read.
     Named(FolderError),
-    /// It is a look-alike of another technology, or a file of CANopen that nothing here reads.
+    /// It belongs to a different technology, or is a CANopen file that objdict cannot read.
     Foreign {
         /// The file.
         name: String,
-        /// What it is.
+        /// The detected format.
         found: Box<Identification>,
     },
     /// Its objects in compact storage have more entries than allowed.
@@ -57,7 +57,7 @@ pub enum ReadError {
         /// How many.
         count: usize,
     },
-    /// It describes fewer devices than the number of the one that is meant.
+    /// It has fewer devices than the requested number.
     NoSuchDevice {
         /// The file.
         name: String,
@@ -66,9 +66,9 @@ pub enum ReadError {
         /// How many it describes.
         count: usize,
     },
-    /// It describes, or several files in all describe, more devices than a network can have.
+    /// It describes, alone or with other files, more devices than a network can have.
     TooManyDevices {
-        /// The file, or the last one.
+        /// The file, or the last of several.
         name: String,
         /// How many.
         count: usize,
@@ -77,16 +77,16 @@ pub enum ReadError {
     NoSuchVariant {
         /// The file.
         name: String,
-        /// The variant that is not there.
+        /// The missing variant.
         variant: String,
-        /// Those that are.
+        /// The existing variants.
         known: Vec<String>,
     },
     /// It is a file of CANopen that describes no device.
     NoDevice {
         /// The file.
         name: String,
-        /// What it was read as.
+        /// The format as which it was read.
         kind: FileKind,
     },
     /// A patch is for it and cannot be made.
@@ -96,7 +96,7 @@ pub enum ReadError {
         /// The problems: the patch with line and column, the rule and the message, a line each.
         problems: String,
     },
-    /// It is a source for objdict, and its text has errors.
+    /// It is an objdict source, and its text has errors.
     Faulty {
         /// The file.
         name: String,
@@ -107,7 +107,7 @@ pub enum ReadError {
     NotBuilt {
         /// The file.
         name: String,
-        /// What it is.
+        /// The format of the file.
         kind: FileKind,
     },
 }
@@ -138,7 +138,7 @@ objdict_model::error_messages! { ReadError:
 } }
 
 impl ReadError {
-    /// What to do about it, where that is known.
+    /// How to fix the error, if known.
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Source(SourceError::Directory { path }) => {

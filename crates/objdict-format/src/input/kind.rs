@@ -4,13 +4,13 @@ use std::path::Path;
 
 use crate::Format;
 
-/// How the formats are written whose texts are edited.
+/// The description of writing for formats whose texts are edited.
 #[cfg(feature = "clap")]
 const EDITED: &str = "by edits of the text, or in the canonical style";
 
-/// Declares the kinds of files, each with its word on the command line, the endings of its files, what people call it, the
-/// feature of this crate with which it is read, its format where it is a description with its text, how it is written, and
-/// its row in docs/reference/formats.md.
+/// Declares the kinds of files, each with its keyword on the command line, its file extensions, its common name, the
+/// crate feature for reading it, its format if it is a description with text, how it is written, and its row in
+/// docs/reference/formats.md.
 macro_rules! file_kinds {
     ($( $(#[$doc:meta])+ $kind:ident $word:literal $endings:expr, $name:literal $feature:expr, $format:expr, $written:expr, $about:literal; )+) => {
         /// A kind of file that commands and build scripts read or write.
@@ -30,27 +30,27 @@ macro_rules! file_kinds {
                 match self { $( Self::$kind => $word ),+ }
             }
 
-            /// The endings of its files, the usual one first.
+            /// Its file extensions, the usual one first.
             pub const fn endings(self) -> &'static [&'static str] {
                 match self { $( Self::$kind => &$endings ),+ }
             }
 
-            /// What people call it.
+            /// Its common name.
             pub const fn name(self) -> &'static str {
                 match self { $( Self::$kind => $name ),+ }
             }
 
-            /// The feature of this crate with which it is read; `None` if nothing reads it.
+            /// The crate feature for reading it; `None` if it cannot be read.
             pub(super) const fn feature(self) -> Option<&'static str> {
                 match self { $( Self::$kind => $feature ),+ }
             }
 
-            /// The format, where it is a description with its text.
+            /// The format, if it is a description with text.
             pub const fn format(self) -> Option<Format> {
                 match self { $( Self::$kind => $format ),+ }
             }
 
-            /// How it is written from a description; `None` if it is not.
+            /// How it is written from a description; `None` if it cannot be written.
             #[cfg(feature = "clap")]
             const fn writing(self) -> Option<&'static str> {
                 match self { $( Self::$kind => $written ),+ }
@@ -82,7 +82,7 @@ file_kinds! {
     Toml "toml" ["toml"], "device.toml" Some("toml"), Some(Format::Toml), Some(EDITED),
         "compact device source ([device.md](device.md))";
     /// Project of the editors for CANopenNode from before XDD (input only)
-    // its objects are those of an XDD
+    // its objects are like those of an XDD
     CanopenNode "canopennode" ["xml"], "CANopenNode project" Some("xdd"), Some(Format::Xdd), None,
         "project of the editors for CANopenNode from before XDD, root element `device` ([projects](projects.md#editors-for-canopennode))";
     /// Project of objdictgen, the generator of CanFestival (input only)
@@ -119,7 +119,7 @@ impl FileKind {
         Self::ALL.iter().copied().filter(|kind| kind.writing().is_some())
     }
 
-    /// The kinds that are read.
+    /// The kinds that can be read.
     #[cfg(feature = "clap")]
     pub fn read() -> impl Iterator<Item = Self> {
         Self::ALL.iter().copied().filter(|kind| kind.feature().is_some())
@@ -138,7 +138,7 @@ impl FileKind {
         format!("| extension | format | read | written |\n|---|---|---|---|\n{rows}")
     }
 
-    /// The usual ending of its files.
+    /// Its usual file extension.
     pub const fn ending(self) -> &'static str {
         match self.endings() {
             [usual, ..] => usual,
@@ -146,13 +146,13 @@ impl FileKind {
         }
     }
 
-    /// By the last known ending of a name, so `drive.eds.txt` is an EDS.
+    /// The kind for the last known extension in a name, so `drive.eds.txt` is an EDS.
     pub fn of(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy();
         if name.to_ascii_lowercase().ends_with(".cdcf.txt") {
             return Some(Self::CdcfText);
         }
-        // an ending of several kinds means the first, and much else is XML
+        // an extension shared by several kinds means the first one, and many other files are XML
         let kinds = Self::ALL.iter().copied().filter(|kind| !matches!(kind, Self::CanopenNode | Self::Esi));
         let is =
             |kind: &Self, part: &str| kind.endings().iter().any(|known| known.eq_ignore_ascii_case(part));

@@ -1,6 +1,6 @@
-//! Any file that commands and build scripts read: what it is, and what is in it.
+//! Reads any input file of commands and build scripts: detects its format and parses its content.
 //!
-//! Memory depends on the number of the shortest parts, so sections, elements and JSON values are counted in the
+//! Memory depends on the number of the smallest parts, so sections, elements and JSON values are counted in the
 //! text before they are read. The limits grow with the file; real files do not reach them.
 
 #[cfg(feature = "full")]
@@ -24,14 +24,14 @@ use objdict_model::diagnostic::Severity;
 use objdict_model::model::Device;
 use objdict_model::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
-/// What was in a file.
+/// The content of a file.
 #[derive(Debug)]
 pub enum Input {
     /// A device as text: EDS, DCF, XDD or XDC.
     Description(Box<Description>),
     /// A device as JSON.
     Device(Box<Device>),
-    /// The downloads of a concise DCF, as such or as JSON.
+    /// The downloads of a concise DCF, as a stream, text or JSON.
     #[cfg(feature = "full")]
     Concise(objdict_node::download::ConciseDcf),
     /// The nodes of networks.
@@ -39,61 +39,63 @@ pub enum Input {
     NodeList(objdict_model::model::NodeList),
 }
 
-/// The default limit of entries in compact storage: a conversion takes 1.5 kB for each, real devices have a few thousand.
+/// The default limit of entries in compact storage: a conversion needs 1.5 kB for each; real devices have a
+/// few thousand.
 pub const DEFAULT_MAX_ENTRIES: usize = 25_000;
 
-/// A text may have an entry in compact storage, a section or an element for so many bytes beside those that are
-/// [allowed](Reading::max_entries): those of real descriptions are longer.
+/// The number of bytes per additional entry in compact storage, section or element, beyond the
+/// [allowed](Reading::max_entries) number: those of real descriptions are longer.
 const BYTES_PER_PART: usize = 64;
 const VALUES_PER_PART: usize = 16;
 
-/// As many for an object, of which pages, tables and differences have a few kilobytes: real devices have hundreds.
+/// The number of bytes per additional object, which needs a few kilobytes in pages, tables and differences:
+/// real devices have hundreds.
 const BYTES_PER_OBJECT: usize = 256;
 const ENTRIES_PER_OBJECT: usize = 4;
 
-/// How many values go with an entry that is allowed, for the limits of what takes less memory.
+/// The number of values per allowed entry, for the limits of parts that need less memory.
 pub(crate) const VALUES_PER_ENTRY: usize = 10;
 
 const NOT_A_NODE: &str = "it describes an EtherCAT device, not a CANopen node; if the device also supports CANopen, ask the vendor for an EDS or XDD";
 
-/// A file with several devices is a network, and a node-ID is one of 127.
+/// A file with several devices is a network, which has at most 127 node-IDs.
 pub const MAX_DEVICES: usize = 127;
 
 /// The findings of each device of a file.
 pub type SourceCheck = fn(&Description) -> Vec<Findings>;
 
-/// What the reader of the text found in each device; no rule runs.
+/// The findings of the text reader for each device; no rules are run.
 pub fn of_text(description: &Description) -> Vec<Findings> {
     description.map_devices(|device| device.findings().clone())
 }
 
-/// How a file is read.
+/// Options for reading a file.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// Its format; `None` detects it.
     pub from: Option<FileKind>,
-    /// Which device of a network file (`.nxdd`, `.nxdc`), counted from 1.
+    /// The device of a network file (`.nxdd`, `.nxdc`), counted from 1.
     pub device: Option<NonZeroUsize>,
-    /// The encoding; `None` finds it out.
+    /// The encoding; `None` detects it.
     pub encoding: Option<Encoding>,
-    /// The largest size in bytes that is read. More than 1 GiB is never read.
+    /// The maximum size in bytes, at most 1 GiB.
     pub max_size: u64,
-    /// How many entries objects in compact storage (`CompactSubObj`) may have in all, and one more for each 64 bytes: what is made of
-    /// the device has each. JSON may have ten times as many values, and one more for each 16 bytes; a text may have a sixteenth of
-    /// that as sections or elements, and one more for each 64 bytes. A device may have a quarter of it as objects, and one more for
-    /// each 256 bytes.
+    /// The maximum number of entries in compactly stored objects (`CompactSubObj`), plus one per 64 bytes, because
+    /// generated output contains each of them. JSON may have ten times as many values, plus one per 16 bytes; a text
+    /// may have a sixteenth of it as sections or elements, plus one per 64 bytes. A device may have a quarter of it as
+    /// objects, plus one per 256 bytes.
     pub max_entries: usize,
-    /// Whether it has to be a node of CANopen, which a device of EtherCAT is not.
+    /// Whether it must be a CANopen node, which an EtherCAT device is not.
     pub is_node: bool,
-    /// Whether a device as JSON keeps the objects that are disabled, for what writes it again.
+    /// Whether a JSON device keeps disabled objects, for writing it again.
     pub keep_disabled: bool,
-    /// The node that formulas in the text of a concise DCF are evaluated for.
+    /// The node for which formulas in the text of a concise DCF are evaluated.
     pub node_id: Option<u8>,
-    /// Which variant of a `device.toml`; `None` is the device without its variants.
+    /// The variant of a `device.toml`; `None` for the device without variants.
     pub variant: Option<String>,
-    /// Which findings refuse a `device.toml`, if they are errors; `None` reads it in spite of them, as where it is edited.
+    /// The errors that reject a `device.toml`; `None` reads it despite errors, for example for editing.
     pub judge: Option<SourceCheck>,
-    /// Patches, which are made in the descriptions that they are for.
+    /// Patches, which are applied to the descriptions that they select.
     #[cfg(feature = "full")]
     pub patches: Vec<std::sync::Arc<Patch>>,
 }
@@ -119,7 +121,7 @@ impl Default for Reading {
 }
 
 impl Reading {
-    /// What is in a file, and as what kind it was read.
+    /// Reads a file; returns its format and content.
     ///
     /// # Errors
     /// When it cannot be read at all, see [`ReadError`]. Problems in a description are among its findings.
@@ -127,7 +129,7 @@ impl Reading {
         self.read(&source::shown(path), source::read(path, self.max_size)?)
     }
 
-    /// What is in the bytes of a file of this name, and as what kind they were read.
+    /// Reads the bytes of a file of this name; returns its format and content.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -135,7 +137,7 @@ impl Reading {
         let (kind, source) = self.recognised(name, bytes)?;
         let bytes = source.text().len();
         if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
-            // what only looks at the text takes little memory for a section
+            // examining only the text needs little memory per section
             let count = memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count();
             self.limited_parts(name, "sections", count, bytes)?;
         }
@@ -161,18 +163,19 @@ impl Reading {
         Ok((kind, input))
     }
 
-    /// The description of a source, or of the variant that was asked for, with the patches that are for it.
+    /// The description of a source, or of the requested variant, with the applicable patches.
     ///
     /// # Errors
-    /// When there is no such variant.
+    /// If there is no such variant.
     pub fn described(&self, source: SourceFile, format: Format) -> Result<Description, ReadError> {
         self.described_after(source, format, None)
     }
 
-    /// As [`described`](Self::described), from the description of another text of the file, see [`read_after`](super::read_after).
+    /// Like [`described`](Self::described), based on the description of an earlier text of the file; see
+    /// [`read_after`](super::read_after).
     ///
     /// # Errors
-    /// When there is no such variant.
+    /// If there is no such variant.
     #[doc(hidden)] // for the language server
     pub fn described_after(
         &self,
@@ -194,8 +197,8 @@ impl Reading {
         Ok(description)
     }
 
-    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text. A
-    /// large text may have more.
+    /// Rejects a text with too many sections or elements before reading it, because each needs more memory than its
+    /// text. A large text may have more.
     fn limited_parts(
         &self,
         name: &str,
@@ -211,7 +214,7 @@ impl Reading {
         self.max_entries.saturating_mul(VALUES_PER_ENTRY)
     }
 
-    /// Refuses a device that would take too much memory expanded, of a text of so many bytes.
+    /// Rejects a device that would need too much memory when expanded, for a text of this many bytes.
     fn limited(&self, name: &str, input: &Input, bytes: usize) -> Result<(), ReadError> {
         let device = match input {
             Input::Description(description) => description.device(),
@@ -232,10 +235,11 @@ impl Reading {
         if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
     }
 
-    /// As [`read`](Self::read), of several devices the one that was asked for.
+    /// Like [`read`](Self::read), but selects the requested one of several devices.
     ///
     /// # Errors
-    /// As [`open`](Self::open), and when there is no such device, or several and none was asked for.
+    /// Like [`open`](Self::open), and if there is no such device, or there are several and none was
+    /// requested.
     pub fn read_one(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
         let (kind, input) = self.read(name, bytes)?;
         Ok(match input {
@@ -246,10 +250,10 @@ impl Reading {
         })
     }
 
-    /// The device of a file that was asked for: the only one, or the one of a number.
+    /// The requested device of a file: the only one, or the one with the requested number.
     ///
     /// # Errors
-    /// When there is no such device, or several and none was asked for.
+    /// If there is no such device, or there are several and none was requested.
     pub fn select(&self, name: &str, description: Description) -> Result<Description, ReadError> {
         let count = description.device_count();
         let position = self.number(name, count)?;
@@ -276,17 +280,17 @@ impl Reading {
     /// The source in the bytes of a file.
     ///
     /// # Errors
-    /// When there are too many bytes.
+    /// If there are too many bytes.
     pub fn source(&self, name: &str, bytes: Vec<u8>) -> Result<SourceFile, SourceError> {
         let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
         SourceFile::from_bytes(name, bytes, &options)
     }
 
-    /// The source in the bytes of a file, and what kind of file it is: what the user says, else what its content shows, else
-    /// its name.
+    /// The source in the bytes of a file, and its format: as requested, otherwise from its content, otherwise from its
+    /// name.
     ///
     /// # Errors
-    /// When it is something that nothing here reads: [`ReadError::Foreign`]; when there are too many bytes.
+    /// If objdict cannot read the format: [`ReadError::Foreign`]; if there are too many bytes.
     pub fn recognised(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, SourceFile), ReadError> {
         let source = self.source(name, bytes)?;
         let kind = match self.from {
@@ -301,12 +305,13 @@ impl Reading {
             if !cfg!(feature = "full") {
                 return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
             }
-            // the tree of a text takes 200 times its memory; the longest of those that real descriptions become has 450 kB
+            // the tree of a text needs 200 times its memory; the longest one generated from a real
+            // description has 450 kB
             let (path, size, limit) = (name.to_owned(), source.text().len() as u64, source::MAX_TOML_SIZE);
             if size > limit {
                 return Err(SourceError::TooLarge { path, size, limit }.into());
             }
-            // the parser has a kilobyte for each table, and a key with a point is one too
+            // the parser needs a kilobyte for each table, including dotted keys
             let tables = memchr::memchr3_iter(b'{', b'[', b'.', source.text().as_bytes()).count();
             self.limited_parts(name, "tables", tables, source.text().len())?;
         }
@@ -320,8 +325,8 @@ impl Reading {
         Ok((kind, source))
     }
 
-    /// Refuses a description that a patch is for and does not fit, and a source that has errors: what is made of it would not be
-    /// what its author means. Descriptions of vendors are read as they are.
+    /// Rejects a description that a selected patch does not fit, and a source with errors, whose result would not be as
+    /// intended. Vendor descriptions are read unchanged.
     #[cfg(feature = "full")]
     fn refuse(&self, description: &Description) -> Result<(), ReadError> {
         if let Some(patched) = description.patched().filter(|patched| patched.has_errors()) {
@@ -329,13 +334,13 @@ impl Reading {
             return Err(ReadError::NotPatched { name, problems: patched.lines().join("\n") });
         }
         let Some(judge) = self.judge else { return Ok(()) };
-        // no configuration accepts what is not read
+        // no configuration can accept unreadable content
         refuse_errors(description, of_text(description))?;
         refuse_errors(description, judge(description))
     }
 }
 
-/// Refuses a `device.toml` with errors among the findings of its devices.
+/// Rejects a `device.toml` with errors among the findings of its devices.
 ///
 /// # Errors
 /// [`ReadError::Faulty`] with the errors.
@@ -362,7 +367,7 @@ pub fn refuse_errors(description: &Description, findings: Vec<Findings>) -> Resu
     Err(ReadError::Faulty { name: description.source().name().to_owned(), problems: problems.join("\n") })
 }
 
-/// What kind of file a source is.
+/// The format of a source.
 fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
     let found = identify_source(source);
     match found.kind.file() {
@@ -376,8 +381,8 @@ fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
     }
 }
 
-/// Whether a text that shows nothing of its format has at least the syntax of the kind that its name says, so that its
-/// mistakes can be reported.
+/// Whether a text without evidence of its format has at least the syntax that its name implies, so that its errors can
+/// be reported.
 fn has_syntax(kind: FileKind, text: &str) -> bool {
     match kind.format().map(Format::syntax) {
         Some(Syntax::Ini) => {
@@ -390,18 +395,18 @@ fn has_syntax(kind: FileKind, text: &str) -> bool {
             !text.contains(is_binary) && text.lines().any(|line| has_sign(line.trim_start()))
         }
         Some(Syntax::Xml) => text.trim_start().starts_with('<'),
-        // its first key says what it is, and other TOML is something else
+        // it is identified by its first key, and other TOML is a different format
         Some(Syntax::Toml) => false,
         // their readers report the mistakes
         None => true,
     }
 }
 
-/// Reads the description at `path` as what its content shows it to be ([`identify()`](super::identify::identify)). Where that
-/// is not known, as in a malformed file, the name decides. Of a file with several devices it is the first.
+/// Reads the description at `path` in the format detected from its content ([`identify()`](super::identify::identify)).
+/// If that is unknown, as in a malformed file, the name decides. If the file has several devices, returns the first.
 ///
 /// # Errors
-/// When the file cannot be opened, or is no description. Problems in a description are among the findings.
+/// If the file cannot be opened, or is not a description. Problems in a description are among the findings.
 pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
     let reading = Reading { encoding: options.encoding, max_size: options.max_size, ..Reading::default() };
     let name = source::shown(path);

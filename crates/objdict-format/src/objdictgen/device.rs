@@ -1,4 +1,4 @@
-//! From a project to a device.
+//! Converts a project to a device.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -15,39 +15,39 @@ use objdict_model::model::{
 };
 use objdict_xdd::xml::Element;
 
-/// The size of a text that a project does not state.
+/// The default size of a string.
 const TEXT_SIZE: u32 = 10;
 
-/// The first number of an object; below are types.
+/// The first index of an object; lower ones are types.
 const FIRST_OBJECT: u16 = 0x1000;
 
-/// The error history: its count is 0, also where the project has room for errors.
+/// The error history: its count is 0, even if the project has space for errors.
 const ERRORS: u16 = 0x1003;
 
-/// Longer names are no names (CiA 306-1).
+/// Longer names are not valid (CiA 306-1).
 const LONGEST_NAME: usize = 241;
 
-/// What to do about a part that is not read.
+/// Advice for an unreadable part.
 const REMEDY: &str = "open the project with objdictedit, correct or remove this part and save it";
 
-/// The storage group of what objdictgen marks with `TO_BE_SAVE`.
+/// The storage group of values that objdictgen marks with `TO_BE_SAVE`.
 const SAVED: &str = "saved";
 
-/// A type of the device: one of CiA 301 with limits, or with a length.
+/// A type of the device: a CiA 301 type with limits, or with a length.
 struct UserType<'a> {
     base: DataType,
-    /// The limits of a number, or the length of a text.
+    /// The limits of a number, or the length of a string.
     facts: Vec<Cow<'a, str>>,
 }
 
-/// What a project says of an object or entry beside its value.
+/// The properties of an object or entry in a project, except its value.
 #[derive(Default)]
 struct ObjectParameters<'a> {
     comment: Option<Cow<'a, str>>,
     saved: bool,
     callback: Option<bool>,
     size: Option<i64>,
-    /// Those of the entries.
+    /// The properties of the entries.
     subs: BTreeMap<u16, Element<'a>>,
 }
 
@@ -65,7 +65,7 @@ pub(super) struct ObjdictgenProject<'a> {
     findings: Findings,
 }
 
-/// The device of a project whose tree has so many elements.
+/// The device of a project whose tree has this many elements.
 pub(super) fn read<'a>(pickle: &'a Pickle<'a>, elements: usize) -> (Device, Findings) {
     let mut project = ObjdictgenProject {
         pickle,
@@ -115,7 +115,7 @@ impl<'a> ObjdictgenProject<'a> {
                 ("DS302", Some(PickleDatum::Map(map))) => maps[1] = Some(map),
                 ("UserMapping", Some(PickleDatum::Map(map))) => maps[2] = Some(map),
                 ("ProfileName", Some(PickleDatum::Text(text))) => extra.push("Profile", &text),
-                // of the editor, or the order of objects in it
+                // belongs to the editor, or is the order of objects in it
                 ("SpecificMenu" | "IndexOrder", _) => {}
                 (_, Some(PickleDatum::Text(text) | PickleDatum::Number(text))) => extra.push(&name, &text),
                 (_, Some(PickleDatum::Nothing)) => {}
@@ -127,7 +127,7 @@ impl<'a> ObjdictgenProject<'a> {
         let product_name = node.node_name.clone();
         self.device.device_info = Some(DeviceInfo { product_name, ..DeviceInfo::default() });
         self.device.file_info = Some(info);
-        // without a node-ID the project describes a type of devices
+        // without a node-ID the project describes a device type
         self.device.commissioning = Some(node).filter(|node| node.node_id.is_some());
         if let Some(dictionary) = dictionary {
             self.types(dictionary, &mut extra);
@@ -142,7 +142,7 @@ impl<'a> ObjdictgenProject<'a> {
         self.findings.push(Diagnostic::new(&NOT_READ, element.tag_span(), message).help(REMEDY));
     }
 
-    /// The types of the device, which its objects refer to.
+    /// The types of the device, to which its objects refer.
     fn types(&mut self, dictionary: Element<'a>, extra: &mut Extra) {
         for (index, value) in self.pickle.numbered(dictionary).filter(|(index, _)| *index < FIRST_OBJECT) {
             let items = match self.pickle.datum(value) {
@@ -189,7 +189,7 @@ impl<'a> ObjdictgenProject<'a> {
         }
     }
 
-    /// An object; `None` if its value is of no form that an object has, or there are too many.
+    /// An object; `None` if its value has an unknown structure, or there are too many.
     fn object(
         &mut self,
         index: u16,
@@ -236,7 +236,7 @@ impl<'a> ObjdictgenProject<'a> {
         Some(Object { main, subs, ..Object::default() })
     }
 
-    /// The entries of an object: the count, and an entry for each item.
+    /// The entries of an object: the count, and one entry per item.
     fn subs(
         &mut self,
         index: u16,
@@ -267,7 +267,7 @@ impl<'a> ObjdictgenProject<'a> {
         subs
     }
 
-    /// An entry with its value, if it has one, which is at an element.
+    /// An entry with its value, if it has one, from an element.
     fn entry(
         &mut self,
         sub: u8,
@@ -373,7 +373,7 @@ impl UserType<'_> {
     }
 }
 
-/// Whether a type is a text or bytes with a size that a project states.
+/// Whether a type is a string or bytes whose size a project states.
 fn is_text(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::VisibleString | TypeKind::OctetString | TypeKind::UnicodeString)
 }
@@ -399,7 +399,7 @@ enum Spelled<'a> {
     Text(Cow<'a, str>),
 }
 
-/// The spelling of a value, with its expression evaluated for an object of a series; `None` for no value.
+/// The spelling of a value, with its expression evaluated for an object of a series; `None` without a value.
 fn spelled(datum: PickleDatum<'_>, number: i64) -> Option<Spelled<'_>> {
     Some(match datum {
         PickleDatum::Number(text) => Spelled::Number(text),
@@ -416,7 +416,7 @@ fn spelled(datum: PickleDatum<'_>, number: i64) -> Option<Spelled<'_>> {
     })
 }
 
-/// The value of a type; `Ok(None)` for an empty text of a number.
+/// The value of a type; `Ok(None)` for a number given as an empty string.
 fn value(spelled: &Spelled<'_>, data_type: Option<DataType>) -> Result<Option<Value>, (String, Reason)> {
     let kind = data_type.map(DataType::kind);
     let text = match (spelled, kind) {

@@ -1,5 +1,6 @@
-//! The expressions of Python in projects: names such as `Receive PDO %d Mapping[(idx)]`, and values such as
-//! `{True:"$NODEID+0x%X00"%(base+2),False:0x80000000}[base<4]`. Only what objdictgen writes is known.
+//! The Python expressions in projects: names such as `Receive PDO %d Mapping[(idx)]`, and values such as
+//! `{True:"$NODEID+0x%X00"%(base+2),False:0x80000000}[base<4]`. Only expressions that objdictgen writes are
+//! supported.
 
 /// Longer texts are not expressions.
 const LONGEST: usize = 1000;
@@ -7,7 +8,7 @@ const LONGEST: usize = 1000;
 /// Brackets in brackets.
 const DEEPEST: u8 = 20;
 
-/// What an expression is.
+/// The result of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Evaluated {
     Number(i64),
@@ -18,7 +19,7 @@ pub(super) enum Evaluated {
     Map(Vec<(Evaluated, Evaluated)>),
 }
 
-/// The value of an expression with these variables; `None` for what is not known.
+/// The value of an expression with these variables; `None` if it is not supported.
 pub(super) fn evaluate(text: &str, variables: &[(&str, i64)]) -> Option<Evaluated> {
     if text.len() > LONGEST {
         return None;
@@ -28,8 +29,7 @@ pub(super) fn evaluate(text: &str, variables: &[(&str, i64)]) -> Option<Evaluate
     parser.rest.trim_start().is_empty().then_some(result)
 }
 
-/// The name of an object or entry: a text with an expression in brackets behind it is a format. What is behind the brackets
-/// does not count.
+/// The name of an object or entry: a format if an expression in brackets follows. Text after the brackets is ignored.
 pub(super) fn name(text: &str, index: i64, sub: i64) -> String {
     let format = || {
         let (format, arguments) = text.rsplit_once(']')?.0.rsplit_once('[')?;
@@ -38,7 +38,7 @@ pub(super) fn name(text: &str, index: i64, sub: i64) -> String {
     format().unwrap_or_else(|| text.to_owned())
 }
 
-/// A text with `%d` and `%X` replaced.
+/// A string with `%d` and `%X` replaced.
 fn formatted(format: &str, arguments: Evaluated) -> Option<String> {
     let mut arguments = match arguments {
         Evaluated::Tuple(arguments) => arguments,
@@ -139,7 +139,7 @@ impl ExpressionParser<'_> {
         }
     }
 
-    /// A value with what is selected of it.
+    /// A value with its subscripts applied.
     fn item(&mut self) -> Option<Evaluated> {
         self.depth += 1;
         if self.depth > DEEPEST {

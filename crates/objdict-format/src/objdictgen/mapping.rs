@@ -1,4 +1,5 @@
-//! What objdictgen knows of objects: names, types and forms, those of CiA 301 from a table and the others from the project.
+//! objdictgen's definitions of objects: names, types and structures, for CiA 301 from a table and for others
+//! from the project.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -7,33 +8,33 @@ use super::pickle::{Pickle, PickleDatum};
 use objdict_model::model::{Access, DataType};
 use objdict_xdd::xml::Element;
 
-/// What an object is like, as bits of its `struct`.
+/// The structure of an object, as bits of its `struct`.
 const ALIKE: i64 = 4;
 const SEVERAL_INDEXES: i64 = 8;
 
-/// So many descriptions of several objects count: real profiles have some dozens.
+/// The maximum number of descriptions of several objects: real profiles have some dozens.
 const MOST_SERIES: usize = 64;
 
-/// A description of an object, or of several with indexes at equal distances.
+/// A description of an object, or of several with equidistant indexes.
 #[derive(Default)]
 pub(super) struct DescriptionForm<'a> {
     pub(super) name: Option<Cow<'a, str>>,
     structure: Option<i64>,
-    /// The distance of the indexes, and how many there are.
+    /// The distance between the indexes, and their number.
     step: i64,
     count: i64,
     pub(super) callback: Option<bool>,
     subs: Vec<SubForm<'a>>,
 }
 
-/// A description of an entry, or of several with one after the other.
+/// A description of an entry, or of several consecutive ones.
 #[derive(Clone, Default)]
 pub(super) struct SubForm<'a> {
     pub(super) name: Option<Cow<'a, str>>,
     pub(super) data_type: Option<DataType>,
     pub(super) access: Option<Access>,
     pub(super) mappable: Option<bool>,
-    /// How many there are, where that is stated.
+    /// Their number, if stated.
     count: Option<i64>,
 }
 
@@ -180,7 +181,7 @@ impl<'a> ObjectMapping<'a> {
     }
 }
 
-/// The description of an object: what the project says, and what CiA 301 adds.
+/// The description of an object: from the project, supplemented by CiA 301.
 pub(super) struct DescribedObject<'m, 'a> {
     index: u16,
     of_project: Option<(u16, &'m DescriptionForm<'a>)>,
@@ -188,7 +189,7 @@ pub(super) struct DescribedObject<'m, 'a> {
 }
 
 impl<'m, 'a> DescribedObject<'m, 'a> {
-    /// `None` where none of the mappings, the last of which is that of CiA 301, has the object.
+    /// `None` if none of the mappings, the last of which is that of CiA 301, defines the object.
     pub(super) fn new(mappings: &'m [ObjectMapping<'a>], index: u16) -> Option<Self> {
         let (of_cia301, of_project) = mappings.split_last()?;
         let of_project = of_project.iter().find_map(|mapping| mapping.form(index));
@@ -196,7 +197,7 @@ impl<'m, 'a> DescribedObject<'m, 'a> {
         (of_project.is_some() || of_cia301.is_some()).then_some(Self { index, of_project, of_cia301 })
     }
 
-    /// A fact of the object, with the first index of its series.
+    /// A property of the object, with the first index of its series.
     fn first<T>(&self, fact: impl Fn(&'m DescriptionForm<'a>) -> Option<T>) -> Option<(u16, T)> {
         let forms = [self.of_project, self.of_cia301].into_iter().flatten();
         forms.into_iter().find_map(|(first, form)| Some((first, fact(form)?)))
@@ -206,7 +207,7 @@ impl<'m, 'a> DescribedObject<'m, 'a> {
         self.first(fact).map(|(_, found)| found)
     }
 
-    /// Which of its series the object is, counted from 0.
+    /// The number of the object in its series, from 0.
     pub(super) fn number(&self) -> i64 {
         let Some((first, form)) = self.of_project.or(self.of_cia301) else { return 0 };
         i64::from(self.index.saturating_sub(first)) / form.step.max(1)

@@ -1,5 +1,5 @@
-//! Projects of objdictgen (`.od`), the generator of CanFestival: the node, its values and the descriptions of its objects as
-//! Python keeps them. They are read and never written.
+//! Projects of objdictgen (`.od`), the generator of CanFestival: the node, its values and the descriptions of its
+//! objects, serialised by Python. Read-only.
 
 mod device;
 mod expression;
@@ -17,14 +17,14 @@ use objdict_model::model::{Part, Place};
 use objdict_model::source::{SourceFile, Span};
 use objdict_xdd::xml::{ElementId, Tree};
 
-/// A project, with the values of its objects, which are looked for when they are asked for.
+/// A project, with the values of its objects, which are located on demand.
 #[derive(Debug)]
 struct ProjectText {
     tree: Tree,
     objects: OnceLock<HashMap<u16, ElementId>>,
 }
 
-/// Reads a project: its device, and what cannot be read of it.
+/// Reads a project: its device, and its unreadable content.
 pub(super) fn read(tree: Tree) -> ReadText {
     let (device, findings) = device::read(&Pickle::new(&tree), tree.len());
     (Box::new(ProjectText { tree, objects: OnceLock::new() }), device, findings)
@@ -47,7 +47,7 @@ impl DescriptionText for ProjectText {
         self.tree.source()
     }
 
-    /// The value of an object or entry; `None` for anything else.
+    /// The value of an object or entry; `None` for any other place.
     fn locate(&self, place: &Place) -> Option<Span> {
         let (index, sub) = match place.part {
             Part::Object(index) => (index, None),

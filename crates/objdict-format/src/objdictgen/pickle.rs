@@ -1,4 +1,4 @@
-//! The XML of gnosis, in which objdictgen keeps objects of Python: `<val type="numeric" value="4096" />`.
+//! The XML of gnosis, in which objdictgen stores Python objects: `<val type="numeric" value="4096" />`.
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
@@ -9,7 +9,7 @@ use objdict_xdd::xml::{Element, ElementId, Tree};
 /// The root of a project.
 const ROOT: &str = "PyObject";
 
-/// What an element holds.
+/// The content of an element.
 pub(super) enum PickleDatum<'a> {
     Nothing,
     Bool(bool),
@@ -23,7 +23,7 @@ pub(super) enum PickleDatum<'a> {
 /// A tree whose elements may refer to others.
 pub(super) struct Pickle<'a> {
     tree: &'a Tree,
-    /// The elements by their ids, which are read when one is referred to.
+    /// The elements by id, collected when the first reference is resolved.
     ids: OnceCell<HashMap<Cow<'a, str>, ElementId>>,
 }
 
@@ -37,13 +37,14 @@ impl<'a> Pickle<'a> {
         Self { tree, ids: OnceCell::new() }
     }
 
-    /// The attributes of the object that is kept: their names and elements.
+    /// The attributes of the stored object: their names and elements.
     pub(super) fn attributes(&self) -> impl Iterator<Item = (Cow<'a, str>, Element<'a>)> {
         let children = self.tree.root().into_iter().flat_map(|root| root.children_named("attr"));
         children.filter_map(|child| Some((child.attribute("name")?.value(), child)))
     }
 
-    /// What an element holds, or the one that it refers to; `None` for what is of no type that objdictgen writes.
+    /// The content of an element, or of the one that it refers to; `None` for types that objdictgen does not
+    /// write.
     pub(super) fn datum(&self, element: Element<'a>) -> Option<PickleDatum<'a>> {
         let element = match element.attribute("refid") {
             Some(id) => self.tree.element(*self.ids().get(&*id.value())?),
@@ -81,7 +82,7 @@ impl<'a> Pickle<'a> {
             .filter_map(|entry| Some((self.datum(entry.child("key")?)?, entry.child("val")?)))
     }
 
-    /// The values of a map whose keys are words.
+    /// The values of a map whose keys are names.
     pub(super) fn fields(&self, map: Element<'a>) -> impl Iterator<Item = (Cow<'a, str>, Element<'a>)> + '_ {
         self.entries(map).filter_map(|(key, value)| match key {
             PickleDatum::Text(key) => Some((key, value)),
@@ -118,7 +119,7 @@ impl<'a> Pickle<'a> {
     }
 }
 
-/// The text of a number without what only Python writes: the `L` of a long one.
+/// A number without Python-specific syntax: the `L` of a long integer.
 pub(super) fn plain_number(text: &str) -> &str {
     text.trim().trim_end_matches(['l', 'L'])
 }
@@ -134,7 +135,7 @@ pub(super) fn integer(text: &str) -> Option<i64> {
     if text.starts_with('-') { number.checked_neg() } else { Some(number) }
 }
 
-/// A text in an attribute, in which Python escapes characters that are not ASCII.
+/// A string in an attribute, in which Python escapes non-ASCII characters.
 fn unescaped(text: Cow<'_, str>) -> Cow<'_, str> {
     if !text.contains('\\') {
         return text;
@@ -151,7 +152,7 @@ fn unescaped(text: Cow<'_, str>) -> Cow<'_, str> {
     Cow::Owned(plain + rest)
 }
 
-/// The character of an escape behind its `\`, and how long it is.
+/// The character of an escape after its `\`, and the length of the escape.
 fn escaped(text: &str) -> Option<(char, usize)> {
     let kind = text.chars().next()?;
     let digits = match kind {

@@ -15,8 +15,8 @@ use objdict_model::diagnostic::{Diagnostic, Text, say};
 use objdict_model::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place, field_names};
 use objdict_model::source::{Said, Span};
 
-/// A description with those of some patches made that [select](Patch::selects) it, and what they were. Its text stays as
-/// it is until it is printed or edited.
+/// Applies the patches that [select](Patch::selects) a description, and records them. Its text is unchanged until it is
+/// printed or edited.
 pub fn apply(description: Description, patches: &[Arc<Patch>]) -> Description {
     let given = patches.to_vec();
     let patches = selected(patches, description.device());
@@ -76,7 +76,7 @@ fn place_of(change: &DatumChange) -> Place {
     compare::DatumDifference { path: change.path.clone(), left: None, right: None }.place()
 }
 
-/// Why a datum was not changed.
+/// The reason why a value was not changed.
 fn refusal(device: &Device, refused: DatumChange) -> PatchProblem {
     let before = refused.after.as_ref().map(Datum::fingerprint);
     let path = refused.path.clone();
@@ -91,9 +91,9 @@ fn refusal(device: &Device, refused: DatumChange) -> PatchProblem {
 
 /// Why a change was not made.
 pub(super) enum PatchProblem {
-    /// The file says something else.
+    /// The file contains a different value.
     NotExpected(Text),
-    /// It says so already.
+    /// The file already contains the value.
     NoEffect(Text),
     /// The value is not valid there.
     Invalid(Text),
@@ -116,7 +116,7 @@ impl PatchProblem {
     }
 }
 
-/// Makes a change in words; the places that it changed.
+/// Applies a keyword change; returns the changed places.
 pub(super) fn make_words(device: &mut Device, words: &ChangeWords) -> Result<Vec<Place>, PatchProblem> {
     let part = &words.part;
     let name = part.to_string();
@@ -178,7 +178,7 @@ fn is_there(device: &Device, part: &Part) -> bool {
     match *part {
         Part::Object(index) => device.object(index).is_some(),
         Part::Entry(index, sub) => device.object(index).is_some_and(|object| object.has(sub)),
-        // a part of facts comes with its first fact
+        // a part with properties is created with its first property
         _ => true,
     }
 }
@@ -189,7 +189,7 @@ fn field_of(word: &str) -> Field {
     row.map_or_else(|| Field::from_name(word), field_names::FieldRow::field)
 }
 
-/// Holds what is said against what the patch expects.
+/// Checks the expectations of the patch.
 fn expect(device: &Device, part: &Part, words: &ChangeWords) -> Result<(), PatchProblem> {
     for field in &words.expect {
         if says(device, part, field) {
@@ -233,7 +233,7 @@ fn shown(kind: &Kind) -> String {
     }
 }
 
-/// Whether a field says this, in any spelling.
+/// Whether a field has this value, in any spelling.
 fn says(device: &Device, part: &Part, field: &Worded) -> bool {
     let found = get(device, part, &field.word);
     let is = |kind: &Kind| found.as_ref().is_some_and(|found| shown(found) == shown(kind));
@@ -277,7 +277,7 @@ fn set_all(device: &mut Device, part: &Part, fields: &[Worded]) -> Result<(), Pa
     }
 }
 
-/// Adds an object or entry, and an object to its list.
+/// Adds an object or entry, and adds an object to its list.
 fn add(device: &mut Device, part: &Part) -> Result<(), PatchProblem> {
     match *part {
         Part::Object(index) => {
@@ -322,7 +322,7 @@ fn remove(device: &mut Device, part: &Part) {
     }
 }
 
-/// Moves an object or entry to another address.
+/// Moves an object or entry to a different address.
 fn rename(device: &mut Device, part: &Part, to: &Said<Address>) -> Result<Part, PatchProblem> {
     let refused = || {
         PatchProblem::Invalid(say!(

@@ -1,7 +1,7 @@
-//! The text of a description as another device, by as few edits as the format has places for.
+//! Edits the text of a description to describe a different device, with as few edits as the format allows.
 //!
 //! The canonical EDS texts of both devices are compared key by key (`eds::stated`). The differences become
-//! changes as fixes use them; the rest is embedded.
+//! changes as in fixes; the rest is embedded.
 
 use std::collections::BTreeMap;
 
@@ -14,11 +14,11 @@ use objdict_model::diagnostic::{Change, Fix};
 use objdict_model::model::{Device, Field, Object, ObjectList, Part, Place};
 use objdict_model::source::Edits;
 
-/// The description with the text of `wanted`: where its format has a place by edits, in an EDS or DCF else by embedding; where
-/// neither is possible, it is written anew.
+/// Changes a description's text to that of `wanted`: by edits if its format supports them, otherwise, in an EDS or DCF,
+/// by embedding, otherwise by writing it from scratch.
 ///
 /// # Errors
-/// When the text cannot be written in the encoding of the file, or does not give back more than a limit.
+/// If the text cannot be written in the encoding of the file, or loses more values than a limit.
 pub(crate) fn edited(original: &Description, wanted: &Device) -> Result<Description, EditError> {
     let options = WriteOptions {
         embed: true,
@@ -34,12 +34,12 @@ pub(crate) fn edited(original: &Description, wanted: &Device) -> Result<Descript
     original.with_bytes(bytes).ok_or_else(|| EditError::OtherMeaning(original.source().name().to_owned()))
 }
 
-/// What edits can make of it.
+/// Applies as many changes as edits can express.
 fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
     let changes = changes(original, wanted);
     let edits_of = |changes: Vec<Change>| original.edits(&Fix { changes, ..Fix::safe("apply the patch") });
     let found = edits_of(changes.clone()).or_else(|| {
-        // one that has no place must not stop the others
+        // an impossible one must not prevent the others
         let possible = changes.into_iter().filter(|change| edits_of(vec![change.clone()]).is_some());
         edits_of(possible.collect())
     });
@@ -55,7 +55,7 @@ fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
     Some(edited)
 }
 
-/// The differences of two devices as changes in the words of CiA 306: of the texts that an EDS would have of both.
+/// The differences of two devices as changes in the terms of CiA 306, from the EDS texts of both.
 fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
     let device = original.described();
     let is_other = |index: u16, object: &Object| wanted.object(index).is_some_and(|other| other != object);
@@ -97,7 +97,7 @@ fn with_some(device: &Device, mut is_kept: impl FnMut(u16, &Object) -> bool) -> 
     some
 }
 
-/// The description with what edits could not say embedded; `None` where its format has no place for that.
+/// Embeds the changes that edits could not express; `None` if its format does not support that.
 fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<Description> {
     if edited.describes(wanted) {
         return Some(edited);

@@ -1,4 +1,4 @@
-//! The fields of a device by the words that name them: what they say, and setting them.
+//! The fields of a device by keyword: reading and setting them.
 
 use serde_json::Value as Json;
 
@@ -16,7 +16,7 @@ use objdict_model::model::{
 };
 use objdict_model::source::Span;
 
-/// The entry that a part is; one that is stored compactly has none of its own.
+/// The entry of a part; a compactly stored one has no separate entry.
 pub(crate) fn entry<'a>(device: &'a Device, part: &Part) -> Option<&'a Entry> {
     match *part {
         Part::Object(index) => {
@@ -51,7 +51,7 @@ fn is_single(object: &Object, sub: u8) -> bool {
     is_value && !object.object_type().has_subs() && object.subs.get(0).is_none()
 }
 
-/// What a field says; `None` for one that is not stated.
+/// The value of a field; `None` if it is not stated.
 pub(crate) fn get(device: &Device, part: &Part, word: &str) -> Option<Kind> {
     if facts_of(part).is_some() {
         return kind_of(fact(device, &path_of(part, word)?)?);
@@ -93,10 +93,10 @@ pub(crate) fn get(device: &Device, part: &Part, word: &str) -> Option<Kind> {
     }
 }
 
-/// Sets a field, or removes what it says.
+/// Sets a field, or removes its value.
 ///
 /// # Errors
-/// Why the value is not valid there.
+/// The reason why the value is not valid there.
 pub(crate) fn set(
     device: &mut Device,
     part: &Part,
@@ -161,7 +161,7 @@ pub(crate) fn set(
     Ok(())
 }
 
-/// `None` for a text that is none, `Some(None)` for no text.
+/// `None` for an invalid string, `Some(None)` for a missing one.
 fn parsed<T>(text: &Option<String>, parse: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
     match text {
         Some(text) => parse(text.trim()).map(Some),
@@ -201,13 +201,13 @@ fn set_parameter(
     Ok(())
 }
 
-/// The names of a table and what each of them is.
+/// The names in a table with their values.
 fn pairs(word: &str, value: &KeyedTree) -> Result<Vec<(String, String)>, Text> {
     let entries = value.entries().ok_or_else(|| say!("`{}` is a table of names and numbers", word))?;
     Ok(entries.iter().map(|Pair { key, value }| (key.spelled(), value.spelled())).collect())
 }
 
-/// A name or the value of an entry of compact storage, which has lists for them.
+/// Sets a name or value of a compactly stored entry, for which there are lists.
 fn set_compact(device: &mut Device, part: &Part, word: &str, value: Option<&KeyedTree>) -> Result<(), Text> {
     fn put<T>(list: &mut Vec<(u8, T)>, sub: u8, item: Option<T>) {
         list.retain(|(other, _)| *other != sub);
@@ -338,7 +338,7 @@ fn mapping_of(tree: &KeyedTree) -> Option<PdoMapping> {
     }
 }
 
-/// A map without a place in a text.
+/// A map without a position in a text.
 fn map(entries: impl Iterator<Item = (String, Kind)>) -> Option<Kind> {
     let tree = |kind| KeyedTree::new(Span::default(), kind);
     let entries: Vec<Pair> =
@@ -373,7 +373,7 @@ fn named_bits(device: &Device, parameter: &Parameter) -> Option<Kind> {
     }))
 }
 
-/// `4`, or `4-6`: the first bit and how many there are.
+/// `4`, or `4-6`: the first bit and the number of bits.
 fn bit_range(text: &str) -> Option<(u8, u8)> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
     let (first, last) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
@@ -423,12 +423,12 @@ fn set_bits(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Resu
     Ok(())
 }
 
-/// Whether [`set_bits`] made a type, which then belongs to one entry.
+/// Whether [`set_bits`] created a type, which then belongs to one entry.
 fn id_is_made(id: &str) -> bool {
     id.starts_with("BITS_")
 }
 
-/// The application process of a device, which is made where there is none.
+/// The application process of a device, which is created if missing.
 fn process_mut(device: &mut Device) -> &mut ApplicationProcess {
     if device.application.is_empty() {
         device.application.push(ApplicationProcess::default());
@@ -440,7 +440,7 @@ fn without_empty_process(device: &mut Device) {
     device.application.retain(|process| *process != ApplicationProcess::default());
 }
 
-/// The id by which groups refer to the parameter of a part.
+/// The id with which groups refer to the parameter of a part.
 fn parameter_id(part: &Part, parameter: Option<&Parameter>) -> String {
     let usual = match *part {
         Part::Object(index) => Parameter::usual_id(index, None),
@@ -498,14 +498,14 @@ fn set_group(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Res
     Ok(())
 }
 
-/// The place of a fact in the JSON of the model, by its name in CiA 306.
+/// The JSON path of a property in the model, by its name in CiA 306.
 fn path_of(part: &Part, name: &str) -> Option<String> {
     let (.., root) = FACTS.iter().find(|(_, of, _)| of == part)?;
     let row = facts_of(part)?.iter().find(|row| row.eds.eq_ignore_ascii_case(name))?;
     Some(format!("{root}/{}", row.json))
 }
 
-/// A fact of a part, by its place in the JSON of the model.
+/// A property of a part, by its JSON path in the model.
 fn fact(device: &Device, path: &str) -> Option<Json> {
     let (part, inner) = path.strip_prefix('/')?.split_once('/')?;
     let part = match part {

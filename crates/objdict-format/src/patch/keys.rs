@@ -4,7 +4,7 @@ use crate::patch::words::FIELDS;
 use objdict_keyed::notation::{ADDRESS, PART, SHA256};
 use objdict_keyed::section::{Key, Shape, bits, key};
 
-/// The word that makes a file a patch.
+/// The value that identifies a file as a patch.
 pub(super) const FORMAT: &str = "objdict-patch/1";
 
 const REASON: &str = "Why: for readers, and for the vendor.";

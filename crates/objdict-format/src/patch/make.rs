@@ -1,4 +1,4 @@
-//! A patch made of two descriptions: the original, and one that was edited.
+//! Creates a patch from two descriptions: the original, and an edited one.
 //!
 //! It is the reverse of applying a patch; its text is read again and compared.
 
@@ -18,7 +18,8 @@ use objdict_model::model::field_names::facts_of;
 use objdict_model::model::{Device, Part};
 use objdict_model::source::Span;
 
-/// The text of a patch that makes the edited device of the original one: in words where there are some, else in raw data.
+/// The text of a patch that turns the original device into the edited one: with keywords if possible,
+/// otherwise with raw data.
 pub fn make(original: &Device, edited: &Device) -> String {
     let mut text = head(original);
     let mut maker = PatchMaker { work: original.clone(), edited, text: String::new() };
@@ -30,7 +31,7 @@ pub fn make(original: &Device, edited: &Device) -> String {
     text
 }
 
-/// What the patch is, and which files it is for.
+/// The header of the patch, and the files that it selects.
 fn head(original: &Device) -> String {
     let mut text = format!("format = \"{FORMAT}\"\n");
     let identity = original.identity();
@@ -47,7 +48,7 @@ fn head(original: &Device) -> String {
 }
 
 struct PatchMaker<'a> {
-    /// What the patch makes so far of the original.
+    /// The result of the patch so far.
     work: Device,
     edited: &'a Device,
     text: String,
@@ -91,14 +92,14 @@ impl PatchMaker<'_> {
         let is_there = |device: &Device| device.object(index).is_some_and(|object| object.has(sub));
         match (has(&self.work), has(self.edited)) {
             (true, false) => self.remove(&part, &name),
-            // a described entry of compact storage has no words
+            // keywords do not support a described entry of compact storage
             (false, true) if is_there(&self.work) => {}
             (false, true) => self.add(&part, &name),
             _ => self.fields(&part, &name),
         }
     }
 
-    /// The fields that differ, each with what it was.
+    /// The fields that differ, each with its old value.
     fn fields(&mut self, part: &Part, name: &str) {
         let words = words_of(part);
         let before: Vec<Option<Kind>> = words.iter().map(|word| get(&self.work, part, word)).collect();
@@ -133,10 +134,10 @@ impl PatchMaker<'_> {
         }
     }
 
-    /// Sets a field of the work; not where the word does not say all of it or it is not valid.
+    /// Sets a field of the work, unless the keyword cannot express all of it or it is not valid.
     fn becomes(&mut self, part: &Part, word: &str, after: Option<&Kind>) -> bool {
         let object = part.object().and_then(|index| self.work.object(index).cloned());
-        // a group or a type of bits is there, and nothing else of a word
+        // a group or a bit type exists, and nothing else for a keyword
         let application = matches!(word, "bits" | "group").then(|| self.work.application.clone());
         let value = after.map(|kind| KeyedTree::new(Span::default(), kind.clone()));
         let is_set = set(&mut self.work, part, word, value.as_ref()).is_ok();
@@ -181,7 +182,7 @@ impl PatchMaker<'_> {
         let _ = writeln!(self.text, "\n[[change]]\nat = {}\nadd = {{ {} }}", quoted(name), fields.join(", "));
     }
 
-    /// What is left, datum by datum.
+    /// The remaining differences, value by value.
     fn raw(&mut self) {
         for difference in differences(&self.work, self.edited) {
             let _ = writeln!(self.text, "\n[[raw]]\npath = {}", quoted(&difference.path));
@@ -194,7 +195,7 @@ impl PatchMaker<'_> {
     }
 }
 
-/// The words that a part may have.
+/// The keywords that a part may have.
 fn words_of(part: &Part) -> Vec<&'static str> {
     match facts_of(part) {
         Some(facts) => facts.iter().map(|row| row.eds).collect(),
@@ -202,7 +203,7 @@ fn words_of(part: &Part) -> Vec<&'static str> {
     }
 }
 
-/// Whether two fields say the same.
+/// Whether two fields have equal values.
 fn same(one: &Option<Kind>, other: &Option<Kind>) -> bool {
     one.as_ref().map(toml) == other.as_ref().map(toml)
 }
@@ -229,7 +230,7 @@ fn toml(kind: &Kind) -> String {
     }
 }
 
-/// A text with quotes in it, without escapes where that is possible.
+/// A string that contains quotes, without escapes if possible.
 fn literal(text: &str) -> String {
     let is_plain = !text.contains(['\'', '\t']) && printable(text) == text;
     if is_plain { format!("'{text}'") } else { quoted(text) }

@@ -1,11 +1,11 @@
 //! Patches: corrections of description files that belong to others (docs/guides/patches.md).
 //!
-//! `Reading` applies patches to every description that it opens, so commands and build scripts share one entry. A
-//! patched description keeps the text of its file and thus the line numbers of findings; a label `At::Patch`
-//! points to the cause.
+//! `Reading` applies patches to every description that it opens, so commands and build scripts share one entry
+//! point. A patched description keeps the text of its file and thus the line numbers of findings; a label
+//! `At::Patch` points to the cause.
 //!
-//! A patch changes the model, each datum by its address, and says what it expects there. The text of the file
-//! follows by edits of what is different ([`Description::realised`](super::Description)), so one patch serves all formats.
+//! A patch changes values of the model by address, and states the expected old ones. The text of the file is edited
+//! where it differs ([`Description::realised`](super::Description)), so one patch works for all formats.
 
 mod apply;
 mod edit;
@@ -33,25 +33,25 @@ use objdict_model::diagnostic::{Findings, Text};
 use objdict_model::model::{Address, Device, Part};
 use objdict_model::source::{Said, SourceError, SourceFile, SourceOptions, Span};
 
-/// The largest patch: it may hold whole objects.
+/// The maximum size of a patch, which may contain whole objects.
 const MAX_SIZE: u64 = 16 << 20;
 
 /// A patch of description files.
 #[derive(Debug)]
 pub struct Patch {
     source: SourceFile,
-    /// What it is for.
+    /// Its purpose.
     pub title: Option<String>,
     selector: Selector,
     changes: Vec<PatchChange>,
     findings: Findings,
     /// Whether it was for a description.
     is_used: AtomicBool,
-    /// What was found when it was made and did not stop it.
+    /// Warnings of its applications so far.
     warnings: Mutex<BTreeSet<String>>,
 }
 
-/// Which files a patch is for; what is not stated selects all.
+/// The files that a patch selects; missing conditions select all.
 #[derive(Clone, Debug, Default)]
 struct Selector {
     vendor_id: Option<u32>,
@@ -70,16 +70,16 @@ struct PatchChange {
     source: Option<String>,
 }
 
-/// What a change changes.
+/// The target of a change.
 #[derive(Clone, Debug)]
 enum ChangedPart {
-    /// Fields of a part, or the part itself.
+    /// Fields of a part, or the part itself, by keyword.
     Words(ChangeWords),
-    /// A datum of the model, with what it is now.
+    /// A value of the model, with its current value.
     Raw(DatumChange),
 }
 
-/// A change in words.
+/// A change by keywords.
 #[derive(Clone, Debug)]
 struct ChangeWords {
     part: Part,
@@ -100,7 +100,7 @@ impl ChangeWords {
     }
 }
 
-/// A field by its word, and its value.
+/// A field by its keyword, and its value.
 #[derive(Clone, Debug)]
 struct Worded {
     word: String,
@@ -132,8 +132,7 @@ impl Patch {
         self.is_used.load(Ordering::Relaxed)
     }
 
-    /// What was found when it was made in descriptions so far and did not stop that, such as changes without effect: a line each,
-    /// as of [`Patched::lines`].
+    /// Warnings of its applications so far, such as changes without effect: one line each, as in [`Patched::lines`].
     pub fn warnings(&self) -> Vec<String> {
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
     }
@@ -142,7 +141,7 @@ impl Patch {
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(lines);
     }
 
-    /// Mistakes in the patch itself.
+    /// Errors in the patch itself.
     pub fn findings(&self) -> &Findings {
         &self.findings
     }
@@ -165,7 +164,7 @@ impl Patch {
         self.changes.is_empty()
     }
 
-    /// Whether it is for a device: vendor-ID, product code and revision number are those that the patch states.
+    /// Whether it applies to a device: vendor-ID, product code and revision number match those in the patch.
     pub fn selects(&self, device: &Device) -> bool {
         let identity = device.identity();
         let info = device.device_info.as_ref();
@@ -179,7 +178,7 @@ impl Patch {
     }
 }
 
-/// Those of some patches that are for a device.
+/// The patches that apply to a device.
 pub fn selected(patches: &[Arc<Patch>], device: &Device) -> Vec<Arc<Patch>> {
     let selected: Vec<Arc<Patch>> = patches.iter().filter(|patch| patch.selects(device)).cloned().collect();
     selected.iter().for_each(|patch| patch.is_used.store(true, Ordering::Relaxed));

@@ -1,4 +1,4 @@
-//! The patches that were made in a description, and what came of them.
+//! The patches applied to a description, and their results.
 
 use std::sync::Arc;
 
@@ -13,11 +13,11 @@ use objdict_model::source::Span;
 pub struct Patched {
     /// The patches that are for it.
     pub patches: Vec<Arc<Patch>>,
-    /// All that were given, for the other devices of the file.
+    /// All given patches, for the other devices of the file.
     pub given: Vec<Arc<Patch>>,
-    /// What was found when they were made, patch by patch; its places are spans of the patch.
+    /// The findings of applying them, patch by patch; their places are spans of the patch.
     pub findings: Vec<Findings>,
-    /// What was changed: the place in the model, the patch and the span in it.
+    /// The changes: the place in the model, the patch and the span in it.
     pub causes: Vec<(Place, usize, Span)>,
 }
 
@@ -27,7 +27,7 @@ impl Patched {
         self.findings.iter().any(|findings| findings.worst() == Some(Severity::Error))
     }
 
-    /// The patches, each with what was found when it was made.
+    /// The patches, each with the findings of applying it.
     pub fn by_patch(&self) -> impl Iterator<Item = (&Patch, &Findings)> {
         self.patches.iter().map(|patch| &**patch).zip(&self.findings)
     }
@@ -37,7 +37,7 @@ impl Patched {
         self.by_patch().flat_map(|(patch, findings)| lines(patch, findings)).collect()
     }
 
-    /// The patch and the place in it that changed a place of the model.
+    /// The patch that changed a place of the model, and the span in it.
     pub fn cause_of(&self, place: &Place) -> Option<(usize, Span)> {
         let is_it = |cause: &Place| {
             let is_part = cause.part == place.part
@@ -50,7 +50,7 @@ impl Patched {
     }
 }
 
-/// What was found when a patch was made, a line each.
+/// The findings of applying a patch, one line each.
 pub(super) fn lines(patch: &Patch, findings: &Findings) -> Vec<String> {
     let span = |at: &At| match at {
         At::Span(span) => *span,

@@ -1,4 +1,4 @@
-//! A patch from its text.
+//! Reads a patch from its text.
 
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
@@ -115,7 +115,7 @@ fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     Some(PatchChange { span: at.at, what: ChangedPart::Words(words), reason, source })
 }
 
-/// The part that a text names.
+/// The part that a string refers to.
 fn part_of(text: &str) -> Option<Part> {
     if let Some((_, part, _)) = FACTS.iter().find(|(word, ..)| *word == text) {
         return Some(part.clone());
@@ -161,7 +161,7 @@ fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<S
     names
 }
 
-/// A change without words.
+/// A change without keywords.
 fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<PatchChange> {
     let section = KeyedTable::new("raw", tree, RAW, findings)?;
     let path = section.text("path", findings)?;

@@ -1,4 +1,4 @@
-//! The words by which files that people write name the fields of a device, and the keys that they may have.
+//! The keywords for fields of a device in files that users write, and the allowed keys.
 //!
 //! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/reference/patch.md.
 
@@ -42,14 +42,14 @@ pub(crate) const ENTRY: &[Key] = &[
     key("denotation", Shape::Text, "The name of the entry in the application of a node."),
 ];
 
-/// The parts with facts, by the words that name them, with their places in the JSON of the model.
+/// The parts with properties, by keyword, with their JSON paths in the model.
 pub(crate) const FACTS: [(&str, Part, &str); 3] = [
     ("file", Part::FileInfo, "/file_info"),
     ("device", Part::DeviceInfo, "/device_info"),
     ("commissioning", Part::Commissioning, "/commissioning"),
 ];
 
-/// All keys of fields: the words, the keys of CiA 306, and those of facts.
+/// All keys of fields: the keywords, the keys of CiA 306, and those of properties.
 pub(crate) const FIELDS: &[Key] = &{
     const COUNT: usize =
         ENTRY.len() + field_names::ENTRY.len() + FILE.len() + DEVICE.len() + COMMISSIONING.len();
@@ -78,7 +78,7 @@ pub(crate) const FIELDS: &[Key] = &{
     keys
 };
 
-/// The word of a key, which may be one of CiA 306.
+/// The keyword for a key, which may be one of CiA 306.
 pub(crate) fn word_of(name: &str) -> Option<&'static str> {
     let known = ENTRY.iter().find(|key| key.name == name).map(|key| key.name);
     known.or_else(|| {
@@ -86,7 +86,7 @@ pub(crate) fn word_of(name: &str) -> Option<&'static str> {
     })
 }
 
-/// The data type that a text names: a short word, the name of CiA 301, or its index.
+/// The data type for a string: a keyword, the name in CiA 301, or its index.
 pub(crate) fn data_type(text: &str) -> Option<DataType> {
     let index = || written_number(text, u16::MAX.into()).map(|index| DataType(index as u16));
     types::named(text).or_else(|| DataType::from_name(&text.to_ascii_uppercase())).or_else(index)
@@ -98,7 +98,7 @@ pub(crate) fn data_type_word(data_type: DataType) -> String {
     word.map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
 }
 
-/// The object type that a text names: a word, or its code.
+/// The object type for a string: a keyword, or its code.
 pub(crate) fn object_type(text: &str) -> Option<ObjectType> {
     let code = written_number(text, u8::MAX.into());
     let is = |kind: &ObjectType| kind.name().eq_ignore_ascii_case(text) || Some(kind.code().into()) == code;

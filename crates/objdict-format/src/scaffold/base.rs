@@ -10,20 +10,20 @@ use objdict_model::model::{ClockTime, DataType, Date, Device, DummyUsage, Object
 use objdict_profile as profile;
 use objdict_profile::Profile;
 
-/// The profiles that devices are made of, each with the newest version of what is made of it; version 1 is the first.
+/// The profiles for which devices can be generated, each with its newest version; version 1 is the first.
 ///
-/// A version never changes: descriptions that state it would become other devices. Where newer data or code makes another
-/// device, the version counts up, and what has changed says from which version on it counts (`since`) or up to which one
-/// (`until`): a row of `data/*.toml`, a row of `FEATURES`, or a branch in this folder. [`base`] takes those that count for
-/// the version it is asked for; the rules know only those without `until`. `tests/library/new.rs` has a digest of what
-/// each version makes.
+/// A version never changes: descriptions that state it would become different devices. If newer data or code changes
+/// the result, the version is incremented, and the change states its first (`since`) or last (`until`) version: in a
+/// row of `data/*.toml`, in a row of `FEATURES`, or in a branch in this folder. [`base`] uses those that apply to the
+/// requested version; the rules use only those without `until`. `tests/library/new.rs` has a digest of the result of
+/// each version.
 pub const PROFILES: &[(u16, u16)] = &[(301, 1), (401, 1), (402, 1), (404, 1), (406, 1)];
 
-/// Why there is no device for a profile and features.
+/// The reason why there is no device for a profile and features.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BaseError {
-    /// No device is made of the profile.
+    /// The profile is not supported.
     Profile(u16),
     /// The profile has no such version.
     Version {
@@ -58,7 +58,7 @@ objdict_model::error_messages! { BaseError: {
 } }
 
 impl BaseError {
-    /// What is possible.
+    /// The supported values.
     pub fn help(&self) -> String {
         let list = |numbers: Vec<String>| numbers.join(", ");
         match self {
@@ -82,16 +82,16 @@ impl BaseError {
     }
 }
 
-/// The newest version of what is made of a profile; `None` if no device is made of it.
+/// The newest version for a profile; `None` if the profile is not supported.
 pub fn newest_version(profile: u16) -> Option<u16> {
     PROFILES.iter().find(|(of, _)| *of == profile).map(|(_, newest)| *newest)
 }
 
-/// The device with everything that a profile and CiA 301 demand for these features, and nothing else. Identity and names are
-/// left open; [`identify`](super::identify) copies them from the device information.
+/// Generates a device with exactly the objects that a profile and CiA 301 require for these features. Identity and
+/// names remain open; [`identify`](super::identify) copies them from the device information.
 ///
 /// # Errors
-/// Fails if the profile or the version is not in [`PROFILES`], or if the profile does not have a feature.
+/// If the profile or the version is not in [`PROFILES`], or if the profile does not have a feature.
 pub fn base(profile: u16, version: u16, features: &Features) -> Result<Device, BaseError> {
     let newest = newest_version(profile).ok_or(BaseError::Profile(profile))?;
     if !(1..=newest).contains(&version) {
@@ -157,7 +157,7 @@ fn device(maker: &ObjectMaker<'_>) -> Device {
 
 const FIRST_OF_PROFILE: u16 = 0x6000;
 
-/// The vendor-ID of a device whose vendor is not said: one that CiA never assigns.
+/// The vendor-ID of a device without a stated vendor, which CiA never assigns.
 pub const NO_VENDOR: u32 = 0xFFFF_FFFF;
 
 /// The start of a day.
@@ -183,7 +183,8 @@ impl Wanted {
     }
 }
 
-/// Date and time of `SOURCE_DATE_EPOCH`, else of now, in Coordinated Universal Time; `None` if the clock has no valid date.
+/// Date and time of `SOURCE_DATE_EPOCH`, otherwise the current ones, in Coordinated Universal Time; `None` if
+/// the clock has no valid date.
 pub fn now() -> Option<(Date, ClockTime)> {
     let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.parse().ok());
     let now = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());

@@ -1,26 +1,27 @@
-//! What a profile and features demand: objects, counts and the device type.
+//! The requirements of a profile and features: objects, counts and the device type.
 
 use objdict_model::model::DataType;
 
 use super::features::{Describes, EncoderClass, FEATURES, Feature, FeatureValue, Features, VALUE_TYPES};
 
-/// What an encoder of class C2 has beside one of class C1: scaling, preset, cyclic timer, alarms, warnings, versions,
-/// operating time, offset (CiA 406).
+/// Additional objects of an encoder of class C2 compared with C1: scaling, preset, cyclic timer, alarms, warnings,
+/// versions, operating time, offset (CiA 406).
 pub(super) const OF_CLASS_2: [u16; 14] = [
     0x6001, 0x6002, 0x6003, 0x6005, 0x6200, 0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6508, 0x6509, 0x650A,
     0x650B,
 ];
-/// Modes of operation, their display, and those that are supported.
+/// Modes of operation, their display, and the supported ones.
 const OF_DRIVES: [u16; 3] = [0x6060, 0x6061, 0x6502];
-/// What modes need that the document leaves open, by their bits in 6502h: the data of an interpolation and its time, which a
-/// vendor may define otherwise, and the actual value to a target.
+/// Requirements of modes that the document does not specify, by their bits in 6502h: the data and time of an
+/// interpolation, which a vendor may define differently, and the actual value for a target.
 const OF_MODES: [(u32, u16); 3] = [(1 << 6, 0x60C1), (1 << 6, 0x60C2), (1 << 10, 0x6077)];
-/// Sensor, operating mode, unit, decimal digits and status of an analogue input, beside its process value (CiA 404).
+/// Sensor, operating mode, unit, decimal digits and status of an analogue input, in addition to its process
+/// value (CiA 404).
 const OF_MEASURED: [u16; 5] = [0x6110, 0x6112, 0x6131, 0x6132, 0x6150];
-/// The same of an analogue output: unit, decimal digits and type.
+/// Likewise for an analogue output: unit, decimal digits and type.
 const OF_OUTPUTS: [u16; 3] = [0x6301, 0x6302, 0x6310];
 
-/// The bit of 1000h that says that a drive is a servo drive.
+/// The bit of 1000h for a servo drive.
 const SERVO_DRIVE: u32 = 1 << 17;
 
 /// A profile with features, all of which have a value.
@@ -57,7 +58,7 @@ impl Demanded {
         Self { profile, features: all }
     }
 
-    /// The number of a feature; that of a flag is 1 or 0.
+    /// The number of a feature; 1 or 0 for a flag.
     pub(super) fn amount(&self, feature: &Feature) -> u16 {
         match self.features.get(feature.word) {
             Some(FeatureValue::Flag(flag)) => flag.into(),
@@ -66,7 +67,7 @@ impl Demanded {
         }
     }
 
-    /// The communication objects, but for those of PDOs and what follows from the profile.
+    /// The communication objects, except those of PDOs and those that the profile implies.
     pub(super) fn communication(&self) -> Vec<u16> {
         let mut indexes = vec![0x1000, 0x1001];
         for feature in FEATURES {
@@ -81,7 +82,7 @@ impl Demanded {
         indexes
     }
 
-    /// The objects of the profile that the features ask for; the document requires others that follow from them.
+    /// The objects of the profile for the features; the document requires others that depend on them.
     pub(super) fn requested(&self) -> Vec<u16> {
         let arrays = FEATURES.iter().filter(|feature| self.amount(feature) > 0);
         let arrays =
@@ -104,7 +105,7 @@ impl Demanded {
         arrays.chain(others.concat()).chain(of_modes).collect()
     }
 
-    /// The array that holds channels: in CiA 404 there is one for each type of process values.
+    /// The array with the channels: CiA 404 has one for each type of process values.
     pub(super) fn channel_index(&self, index: u16) -> u16 {
         let at = VALUE_TYPES.iter().position(|of| Some(*of) == self.features.value_type).unwrap_or_default();
         match (self.profile, index, u16::try_from(at)) {
@@ -136,7 +137,7 @@ impl Demanded {
         additional | u32::from(self.profile)
     }
 
-    /// The sub-indexes that an object has behind sub-index 0; `None` if no feature says so.
+    /// The number of sub-indexes after sub-index 0; `None` if no feature determines it.
     pub(super) fn count(&self, index: u16) -> Option<u8> {
         let features = &self.features;
         let elements = |channels: Option<u16>, lines: u16| channels.unwrap_or_default().div_ceil(lines);
@@ -167,7 +168,7 @@ fn bits(channels: [Option<u16>; 4]) -> u32 {
     there.fold(0, |bits, (bit, _)| bits | 0x1_0000 << bit)
 }
 
-/// The array of a profile that has the channels, and the channels of each element.
+/// The array of a profile with the channels, and the number of channels per element.
 pub(super) fn channels(profile: u16, feature: &Feature) -> Option<(u16, u16)> {
     let Describes::Channels(arrays) = feature.describes else { return None };
     arrays.iter().find(|(of, ..)| *of == profile).map(|&(_, index, lines)| (index, lines))

@@ -1,5 +1,6 @@
-//! What a device has and can do, as words with values. Each feature is declared once, in `features!` below: its field, its
-//! word, its values, its meaning, and what of a device it describes. Files, schemas and arguments are derived from [`FEATURES`].
+//! The properties and capabilities of a device, as keywords with values. Each feature is declared once, in `features!`
+//! below: its field, its keyword, its values, its meaning, and the described content of a device. Files, schemas and
+//! arguments are derived from [`FEATURES`].
 
 use objdict_model::model::DataType;
 use objdict_profile as profile;
@@ -10,17 +11,17 @@ use objdict_profile as profile;
 pub struct Feature {
     /// Its name: words joined by hyphens.
     pub word: &'static str,
-    /// The values that it takes.
+    /// Its possible values.
     pub kind: FeatureKind,
     /// The device profiles that have it; empty for all.
     pub profiles: &'static [u16],
     /// Its meaning, without a full stop.
     pub meaning: &'static str,
-    /// What a device with it has.
+    /// The corresponding content of a device.
     pub(super) describes: Describes,
 }
 
-/// The values that a feature takes.
+/// The possible values of a feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FeatureKind {
@@ -47,13 +48,13 @@ pub enum FeatureKind {
 /// The value of a feature.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FeatureValue {
-    /// Of a [`FeatureKind::Flag`].
+    /// For [`FeatureKind::Flag`].
     Flag(bool),
-    /// Of a [`FeatureKind::Number`].
+    /// For [`FeatureKind::Number`].
     Number(i64),
-    /// Of a [`FeatureKind::OneOf`].
+    /// For [`FeatureKind::OneOf`].
     Name(String),
-    /// Of [`FeatureKind::Bits`].
+    /// For [`FeatureKind::Bits`].
     Names(Vec<String>),
 }
 
@@ -66,11 +67,11 @@ pub enum FeatureError {
         /// The word.
         word: String,
     },
-    /// The feature does not take the value.
+    /// The feature does not accept the value.
     Misfit {
         /// The word of the feature.
         word: &'static str,
-        /// The values that it takes.
+        /// Its possible values.
         expected: String,
     },
 }
@@ -80,12 +81,12 @@ objdict_model::error_messages! { FeatureError: {
     Self::Misfit { word, expected } => "`{word}` must be {expected}";
 } }
 
-/// What of a device a feature describes.
+/// The content of a device that a feature describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Describes {
     /// These objects, all or none.
     Objects(&'static [u16]),
-    /// The elements of this object; none without elements.
+    /// The elements of this object; the object is missing if there are none.
     Elements(u16),
     /// Objects from this index on.
     Series(u16),
@@ -93,14 +94,14 @@ pub(super) enum Describes {
     Bit(u16, u8),
     /// The elements of an array in each profile that has the feature, with the channels of an element.
     Channels(&'static [(u16, u16, u16)]),
-    /// What only code about its profile knows.
+    /// Depends on code for its profile.
     Other,
 }
 
-/// What an encoder can do (CiA 406).
+/// The capabilities of an encoder (CiA 406).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EncoderClass {
-    /// Position and what describes it.
+    /// Position and its description.
     C1,
     /// Also scaling, preset, alarms and diagnosis.
     C2,
@@ -110,9 +111,9 @@ const fn number(lowest: u16, highest: u16) -> FeatureKind {
     FeatureKind::Number { lowest, highest }
 }
 
-/// Bits that an array of bytes can hold.
+/// The maximum number of bits in an array of bytes.
 const MAX_DIGITAL: u16 = 254 * 8;
-/// Values that an array can hold.
+/// The maximum number of values in an array.
 const MAX_ANALOG: u16 = 254;
 /// Numbers of nodes.
 const MAX_NODES: u16 = 127;
@@ -125,7 +126,7 @@ const VALUE_TYPE_NAMES: &[&str] = &["REAL32", "INTEGER16", "INTEGER24", "INTEGER
 
 macro_rules! features {
     ($($field:ident: $type:ty, $word:literal, $kind:expr, $profiles:expr, $describes:expr, $meaning:literal;)+) => {
-        /// The features of a device. What is `None` is as the profile has it, else as most devices have it.
+        /// The features of a device. `None` uses the profile's default, otherwise that of most devices.
         #[derive(Clone, Debug, Default, PartialEq, Eq)]
         #[non_exhaustive]
         pub struct Features {
@@ -141,7 +142,7 @@ macro_rules! features {
             /// Sets the feature with this word.
             ///
             /// # Errors
-            /// Fails if there is no such feature, or if it does not take the value.
+            /// If there is no such feature, or if it does not accept the value.
             pub fn set(&mut self, word: &str, value: &FeatureValue) -> Result<(), FeatureError> {
                 let unknown = || FeatureError::Unknown { word: word.to_owned() };
                 let feature = Feature::named(word).ok_or_else(unknown)?;
@@ -279,7 +280,7 @@ impl Feature {
 }
 
 impl FeatureKind {
-    /// The names that it takes; none for flags and numbers.
+    /// Its possible names; none for flags and numbers.
     pub fn names(self) -> Vec<String> {
         match self {
             Self::Flag | Self::Number { .. } => Vec::new(),
@@ -288,7 +289,7 @@ impl FeatureKind {
         }
     }
 
-    /// The single bits that the document has names for, with the name in the form of a word.
+    /// The single bits that the document names, with the name as a keyword.
     pub(super) fn bits(self) -> Vec<(u8, String)> {
         let Self::Bits { document, index } = self else { return Vec::new() };
         let facts = profile::of_number(document).and_then(|document| document.object(index)?.entry(0));
@@ -297,7 +298,7 @@ impl FeatureKind {
         single.map(|field| (field.first, field.name.to_ascii_lowercase().replace(' ', "-"))).collect()
     }
 
-    /// Abbreviations of the names that it takes too.
+    /// Additional abbreviations of its names.
     pub fn abbreviations(self) -> impl Iterator<Item = &'static str> {
         let is_modes = matches!(self, Self::Bits { document: 402, index: 0x6502 });
         MODES.iter().filter(move |_| is_modes).map(|(short, _)| *short)
@@ -331,9 +332,9 @@ const MODES: [(&str, &str); 10] = [
     ("cstca", "cyclic-synchronous-torque-with-commutation-angle"),
 ];
 
-/// A type of the fields of [`Features`].
+/// A field type of [`Features`].
 trait StoredFeature: Sized {
-    /// The value of a field; `None` if the feature does not take it.
+    /// The field value for a feature value; `None` if the feature does not accept it.
     fn stored(value: &FeatureValue, kind: FeatureKind) -> Option<Self>;
 
     /// The value that this is stored for.

@@ -7,21 +7,21 @@ use super::features::{
 };
 use objdict_model::model::{Device, Object, PdoKind};
 
-/// The profile of a device and its features, without those that are as usual. Given to [`base`](super::base()), they make the
-/// device that is nearest to it: with the same communication objects, channels, modes and PDOs.
+/// The profile of a device and its features, without defaults. With them, [`base`](super::base()) generates the closest
+/// device: with the same communication objects, channels, modes and PDOs.
 ///
-/// The profile is 301 where that of the device is not in [`PROFILES`](super::PROFILES).
+/// The profile is 301 if the device's profile is not in [`PROFILES`](super::PROFILES).
 pub fn infer(device: &Device) -> (u16, Features) {
     let profile = device.profile().filter(|&profile| newest_version(profile).is_some()).unwrap_or(301);
     let mut features = of_profile(device, profile);
     for feature in FEATURES.iter().filter(|feature| feature.is_of(profile)) {
         let plan = Demanded { profile, features: features.clone() };
         if let Some(value) = value(device, &plan, feature) {
-            // what is beyond the range of the feature stays unset
+            // values outside the range of the feature remain unset
             let _ = features.set(feature.word, &value);
         }
     }
-    // the usual SYNC depends on whether there are PDOs, not on what they are
+    // the default SYNC depends on whether there are PDOs, not on their content
     (features.rpdos, features.tpdos) = (Some(device.pdos().next().is_some().into()), Some(0));
     let mut features = without_usual(profile, features);
     (features.rpdos, features.tpdos) = (None, None);
@@ -29,7 +29,7 @@ pub fn infer(device: &Device) -> (u16, Features) {
     (profile, features)
 }
 
-/// What only code about the profile knows.
+/// The features that depend on code for the profile.
 fn of_profile(device: &Device, profile: u16) -> Features {
     let has = |index: u16| device.object(index).is_some();
     let mut features = Features::default();
@@ -51,7 +51,7 @@ fn of_profile(device: &Device, profile: u16) -> Features {
     features
 }
 
-/// The value of a feature, as far as the objects that it describes say so.
+/// The value of a feature, as far as the objects that it describes determine it.
 fn value(device: &Device, plan: &Demanded, feature: &Feature) -> Option<FeatureValue> {
     let elements = |index: u16| device.object(index).and_then(Object::highest_sub).unwrap_or(0).into();
     let has = |index: u16| device.object(index).is_some();
@@ -83,7 +83,7 @@ fn bits(device: &Device, index: u16, bits: std::ops::RangeInclusive<u8>) -> u16 
     u16::try_from((value >> bits.start()) & ((1 << width) - 1)).unwrap_or_default()
 }
 
-/// The features that make a difference.
+/// The features that differ from the defaults.
 fn without_usual(profile: u16, mut features: Features) -> Features {
     let made = |features: &Features| base(profile, 1, features).ok();
     let device = made(&features);
@@ -97,7 +97,7 @@ fn without_usual(profile: u16, mut features: Features) -> Features {
     features
 }
 
-/// The numbers of PDOs, and the highest sub-indexes of their parameters.
+/// The numbers of PDOs, and the maximum sub-indexes of their parameters.
 fn of_pdos(device: &Device, profile: u16, features: &mut Features) {
     let usual = base(profile, 1, features).unwrap_or_default();
     let numbers = |device: &Device, kind| -> Vec<u16> {

@@ -1,8 +1,8 @@
-//! New descriptions: a device that has what its profile demands of it, and nothing that it does not.
+//! New descriptions: devices with only the objects that their profile requires.
 //!
-//! The objects come from the data of the profiles ([`objdict_profile`]): what is mandatory, always or for what the device
-//! can do, is described with the data type, access and default of the document. Where the document leaves a choice, the
-//! first one is taken.
+//! The objects come from the data of the profiles ([`objdict_profile`]): objects that are mandatory, always or for the
+//! selected features, are described with the data type, access and default of the document. If the document allows
+//! several, the first one is used.
 
 pub mod base;
 pub mod demanded;
@@ -29,7 +29,7 @@ use objdict_profile::default_mapping::PdoMap;
 pub struct Wanted {
     /// The number of its profile; 301 for a device without one.
     pub profile: u16,
-    /// What it has and can do.
+    /// Its features.
     pub features: Features,
     /// `FileName`.
     pub file_name: String,
@@ -47,11 +47,11 @@ pub struct Wanted {
     pub author: String,
     /// When the description is made.
     pub date: Date,
-    /// What time it is then.
+    /// The corresponding time.
     pub time: ClockTime,
 }
 
-/// The description of a new device, of the newest version of its profile.
+/// The description of a new device, for the newest version of its profile.
 ///
 /// # Errors
 /// As [`base()`].
@@ -99,7 +99,7 @@ pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
     }
 }
 
-/// An object as the documents for a device demand it; `None` if no document has it.
+/// An object as the documents for a device specify it; `None` if no document defines it.
 pub fn object(device: &Device, index: u16) -> Option<Object> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
@@ -122,12 +122,12 @@ pub fn object(device: &Device, index: u16) -> Option<Object> {
     Some(object)
 }
 
-/// The number of elements of the object that one has as many elements as.
+/// The number of elements of the object that determines the number of elements of this one.
 fn elements(device: &Device, facts: &ObjectFacts<'_>) -> Option<u8> {
     facts.as_many_as.iter().find_map(|&other| device.object(other)?.highest_sub())
 }
 
-/// A sub-index of an object as the documents for a device demand it; `None` if no document has it.
+/// A sub-index of an object as the documents for a device specify it; `None` if no document defines it.
 pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
@@ -137,7 +137,7 @@ pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     Some(maker.entry(index, sub))
 }
 
-/// The lowest sub-index that an object lacks and the documents leave it; `None` if there is none.
+/// The lowest missing sub-index of an object that the documents do not reserve; `None` if there is none.
 pub fn next_sub_index(device: &Device, index: u16) -> Option<u8> {
     let object = device.object(index).filter(|object| object.object_type().has_subs())?;
     let facts = profile::of_object(device, index).map(|(_, facts)| facts);
@@ -158,7 +158,7 @@ pub fn next_sub_index(device: &Device, index: u16) -> Option<u8> {
     object.compact.is_none().then_some(sub)
 }
 
-/// The communication and the mapping parameter of a PDO of a device that carries these objects.
+/// The communication and mapping parameters of a PDO that carries these objects.
 pub fn pdo(
     device: &Device,
     kind: PdoKind,
@@ -172,7 +172,7 @@ pub fn pdo(
     pdos::records(&maker, &PdoMap { kind, number, mapped })
 }
 
-/// What a new description says of its file.
+/// The file information of a new description.
 pub fn file_info(wanted: &Wanted) -> FileInfo {
     let profile = profile::of_number(wanted.profile);
     let profile = profile
@@ -193,7 +193,7 @@ pub fn file_info(wanted: &Wanted) -> FileInfo {
     }
 }
 
-/// What a new description says of its device.
+/// The device information of a new description.
 pub fn device_info(plan: &Demanded, device: &Device) -> DeviceInfo {
     let count = |kind: PdoKind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
     DeviceInfo {
@@ -211,7 +211,7 @@ pub fn device_info(plan: &Demanded, device: &Device) -> DeviceInfo {
         },
         simple_boot_up_master: Some(false),
         simple_boot_up_slave: Some(true),
-        // in steps of a byte, when there is something to map
+        // in bytes, if there are mapped objects
         granularity: Some(if device.pdos().next().is_some() { 8 } else { 0 }),
         dynamic_channels_supported: Some(0),
         group_messaging: Some(false),
@@ -222,7 +222,7 @@ pub fn device_info(plan: &Demanded, device: &Device) -> DeviceInfo {
     }
 }
 
-/// A number as a value of its type.
+/// A number as a value of this type.
 fn number(number: u32, data_type: DataType) -> Option<Value> {
     Value::from_integer(number.into(), data_type)
 }

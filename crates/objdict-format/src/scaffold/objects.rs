@@ -7,7 +7,7 @@ use objdict_model::model::{
 };
 use objdict_profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 
-/// Makes objects of what the documents say of them, the general document first.
+/// Creates objects from the documents; the general document is first.
 pub struct ObjectMaker<'a> {
     /// The profile and the features.
     pub plan: Demanded,
@@ -50,27 +50,27 @@ impl ObjectMaker<'_> {
         object.sub_number = u8::try_from(object.subs.len()).ok();
     }
 
-    /// Adds what the documents demand of the device from this index on, until they demand nothing more.
+    /// Adds the required objects from this index on, until the documents require no more.
     pub(super) fn complete(&self, device: &mut Device, first: u16) {
         while let Some(index) = self.missing(device, first) {
             self.add(device, index);
         }
     }
 
-    /// The first object that a document demands and the device does not have.
+    /// The first required object that the device lacks.
     fn missing(&self, device: &Device, first: u16) -> Option<u16> {
         let objects = self.documents.iter().flat_map(|document| document.objects());
         let objects = objects.filter(|facts| facts.first >= first && facts.is_demanded(device, 0));
         objects.map(|facts| facts.first).find(|index| !device.objects.contains_key(index))
     }
 
-    /// Whether the profile has an object, and not only for other devices.
+    /// Whether the profile defines an object, and not only for other devices.
     pub(super) fn is_for(&self, device: &Device, index: u16) -> bool {
         let facts = self.documents.last().and_then(|document| document.object(index));
         facts.is_some_and(|facts| facts.is_for(device, 0))
     }
 
-    /// What the last document says of an object that has one.
+    /// The definition of an object in the last document that contains it.
     pub fn described(&self, index: u16) -> Option<Object> {
         let facts = self.facts(index);
         let facts = facts.iter().rfind(|facts| facts.states_type())?;
@@ -85,12 +85,12 @@ impl ObjectMaker<'_> {
         self.facts(index).iter().any(|facts| facts.entry(sub).is_some())
     }
 
-    /// What the documents say of an object.
+    /// The definitions of an object in the documents.
     fn facts(&self, index: u16) -> Vec<ObjectFacts<'_>> {
         self.documents.iter().filter_map(|document| document.object(index)).collect()
     }
 
-    /// The sub-indexes of an object: those that it needs, and as many as there are channels.
+    /// The sub-indexes of an object: the required ones, and one per channel.
     fn subs(&self, device: &Device, index: u16) -> impl Iterator<Item = u8> {
         let facts = self.facts(index);
         let count = self.plan.count(index);
@@ -104,7 +104,7 @@ impl ObjectMaker<'_> {
         (0..=254u8).filter(move |&sub| is_needed(sub)).collect::<Vec<_>>().into_iter()
     }
 
-    /// An entry as the documents describe it; where both say something, as that of the profile does.
+    /// An entry as the documents describe it; the profile takes precedence.
     pub fn entry(&self, index: u16, sub: u8) -> Entry {
         let facts = self.facts(index);
         let facts: Vec<EntryFacts<'_>> = facts.iter().rev().filter_map(|facts| facts.entry(sub)).collect();
@@ -115,7 +115,8 @@ impl ObjectMaker<'_> {
         let range =
             facts.iter().find(|facts| facts.first <= sub && sub <= facts.last && facts.last > facts.first);
         let name = facts.iter().map(|facts| facts.name).find(|name| !name.is_empty());
-        // version 1 of the profiles named the number of errors so, and a version always makes the same device
+        // version 1 of the profiles used this name for the number of errors, and a version always generates
+        // the same device
         let name = name.filter(|_| (index, sub) != (0x1003, 0));
         let name = match (name, range) {
             (Some(name), Some(_)) => format!("{name} {sub}"),
@@ -133,14 +134,16 @@ impl ObjectMaker<'_> {
                 Some(_) if index < FIRST_OF_MANUFACTURER => PdoMapping::No,
                 Some(_) => PdoMapping::Optional,
             }),
-            // writing stores or restores parameters or executes a command, which no download of a configuration must do
+            // writing stores or restores parameters or executes a command, which a configuration download
+            // must not do
             flags: matches!((index, sub), (0x1010 | 0x1011, 1..) | (0x1023, 1)).then_some(ObjFlags(1)),
             default: self.value(index, sub).or(default).or_else(|| first_value(data_type?, &facts)),
             ..Entry::default()
         }
     }
 
-    /// The value of an entry that depends on the device, or that a new device has where the documents leave it open.
+    /// The value of an entry that depends on the device, or the default for a new device if the documents do
+    /// not specify one.
     fn value(&self, index: u16, sub: u8) -> Option<Value> {
         let Demanded { profile, features } = &self.plan;
         let is_on = |feature| feature == Some(true);
@@ -177,7 +180,8 @@ impl ObjectMaker<'_> {
 /// Microseconds between two SYNC messages of a new device that produces them.
 const SYNC_PERIOD: u64 = 10_000;
 
-/// Speeds, ramps, slopes and times of drives with which 0 moves nothing: the least that does.
+/// Speeds, ramps, slopes and times of drives, which do not move with 0: the smallest value that allows
+/// motion.
 const MOVING: [(u16, u8); 12] = [
     (0x6046, 2),
     (0x6048, 1),
@@ -196,13 +200,13 @@ const MOVING: [(u16, u8); 12] = [
 /// Factors of drives: a numerator and a denominator.
 const RATIOS: [u16; 10] = [0x604B, 0x604C, 0x6090, 0x6092, 0x6093, 0x6094, 0x6095, 0x6096, 0x6097, 0x60A2];
 
-/// The operating mode of a channel that is not off (CiA 404).
+/// The operating mode of an enabled channel (CiA 404).
 const NORMAL_OPERATION: u64 = 1;
 
 /// Milliseconds between two heartbeats of a new device.
 const HEARTBEAT: u64 = 1000;
 
-/// What can be written and goes into an RPDO is a process output.
+/// A writable entry that an RPDO carries is a process output.
 fn directed(access: Access, mapping: Option<Mapping>) -> Access {
     match (access, mapping) {
         (Access::Rw, Some(Mapping::Rpdo)) => Access::Rww,
@@ -211,7 +215,7 @@ fn directed(access: Access, mapping: Option<Mapping>) -> Access {
     }
 }
 
-/// Zero, or the first value that is allowed.
+/// Zero, or the first allowed value.
 fn first_value(data_type: DataType, facts: &[EntryFacts<'_>]) -> Option<Value> {
     let allowed = facts.iter().find(|facts| !facts.values.is_empty());
     let number = match allowed {

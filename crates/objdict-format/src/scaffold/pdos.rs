@@ -1,5 +1,5 @@
-//! The PDOs of a new device: those that its profile maps by default, further ones, switched off, for channels that these have
-//! no room for, and those without a mapping that are asked for.
+//! The PDOs of a new device: those that its profile maps by default; further disabled ones for the remaining channels;
+//! and requested ones without a mapping.
 
 use super::demanded::Demanded;
 use super::features::Features;
@@ -10,7 +10,7 @@ use objdict_model::model::{
 };
 use objdict_profile::default_mapping::{self, PdoMap};
 
-/// The encoder type with several sensors, whose positions have an array of their own.
+/// The encoder type with several sensors, whose positions are in a separate array.
 const MULTI_SENSOR: u16 = 10;
 /// Application objects that a mapping without objects has room for.
 const ROOM: u16 = 8;
@@ -49,7 +49,7 @@ fn wanted(device: &Device, maker: &ObjectMaker<'_>) -> Vec<PdoMap> {
     [of_kind(PdoKind::Rpdo, features.rpdos), of_kind(PdoKind::Tpdo, features.tpdos)].concat()
 }
 
-/// What the profile maps by default, as far as the device has it.
+/// The profile's default PDOs, as far as the device has their objects.
 pub(super) fn default_pdos(device: &Device, plan: &Demanded) -> Vec<PdoMap> {
     let mut pdos = match plan.profile {
         401 => default_mapping::of_channels(&counts(&plan.features)),
@@ -61,14 +61,14 @@ pub(super) fn default_pdos(device: &Device, plan: &Demanded) -> Vec<PdoMap> {
     for pdo in &mut pdos {
         pdo.mapped.retain(|mapped| device.object(mapped.index).is_some());
     }
-    // a PDO of a mode that the drive does not have is left with the controlword or statusword
+    // a PDO for an unsupported mode keeps only the controlword or statusword
     pdos.retain(|pdo| {
         !pdo.mapped.is_empty() && (plan.profile != 402 || pdo.number == 1 || pdo.mapped.len() > 1)
     });
     pdos
 }
 
-/// Elements of the arrays that hold the channels.
+/// The number of elements of the channel arrays.
 fn counts(features: &Features) -> default_mapping::Channels {
     let elements = |channels: Option<u16>, lines| {
         u8::try_from(channels.unwrap_or_default().div_ceil(lines)).unwrap_or(u8::MAX)
@@ -81,8 +81,8 @@ fn counts(features: &Features) -> default_mapping::Channels {
     }
 }
 
-/// The PDOs of drives that CiA 402 defines, by number: what follows the controlword in the RPDO and the statusword in the TPDO,
-/// with its bits.
+/// The PDOs of drives that CiA 402 defines, by number: the object after the controlword in the RPDO and after the
+/// statusword in the TPDO, with its bits.
 const OF_DRIVES: [(u16, u16, u8); 6] = [
     (0, 0, 0),
     (0x6060, 0x6061, 8),
@@ -128,7 +128,7 @@ fn positions(features: &Features) -> Vec<PdoMap> {
     [1, 2].map(|number| PdoMap { kind: PdoKind::Tpdo, number, mapped: vec![position] }).into()
 }
 
-/// What triggers a PDO: an event of the profile, or the SYNC for the second position.
+/// The trigger of a PDO: an event of the profile, or the SYNC for the second position.
 fn transmission_type(profile: u16, pdo: &PdoMap) -> u32 {
     match (profile, pdo.kind, pdo.number) {
         (406, PdoKind::Tpdo, 1) => 254,
