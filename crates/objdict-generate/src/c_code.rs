@@ -15,8 +15,8 @@ pub(crate) fn file_stem(options: &Options) -> String {
     }
 }
 
-/// The name of files without a name that an application expects: the prefix, else the [`file_stem`] and what the
-/// files contain (`od` only once).
+/// The file stem for files whose name applications do not expect: the prefix, otherwise the [`file_stem`] and
+/// the content of the files (`od` only once).
 pub(crate) fn file_name(options: &Options, content: &str) -> String {
     match (options.prefix.is_some(), file_stem(options)) {
         (true, stem) => stem,
@@ -25,7 +25,7 @@ pub(crate) fn file_name(options: &Options, content: &str) -> String {
     }
 }
 
-/// The C type of exactly this data type's size and range; `None` if C has none.
+/// The C type with exactly the size and range of this data type; `None` if C has none.
 pub(crate) fn exact_type(data_type: DataType) -> Option<&'static str> {
     Some(match data_type.kind() {
         TypeKind::Boolean | TypeKind::Unsigned(8) => "uint8_t",
@@ -61,7 +61,7 @@ pub(crate) fn typed(shape: ValueShape, word: u64) -> Option<(DataType, String)> 
     Some((data_type, number(word, data_type)?))
 }
 
-/// The name that a stack has for a number of C: one of these words, for unsigned, signed and real ones, and its bits.
+/// A stack's name for a C number: one of these words, for unsigned, signed and real ones, plus its bits.
 pub(crate) fn number_type(data_type: DataType, [unsigned, signed, real]: [&str; 3]) -> Option<String> {
     exact_type(data_type)?;
     let word = match data_type.kind() {
@@ -112,7 +112,7 @@ pub(crate) fn bytes(bytes: &[u8]) -> String {
     listed(bytes[..used].iter().map(|byte| format!("0x{byte:02X}")), "    ")
 }
 
-/// A list in braces, 16 elements in a line; `indent` is that of further lines.
+/// A list in braces, 16 elements per line; `indent` applies to further lines.
 pub(crate) fn listed(elements: impl Iterator<Item = String>, indent: &str) -> String {
     let mut text = String::from("{");
     for (number, element) in elements.enumerate() {

@@ -1,4 +1,4 @@
-//! Words that are taken in C sources, for targets whose names keep the spelling of the description.
+//! Reserved words in C sources, for targets whose names keep the spelling of the description.
 
 use std::collections::HashSet;
 
@@ -40,14 +40,14 @@ pub(crate) fn is_reserved(name: &str) -> bool {
             && ends(&["_MAX", "_MIN", "_C", "_WIDTH"])
 }
 
-/// Takes a name, or one like it with a suffix if it is taken.
+/// Claims a name, with a suffix if it is already in use.
 pub(crate) fn distinct(taken: &mut HashSet<String>, plain: String, suffix: &str) -> String {
     let candidates = (2_u32..).map(|number| format!("{plain}_{suffix}_{number}"));
     let mut candidates = [plain.clone(), format!("{plain}_{suffix}")].into_iter().chain(candidates);
     candidates.find(|candidate| taken.insert(candidate.clone())).unwrap_or(plain) // there are fewer entries than numbers
 }
 
-/// Functions of C and POSIX libraries, which a variable at file scope would replace or contradict.
+/// Functions of C and POSIX libraries, which a variable at file scope would replace or conflict with.
 const FUNCTIONS: &str = "
     abort abs access acos acosh alarm alloca asctime asin asinh atan atan2 atanh atexit atof atoi atol atoll basename bcmp
     bind brk bsearch bzero cabs calloc catan ceil chdir chmod chown clearerr clock close closedir connect copysign cos cosh creat

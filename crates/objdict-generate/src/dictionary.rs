@@ -72,7 +72,7 @@ impl<'a> TableDictionary<'a> {
     /// Resolves the dictionary of a device.
     ///
     /// # Errors
-    /// Fails if the node-ID is not valid, a value cannot be represented, or there is no entry.
+    /// If the node-ID is not valid, a value cannot be represented, or there is no entry.
     pub(crate) fn new(device: &'a Device, options: &'a Options) -> Result<Self, GenerateError> {
         let node_id = options.node_id_of(device)?;
         let mut resolver = Resolver::new(device, options);
@@ -152,7 +152,7 @@ pub(crate) fn resolve<'a>(
     })
 }
 
-/// Entries in compact storage have no texts of their own; problems are reported for the object.
+/// Compactly stored entries have no texts of their own; problems are reported for the object.
 fn compact_invalid_values(resolver: &mut Resolver<'_>, index: u16, object: &Object) {
     let Some(compact) = &object.compact else { return };
     let data_type = object.main.data_type.unwrap_or(crate::model::DataType(0));

@@ -1,16 +1,16 @@
-//! Escaping of description texts for their place in generated code.
+//! Escapes description texts for their position in generated code.
 //!
-//! The functions are the filters of the templates, which so show how each text is escaped. All characters
-//! except letters, digits and printable ASCII become `\u{…}`: line ends and other control characters,
-//! direction marks, invisible and unassigned characters.
+//! The functions are the filters of the templates, which thus show how each text is escaped. All
+//! characters except letters, digits and printable ASCII become `\u{…}`: line ends and other control
+//! characters, direction marks, invisible and unassigned characters.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-/// Maximum length of a shown text; longer ones end in `...`.
+/// Maximum length of a displayed text; longer ones end in `...`.
 const SHOWN: usize = 100;
 
-/// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
+/// Longer strings are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
 const LONGEST_LITERAL: usize = 500;
 
 /// For a line of a Rust comment (`//` or `///`): in backticks, so that rustdoc does not interpret markup.
@@ -44,7 +44,7 @@ pub(super) fn c_comment(text: &str) -> String {
     if comment.is_empty() { "(no name)".to_owned() } else { comment }
 }
 
-/// For the text of a comment for Doxygen: what would be a command, a tag, an entity or a link is escaped.
+/// For the text of a Doxygen comment: commands, tags, entities and links are escaped.
 pub(super) fn doxygen(text: &str) -> String {
     let comment = c_comment(text);
     let is_special = |c| matches!(c, '\\' | '@' | '<' | '>' | '&' | '#' | '%' | '$' | '"');
@@ -150,7 +150,7 @@ pub(super) fn c_string(bytes: &[u8]) -> String {
     })
 }
 
-/// A string literal; `None` for texts that are too long or contain bytes unsuitable for a literal.
+/// A string literal; `None` for strings that are too long or contain bytes unsuitable for a literal.
 pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
     if bytes.len() > LONGEST_LITERAL {
         return None;
@@ -176,7 +176,7 @@ pub(super) fn hex4(index: &u16) -> HexNumber<4> {
     HexNumber(*index)
 }
 
-/// The same for a sub-index.
+/// Formats a sub-index.
 pub(super) fn hex2(sub: &u8) -> HexNumber<2> {
     HexNumber(u16::from(*sub))
 }

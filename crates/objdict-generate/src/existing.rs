@@ -1,8 +1,8 @@
-//! Tables that a project has already, beside those that are generated.
+//! Comparison of a project's existing tables with generated ones.
 
 use crate::{Generated, Target};
 
-/// Where two tables differ.
+/// A difference between two tables.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -11,9 +11,9 @@ pub struct TableDifference {
     pub aspect: TableAspect,
     /// The variable, macro, storage group, object or entry.
     pub place: String,
-    /// What the existing tables have; `None` if they do not have it.
+    /// The property of the existing tables; `None` if missing.
     pub old: Option<String>,
-    /// What the generated tables have; `None` if they do not have it.
+    /// The property of the generated tables; `None` if missing.
     pub new: Option<String>,
 }
 
@@ -24,7 +24,7 @@ pub struct TableDifference {
 pub enum TableAspect {
     /// The application: names and types of variables and macros.
     Names,
-    /// The values in non-volatile memory: their places in a storage group.
+    /// The values in non-volatile memory: their locations in a storage group.
     Layout,
     /// The stack and the bus: objects, entries, access, lengths.
     Objects,
@@ -33,12 +33,12 @@ pub enum TableAspect {
 }
 
 impl TableAspect {
-    /// All of them, in the order of reports.
+    /// All aspects, in the order of reports.
     pub const ALL: [Self; 4] = [Self::Names, Self::Layout, Self::Objects, Self::Values];
 }
 
-/// Compares tables that a project has already, a C header and its source, with generated ones. `None` if they are no tables of
-/// the target, or the target has no comparison.
+/// Compares existing tables of a project, a C header and its source, with generated ones. `None` if they are not tables
+/// of the target, or the target does not support comparison.
 pub fn compare_tables(
     target: Target,
     header: &str,

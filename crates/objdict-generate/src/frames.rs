@@ -1,7 +1,7 @@
 //! Contents of PDO frames for the targets `rust` and `c`: a struct for each PDO of the default mapping.
 //!
-//! A frame is one number of at most 64 bits whose bytes are transmitted from the lowest on (CiA 301 §7.2.2.2), so packing is shifting for
-//! fields of any length.
+//! A frame is a single number of at most 64 bits whose bytes are transmitted lowest first (CiA 301 §7.2.2.2), so fields
+//! of any length are packed by shifting.
 
 use super::Note;
 use super::names::{NameScope, words};
@@ -67,8 +67,8 @@ impl PdoFrame {
     }
 }
 
-/// Makes PDO mappings read-only, because the structs of PDOs would not follow another one. Those with a hook are
-/// left to the application. `unless` says what allows SDOs to write them.
+/// Makes PDO mappings read-only, because the structs of PDOs would not follow a changed one. Those with a hook
+/// are left to the application. `unless` names the option that allows SDOs to write them.
 pub(crate) fn freeze_mappings(table: &mut DeviceTable, unless: &str) -> Vec<Note> {
     let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
     let rows = table.rows.iter_mut();

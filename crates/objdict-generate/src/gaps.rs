@@ -1,4 +1,4 @@
-//! What a description leaves out and the standard says.
+//! Completes a description with values that the standard defines.
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use super::notes::once_per_device;
 use crate::literal::{self, Quirks};
 use crate::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Place, Value};
 
-/// What an entry lacks and the standard has.
+/// A property that an entry lacks and the standard defines.
 struct Gap {
     index: u16,
     /// `None` for the entry of the object itself.
@@ -17,8 +17,8 @@ struct Gap {
     value: Option<Value>,
 }
 
-/// The device with the data types, access types and values that the documents for all devices define for entries without, and a
-/// note for each.
+/// The device completed with data types, access types and values from the documents for all devices, and a note for
+/// each.
 pub(crate) fn filled(device: &Device) -> (Cow<'_, Device>, Vec<Note>) {
     let gaps: Vec<Gap> =
         device.objects.iter().flat_map(|(&index, object)| gaps_of(device, index, object)).collect();
@@ -44,7 +44,7 @@ fn gaps_of(device: &Device, index: u16, object: &Object) -> Vec<Gap> {
     if matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct) {
         return Vec::new();
     }
-    // the object states the type of compact sub-objects, and nothing of others
+    // the object states the type of compact sub-objects, but not of others
     let has_value = object.compact.is_some() || !has_subs && object.subs.is_empty();
     let entries = object.described().filter(|(sub, _)| sub.is_some() || has_value);
     let gaps = entries.map(|(sub, entry)| {
@@ -64,7 +64,8 @@ fn gaps_of(device: &Device, index: u16, object: &Object) -> Vec<Gap> {
     gaps.filter(|gap| gap.data_type.is_some() || gap.access.is_some() || gap.value.is_some()).collect()
 }
 
-/// The COB-ID of the default SDO server (CiA 301 §7.5.2.33). Without it, stacks serve CAN-ID 0: the node answers no SDO.
+/// The COB-ID of the default SDO server (CiA 301 §7.5.2.33). Without it, stacks serve CAN-ID 0: the node does
+/// not respond to SDOs.
 fn server_cob_id(index: u16, sub: Option<u8>) -> Option<Value> {
     match (index, sub) {
         (0x1200, Some(1)) => Some(Value::NodeId(0x600)),
@@ -92,7 +93,7 @@ impl Gap {
     }
 }
 
-/// Gives an entry a type, and its values the type too.
+/// Sets the type of an entry and of its values.
 fn set_type(entry: &mut Entry, data_type: DataType) {
     entry.data_type = Some(data_type);
     let configured = entry.configured.as_mut().and_then(|configured| configured.value.as_mut());

@@ -1,9 +1,9 @@
-//! What the files of a target have in common: the texts of their first lines and their names.
+//! The common parts of a target's files: the texts of their first lines and their names.
 
 use super::Options;
 use crate::model::Device;
 
-/// The first lines of every file, and the names that its identifiers begin with.
+/// The first lines of every file, and the prefix of its identifiers.
 pub(crate) struct Head {
     /// Generator and source, for the first line.
     pub(crate) made_by: String,

@@ -54,7 +54,7 @@ pub(crate) fn has_hooks(table: &DeviceTable) -> bool {
     table.rows.iter().any(|row| row.hooked)
 }
 
-/// Size of the longest value to restore after a hook rejects a write; at least that of a number.
+/// Size of the longest value to restore after a hook rejects a write, at least that of a number.
 pub(crate) fn room(table: &DeviceTable) -> usize {
     let kept = table.rows.iter().filter(|row| row.hooked && row.slot.is_some() && row.access().is_writable());
     kept.map(|row| TypeExtent::of(row.resolved.shape).size).max().unwrap_or(0).max(8)

@@ -1,6 +1,6 @@
 //! Code and data for products, generated from a [`Device`]: tables in Rust and C, concise DCF.
 //!
-//! A *target* has a name such as `rust`; its backend turns a device into files. Backends depend on the
+//! A *target* has a name such as `rust`; its backend converts a device to files. Backends depend on the
 //! model and not on the input format. To add one, write a folder next to this file and declare it in the
 //! registry below.
 //!
@@ -119,8 +119,8 @@ macro_rules! make {
 }
 
 /// All targets in the order of help: the name of the [`Target`] constant, the module, the name on the command line, the
-/// summary (lower case, no full stop), the options that affect the files, and why the size of its tables is not known, if it
-/// is not. The module has the function `make`.
+/// summary (lower case, no full stop), the options that affect the files, and the reason if the size of its tables is
+/// unknown. The module has the function `make`.
 macro_rules! targets {
     ($($(#[$condition:meta])? $constant:ident $module:ident $name:literal
         $summary:literal
@@ -218,24 +218,24 @@ struct Backend {
     /// The options that affect the files.
     uses: &'static [Choice],
     make: Make,
-    /// How tables that a project has already are compared with those that are made.
+    /// The comparison of existing tables with generated ones.
     compare: Option<Compare>,
 }
 
-/// Compares a header and its source with files; `None` if they are no tables of the target.
+/// Compares a header and its source with files; `None` if they are not tables of the target.
 type Compare = fn(&str, &str, &[OutputFile]) -> Option<Vec<TableDifference>>;
 
 /// The function of a target.
 enum Make {
     Measured(fn(&Device, &Options) -> Result<BackendOutput, GenerateError>),
-    /// With the reason why the size of its tables is not known.
+    /// With the reason why the size of its tables is unknown.
     Unmeasured(fn(&Device, &Options) -> Result<Generated, GenerateError>, &'static str),
 }
 
-/// What a backend makes of a device, and the size of its tables.
+/// The output of a backend for a device, and the size of its tables.
 struct BackendOutput {
     files: Vec<OutputFile>,
-    /// What the files cannot express.
+    /// Content that the files cannot express.
     notes: Vec<Note>,
     size: Sizes,
 }
@@ -300,11 +300,11 @@ pub struct Generated {
 pub struct Note {
     /// Its place.
     pub place: Place,
-    /// What was done: lower case, offending text in backticks, no full stop.
+    /// The deviation: lower case, offending text in backticks, no full stop.
     pub message: String,
     /// How to fix it.
     pub help: Option<Cow<'static, str>>,
-    /// Further places of this note in ascending order; the message counts them.
+    /// Further places of this note in ascending order; the message states their number.
     pub also: Vec<Place>,
     /// The severity: an error means that the stack does not start with the files, a warning that they do not work unchanged, a note
     /// that something is omitted.
@@ -349,7 +349,7 @@ impl Note {
 
 objdict_model::messages! { Note: { Self { place, message, .. } => "{place}: {message}"; } }
 
-/// Why nothing was generated.
+/// The reason why nothing was generated.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum GenerateError {
@@ -387,7 +387,7 @@ pub enum GenerateError {
         /// The places with the problems; at least one.
         Vec<Note>,
     ),
-    /// Shared values were requested without the crate for them, or without the node-ID that they start with.
+    /// Shared values were requested without the crate for them, or without their initial node-ID.
     NoCell,
     /// The target `template` was requested without a template.
     NoTemplate,
@@ -435,7 +435,7 @@ pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Ge
     Ok(generated)
 }
 
-/// The same without the notes that belong to no target.
+/// Generates the files of one target, without the notes that belong to no target.
 pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     let (device, notes) = gaps::filled(device);
     let mut generated = match target.0.make {
@@ -449,7 +449,7 @@ pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Ge
     Ok(generated)
 }
 
-/// Notes that belong to no target: options that have no effect on any of them, and PDOs that are only implied.
+/// Notes that belong to no target: options without an effect on any of them, and PDOs that are only implied.
 pub fn general_notes(device: &Device, targets: &[Target], options: &Options) -> Vec<Note> {
     let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses.contains(choice));
     let without = options.chosen().filter(|choice| !has_effect(choice));
@@ -503,7 +503,7 @@ pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes,
     }
 }
 
-/// A file with the text of a template, which ends with one line feed.
+/// Renders a template to a file that ends with one line feed.
 fn render(path: impl Into<String>, text: String) -> OutputFile {
     OutputFile { path: path.into(), contents: (text + "\n").into_bytes() } // templates drop the last line feed
 }

@@ -6,7 +6,7 @@ use super::stored::group_of;
 use super::{Options, gaps};
 use crate::model::{DataType, Device};
 
-/// An entry of a device on a node: what a row of a generated table holds.
+/// An entry of a device on a node: the content of a row of a generated table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LiveEntry {
     /// Index of the object.
@@ -15,7 +15,8 @@ pub struct LiveEntry {
     pub sub: u8,
     /// The data type of its transfers; `None` for a device-specific type.
     pub data_type: Option<DataType>,
-    /// The most bytes of a value, at the same time the least for all but texts, octets and DOMAINs; 0 for a DOMAIN without room.
+    /// The maximum number of bytes of a value, which is also the minimum except for strings, octets and
+    /// DOMAINs; 0 for a DOMAIN without capacity.
     pub size: usize,
     /// Whether an SDO upload may read it.
     pub is_readable: bool,
@@ -27,7 +28,7 @@ pub struct LiveEntry {
     pub fits_rpdo: bool,
     /// The value at power-on: the configured one, else the default, as an SDO transfers it.
     pub value: Vec<u8>,
-    /// The lowest value: two's complement with sign, or the bits of a REAL.
+    /// The minimum value: two's complement with sign, or the bits of a REAL.
     pub low: Option<u64>,
     /// The highest value, as [`LiveEntry::low`].
     pub high: Option<u64>,
@@ -35,8 +36,8 @@ pub struct LiveEntry {
     pub is_grouped: bool,
 }
 
-/// The entries of a device on a node in ascending order. What a table cannot have is left out; a value that cannot be
-/// represented is 0.
+/// The entries of a device on a node in ascending order. Entries that a table cannot contain are omitted; a value
+/// that cannot be represented is 0.
 pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<LiveEntry> {
     let (device, _) = gaps::filled(device);
     let mut resolver = Resolver::new(&device, options);

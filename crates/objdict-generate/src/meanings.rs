@@ -1,5 +1,5 @@
-//! Enumerations and bit fields with identifiers for the targets `rust` and `c`. The model defines their
-//! contents ([`crate::model::Meanings`]); for the objects of a device profile that it says nothing of, the document does.
+//! Enumerations and bit fields with identifiers for the targets `rust` and `c`. The model defines their contents
+//! ([`crate::model::Meanings`]); for undefined objects of a device profile, the document does.
 
 use super::names::{NameScope, words};
 use super::resolve::ValueShape;
@@ -95,7 +95,7 @@ struct Namer<'a> {
     notes: &'a mut Vec<Note>,
 }
 
-/// The enumerations and bit fields of the entries in the table. What cannot be expressed is noted.
+/// The enumerations and bit fields of the entries in the table. Inexpressible ones are noted.
 pub(crate) fn meanings(
     device: &Device,
     table: &DeviceTable,
@@ -163,7 +163,7 @@ impl Namer<'_> {
         self.add_enum(row, key, (&base, title), (enumeration.data_type, bits), values(&enumeration.values));
     }
 
-    /// Whether there is such an enumeration, which is also that of the entry then.
+    /// Whether such an enumeration exists; it is then assigned to the entry.
     fn is_known(&mut self, row: &Row, key: &MeaningKey) -> bool {
         let at = (row.index, row.sub);
         let Some(known) = self.keys.iter().position(|other| other == key) else { return false };
@@ -310,7 +310,7 @@ impl Namer<'_> {
     }
 }
 
-/// The entries as a text, the first few by name.
+/// The entries as text, the first few by name.
 pub(crate) fn entries(all: &[(u16, u8)], name: impl Fn(u16, u8) -> String) -> String {
     const SHOWN: usize = 8;
     let shown: Vec<String> = all.iter().take(SHOWN).map(|&(index, sub)| name(index, sub)).collect();

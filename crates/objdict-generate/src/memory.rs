@@ -1,8 +1,8 @@
-//! Sizes of types and variables in C on the reference processor, and their sum per object.
+//! Sizes of types and variables in C on the reference processor, and their total per object.
 //!
 //! The processor is a 32-bit one such as a Cortex-M with the compiler arm-none-eabi-gcc: pointers have 4
 //! bytes, numbers are aligned to their size (at most 8 bytes), and an enumeration has the smallest type for
-//! its values. A variable with a non-zero initial value takes the same size in flash, from which the start-up
+//! its values. A variable with a non-zero initial value needs the same size in flash, from which the start-up
 //! code copies it.
 
 use super::dictionary::TableDictionary;
@@ -79,7 +79,7 @@ pub(crate) enum Memory {
     Flash,
     /// Zero-initialised RAM.
     Zeroed,
-    /// RAM, and the flash with its initial values.
+    /// RAM, and flash for its initial values.
     Initialised,
 }
 
@@ -90,7 +90,7 @@ impl Memory {
     }
 }
 
-/// Sums up the sizes per object.
+/// Totals of the sizes per object.
 pub(crate) struct SizeTally {
     objects: Vec<ObjectSize>,
     rest: Size,
@@ -127,8 +127,8 @@ impl SizeTally {
         add(&mut self.rest, memory, bytes);
     }
 
-    /// Adds a structure: its members count for their objects; padding and members without an object go to the
-    /// rest.
+    /// Adds a structure: its members belong to their objects; padding and members without an object belong to
+    /// the rest.
     pub(crate) fn structure(&mut self, memory: Memory, members: &[(Option<u16>, TypeExtent)]) {
         let whole = TypeExtent::structure(members.iter().map(|&(_, extent)| extent)).size;
         let mut gaps = whole;
@@ -141,12 +141,12 @@ impl SizeTally {
         self.rest(memory, gaps);
     }
 
-    /// The sums. For `counted` see [`SizeReport::counted`].
+    /// The totals. For `counted` see [`SizeReport::counted`].
     pub(crate) fn report(self, counted: &'static str) -> Sizes {
         Sizes::Known(self.sums(counted))
     }
 
-    /// The same, to add what no object has.
+    /// Like `report`, for adding content that belongs to no object.
     pub(crate) fn sums(self, counted: &'static str) -> SizeReport {
         SizeReport::new(counted, self.objects, self.rest)
     }

@@ -122,7 +122,7 @@ pub(crate) fn without_mark(c: char) -> char {
     }
 }
 
-/// The words of an identifier that fit into `length` bytes; of a longer first word its beginning.
+/// The words of an identifier that fit into `length` bytes; a longer first word is truncated.
 pub(crate) fn clip(identifier: &str, length: usize) -> &str {
     let Some(rest) = identifier.get(length..) else { return identifier.trim_end_matches('_') };
     let whole = if rest.is_empty() || rest.starts_with('_') { Some(length) } else { None };
@@ -134,7 +134,7 @@ pub(crate) fn clip(identifier: &str, length: usize) -> &str {
 #[derive(Default)]
 pub(crate) struct NameScope {
     taken: HashSet<String>,
-    /// What several will claim, see [`NameScope::foresee`].
+    /// Names that several claims will share; see [`NameScope::foresee`].
     shared: HashSet<String>,
     keywords: bool,
 }
@@ -166,8 +166,8 @@ impl NameScope {
         self.taken.insert(identifier);
     }
 
-    /// Notes the words of all claims to come: what several of them claim gets a suffix in each, so that the name of
-    /// one never depends on the order of the others.
+    /// Records the names of all future claims: names that several claims share get a suffix in each, so that names
+    /// never depend on the order of the others.
     pub(crate) fn foresee<'a>(&mut self, all: impl IntoIterator<Item = &'a str>) {
         let all = all.into_iter();
         let mut once = HashSet::with_capacity(all.size_hint().0);

@@ -1,4 +1,4 @@
-//! Notes about what a target cannot express, ordered and without repetition.
+//! Notes about content that a target cannot express, ordered and without repetition.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -9,7 +9,7 @@ use crate::model::{Part, Place};
 /// Maximum number of objects or ranges named in a message.
 const MOST_RANGES: usize = 8;
 
-/// What is done with the node-ID where a stack does not add it.
+/// The treatment of the node-ID if a stack does not add it.
 pub(crate) fn added(node_id: Option<u8>) -> String {
     match node_id {
         Some(node_id) => format!("the constant node-ID {node_id} is added"),
@@ -17,14 +17,14 @@ pub(crate) fn added(node_id: Option<u8>) -> String {
     }
 }
 
-/// Orders notes by place; notes of one place keep their order.
+/// Orders notes by place; notes at the same place keep their order.
 pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {
     notes.sort_by(|a, b| a.place.cmp(&b.place));
     notes
 }
 
-/// Merges equal notes about several entries or objects of the device into the first one, which counts them and names
-/// the objects.
+/// Merges equal notes about several entries or objects of the device into the first one, which states their number
+/// and names the objects.
 pub(crate) fn once_per_device(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<Note> = Vec::new();
     let mut known: HashMap<(bool, String), usize> = HashMap::new();
@@ -76,7 +76,7 @@ fn ranges(indexes: &[u16]) -> String {
     named.join(", ") + more
 }
 
-/// Whether a place is an entry, and its index; `None` if it is no object either.
+/// Whether a place is an entry, and its index; `None` if it is not an object either.
 fn index_of(place: &Place) -> Option<(bool, u16)> {
     match place.part {
         Part::Entry(index, _) => Some((true, index)),

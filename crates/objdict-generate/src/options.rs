@@ -253,7 +253,7 @@ macro_rules! declare {
 
 with_options!(declare);
 
-/// A field of [`Options`] that accepts values. A field for one value keeps the last one.
+/// A field of [`Options`] that accepts values. A field for a single value keeps the last one.
 pub trait OptionField {
     /// The type of a value.
     type Value;
@@ -445,7 +445,7 @@ impl Options {
 /// Maximum length of a prefix; leaves room for a name of 48 letters in an identifier.
 const LONGEST_PREFIX: usize = 16;
 
-/// Modules and files of Rust packages and headers of C, which a module or file of the same name would hide.
+/// Modules and files of Rust packages and headers of C, which a module or file with the same name would hide.
 const FILES: &str = "
     self super crate build lib main mod core std alloc assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
     stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype

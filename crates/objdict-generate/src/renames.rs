@@ -30,7 +30,7 @@ impl ChoiceError {
 /// Parses a file with names of objects and entries.
 ///
 /// # Errors
-/// Fails on invalid TOML, or on anything other than addresses and names.
+/// If the TOML is invalid or contains anything other than addresses and names.
 #[cfg(feature = "toml")]
 pub fn renames(text: &str) -> Result<BTreeMap<Address, String>, ChoiceError> {
     let line_of = |at: usize| Some(text.get(..at).unwrap_or(text).matches('\n').count() + 1);
@@ -78,7 +78,7 @@ impl StorageGroup {
     /// and `_`.
     ///
     /// # Errors
-    /// Fails if the range is empty or the name is not valid.
+    /// If the range is empty or the name is not valid.
     pub fn new(objects: RangeInclusive<u16>, name: &str) -> Result<Self, ChoiceError> {
         let is_word = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
         if objects.is_empty() {

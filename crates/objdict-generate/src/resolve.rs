@@ -71,7 +71,7 @@ impl Encoded {
         self.word() == 0 && self.bytes().iter().all(|&byte| byte == 0)
     }
 
-    /// The bytes of a value that is not a number; of a number none.
+    /// The bytes of a non-numeric value; empty for a number.
     pub(crate) fn bytes(&self) -> &[u8] {
         match self {
             Self::Bytes(bytes) => bytes,
@@ -97,7 +97,7 @@ pub(crate) struct EntryPlan {
     pub(crate) tpdo: bool,
     /// Whether an RPDO may map it.
     pub(crate) rpdo: bool,
-    /// Whether the value never changes and stays in flash.
+    /// Whether the value never changes and remains in flash.
     pub(crate) constant: bool,
     pub(crate) default: Encoded,
     /// Only for a numeric [`ValueShape::Word`].
@@ -111,18 +111,18 @@ impl EntryPlan {
         (self.access.is_readable(), self.access.is_writable())
     }
 
-    /// A word of these for what SDOs may do: nothing, read, write, or both.
+    /// The word for the SDO access: none, read, write, or both.
     pub(crate) fn sdo_word(&self, words: [&'static str; 4]) -> &'static str {
         let (read, write) = self.sdo();
         words[usize::from(read) + 2 * usize::from(write)]
     }
 
-    /// A word of these for what may map the entry: nothing, TPDOs, RPDOs, or both.
+    /// The word for the PDOs that may map the entry: none, TPDOs, RPDOs, or both.
     pub(crate) fn pdo_word(&self, words: [&'static str; 4]) -> &'static str {
         words[usize::from(self.tpdo) + 2 * usize::from(self.rpdo)]
     }
 
-    /// The access type where it does not say which PDOs may map the entry.
+    /// The access type without information about the PDOs that may map the entry.
     pub(crate) fn plain_access(&self) -> &'static str {
         match self.access {
             Access::Rwr | Access::Rww => Access::Rw.name(),
@@ -136,7 +136,7 @@ impl EntryPlan {
         self.low.as_ref().map(|_| Field::LowLimit).or(high)
     }
 
-    /// What is different in a table where values have a fixed length.
+    /// The deviation in a table with values of fixed length.
     pub(crate) fn padding(&self) -> Option<String> {
         let ValueShape::Bytes(_, room) = self.shape else { return None };
         (self.default.bytes().len() < usize::from(room))
@@ -144,7 +144,7 @@ impl EntryPlan {
     }
 }
 
-/// Resolves the entries of a device and collects what cannot be expressed.
+/// Resolves the entries of a device and collects inexpressible ones.
 pub(crate) struct Resolver<'a> {
     device: &'a Device,
     options: &'a Options,
@@ -201,8 +201,8 @@ impl<'a> Resolver<'a> {
         Some(self.with_count(object, (index, sub), resolved))
     }
 
-    /// Sub-index 0 of 1003h and 1016h is as in an ARRAY that is written out, although compact storage has only a fixed count: an
-    /// application changes both, and an SDO clears the history of errors.
+    /// Treats sub-index 0 of 1003h and 1016h as in an ARRAY that is stored in full, although compact storage only has a
+    /// fixed count: an application changes both, and an SDO clears the error history.
     fn with_count(&mut self, object: &Object, (index, sub): (u16, u8), resolved: EntryPlan) -> EntryPlan {
         let is_implied = sub == 0 && object.compact.is_some() && object.subs.get(0).is_none();
         match index {
@@ -258,7 +258,7 @@ impl<'a> Resolver<'a> {
         access
     }
 
-    /// Notes texts that are not valid values.
+    /// Notes invalid values.
     pub(crate) fn invalid_values(&mut self, place: &Place, entry: &Entry, data_type: DataType) {
         for (field, instead) in [
             (Field::ParameterValue, "the default is used, or zero or empty without one"),
@@ -424,7 +424,7 @@ pub(crate) fn is_time(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
 }
 
-/// Whether a number is above another one of its type.
+/// Whether a number exceeds another one of its type.
 fn is_above(left: u64, right: u64, data_type: DataType) -> bool {
     match data_type.kind() {
         TypeKind::Signed(_) => left.cast_signed() > right.cast_signed(),
@@ -434,7 +434,7 @@ fn is_above(left: u64, right: u64, data_type: DataType) -> bool {
     }
 }
 
-/// The value that an invalid text of a field means beyond doubt.
+/// The unambiguous value that an invalid string in a field means.
 fn intended(entry: &Entry, field: &Field, data_type: DataType) -> Option<Value> {
     match entry.invalid_values.get(field)?.intended(data_type)? {
         Intended::Value(value) => Some(value),
@@ -484,7 +484,7 @@ fn directions(access: Access, mapping: PdoMapping) -> (bool, bool) {
 }
 
 /// Whether an entry is constant regardless of its access type: a type definition, and sub-index 0 of a RECORD
-/// or of an object in compact storage.
+/// or of a compactly stored object.
 fn is_fixed(object: &Object, sub: u8, access: Access) -> bool {
     let count = sub == 0 && (object.object_type() == ObjectType::Record || object.compact.is_some());
     let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);

@@ -23,7 +23,7 @@ pub struct ObjectSize {
     pub name: String,
     /// Number of entries.
     pub entries: usize,
-    /// Its size. Shared defaults and limits count for the first object.
+    /// Its size. Shared defaults and limits are attributed to the first object.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub size: Size,
 }
@@ -33,17 +33,17 @@ pub struct ObjectSize {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SizeReport {
-    /// What the sizes include, and for which processor: a line in lower case.
+    /// The content that the sizes include, and the processor: a line in lower case.
     pub counted: &'static str,
     /// The objects, by index.
     pub objects: Vec<ObjectSize>,
-    /// Bytes without an object: the node-ID, what rows share, end marks, and padding.
+    /// Bytes without an object: the node-ID, shared parts of rows, end marks, and padding.
     pub rest: Size,
-    /// Bytes of code in flash; 0 if it is not counted.
+    /// Bytes of code in flash; 0 if unknown.
     pub code: usize,
     /// Bytes of the names of entries in flash, if the program uses them; 0 if they are omitted or in the rows.
     pub names: usize,
-    /// The sum, with the code and without the names.
+    /// The total, with the code and without the names.
     pub total: Size,
 }
 

@@ -1,7 +1,7 @@
 //! Storage groups of the flat table: values stored together, in a separate struct and as an image.
 //!
-//! Only groups stated in the description or requested by the user count; all other values stay in the struct
-//! of values. An image consists of the layout (a hash, four bytes), the values and a CRC-16, all
+//! Only groups in the description or requested by the user are included; all other values remain in the
+//! struct of values. An image consists of the layout (a hash, four bytes), the values and a CRC-16, all
 //! little-endian; see docs/reference/generate.md.
 
 use std::collections::BTreeMap;
@@ -14,13 +14,13 @@ use super::table::{DeviceTable, Row, TableGroup};
 use super::{Note, Options};
 use crate::model::{Device, Place};
 
-/// CANopenNode names of groups that are not kept without power.
+/// CANopenNode names of groups that are lost without power.
 const VOLATILE: [&str; 2] = ["RAM", "ROM"];
 
 /// Maximum length of a group name; leaves room for the longest prefix and suffix in an identifier.
 const LONGEST: usize = 24;
 
-/// `od_<name>_t`, `od_<name>_save` and the like have another meaning.
+/// Names whose `od_<name>_t`, `od_<name>_save` etc. have a different meaning.
 const TAKEN: &str = "bool byte data double entry float image is kept offset time";
 
 /// The object that stores groups on command.
@@ -97,7 +97,7 @@ fn group_named(name: &str, first: u16, fields: &mut NameScope, groups: &mut Vec<
     groups.len() - 1
 }
 
-/// The group stated for an object, else the requested one; `None` if it is not kept without power.
+/// The group stated for an object, otherwise the requested one; `None` if it is lost without power.
 pub(crate) fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
     let stated = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
     let stated = stated.map(str::trim).filter(|name| !name.is_empty());
@@ -118,7 +118,7 @@ fn identifier(name: &str) -> String {
     }
 }
 
-/// Size of a value in an image, in bytes: a text uses its full capacity, preceded by its length.
+/// Size of a value in an image, in bytes: a string uses its full capacity, preceded by its length.
 pub(crate) fn image_length(shape: ValueShape) -> usize {
     match shape {
         ValueShape::Word(_) | ValueShape::Block(_) => shape.size(),
@@ -126,7 +126,7 @@ pub(crate) fn image_length(shape: ValueShape) -> usize {
     }
 }
 
-/// FNV-1a hash of the image contents; never 0 and never all ones, the values of blank memory.
+/// FNV-1a hash of the image contents; never 0 and never all ones, the values of erased memory.
 fn layout(rows: &[&Row]) -> u32 {
     let bytes = rows.iter().flat_map(|row| {
         let data_type = match row.resolved.shape {
@@ -141,8 +141,8 @@ fn layout(rows: &[&Row]) -> u32 {
     if hash == 0 || hash == u32::MAX { 1 } else { hash }
 }
 
-/// CiA 301 §7.5.2.13: sub-index 2 stores the communication parameters, 3 those of the application; the others
-/// are manufacturer-specific.
+/// CiA 301 §7.5.2.13: sub-index 2 stores the communication parameters, 3 the application parameters; the
+/// others are manufacturer-specific.
 fn sub_index(device: &Device, rows: &[&Row]) -> Option<u8> {
     let within = |first: u16, last: u16| rows.iter().all(|row| (first..=last).contains(&row.index));
     let sub = if within(0x1000, 0x1FFF) {

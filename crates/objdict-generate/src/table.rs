@@ -1,4 +1,4 @@
-//! The dictionary as a flat table: what the targets `rust` and `c` share.
+//! The dictionary as a flat table, shared by the targets `rust` and `c`.
 //!
 //! Both languages get the same table and behave identically; docs/reference/generate.md describes the behaviour. The
 //! parts:
@@ -9,10 +9,10 @@
 //!   limit if flagged, each with the size of the type. For any other type: the capacity and the length of the
 //!   default as two 16-bit numbers, then the default. All numbers are little-endian. A formula contains the
 //!   offset to the node-ID.
-//! * **fields**: the members of the struct of all values that can change. Entries that never change have
-//!   none: those of access type `const`, type definitions, and non-writable sub-index 0 of RECORDs and
-//!   compact objects. The elements of an ARRAY are one field if they are alike. Fields of a storage group are
-//!   members of a separate struct.
+//! * **fields**: the members of the struct of all variable values. Constant entries have none: those of
+//!   access type `const`, type definitions, and non-writable sub-index 0 of RECORDs and compact objects. The
+//!   elements of an ARRAY are one field if they are alike. Fields of a storage group are members of a
+//!   separate struct.
 
 use std::fmt;
 
@@ -98,7 +98,7 @@ pub(crate) struct ValuePlace {
 pub(crate) struct TableField {
     /// Unique among fields; not a keyword.
     pub(crate) name: String,
-    /// Whether its name is that of the object, without an entry.
+    /// Whether its name is derived only from the object.
     pub(super) is_object: bool,
     pub(crate) shape: ValueShape,
     /// Its rows: one, or the elements of an array.
@@ -149,7 +149,7 @@ impl DeviceTable {
         FieldPath { table: self, slot: *slot }
     }
 
-    /// The source of identifiers for a row: the words of its object, and of the entry if there are others.
+    /// The source of identifiers for a row: the words of its object, and of the entry if it has any.
     pub(crate) fn words_of(&self, row: &Row) -> String {
         match self.objects.iter().find(|object| object.index == row.index) {
             Some(object) if object.single => object.module.clone(),

@@ -1,4 +1,4 @@
-//! Makes the flat table of a device, and its data in flash without duplicates.
+//! Builds the flat table of a device, and its data in flash without duplicates.
 
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Bound::{Included, Unbounded};
@@ -26,7 +26,7 @@ impl DeviceTable {
         Ok(table)
     }
 
-    /// The objects, rows and groups of a table with their names, and no memory for values.
+    /// The objects, rows and groups of a table with their names, without memory for values.
     pub(crate) fn of_names(device: &Device, options: &Options) -> Result<Self, GenerateError> {
         Ok(TableBuilder::new(device, options)?.table)
     }
@@ -45,7 +45,7 @@ impl DeviceTable {
     }
 }
 
-/// Items of the templates beside those of objects.
+/// Items of the templates that do not belong to objects.
 const ITEMS: &str = "
     od pdo defaults enums bits serde defmt groups table data_types communication manufacturer profile interface
     entries node_id max_size shared
@@ -58,7 +58,7 @@ struct TableBuilder {
 }
 
 impl TableBuilder {
-    /// Everything that has a name but the fields.
+    /// Everything with a name except the fields.
     fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
         let mut dictionary = TableDictionary::new(device, options)?;
         let mut fields = NameScope::of_lower_case("node_id");
@@ -149,7 +149,7 @@ impl TableBuilder {
         }
     }
 
-    /// The rows that form an array: no constants, of equal shapes.
+    /// The rows that form an array: not constant, and of equal shape.
     fn elements(&self, object: &Object, rows: std::ops::Range<usize>) -> std::ops::Range<usize> {
         let of_object = &self.table.rows[rows.clone()];
         let subs: Vec<u8> = of_object.iter().map(|row| row.sub).collect();
@@ -203,14 +203,15 @@ fn block(resolved: &EntryPlan) -> Vec<u8> {
 }
 
 /// Length of the start that is searched for any position of a block; beyond it blocks overlap only with the
-/// one before. This keeps the run time linear.
+/// previous one. This keeps the run time linear.
 const SEARCHED: usize = 2048;
 
 /// The longest overlap of two blocks: a number of eight bytes with two limits.
 const OVERLAP: usize = 24;
 
-/// All bytes of these blocks, and the offset of each. Blocks share bytes where they can: after each block comes
-/// the one that continues it best, else the longest. At least one byte, because C has no empty arrays.
+/// All bytes of these blocks, and the offset of each. Blocks share bytes where possible: each block is followed
+/// by the one with the largest overlap, otherwise by the longest. At least one byte, because C has no empty
+/// arrays.
 pub(crate) fn pack<'a>(blocks: impl IntoIterator<Item = &'a [u8]>) -> (Vec<u8>, HashMap<&'a [u8], usize>) {
     let mut left: BTreeSet<&[u8]> = blocks.into_iter().collect();
     let mut longest_first: Vec<&[u8]> = left.iter().copied().collect();
@@ -235,7 +236,7 @@ pub(crate) fn pack<'a>(blocks: impl IntoIterator<Item = &'a [u8]>) -> (Vec<u8>, 
     (bytes, offsets)
 }
 
-/// The block that starts with the most of the last bytes, and how many these are.
+/// The block that starts with the most of the last bytes, and their number.
 fn continuing<'a>(left: &BTreeSet<&'a [u8]>, bytes: &[u8]) -> Option<(&'a [u8], usize)> {
     (1..=bytes.len().min(OVERLAP)).rev().find_map(|shared| {
         let end = &bytes[bytes.len() - shared..];

@@ -1,4 +1,4 @@
-//! The size of a flat table: of its rows, its bytes in flash and the struct of values.
+//! The size of a flat table: its rows, its bytes in flash and the struct of values.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use super::resolve::ValueShape;
 use super::size::Sizes;
 use super::table::{DeviceTable, TableField};
 
-/// Sums up the sizes of the objects of a table.
+/// Adds up the sizes of the objects of a table.
 pub(crate) fn tally(table: &DeviceTable) -> SizeTally {
     let objects = table.objects.iter();
     SizeTally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())))
@@ -36,17 +36,17 @@ pub(crate) struct TableLayout {
     pub(crate) row: usize,
     /// Size of an object without its rows, in bytes.
     pub(crate) object: usize,
-    /// Size of what rows share beside defaults and limits, in bytes.
+    /// Size of the shared parts of rows except defaults and limits, in bytes.
     pub(crate) shared: usize,
     /// Size of all values in bytes, with the node-ID.
     pub(crate) ram: usize,
-    /// Whether the values have initial values in flash, as those of a `static`.
+    /// Whether the values have initial values in flash, like a `static`.
     pub(crate) section: Memory,
     /// Size of one value in RAM, in bytes.
     pub(crate) value: fn(ValueShape) -> usize,
-    /// Size of the code in flash, 0 if it is not counted.
+    /// Size of the code in flash, 0 if unknown.
     pub(crate) code: usize,
-    /// Size of a name: of its row, and of its end mark; `None` without names.
+    /// Size of a name: in its row, and of its end mark; `None` without names.
     pub(crate) name: Option<(usize, usize)>,
     /// See [`SizeReport::counted`].
     pub(crate) counted: &'static str,

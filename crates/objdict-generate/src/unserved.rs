@@ -1,18 +1,19 @@
-//! What the node of `objdict-device` does not do with communication objects.
+//! Communication objects that the node of `objdict-device` does not implement.
 
 use std::ops::RangeInclusive;
 
 use crate::{Note, model::Place, table::DeviceTable};
 
-/// Objects that SDOs may write without an effect on the node, or with less than CiA 301 and 302 say.
+/// Objects that SDOs may write without an effect on the node, or with less effect than CiA 301 and 302
+/// specify.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Unserved {
     /// The indexes.
     pub indexes: RangeInclusive<u16>,
-    /// The service, and the section that describes it; `None` if the node serves a part of it.
+    /// The service, and the section that describes it; `None` if the node serves part of it.
     pub service: Option<(&'static str, &'static str)>,
-    /// What the node does not do.
+    /// The missing behaviour.
     pub text: &'static str,
 }
 

@@ -10,11 +10,11 @@ use crate::model::{Object, ObjectType};
 /// The type of a variable; variables of equal types can be elements of one array.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CType {
-    /// What is before the name: begins with `const ` for a variable in flash.
+    /// The part before the name: begins with `const ` for a variable in flash.
     pub(crate) base: String,
-    /// What is behind the name and the number of elements.
+    /// The part after the name and the number of elements.
     pub(crate) suffix: String,
-    /// Of one value.
+    /// The size of one value.
     pub(crate) extent: TypeExtent,
 }
 
@@ -46,14 +46,14 @@ pub(crate) struct ObjectVariable {
 }
 
 impl ObjectVariable {
-    /// The entries by their numbers, each with its place under the name of the variable.
+    /// The entries by number, each with its expression based on the name of the variable.
     pub(crate) fn places<'a>(&'a self, name: &'a str) -> impl Iterator<Item = (usize, String)> + 'a {
         self.entries.clone().enumerate().map(move |(element, at)| {
             (at, if self.array { format!("{name}[{element}]") } else { name.to_owned() })
         })
     }
 
-    /// Its definition; `initial` says of an entry its initializer and whether that is zero.
+    /// Its definition; `initial` returns an entry's initializer and whether that is zero.
     pub(crate) fn define(
         self,
         object: &ResolvedObject<'_>,
@@ -93,7 +93,7 @@ pub(crate) struct Definition {
 }
 
 impl Definition {
-    /// A variable that is not zero.
+    /// A variable with a non-zero value.
     pub(crate) fn new(index: u16, type_: CType, name: String, initializer: String) -> Self {
         let (subs, described) = ((0, 0), String::new());
         Self { type_, name, elements: None, initializer, is_zero: false, index, subs, described }
@@ -103,7 +103,7 @@ impl Definition {
         format!("{} {}{}", self.type_.base, self.name, self.suffix())
     }
 
-    /// What is behind the name.
+    /// The part after the name.
     pub(crate) fn suffix(&self) -> String {
         let elements = self.elements.map(|elements| format!("[{elements}]")).unwrap_or_default();
         elements + &self.type_.suffix
@@ -128,7 +128,7 @@ impl Definition {
 }
 
 /// The variables of a dictionary in order. Entries without a type have no variable; entries of equal types
-/// can form an array. `names` gives the names of all of them: of entries, or of arrays (`None`).
+/// can form an array. `names` returns the names of all of them: of entries, or of arrays (`None`).
 pub(crate) fn variables(
     objects: &[ResolvedObject<'_>],
     names: impl FnOnce(&[WantedName<'_>]) -> Vec<String>,
@@ -178,14 +178,14 @@ pub(crate) fn elements<K: PartialEq>(
 /// An entry of an object by its number, or the whole object, that needs a name.
 pub(crate) type WantedName<'a> = (&'a ResolvedObject<'a>, Option<usize>);
 
-/// Claims a name for each of them, which does not depend on their order.
+/// Claims a name for each of them, independent of their order.
 pub(crate) fn claim(scope: &mut NameScope, prefix: &str, wanted: &[WantedName<'_>]) -> Vec<String> {
     let wanted: Vec<(String, String)> = wanted.iter().map(|wanted| described(prefix, wanted)).collect();
     scope.foresee(wanted.iter().map(|(name, _)| name.as_str()));
     wanted.iter().map(|(name, suffix)| scope.claim(name, format_args!("{suffix}"))).collect()
 }
 
-/// The words of a name, and what makes it unique.
+/// The words of a name, and the suffix that makes it unique.
 fn described(prefix: &str, &(object, entry): &WantedName<'_>) -> (String, String) {
     let index = object.index;
     let object_name = words(&object.name);

@@ -80,8 +80,8 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut NameScope) -> Enum
     EnumMacros { of, values }
 }
 
-/// What several numbers have in common, if they are all numbers with it: the value of these bits, and their mask in
-/// a value of so many bits.
+/// The common bits of several numbers, if all are numbers with a mask: the value of these bits, and their mask in a
+/// value of this many bits.
 fn common_bits(numbers: &[i128], bits: u8) -> Option<(i128, i128)> {
     let common = numbers.iter().copied().reduce(|all, number| all & number)?;
     let free = common ^ numbers.iter().copied().reduce(|any, number| any | number)?;
@@ -124,7 +124,7 @@ fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut NameScope) -> Word
     WordMacros { of, parts: parts.collect() }
 }
 
-/// A name for which no macro of a bit field is taken.
+/// A name with which no macro of a bit field conflicts.
 fn part_name(macros: &mut NameScope, prefix: &str, words: &str, first: u8) -> String {
     let mut suffix = first.to_string();
     loop {

@@ -7,11 +7,11 @@ use crate::model::{DataType, TypeKind};
 use crate::resolve::{Encoded, ValueShape, is_time};
 use crate::table::{DeviceTable, Row};
 
-/// What the files have.
+/// The content of the files.
 pub(super) struct PdoFiles<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
-    /// The name of the files of the dictionary, without its end.
+    /// The base name of the dictionary's files.
     stem: &'a str,
     upper: String,
     table: &'a DeviceTable,

@@ -1,4 +1,4 @@
-//! The rows of the compact table: what they share, and how wide their numbers are.
+//! The rows of the compact table: their shared parts, and the widths of their numbers.
 
 use std::collections::HashMap;
 
@@ -8,17 +8,17 @@ use crate::memory::{Memory, TypeExtent};
 use crate::table::DeviceTable;
 use crate::table_size::{TableLayout, ram};
 
-/// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
+/// The types of the numbers in rows, each as narrow as the device allows, and the shared parts of rows.
 pub(super) struct Rows {
     /// The pairs of data type and flags that rows have, as macros after the prefix and as an expression.
     pub(super) kinds: Vec<(&'static str, String)>,
     /// The kind of each row.
     pub(super) kind_of: Vec<usize>,
-    /// Bits of the number of a kind.
+    /// Bits of a kind's number.
     kind: usize,
     /// Bits of a location in RAM or flash.
     offset: usize,
-    /// Bits of the number of a row.
+    /// Bits of a row's number.
     first: usize,
 }
 
@@ -43,7 +43,7 @@ impl Rows {
         }
     }
 
-    /// The type of the number of a kind.
+    /// The type of a kind's number.
     pub(super) fn kind(&self) -> String {
         format!("uint{}_t", self.kind)
     }
@@ -53,7 +53,7 @@ impl Rows {
         format!("uint{}_t", self.offset)
     }
 
-    /// The type of the number of a row.
+    /// The type of a row's number.
     pub(super) fn first(&self) -> String {
         format!("uint{}_t", self.first)
     }

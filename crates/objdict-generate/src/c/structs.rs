@@ -11,7 +11,7 @@ use crate::resolve::{Encoded, ValueShape, is_time};
 use crate::table::{DeviceTable, Row};
 use crate::{Sizes, table_size};
 
-/// What the source has beside the values.
+/// The content of the source in addition to the values.
 pub(super) struct Structs<'a> {
     prefix: &'a str,
     pub(super) pools: Vec<Pool>,
@@ -139,7 +139,7 @@ pub(super) fn size(table: &DeviceTable, prefix: &str, names: bool) -> Sizes {
     tally.report(COUNTED)
 }
 
-/// What the sizes include.
+/// The content that the sizes include.
 const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
 
 fn row_view<'a>(

@@ -12,7 +12,7 @@ use crate::resolve::{ValueShape, is_time};
 use crate::table::{DeviceTable, Row, TableField, TableGroup, TableObject};
 use crate::{Note, Options, hooks, table_size};
 
-/// What the files have.
+/// The content of the files.
 pub(super) struct CView<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
@@ -80,7 +80,7 @@ const MACROS: &str = "
     abort_cannot_store abort_no_data no_names no_limits no_pdo
 ";
 
-/// The objects with their macros, and all macros that are taken.
+/// The objects with their macros, and all macro names in use.
 pub(super) fn object_views<'a>(
     table: &'a DeviceTable,
     prefix: &str,
@@ -93,7 +93,7 @@ pub(super) fn object_views<'a>(
     for taken in stored_macros(table).into_iter().chain(hook_macros(table)) {
         macros.claim(&taken, format_args!(""));
     }
-    // objects first, so that no entry takes the name of an object
+    // objects first, so that no entry has the name of an object
     let names: Vec<String> = table
         .objects
         .iter()
@@ -241,7 +241,7 @@ pub(super) fn stored_macros(table: &DeviceTable) -> Vec<String> {
     table.groups.iter().flat_map(of_group).chain(OF_ALL.map(str::to_owned)).collect()
 }
 
-/// Follows the prefix in each name.
+/// The part after the prefix in each name.
 const OF_DEFAULTS: &str = "default_";
 
 /// A macro.

@@ -1,7 +1,7 @@
 //! The target `canfestival`: the dictionary of CanFestival 3 as its generator objdictgen lays it out.
 //!
-//! Variables have the names of objdictgen, so that applications compile with either. What its output misses is
-//! here: it compiles for any names, limits are checked, and the PDOs of the stack find their mappings.
+//! Variables have the names of objdictgen, so that applications compile with either. Improvements over its
+//! output: it compiles for any names, limits are checked, and the PDOs of the stack find their mappings.
 
 mod names;
 mod plan;
@@ -20,7 +20,7 @@ use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
 use names::{ReservedNames, words};
 use plan::{CanFestivalPlan, PlannedObject};
 
-/// What the files have.
+/// The content of the files.
 struct CanFestivalView<'a> {
     /// Its `lower` is the name of the node.
     head: Head,
@@ -55,12 +55,12 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size })
 }
 
-/// What a project of objdictgen says, where the device is of one.
+/// The section of an objdictgen project, if the device comes from one.
 fn project(device: &Device) -> Option<&ExtraSection> {
     device.extra.iter().find(|section| section.name() == OBJDICTGEN_SECTION)
 }
 
-/// The name of the node of a project of objdictgen.
+/// The node name of an objdictgen project.
 fn node_of_project(device: &Device) -> String {
     let stated = device.commissioning.as_ref().and_then(|node| node.node_name.as_deref());
     let stated = stated.or_else(|| device.device_info.as_ref()?.product_name.as_deref());
@@ -69,7 +69,7 @@ fn node_of_project(device: &Device) -> String {
     Some(name).filter(is_name).unwrap_or_else(|| "od".to_owned())
 }
 
-/// The name of the files that are made of a project of objdictgen: its own.
+/// The file stem for an objdictgen project: its own name.
 fn stem_of_project(options: &Options) -> String {
     let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
     let stem: String = options.file_stem.chars().map(|c| if is_part(c) { c } else { '_' }).collect();
@@ -105,7 +105,7 @@ impl CanFestivalView<'_> {
     }
 }
 
-/// What the sizes include. The state of the node is as long as the configuration of the stack makes it.
+/// The content that the sizes include. The size of the node state depends on the configuration of the stack.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and the state of the stack (`CO_Data`, timers, PDOs)";
 
 fn sizes(dictionary: &TableDictionary<'_>, plan: &CanFestivalPlan, slots: &ListSlots) -> Sizes {
@@ -145,22 +145,22 @@ fn sizes(dictionary: &TableDictionary<'_>, plan: &CanFestivalPlan, slots: &ListS
     tally.report(COUNTED)
 }
 
-/// A place in the list of objects.
+/// A position in the list of objects.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ListSlot {
     /// An object, by its number.
     Object(usize),
-    /// No object: position 0 means that there is no family.
+    /// No object: position 0 means that the family is empty.
     Nothing,
     /// The parameters of a PDO that is not valid, for a mapping without parameters.
     NoPdo,
     /// A mapping of no objects, for a PDO without a mapping.
     NoMapping,
-    /// The parameters of the SDO server, which a node also has without 1200h.
+    /// The parameters of the SDO server, which a node has even without 1200h.
     Server,
 }
 
-/// The list, and the first and last position of each family; 0 without one.
+/// The list, and the first and last position of each family; 0 if it is empty.
 struct ListSlots {
     list: Vec<ListSlot>,
     first: [usize; 6],

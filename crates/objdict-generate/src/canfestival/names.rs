@@ -1,4 +1,4 @@
-//! Names of variables as objdictgen makes them: words of letters, digits and `_`, joined by `_`.
+//! Variable names as in objdictgen: words of letters, digits and `_`, joined by `_`.
 
 use std::collections::HashSet;
 
@@ -15,7 +15,7 @@ const BEGINS: &str = "
     readNetworkDict send sizeof_ valueRange writeNetworkDict
 ";
 
-/// The others.
+/// The other reserved words.
 const WORDS: &str = "
     ABORT_TRANSFER_REQUEST Connecting CopyBits CreateReceiveTask DLL_CALL DelAlarm Disconnected ERROR_DATA_INITIALIZER
     EnterMutex Error_free Error_occurred FCT_PTR_INIT GET_FUNCTION_CODE GET_NODE_ID Initialisation LIBAPI LIBPUBLIC
@@ -42,10 +42,10 @@ const WORDS: &str = "
     switchCommunicationState tdcount timers total_sleep_time
 ";
 
-/// The names in use; those of the stack begin with the name of the node.
+/// The names in use; names of the stack begin with the name of the node.
 pub(super) struct ReservedNames<'a> {
     node: &'a str,
-    /// Whether an application uses the names: then those that only could be one of the stack are kept.
+    /// Whether an application uses the names: then names that only might conflict with the stack are kept.
     in_use: bool,
     taken: HashSet<String>,
 }

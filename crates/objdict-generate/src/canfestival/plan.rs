@@ -13,7 +13,7 @@ use crate::{Note, Options, stored};
 
 const ENDS_AT_ZERO: &str = "the stack truncates a string at its first zero byte";
 
-/// The most rows of an object.
+/// The maximum number of rows of an object.
 const MOST_ROWS: u8 = u8::MAX;
 
 /// A row of an object.
@@ -21,7 +21,7 @@ pub(super) struct RowData {
     pub(super) access: String,
     pub(super) data_type: String,
     pub(super) size: usize,
-    /// The name of its variable, with its element.
+    /// The name of its variable, with the element.
     pub(super) object: String,
 }
 
@@ -32,7 +32,7 @@ pub(super) struct PlannedObject {
     pub(super) rows: Vec<RowData>,
     /// Whether an application or the stack can register callbacks for writes.
     pub(super) callbacks: bool,
-    /// Whether the stack does not use it, because it has not the form that the stack expects.
+    /// Whether the stack does not use it because it does not match the stack's expectations.
     pub(super) misfit: bool,
 }
 
@@ -86,7 +86,7 @@ struct CanFestivalPlanner<'a> {
     node: &'a str,
     node_id: u8,
     plan: CanFestivalPlan,
-    /// What the stack expects of each object that it cannot use.
+    /// The stack's expectation for each object that it cannot use.
     misfits: Vec<Option<&'static str>>,
     notes: &'a mut Vec<Note>,
 }
@@ -114,7 +114,7 @@ impl CanFestivalPlanner<'_> {
             (!is_element).then(|| type_of(&objects[object], &objects[object].entries[entry])).flatten()
         };
         for variable in variables(objects, names, kind) {
-            // what the stack expects under this name has another type
+            // the stack expects a different type for this name
             let hidden = misfits[variable.object].is_some() && variable.name.starts_with(self.node);
             let name = if hidden { format!("{}_own", variable.name) } else { variable.name.clone() };
             self.define(&objects[variable.object], variable, name, &mut addresses);
@@ -208,7 +208,7 @@ impl CanFestivalPlanner<'_> {
         });
     }
 
-    /// Adds the rows that the stack reads without asking whether they are there.
+    /// Adds the rows that the stack reads without checking that they exist.
     fn protect(&mut self, object: &ResolvedObject<'_>, family: Option<Family>, rows: &mut Vec<RowData>) {
         let Some(family) = family else { return };
         let count = match object.entries.first().map(|entry| &entry.resolved.default) {
@@ -259,7 +259,7 @@ impl CanFestivalPlanner<'_> {
         RowData { access, data_type, size, object }
     }
 
-    /// Defines what the stack refers to and the description lacks.
+    /// Defines the objects that the stack refers to and the description lacks.
     fn missing(&mut self) {
         let mut define = |index: u16, base: &str, name: &str, elements: Option<usize>, value: u32| {
             let name = format!("{}_{name}obj{index:04X}", self.node);
@@ -284,7 +284,7 @@ impl CanFestivalPlanner<'_> {
     }
 }
 
-/// A row for a sub-index without an entry: no buffer is long enough for it, and no write has its length.
+/// A row for a sub-index without an entry: no buffer is large enough for it, and no write has its length.
 fn gap(node: &str) -> RowData {
     RowData {
         access: "RO | WO".to_owned(),
@@ -294,7 +294,7 @@ fn gap(node: &str) -> RowData {
     }
 }
 
-/// Whether the stack takes a value for a text that ends at a zero.
+/// Whether the stack treats a value as a zero-terminated string.
 fn is_text(shape: ValueShape) -> bool {
     matches!(shape, ValueShape::Bytes(data_type, _) if data_type.kind() == TypeKind::VisibleString)
 }
@@ -324,7 +324,7 @@ fn type_of(object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> Option<CTy
     let of_stack = VALUES.iter().any(|(index, _)| *index == object.index)
         || LISTS.contains(&object.index)
         || Family::of(object.index).is_some();
-    // the stack writes the end of a text that it reads
+    // the stack overwrites the end of a string that it reads
     let changes = of_stack || is_text || resolved.default.is_formula();
     let constant = if resolved.constant && !changes { "const " } else { "" };
     let number = typed(resolved.shape, resolved.default.word());

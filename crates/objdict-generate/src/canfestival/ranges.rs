@@ -1,4 +1,4 @@
-//! Limits: the stack has numbers for types with a range, and asks a function of the dictionary.
+//! Limits: the stack has numbers for types with a range, and calls a function of the dictionary.
 
 use crate::c_code::{number, number_type};
 use crate::model::{DataType, TypeKind};
@@ -7,7 +7,7 @@ use crate::resolve::{Encoded, EntryPlan, ValueShape};
 /// The types of the stack for numbers.
 pub(super) const NUMBERS: [&str; 3] = ["UNS", "INTEGER", "REAL"];
 
-/// The number of the type of 1003h sub-index 0, to which only 0 may be written.
+/// The type number of 1003h sub-index 0, to which only 0 may be written.
 const ERASED: u8 = 0x9F;
 
 /// The numbers of types with a range.
@@ -111,7 +111,7 @@ fn condition(limit: &Encoded, data_type: DataType, operator: char, node: &str) -
         }
         Encoded::Bytes(_) => return None,
     };
-    // a REAL that is not a number is outside of any limits
+    // a NaN is outside any limits
     Some(match (real, operator) {
         (true, '<') => format!("!(number >= {text})"),
         (true, _) => format!("!(number <= {text})"),

@@ -1,4 +1,4 @@
-//! Objects that the stack reads through pointers: which type it takes each entry for.
+//! Objects that the stack reads through pointers: the type that it assumes for each entry.
 
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, ObjectType};
@@ -8,11 +8,11 @@ const U8: DataType = DataType::UNSIGNED8;
 const U16: DataType = DataType::UNSIGNED16;
 const U32: DataType = DataType::UNSIGNED32;
 
-/// The single values with the variables that the stack names, and their types; 1014h is 80h plus the node-ID by default.
+/// The single values with the stack's variable names and types; 1014h is 80h plus the node-ID by default.
 pub(super) const VALUES: [(u16, DataType); 7] =
     [(0x1001, U8), (0x1005, U32), (0x1006, U32), (0x100C, U16), (0x100D, U8), (0x1014, U32), (0x1017, U16)];
 
-/// Lists of UNSIGNED32 in which the stack counts: error history and heartbeat consumers.
+/// Lists of UNSIGNED32 whose number the stack stores: error history and heartbeat consumers.
 pub(super) const LISTS: [u16; 2] = [0x1003, 0x1016];
 
 /// The objects that the stack finds by their positions.
@@ -55,19 +55,19 @@ impl Family {
         })
     }
 
-    /// The number of rows that the stack reads without asking how many there are.
+    /// The number of rows that the stack reads without checking their number.
     pub(super) fn rows(self) -> usize {
         match self {
             Self::SdoServer => 3,
             Self::SdoClient => 4,
             Self::Rpdo | Self::Tpdo => 6,
-            // a mapping of nothing is read, too
+            // an empty mapping is read, too
             Self::RpdoMapping | Self::TpdoMapping => 2,
         }
     }
 }
 
-/// What the stack expects of an object that it does not have; `None` if it can use the object.
+/// The stack's unmet expectation of an object; `None` if it can use the object.
 pub(super) fn misfit(object: &ResolvedObject<'_>) -> Option<&'static str> {
     let index = object.index;
     let is = |entry: &ResolvedEntry<'_>, data_type| entry.resolved.shape == ValueShape::Word(data_type);

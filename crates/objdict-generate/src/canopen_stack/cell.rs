@@ -14,7 +14,7 @@ const LONGEST_DIRECT: u64 = 0xFFFF;
 /// Values up to this size need one SDO frame; for these the stack's own block types do not restart.
 const ONE_FRAME: usize = 4;
 
-/// The end of the name of the type for an object.
+/// The suffix of the type name for an object.
 pub(super) fn hook_name(index: u16) -> String {
     format!("hook{index:04X}")
 }
@@ -28,7 +28,7 @@ pub(super) enum Cell {
     Number { flash: bool, c_type: &'static str, value: String },
     /// A block of exactly this many bytes.
     Block { flash: bool, bytes: Vec<u8>, c_type: Option<&'static str>, value: String },
-    /// A text in flash, handled by the stack's own type.
+    /// A string in flash, handled by the stack's own type.
     Text(Vec<u8>),
     /// Data in flash, not terminated by NUL.
     Data(Vec<u8>),

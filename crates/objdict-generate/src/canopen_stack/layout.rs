@@ -26,14 +26,14 @@ pub(super) struct ParaGroup {
     pub(super) communication: bool,
 }
 
-/// Everything that rows refer to.
+/// Everything that the rows refer to.
 #[derive(Default)]
 pub(super) struct RowLayout {
     pub(super) groups: Vec<ParaGroup>,
     pub(super) variables: Vec<Definition>,
     /// Definitions in flash, and those in RAM required by types of the stack.
     pub(super) definitions: Vec<Definition>,
-    /// The sizes of texts that are literals, by the index of the first object that has it.
+    /// The sizes of string literals, by the index of the first object that contains them.
     pub(super) literals: Vec<(u16, usize)>,
     /// The data of rows, by object and entry; empty for a parameter group.
     pub(super) data: Vec<Vec<String>>,
@@ -123,7 +123,7 @@ impl RowLayout {
         self.groups.push(ParaGroup { name, variable, members: Vec::new(), first: index, communication });
     }
 
-    /// Places a variable in its group.
+    /// Adds a variable to its group.
     fn place(
         &mut self,
         object: &ResolvedObject<'_>,
@@ -155,8 +155,8 @@ impl RowLayout {
         group.map_or(&mut self.variables, |group| &mut group.members).push(definition);
     }
 
-    /// Defines the descriptor between a row and its value, and replaces the name of the value by that of the
-    /// descriptor.
+    /// Defines the descriptor between a row and its value, and replaces the value's name by the
+    /// descriptor's.
     fn describe(
         &mut self,
         cell: &Cell,
@@ -229,7 +229,7 @@ pub(super) fn place(variable: &Definition) -> String {
     format!("{:04X}h sub-index {first:02X}h{last}", variable.index)
 }
 
-/// The structure that needs a type outside another structure.
+/// The separate structure of a type that is needed outside another structure.
 pub(super) fn own_type(variable: &Definition) -> Option<&str> {
     Some(variable.type_.base.as_str()).filter(|base| base.starts_with("struct"))
 }

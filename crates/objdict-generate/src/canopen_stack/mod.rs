@@ -1,8 +1,8 @@
 //! The target `canopen-stack`: the `CO_OBJ` table of embedded-office's canopen-stack 4.4 and its values.
 //!
-//! One row per sub-index. Constants of up to 16 bits are stored in the row, longer ones in flash; values that
-//! can change are separate variables or members of their storage group. The files define additional types
-//! where the types of the stack do not follow the description: writable texts, numbers of 24 and of 40 to 64
+//! One row per sub-index. Constants of up to 16 bits are stored in the row, longer ones in flash; variable
+//! values are separate variables or members of their storage group. The files define additional types where
+//! the types of the stack do not follow the description: writable strings, numbers of 24 and of 40 to 64
 //! bits, and blocks of up to 4 bytes, which the stack reads only once.
 
 mod cell;
@@ -26,7 +26,7 @@ use layout::RowLayout;
 use para::ParameterArrays;
 use rows::{StackRow, TypeHook};
 
-/// What the files have.
+/// The content of the files.
 struct CanOpenStackView<'a> {
     head: Head,
     dictionary: &'a TableDictionary<'a>,
@@ -68,13 +68,13 @@ impl CanOpenStackView<'_> {
         self.planned.iter().flatten().any(|row| row.type_ == type_)
     }
 
-    /// Whether a type of this target is replaced by one of the application, which then can call its functions.
+    /// Whether the application replaces a type of this target, and can then call its functions.
     fn shares(&self, type_: RowType) -> bool {
         self.rows.iter().any(|row| row.hooked && row.type_ == type_)
     }
 
-    /// Minimum counts in the configuration of the stack: the middle part of the macro name, the count, of what, and an
-    /// additional condition.
+    /// Minimum counts in the configuration of the stack: the middle part of the macro name, the count, the counted
+    /// items, and an additional condition.
     fn counts(&self) -> [(&'static str, u16, &'static str, &'static str); 4] {
         let TableDictionary { device, objects, .. } = self.dictionary;
         let highest = |kind: PdoKind| {
@@ -114,7 +114,7 @@ impl CanOpenStackView<'_> {
     }
 }
 
-/// What the sizes include.
+/// The content that the sizes include.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code, the node specification and stack internals";
 
 /// Key, type and data of a row: `CO_OBJ`.
@@ -192,7 +192,7 @@ fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     }
 }
 
-/// What the transmission types of a PDO mean to the stack.
+/// The meaning of a PDO's transmission types for the stack.
 fn transmission(pdo: &Pdo<'_>) -> Option<Note> {
     let place = Place::entry(pdo.communication_index(), 2);
     let is_polled = matches!(pdo.transmission_type, Some(252 | 253));

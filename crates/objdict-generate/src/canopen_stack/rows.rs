@@ -1,4 +1,4 @@
-//! The rows of the table, and those with a type of the application (`--hook`).
+//! The rows of the table, and those with an application-defined type (`--hook`).
 
 use super::cell::{Cell, PlannedRow, RowType, hook_name};
 use super::layout::RowLayout;
@@ -84,7 +84,8 @@ fn default_sdo_server() -> impl Iterator<Item = StackRow> {
     .into_iter()
 }
 
-/// The macro of the stack for flags, which are letters of its name, or several if none covers all of them.
+/// The flags macro of the stack, whose name contains the flag letters, or several macros if none covers all
+/// flags.
 fn flags(set: &str) -> String {
     let has = |letter| set.contains(letter);
     let triggers = has('A') && (has('D') || has('N') || !has('P'));
@@ -96,7 +97,7 @@ fn flags(set: &str) -> String {
     format!("CO_OBJ_{name}{triggers}{maps}")
 }
 
-/// The types of the stack that only read and write a value; with the others it serves the object.
+/// The types of the stack that only read and write a value; the other types implement the object's function.
 const PLAIN: [&str; 8] = [
     "CO_TUNSIGNED8",
     "CO_TUNSIGNED16",

@@ -50,7 +50,7 @@ pub(super) fn special(index: u16, sub: u8, writable: bool) -> Option<Special> {
         (0x1016, 0) => ("CO_THB_CONS", T::UNSIGNED8, DataField::Any),
         (0x1016, 1..=0x7F) => ("CO_THB_CONS", T::UNSIGNED32, DataField::Consumer),
         (0x1017, 0) => ("CO_THB_PROD", T::UNSIGNED16, DataField::Address),
-        // the client type would disable the server of the same number
+        // the client type would disable the server with the same number
         (0x1200..=0x127F, 1 | 2) if writable => ("CO_TSDO_ID", T::UNSIGNED32, DataField::Any),
         _ => return pdo(index, sub),
     };

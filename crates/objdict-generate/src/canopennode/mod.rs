@@ -49,7 +49,7 @@ fn with_lengths(options: &Options) -> Cow<'_, Options> {
     }
 }
 
-/// What the sizes include.
+/// The content that the sizes include.
 const COUNTED: &str = "`OD.c` on a processor of 32 bits; without code and stack internals";
 
 fn sizes(dictionary: &TableDictionary<'_>, tables: &CanOpenNodeView<'_>) -> Sizes {

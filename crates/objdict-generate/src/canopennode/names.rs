@@ -11,12 +11,12 @@ use crate::names::without_mark;
 /// of the standard (`ParameterName` has up to 241 characters).
 const LONGEST: usize = 240;
 
-/// The editor whose names are made.
+/// The editor whose names are generated.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Naming {
     /// CANopenEditor, for CANopenNode 4.
     Current,
-    /// The same before July 2021: `_` also before and after a word with a digit.
+    /// Names from before July 2021: `_` also before and after a word with a digit.
     Before2021,
     /// libEDSsharp and CANopenEditor for CANopenNode 1.3: `-` separates words.
     Legacy,
@@ -102,7 +102,7 @@ impl MemberNames {
     }
 }
 
-/// A free name as libEDSsharp makes it: `mode`, `mode1`, `mode2`.
+/// A free name as in libEDSsharp: `mode`, `mode1`, `mode2`.
 fn numbered(taken: &mut HashSet<String>, name: &str) -> String {
     let mut free = name.to_owned();
     let mut number = 0;
@@ -121,7 +121,7 @@ fn is_digit(c: char) -> bool {
     c.is_ascii_digit()
 }
 
-/// Letters, digits and `_` of a text, for a group or label.
+/// Letters, digits and `_` of a string, for a group or label.
 pub(super) fn word(text: &str) -> String {
     let plain: String = text.trim().chars().map(without_mark).collect();
     plain.replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_")

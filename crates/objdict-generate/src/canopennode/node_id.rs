@@ -53,7 +53,7 @@ pub(super) fn notes(object: &StackObject<'_>, node_id: Option<u8>, notes: &mut V
     }
 }
 
-/// What the stack does with a fixed number that it treats as a COB-ID without node-ID.
+/// The stack's handling of a fixed number that it treats as a COB-ID without node-ID.
 pub(crate) fn replaced(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> Option<String> {
     let base = predefined(index, entry.sub)?;
     let (ValueShape::Word(_), Encoded::Word(value)) = (entry.resolved.shape, &entry.resolved.default) else {

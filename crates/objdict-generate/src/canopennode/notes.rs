@@ -1,4 +1,4 @@
-//! Features that the stack does not support, and its requirements that the description does not meet.
+//! Features that the stack does not support, and unmet requirements of the stack.
 
 use super::plan::{Member, StackObject};
 use super::storage::{is_odd_nan, is_text};
@@ -23,7 +23,7 @@ pub(super) fn of_object(object: &StackObject<'_>, notes: &mut Vec<Note>) {
         let place = Place::entry(object.index, member.entry.sub);
         notes.extend(text(member).map(|text| Note::new(place.clone(), text)));
         notes.extend(octets(&place, member));
-        // a DOMAIN has another type than the stack reads
+        // a DOMAIN has a different type from the one that the stack reads
         let is_word = matches!(member.entry.resolved.shape, ValueShape::Word(_));
         if member.storage.type_.is_none() && is_word && is_read_at_start(object.index, member.entry.sub) {
             let text = "the stack reads the value when it starts, but this layout has none without a default";
@@ -44,7 +44,7 @@ pub(super) fn of_object(object: &StackObject<'_>, notes: &mut Vec<Note>) {
     }
 }
 
-/// What is different for a text: the stack takes its length up to the first zero.
+/// Deviations for a string: the stack determines its length by the first zero.
 fn text(member: &Member<'_>) -> Option<&'static str> {
     let resolved = &member.entry.resolved;
     let ValueShape::Bytes(data_type, _) = resolved.shape else { return None };

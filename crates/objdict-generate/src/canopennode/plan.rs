@@ -125,13 +125,13 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
     }
 }
 
-/// Whether CANopenEditor gives an entry storage: it has a value, or a text of stated length.
+/// Whether CANopenEditor generates storage for an entry: it has a value, or is a string of stated length.
 fn has_value(entry: &ResolvedEntry<'_>) -> bool {
     let length = entry.entry.stack.as_ref().and_then(|stack| stack.min_string_length);
     entry.entry.value().is_some() || length > Some(0)
 }
 
-/// Why entries do not form an array of the stack.
+/// The reason why entries do not form an array of the stack.
 fn invalid(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
     if sub0.entry.sub != 0 {
         return Some("it has no sub-index 0");
@@ -149,7 +149,7 @@ fn invalid(sub0: &Member<'_>, elements: &[Member<'_>]) -> Option<&'static str> {
     unlike.then_some("its elements differ in type, length or access")
 }
 
-/// Names not available for groups: `OD_<name>` and `OD_<name>_t` have another meaning.
+/// Names not available for groups, because `OD_<name>` or `OD_<name>_t` has a different meaning.
 const TAKEN: &str = "t size attr entry stream io extension attributes applyNodeId initHooks initLimits writeLimited H DEFINITION";
 
 /// Prefixes of other macros of the tables.

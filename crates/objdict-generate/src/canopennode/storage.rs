@@ -12,7 +12,7 @@ pub(super) struct ValueStorage {
     pub(super) type_: Option<&'static str>,
     /// Number of elements; `None` for a number.
     pub(super) elements: Option<usize>,
-    /// Size of a value in bytes, as the stack counts it.
+    /// Size of a value in bytes, according to the stack.
     pub(super) length: usize,
     /// Attributes of the entry, such as `ODA_SDO_R`, or `0`.
     pub(super) attribute: String,
@@ -35,7 +35,7 @@ impl ValueStorage {
             (ValueShape::Block(_), Encoded::Bytes(block)) => bytes(block.len(), block),
             (ValueShape::Block(length), _) => bytes(usize::from(length), &[]),
         };
-        // an application that attaches an extension states the length of a text, as CANopenEditor leaves it
+        // an application that attaches an extension determines the length of a string, as with CANopenEditor
         let is_sized = is_stored || !matches!(resolved.shape, ValueShape::Bytes(..));
         let attribute = attribute(entry, type_);
         Self {
@@ -106,7 +106,7 @@ fn not_finite(number: f64) -> &'static str {
     }
 }
 
-/// Whether a number is a NaN other than that of math.h; its other bits are lost.
+/// Whether a number is a NaN other than the one of math.h; its other bits are lost.
 pub(super) fn is_odd_nan(resolved: &EntryPlan) -> bool {
     let word = resolved.default.word();
     match resolved.shape {
@@ -118,8 +118,8 @@ pub(super) fn is_odd_nan(resolved: &EntryPlan) -> bool {
     }
 }
 
-/// A text or block of at most `room` bytes; only texts may be shorter. `has_room`: the description states the
-/// capacity.
+/// A string or block of at most `room` bytes; only strings may be shorter. `has_room`: the description states
+/// the capacity.
 fn text(data_type: DataType, room: usize, has_room: bool, value: &[u8]) -> KeptVariable {
     match data_type.kind() {
         TypeKind::VisibleString if room > 0 => {
@@ -145,7 +145,7 @@ fn bytes(length: usize, value: &[u8]) -> KeptVariable {
     (Some("uint8_t"), Some(length), length, up_to_last(numbers, value.iter().map(|&byte| byte != 0)))
 }
 
-/// The numbers up to the last one that counts, at least one; C zero-fills the rest.
+/// The numbers up to the last significant one, at least one; C zero-fills the rest.
 fn up_to_last(numbers: impl Iterator<Item = String>, counts: impl Iterator<Item = bool>) -> Vec<String> {
     let length =
         counts.zip(1..).filter_map(|(counts, position)| counts.then_some(position)).last().unwrap_or(0);
@@ -156,7 +156,7 @@ fn up_to_last(numbers: impl Iterator<Item = String>, counts: impl Iterator<Item 
     numbers
 }
 
-/// A byte of a text as a character constant.
+/// A byte of a string as a character constant.
 fn letter(byte: u8) -> String {
     match byte {
         b'\'' | b'\\' => format!("'\\{}'", char::from(byte)),

@@ -12,7 +12,7 @@ use crate::model::{Access, Address, Place};
 use crate::{Note, Options};
 use objdict_model::canopennode::Counters;
 
-/// What the files have.
+/// The content of the files.
 pub(super) struct CanOpenNodeView<'a> {
     pub(super) head: Head,
     /// The prefix of identifiers.
@@ -260,7 +260,7 @@ pub(super) struct HookedObject {
     pub(super) is_written: bool,
 }
 
-/// The objects that the options name. Notes report what an extension of the stack cannot do.
+/// The objects in the options. Notes report limitations of the stack's extensions.
 pub(super) fn hooked(
     objects: &[StackObject<'_>],
     options: &Options,

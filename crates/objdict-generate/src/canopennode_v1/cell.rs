@@ -58,7 +58,7 @@ impl ValueLocation {
 pub(super) struct StructureCell {
     /// The type of `CO_OD.h`.
     pub(super) c_type: String,
-    /// The number of elements of a text or of bytes.
+    /// The number of elements of a string or of bytes.
     pub(super) room: Option<usize>,
     pub(super) value: String,
     pub(super) attribute: u16,
@@ -96,13 +96,13 @@ impl StructureCell {
         self.length > 0
     }
 
-    /// Whether another one can be an element of the same array.
+    /// Whether both can be elements of the same array.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         let facts = |cell: &Self| (cell.c_type.clone(), cell.room, cell.attribute, cell.length);
         facts(self) == facts(other)
     }
 
-    /// What is behind the name of a member.
+    /// The part after the name of a member.
     pub(super) fn suffix(&self) -> String {
         self.room.map(|room| format!("[{room}]")).unwrap_or_default()
     }
@@ -130,7 +130,7 @@ fn attribute(entry: &ResolvedEntry<'_>, location: ValueLocation) -> u16 {
     flags.iter().filter(|(set, _)| *set).fold(location.bits(), |bits, (_, bit)| bits | bit)
 }
 
-/// A text as a list of characters.
+/// A string as a list of characters.
 fn characters(text: &[u8]) -> String {
     let character = |&byte: &u8| match byte {
         b'\'' | b'\\' => format!("'\\{}'", char::from(byte)),
@@ -141,7 +141,7 @@ fn characters(text: &[u8]) -> String {
     if characters.is_empty() { "{0}".to_owned() } else { format!("{{{}}}", characters.join(", ")) }
 }
 
-/// The rule for names: that of the editors for this stack.
+/// The naming rule of the editors for this stack.
 pub(super) const NAMES: Naming = Naming::Legacy;
 
 #[cfg(test)]

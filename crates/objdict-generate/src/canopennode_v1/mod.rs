@@ -1,7 +1,7 @@
 //! The target `canopennode-v1`: `CO_OD.h` and `CO_OD.c` of CANopenNode 1.3, for products that exist.
 //!
-//! Structures and names are those of the editors for it. The variables that the stack refers to are always
-//! there, so that its sources compile with any description.
+//! Structures and names are as in the editors for it. The variables that the stack refers to always exist,
+//! so that its sources compile with any description.
 
 mod cell;
 mod notes;
@@ -19,7 +19,7 @@ use crate::resolve::ValueShape;
 use cell::ValueLocation;
 use plan::CanOpenNodeV1Plan;
 
-/// What the files have.
+/// The content of the files.
 struct CanOpenNodeV1View<'a> {
     head: Head,
     dictionary: &'a TableDictionary<'a>,
@@ -44,7 +44,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     Ok(BackendOutput { files, notes: in_order(notes), size: tables.size() })
 }
 
-/// What the sizes include.
+/// The content that the sizes include.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and stack internals";
 
 impl CanOpenNodeV1View<'_> {

@@ -1,4 +1,5 @@
-//! What the stack does otherwise than described, and the objects for which it calls the application (`--hook`).
+//! Deviations of the stack from the description, and the objects for which it calls the application
+//! (`--hook`).
 
 use crate::canopennode::node_id::replaced;
 use crate::dictionary::{ResolvedEntry, TableDictionary};
@@ -6,10 +7,10 @@ use crate::model::Place;
 use crate::resolve::Encoded;
 use crate::{Note, Options};
 
-/// The largest value that the SDO server of the stack transfers, and what it transfers by default.
+/// The maximum value size of the stack's SDO server, and its default.
 const SDO_BUFFER: (usize, usize) = (889, 32);
 
-/// Whether a number is the COB-ID of emergencies of this node, which is stored without the node-ID.
+/// Whether a number is the EMCY COB-ID of this node, which is stored without the node-ID.
 pub(super) fn is_of_node(number: u64, node_id: Option<u8>) -> bool {
     node_id.is_some_and(|node_id| number & 0x7FF == 0x80 + u64::from(node_id))
 }
@@ -60,7 +61,7 @@ pub(super) fn of_lengths(dictionary: &TableDictionary<'_>, notes: &mut Vec<Note>
     }
 }
 
-/// Whether the stack registers a function of its own for an object.
+/// Whether the stack registers its own function for an object.
 fn is_of_stack(index: u16) -> bool {
     matches!(
         index,
@@ -68,7 +69,8 @@ fn is_of_stack(index: u16) -> bool {
     )
 }
 
-/// The indexes that the options name, in order and in hex. Notes report where the stack calls no function, and where for more.
+/// The indexes in the options, in order and in hex. Notes report objects for which the stack calls no
+/// function, or calls it for more entries.
 pub(super) fn hooked(
     dictionary: &TableDictionary<'_>,
     options: &Options,

@@ -22,7 +22,7 @@ pub(super) struct StructType {
     pub(super) members: Vec<String>,
 }
 
-/// A member of the structure of a memory.
+/// A member of a memory structure.
 pub(super) struct StructureMember {
     pub(super) index: u16,
     pub(super) location: ValueLocation,
@@ -39,12 +39,12 @@ pub(super) struct RecordRow {
     pub(super) length: usize,
 }
 
-/// An object: a row of the dictionary, with those of its record.
+/// An object: a row of the dictionary, with the rows of its record.
 pub(super) struct OdRow {
     pub(super) index: u16,
     pub(super) described: String,
     pub(super) max_sub: u8,
-    /// Of a value or of elements; for a record, it is in its rows.
+    /// For a value or elements; a record has it in its rows.
     pub(super) row: RecordRow,
     pub(super) record: Vec<RecordRow>,
 }
@@ -185,7 +185,8 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         self.named.push((object, name));
     }
 
-    /// The records that have names of their own: those of one name and structure are an array, as the editors make one.
+    /// The records with separate names: those with the same name and structure become an array, as in the
+    /// editors.
     fn records(&mut self) {
         for mut same in std::mem::take(&mut self.records).into_values() {
             while let Some(first) = same.first() {
@@ -201,7 +202,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         }
     }
 
-    /// The name of an object's variable: as the editors make it, or a similar one that is valid and free.
+    /// The name of an object's variable: as in the editors, or a similar one that is valid and free.
     fn claim(&mut self, object: &ResolvedObject<'_>) -> String {
         let plain = cname(&object.name, NAMES);
         let is_word = !plain.is_empty() && !is_reserved(&plain) && !plain.ends_with("_t");
@@ -332,7 +333,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         self.plan.types.push(StructType { index: first.index, name: type_name, members });
     }
 
-    /// The rows of a record at a place; the members of its structure, their values and extent.
+    /// The rows of a record at an address; the members of its structure, their values and size.
     fn structure(&mut self, record: &PlannedRecord<'_>, place: &str) -> (Vec<String>, String, TypeExtent) {
         let mut names = MemberNames::new(NAMES);
         let (mut members, mut values, mut extents) = (Vec::new(), Vec::new(), Vec::new());
@@ -354,7 +355,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         (members, format!("{{{}}}", values.join(", ")), TypeExtent::structure(extents))
     }
 
-    /// A record is read by its rows; one with sub-index 0 only would be read as a value.
+    /// A record is read by its rows; a record with only sub-index 0 would be read as a value.
     fn push_record(&mut self, object: &ResolvedObject<'_>, rows: Vec<RecordRow>) {
         match <[RecordRow; 1]>::try_from(rows) {
             Ok([only]) => self.push(object, 0, only, Vec::new()),
@@ -371,7 +372,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         self.plan.rows.push(OdRow { index: object.index, described, max_sub, row, record });
     }
 
-    /// The arrays of structures of the stack; objects that are missing between others are not valid.
+    /// The stack's arrays of structures; missing objects between others are not valid.
     fn families(&mut self) {
         for (at, family) in FAMILIES.iter().enumerate() {
             let highest =
@@ -423,7 +424,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         self.define((family.first, location), (&type_name, family.name, &suffix), initializer, extents);
     }
 
-    /// The values of one structure; rows of its object, and variables for what the structure has no member for.
+    /// The values of one structure; rows of its object, and variables for entries without a member.
     fn element(
         &mut self,
         family: &StructureFamily,
@@ -549,8 +550,8 @@ fn entry_name(index: u16, entry: &ResolvedEntry<'_>) -> String {
     }
 }
 
-/// Whether the stack can know an object as an array: elements alike, and their number in sub-index 0, which is
-/// not stored. LSS reads the identity as a record.
+/// Whether the stack can treat an object as an array: equal elements, with their number in sub-index 0, which
+/// is not stored. LSS reads the identity as a record.
 fn is_array(object: &ResolvedObject<'_>, cells: &[StructureCell]) -> bool {
     let is_list = object.object.object_type() == ObjectType::Array && object.index != 0x1018
         || object.object.compact.is_some()

@@ -1,4 +1,4 @@
-//! Objects that the stack refers to by name, and those of which it has structures.
+//! Objects that the stack refers to by name, and those for which it has structures.
 
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::model::DataType;
@@ -8,7 +8,7 @@ const U8: DataType = DataType::UNSIGNED8;
 const U16: DataType = DataType::UNSIGNED16;
 const U32: DataType = DataType::UNSIGNED32;
 
-/// What the stack takes an object for.
+/// The structure that the stack expects of an object.
 #[derive(Clone, Copy)]
 pub(super) enum StackForm {
     /// A number of this type, with its value where the description lacks the object.
@@ -51,18 +51,18 @@ pub(super) const NAMED: [NamedObject; 15] = [
 /// The members of the identity, which LSS reads.
 pub(super) const IDENTITY: [&str; 4] = ["vendorID", "productCode", "revisionNumber", "serialNumber"];
 
-/// A member of a structure of the stack.
+/// A member of a stack structure.
 pub(super) struct StructureField {
     pub(super) name: &'static str,
     pub(super) data_type: DataType,
 }
 
-/// Objects of which the stack has an array of structures.
+/// Objects for which the stack has an array of structures.
 pub(super) struct StructureFamily {
     pub(super) first: u16,
     pub(super) last: u16,
     pub(super) name: &'static str,
-    /// By sub-index: names, each behind the bits of its number.
+    /// By sub-index: names, each after the bits of its number.
     members: &'static str,
     /// Whether the stack needs at least one.
     pub(super) needed: bool,
@@ -112,7 +112,7 @@ impl StructureFamily {
         })
     }
 
-    /// The member for an entry; `None` if it has none of this type.
+    /// The member for an entry; `None` if there is none of this type.
     pub(super) fn field(&self, entry: &ResolvedEntry<'_>) -> Option<StructureField> {
         let field = self.fields().nth(entry.sub.into())?;
         (entry.resolved.shape == ValueShape::Word(field.data_type)).then_some(field)
@@ -129,7 +129,7 @@ impl StructureFamily {
     }
 }
 
-/// The name of an object, if the stack can use it in its form; `Err` if it cannot.
+/// The name of an object, if it matches the stack's expectation; `Err` if not.
 pub(super) fn named(
     object: &ResolvedObject<'_>,
 ) -> Result<Option<&'static NamedObject>, &'static NamedObject> {

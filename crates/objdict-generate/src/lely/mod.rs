@@ -1,8 +1,8 @@
 //! The target `lely`: the static device (`struct co_sdev`) of Lely core 2.4.
 //!
-//! The table is that of the generator dcf2c of Lely core, one row per sub-index. What dcf2c drops or writes
-//! wrong is right here: OCTET_STRING and DOMAIN defaults, REAL defaults, TIME_DIFFERENCE, quotes in texts. A library
-//! without `malloc()` has the device in static memory, which a function of the source makes of the same table.
+//! The table matches that of the generator dcf2c of Lely core, with one row per sub-index, and corrects its errors:
+//! OCTET_STRING and DOMAIN defaults, REAL defaults, TIME_DIFFERENCE, quotes in strings. For a library without
+//! `malloc()`, a function of the source builds the device in static memory from the same table.
 
 mod value;
 mod view;

@@ -11,7 +11,7 @@ const INDENT: &str = "        ";
 /// The node-ID of an unconfigured node (CiA 305).
 pub(super) const UNCONFIGURED: u8 = 0xFF;
 
-/// The type that the library has for an entry: of a device-specific type the number or octet string of its length.
+/// The type of an entry in the library: for a device-specific type, the number or octet string of its length.
 pub(super) fn data_type(shape: ValueShape) -> DataType {
     match shape {
         ValueShape::Word(data_type) | ValueShape::Bytes(data_type, _) => data_type,
@@ -21,7 +21,7 @@ pub(super) fn data_type(shape: ValueShape) -> DataType {
     }
 }
 
-/// The name of a type after `CO_DEFTYPE_` and in the macros of its limits.
+/// The name of a type after `CO_DEFTYPE_` and in its limit macros.
 pub(super) fn type_name(data_type: DataType) -> &'static str {
     match data_type.kind() {
         TypeKind::TimeDifference => "TIME_DIFF",
@@ -51,7 +51,7 @@ pub(super) fn has_limits(data_type: DataType) -> bool {
     data_type.is_numeric() || is_time(data_type)
 }
 
-/// A limit of an entry: that of its type (`MIN` or `MAX`) if the description has none.
+/// A limit of an entry: the limit of its type (`MIN` or `MAX`) if the description has none.
 pub(super) fn limit(limit: Option<&Encoded>, data_type: DataType, of_type: &str, node_id: u8) -> String {
     match limit {
         Some(limit) => value(limit, data_type, node_id),
@@ -80,14 +80,14 @@ fn value(datum: &Encoded, data_type: DataType, node_id: u8) -> String {
     }
     match number(word, data_type) {
         Some(number) => format!(".{member} = {number}"),
-        // C has no literal for a REAL that is not finite: its bits
+        // C has no literal for a non-finite REAL: uses its bits
         None if data_type.kind() == TypeKind::Real32 => format!(".u32 = 0x{word:08X}u"),
         None => format!(".u64 = UINT64_C(0x{word:016X})"),
     }
 }
 
 /// A sum in the C type of its number. The library adds the difference of node-IDs in the same type, so a sum
-/// that does not fit becomes right with a node-ID for which it fits.
+/// that overflows becomes correct with a node-ID for which it fits.
 fn wrapped(sum: u64, data_type: DataType) -> u64 {
     match data_type.kind() {
         TypeKind::Signed(8) => i64::from(sum as i8) as u64, // the same bits
@@ -100,7 +100,8 @@ fn wrapped(sum: u64, data_type: DataType) -> u64 {
     }
 }
 
-/// A text, octet string or DOMAIN; `EMPTY_ARRAY` is defined by the source, for libraries with and without `malloc()`.
+/// A string, octet string or DOMAIN; the source defines `EMPTY_ARRAY` for libraries with and without
+/// `malloc()`.
 fn texts(bytes: &[u8], data_type: DataType) -> String {
     let member = member(data_type);
     if bytes.is_empty() {
@@ -128,7 +129,7 @@ fn texts(bytes: &[u8], data_type: DataType) -> String {
     }
 }
 
-/// The name of a file from which the library reads a DOMAIN, or to which it writes one, with a zero at its end.
+/// The zero-terminated name of a file from which the library reads a DOMAIN, or to which it writes one.
 pub(super) fn file(name: &str) -> String {
     let ended: Vec<u8> = name.bytes().chain([0]).collect();
     texts(&ended, DataType::DOMAIN)

@@ -8,7 +8,7 @@ use crate::model::{Access, DataType, Entry, Place, TypeKind};
 use crate::resolve::{Encoded, ValueShape};
 use crate::{Note, Options};
 
-/// What the files have.
+/// The content of the files.
 pub(super) struct LelyView<'a> {
     head: Head,
     dictionary: &'a TableDictionary<'a>,
@@ -99,7 +99,7 @@ impl<'a> LelyView<'a> {
     }
 }
 
-/// A text of the description, whole if C has a literal for it.
+/// A string of the description, complete if C has a literal for it.
 fn text(text: &str) -> String {
     literal(text.as_bytes()).unwrap_or_else(|| c_text(text))
 }
@@ -187,7 +187,7 @@ fn row(
 const UPLOAD: &str = "UPLOAD_FILE";
 const DOWNLOAD: &str = "DOWNLOAD_FILE";
 
-/// The file that the library uses in place of a value, and its flag.
+/// The file that the library uses instead of a value, and its flag.
 fn file_of(entry: &Entry, data_type: DataType) -> Option<(&'static str, &str)> {
     let configured = entry.configured.as_ref().filter(|_| data_type.kind() == TypeKind::Domain)?;
     if configured.value.is_some() {
@@ -197,7 +197,7 @@ fn file_of(entry: &Entry, data_type: DataType) -> Option<(&'static str, &str)> {
     upload.or(configured.download_file.as_deref().map(|name| (DOWNLOAD, name)))
 }
 
-/// The access type, which states for a `rw` entry which PDOs map it.
+/// The access type, which for a `rw` entry also states the PDOs that map it.
 fn access(entry: &ResolvedEntry<'_>) -> &'static str {
     let resolved = &entry.resolved;
     match (resolved.access, resolved.tpdo, resolved.rpdo) {
@@ -240,7 +240,7 @@ pub(super) struct Hook {
     pub(super) written: Vec<u8>,
 }
 
-/// Whether the library has a function of its own for downloads to an object.
+/// Whether the library has its own function for downloads to an object.
 fn is_of_library(index: u16) -> bool {
     matches!(
         index,
@@ -249,7 +249,7 @@ fn is_of_library(index: u16) -> bool {
     )
 }
 
-/// The objects with entries that the options name. Notes report what the library does not call for.
+/// The objects with entries in the options. Notes report entries for which the library calls no function.
 pub(super) fn hooked(
     dictionary: &TableDictionary<'_>,
     options: &Options,

@@ -86,7 +86,7 @@ impl<'a> Image<'a> {
         self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.entry.sub)).ok()
     }
 
-    /// Places all remaining entries in sequence.
+    /// Places all remaining entries consecutively.
     pub(super) fn place_the_rest(&mut self) {
         for entry in &mut self.entries {
             if entry.offset.is_none() {

@@ -4,8 +4,8 @@
 //! This target and `objdict-macros` are code, not templates of the target `template`: a template sees one device
 //! and writes one file, so notes, the process image and `--report size` would be lost.
 //!
-//! Constant values become prepared SDO replies. Values that can change are in the process image, from which
-//! the stack takes PDO data. So the image starts with the mapped objects in PDO mapping order; all others
+//! Constant values become prepared SDO replies. Variable values are in the process image, from which the
+//! stack reads PDO data. So the image starts with the mapped objects in PDO mapping order; all others
 //! follow.
 
 mod image;
@@ -49,7 +49,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size: size(&tables) })
 }
 
-/// What the sizes include.
+/// The content that the sizes include.
 const COUNTED: &str =
     "the tables with offsets of 16 bits, and the process image; without code and stack internals";
 

@@ -83,7 +83,7 @@ fn call(
     Ok(Some(InitCall { kind: pdo.kind, number: pdo.number, can_id, event, inhibit, length, offset }))
 }
 
-/// Places the mapped objects of a PDO in sequence; returns their offset and length.
+/// Places the mapped objects of a PDO consecutively; returns their offset and length.
 fn place(pdo: &Pdo<'_>, image: &mut Image<'_>) -> Result<(usize, usize), (Place, String)> {
     let index = pdo.mapping_index();
     let at = |sub: u8| Place::entry(index, sub);

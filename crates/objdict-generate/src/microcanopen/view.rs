@@ -8,7 +8,7 @@ use crate::head::Head;
 use crate::model::{PdoKind, Place};
 use crate::resolve::{Encoded, ValueShape};
 
-/// What the files have.
+/// The content of the files.
 pub(super) struct MicroCanOpenView<'a> {
     pub(super) head: Head,
     pub(super) dictionary: &'a TableDictionary<'a>,

@@ -15,7 +15,7 @@ use super::variables::{CType, Definition, WantedName, claim, variables};
 use super::{BackendOutput, GenerateError, Note, Options, Sizes, render};
 use crate::model::{Device, Pdo, PdoKind, Place};
 
-/// What the files have.
+/// The content of the files.
 struct ObjdictMacrosView<'a> {
     head: Head,
     dictionary: &'a TableDictionary<'a>,
@@ -51,7 +51,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<BackendOutput, 
     Ok(BackendOutput { files, notes: once_per_device(in_order(notes)), size: tables.size() })
 }
 
-/// What the sizes include.
+/// The content that the sizes include.
 const COUNTED: &str = "the rows as `objdict.h` declares them, mapping and values, on a processor of 32 bits";
 
 impl<'a> ObjdictMacrosView<'a> {
@@ -110,7 +110,7 @@ impl<'a> ObjdictMacrosView<'a> {
 }
 
 impl DictionaryRow<'_> {
-    /// Length of a value; a read-only text has the length of its default.
+    /// Length of a value; a read-only string has the length of its default.
     fn length(&self) -> usize {
         self.entry.resolved.shape.size()
     }

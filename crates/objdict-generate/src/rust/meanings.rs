@@ -126,7 +126,7 @@ fn has_whole_range(data_type: DataType) -> bool {
     matches!(data_type.bit_length(), Some(1 | 8 | 16 | 32 | 64))
 }
 
-/// The words of a name in the case of types: `ControlMode`.
+/// The words of a name in type notation: `ControlMode`.
 fn type_name(words: &str, taken: &mut HashSet<String>) -> String {
     let capital = |word: &str| {
         let mut letters = word.chars();

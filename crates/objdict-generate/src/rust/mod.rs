@@ -1,6 +1,6 @@
 //! The target `rust`: one file without dependencies, `od.rs`.
 //!
-//! Values are one array of bytes (`Data`) in SDO byte order. A handle is a constant with the position of its
+//! Values are one byte array (`Data`) in SDO byte order. A handle is a constant with the position of its
 //! value, so `get` is a load without code of its own, and access by index uses one path for all entries.
 
 mod literal;
@@ -22,8 +22,8 @@ use super::table_size::TableLayout;
 use super::{BackendOutput, GenerateError, Options, render, unserved};
 use crate::model::{DataType, Device};
 
-/// Bytes of `Data::new`, `read` and `write` with everything they call, on a Cortex-M4: the compiler leaves out what no row of the table
-/// needs. `tests/generate/thumb.rs` compares the sum with the linker.
+/// The size of `Data::new`, `read` and `write` with everything they call, on a Cortex-M4: the compiler omits code that
+/// no row of the table needs. `tests/generate/thumb.rs` compares the total with the linker.
 fn code(table: &DeviceTable, ram: usize) -> usize {
     let rows = || table.rows.iter();
     let is_any = |is_it: fn(&DataType) -> bool| {
@@ -39,7 +39,7 @@ fn code(table: &DeviceTable, ram: usize) -> usize {
         (adds_node_id || has_limits, 171),
         (adds_node_id, 150),
         (has_limits, 422),
-        // offsets beyond what an instruction has room for
+        // offsets that exceed the range of an instruction
         (ram >= 256, 25),
         (is_any(|of| *of == DataType::DOMAIN), 30),
         (is_any(|of| *of == DataType::BOOLEAN), 40),

@@ -161,7 +161,7 @@ fn doc(row: &Row, unit: Option<String>) -> String {
     doc
 }
 
-/// Whether bytes are shown as a text.
+/// Whether bytes are displayed as a string.
 fn is_text(data_type: DataType, bytes: &[u8]) -> bool {
     data_type.kind() == TypeKind::VisibleString && !bytes.is_empty()
 }

@@ -1,4 +1,5 @@
-//! View of templates/rust/od.rs, with the places of values in the array of bytes and the code that serves the table.
+//! View of templates/rust/od.rs, with the locations of values in the byte array and the code that serves the
+//! table.
 
 use super::literal::{grouped, hex, hex_bytes, word_type};
 use super::meanings::MeaningModules;
@@ -131,7 +132,7 @@ fn row_view(row: &Row, ram: usize) -> RowView<'_> {
 /// Offsets in rows have 19 bits.
 const LARGEST: usize = 1 << 19;
 
-/// The places of all values.
+/// The locations of all values.
 pub(super) struct ValuePlaces {
     /// The offset of each row; 0 for a value in flash.
     pub(super) rows: Vec<usize>,
@@ -166,7 +167,7 @@ impl ValuePlaces {
     }
 }
 
-/// Size of a value in the array: a text is behind its length.
+/// Size of a value in the array: a string follows its length.
 pub(super) fn value_size(shape: ValueShape) -> usize {
     crate::stored::image_length(shape)
 }
@@ -196,7 +197,7 @@ impl PastedParts<'_> {
         texts.collect::<Vec<_>>().join("\n")
     }
 
-    /// A file without its imports from the others, and with the derives that are asked for.
+    /// A file without its imports from the others, and with the requested derives.
     fn joined(self, text: &str) -> String {
         let mut joined = String::with_capacity(text.len());
         let mut is_import = false;

@@ -1,6 +1,6 @@
-//! What a stack does with a dictionary when it starts: which PDOs it does not serve, which heartbeat consumers it rejects, which
-//! SDO servers it lacks. One table for each stack (`stacks`), applied to the resolved entries of a table, with one warning for each
-//! cause.
+//! The behaviour of a stack with a dictionary at start-up: PDOs that it does not serve, heartbeat consumers that it
+//! rejects, SDO servers that it lacks. One table for each stack (`stacks`), applied to the resolved entries of a table,
+//! with one warning for each cause.
 
 mod pdos;
 mod stacks;
@@ -20,15 +20,15 @@ pub(crate) use stacks::{CANFESTIVAL, CANOPEN_STACK, CANOPENNODE_V1, LELY};
 pub(crate) struct Stack {
     /// How it reads the mapping of a PDO.
     mapping: pdos::StackMapping,
-    /// Why it does not serve PDOs, in the order in which it looks, and what becomes of them.
+    /// The reasons for not serving PDOs, in the order of the stack's checks, and the effects.
     pdos: &'static [pdos::CauseRow],
-    /// Which heartbeat consumers it takes; `None` if all.
+    /// The heartbeat consumers that it accepts; `None` for all.
     consumers: Option<Consumers>,
-    /// What it demands of the parameters of SDO channels.
+    /// Its requirements for the parameters of SDO channels.
     sdo: &'static [DemandRow],
 }
 
-/// What the stack will not serve.
+/// Reports everything that the stack will not serve.
 pub(crate) fn notes(stack: &Stack, dictionary: &TableDictionary<'_>) -> Vec<Note> {
     let mut notes = pdos::notes(stack, dictionary);
     notes.extend(stack.consumers.iter().flat_map(|rules| consumer_notes(rules, dictionary)));
@@ -36,7 +36,8 @@ pub(crate) fn notes(stack: &Stack, dictionary: &TableDictionary<'_>) -> Vec<Note
     notes
 }
 
-/// The initial number of an entry, without the node-ID; `None` if the entry is missing or no number of this many bytes.
+/// The initial number of an entry, without the node-ID; `None` if the entry is missing or not a number of
+/// this many bytes.
 fn number(object: Option<&ResolvedObject<'_>>, sub: u8, bytes: usize) -> Option<u64> {
     datum(object, sub, bytes).map(Encoded::word)
 }
@@ -47,25 +48,25 @@ fn datum<'a>(object: Option<&'a ResolvedObject<'_>>, sub: u8, bytes: usize) -> O
     is_number.then_some(&resolved.default)
 }
 
-/// Why a PDO is not served.
+/// The reason why a PDO is not served.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum PdoCause {
-    /// Above the 255 that a byte counts. It counts for PDOs that are not valid too.
+    /// Above 255, the maximum of a byte counter, which includes PDOs that are not valid.
     Number,
     NoTransmissionType,
     NoCobId,
     RtrAllowed,
     Extended,
     NoCanId,
-    /// The CAN-ID is 0, and there is something to send.
+    /// The CAN-ID is 0, and the PDO has data to send.
     OnNmt,
-    /// Outside the CAN-IDs that the stack takes for PDOs.
+    /// Outside the CAN-IDs that the stack uses for PDOs.
     NotDispatched,
     /// An RPDO before it has the CAN-ID, valid or not.
     Taken,
     NoMapping,
     TooMany,
-    /// So many, and so short, that the stack does not notice.
+    /// So many short entries that the stack does not detect the overrun.
     Overrun,
     NoSlot,
     TooLong,
@@ -75,11 +76,12 @@ enum PdoCause {
     Direction,
     NotMappable,
     Short,
-    /// Numbers of another length.
+    /// Numbers of a different length.
     Size,
-    /// A length that the functions of the dictionary refuse: each other one when they write, a longer one when they read.
+    /// A length that the functions of the dictionary reject: any different one for writing, a longer one for
+    /// reading.
     Length,
-    /// In flash, and the stack does not look at the access type when it writes.
+    /// In flash, and the stack does not check the access type when it writes.
     Constant,
     Empty,
     Reserved,
@@ -88,13 +90,13 @@ enum PdoCause {
     SyncStart,
 }
 
-/// Which entries of 1016h a stack takes.
+/// The entries of 1016h that a stack accepts.
 struct Consumers {
-    /// Whether it takes the entries from the last to the first, and ends there.
+    /// Whether it processes the entries from the last to the first, and stops there.
     from_last: bool,
-    /// Whether sub-index 0 says how many entries it takes.
+    /// Whether sub-index 0 determines how many entries it processes.
     is_counted: bool,
-    /// What becomes of the second entry that monitors a node, if it is not served.
+    /// The effect on a second entry that monitors the same node, if it is not served.
     repeated: Option<&'static str>,
 }
 
@@ -138,15 +140,16 @@ fn consumer(value: u64) -> Option<u64> {
     (time != 0 && node_id != 0).then_some(node_id)
 }
 
-/// The bit of a COB-ID that says that it is not valid.
+/// The bit of a COB-ID that marks it as not valid.
 const NOT_VALID: u64 = 1 << 31;
 
-/// A demand, and what happens otherwise.
+/// A requirement, and the effect if it is not met.
 enum DemandRow {
-    /// The highest sub-index of the objects in a range is one of these, or the stack does not start; without `stops` only if it is
-    /// compiled with the service.
+    /// The highest sub-index of the objects in a range must be one of these, or the stack does not start; without
+    /// `stops`, only if it is compiled with the service.
     Highest { first: u16, last: u16, allowed: &'static [u64], stops: bool },
-    /// The default server (1200h) has the COB-IDs of its entries: these must be valid, and those of CiA 301.
+    /// The default server (1200h) uses the COB-IDs of its entries: these must be valid, and equal to those of
+    /// CiA 301.
     DefaultServer,
 }
 

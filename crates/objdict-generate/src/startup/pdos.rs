@@ -17,20 +17,21 @@ const EXTENDED: u64 = 1 << 29;
 pub(super) struct StackMapping {
     /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
     pub(super) reads_all: bool,
-    /// The fewest objects that it maps to a TPDO: the first slot may be read even if their number is 0.
+    /// The minimum number of objects that it maps to a TPDO: the first slot may be read even if their number
+    /// is 0.
     pub(super) least: u8,
-    /// The most objects that it maps.
+    /// The maximum number of objects that it maps.
     pub(super) most: u8,
     /// The data types that it maps as dummy entries.
     pub(super) is_dummy: fn(&Device, PdoKind, MappedObject) -> bool,
 }
 
-/// A cause, and what becomes of the PDO.
+/// A cause, and its effect on the PDO.
 pub(super) struct CauseRow {
     pub(super) cause: PdoCause,
     /// `None` for both.
     pub(super) kind: Option<PdoKind>,
-    /// What the stack does, after the PDOs: "will be disabled by the stack".
+    /// The stack's reaction, after the PDOs: "will be disabled by the stack".
     pub(super) effect: &'static str,
 }
 
@@ -114,7 +115,7 @@ impl<'a> Served<'a> {
         number(self.mapping, 0, 1).and_then(|count| u8::try_from(count).ok()).unwrap_or(0)
     }
 
-    /// The slots that the stack reads, with the mapped object; `None` for a slot that is not described.
+    /// The slots that the stack reads, with the mapped object; `None` for an undescribed slot.
     fn slots(&self) -> impl Iterator<Item = (u8, Option<MappedObject>)> + '_ {
         let least = if self.kind == PdoKind::Tpdo { self.rules.least } else { 0 };
         let (count, most) = (self.count().max(least), self.rules.most);
@@ -137,13 +138,13 @@ impl<'a> Served<'a> {
         self.mapped().filter(|(sub, _)| *sub <= count).map(|(_, mapped)| u32::from(mapped.bits)).sum()
     }
 
-    /// Whether the bytes of nine objects, without the rest of single bits, are not too many.
+    /// Whether the bytes of nine objects, without fractions of a byte, do not exceed the limit.
     fn fits_nine(&self) -> bool {
         let bytes = (1..=9).map(|sub| number(self.mapping, sub, 4).map(|word| (word & 0xFF) / 8));
         bytes.sum::<Option<u64>>().is_some_and(|bytes| bytes <= 8)
     }
 
-    /// The row, if the PDO has its cause, and the sub-index of the slot with it.
+    /// Whether the PDO has the cause of the row, and the slot's sub-index.
     fn matches(&self, row: &'static CauseRow) -> Option<(&'static CauseRow, Option<u8>)> {
         if row.kind.is_some_and(|kind| kind != self.kind) {
             return None;

@@ -1,11 +1,11 @@
-//! Why a PDO is not served, in words.
+//! The reason why a PDO is not served, as text.
 
 use std::collections::BTreeSet;
 
 use super::PdoCause;
 use crate::model::{MappedObject, PdoKind};
 
-/// A cause with the mapped objects that have it, and what to do about it.
+/// A cause with the affected mapped objects, and advice.
 pub(super) fn why(cause: PdoCause, kind: PdoKind, mapped: &BTreeSet<MappedObject>) -> (String, &'static str) {
     let other = match kind {
         PdoKind::Rpdo => PdoKind::Tpdo,

@@ -1,5 +1,5 @@
-//! Filters for code generation in addition to those of Jinja, and limits for those of the engine whose results can be far
-//! larger than what they are made of: steps do not count what one filter does.
+//! Filters for code generation in addition to those of Jinja, and limits for the engine's filters whose results can be
+//! far larger than their arguments, because the step limit does not cover the work of a single filter.
 
 use super::LONGEST;
 use crate::{escape, names};
@@ -35,7 +35,7 @@ fn hex(value: &Value, width: Option<usize>) -> Result<String, Error> {
     }
 }
 
-/// Parses a text such as `0x1018`, the form of indexes in the JSON.
+/// Parses a string such as `0x1018`, the notation of indexes in the JSON.
 fn number(value: &Value) -> Result<i128, Error> {
     integer(value)
 }
@@ -58,7 +58,7 @@ pub(super) fn wrong(message: String) -> Error {
     Error::new(ErrorKind::InvalidOperation, message)
 }
 
-/// How many bytes a filter makes of its arguments at the most, of which the first is what it is applied to.
+/// The maximum number of bytes that a filter generates from its arguments, the first of which is its input.
 type Bound = fn(&[Value]) -> usize;
 
 pub(super) fn bound(environment: &mut Environment<'_>) {
@@ -106,7 +106,7 @@ fn rows(arguments: &[Value]) -> usize {
     largest(arguments).saturating_mul(size_of::<Value>())
 }
 
-/// Each field of the format can have each argument, and the widths that the format or an argument says.
+/// Each field of the format can contain each argument, and the widths in the format or an argument.
 fn formatted(arguments: &[Value]) -> usize {
     let format = text(arguments.first());
     let widths =

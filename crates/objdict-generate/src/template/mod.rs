@@ -23,12 +23,13 @@ const LONGEST: usize = 64 << 20;
 /// Maximum size of a template in bytes.
 const LONGEST_TEMPLATE: u64 = 1 << 20;
 
-/// Maximum size of a tag in bytes, and maximum number of `elif` in a template: the engine calls itself for each operator and
-/// each `elif`.
+/// Maximum size of a tag in bytes, and maximum number of `elif` in a template: the engine recurses for each operator
+/// and each `elif`.
 const LONGEST_TAG: usize = 16 << 10;
 const MOST_BRANCHES: usize = 1000;
 
-/// The stack of the engine in bytes. It has room for the longest tag, and for values that are nested a million deep.
+/// The engine's stack size in bytes. It is sufficient for the longest tag, and for values that are nested a
+/// million levels deep.
 const STACK: usize = 512 << 20;
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
@@ -56,7 +57,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes: dictionary.notes })
 }
 
-/// What in a template would need more stack than there is.
+/// The reason why a template would exceed the stack.
 fn too_nested(source: &str) -> Option<String> {
     let tags = [("{{", "}}"), ("{%", "%}")].map(|(start, end)| {
         let tags = source.split(start).skip(1);
@@ -87,7 +88,7 @@ fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>
     Ok(output.0)
 }
 
-/// An error with the template line, including the chain of causes of the engine.
+/// An error with the template line, including the engine's chain of causes.
 fn explained(file: &str, error: &minijinja::Error) -> GenerateError {
     let mut message = error.kind().to_string();
     if let Some(detail) = error.detail() {

@@ -96,7 +96,7 @@ impl<'a> ConfigMaker<'a> {
         self.notes.push(Note::new(place, text));
     }
 
-    /// Notes which values are assumed to be stored.
+    /// Notes values that are assumed to be stored.
     fn persistence(&mut self) {
         if self.stores && self.options.groups.is_empty() {
             let text = "entries that SDOs can write and PDOs cannot map are stored (`persist`), unless the description states a storage group";
@@ -108,7 +108,7 @@ impl<'a> ConfigMaker<'a> {
 
 /// The settings of the device.
 struct DeviceSettings {
-    /// The device name, and the versions of hardware and software.
+    /// The device name, and the hardware and software versions.
     texts: [String; 3],
     /// In milliseconds.
     heartbeat_period: u64,
@@ -174,7 +174,7 @@ impl ConfigMaker<'_> {
         }
     }
 
-    /// The text of an object; `None` without the object, empty if it is not a text.
+    /// The string of an object; `None` without the object, empty if it is not a string.
     fn name(&self, index: u16) -> Option<String> {
         match self.datum(index, 0)? {
             Encoded::Bytes(bytes) => {

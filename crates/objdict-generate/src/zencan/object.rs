@@ -51,7 +51,7 @@ impl ConfigMaker<'_> {
             let entry = self.entry(object, &object.entries[0]);
             return ZencanObjectView { index, name, kind: ObjectContent::Var(entry) };
         }
-        // zencan generates sub-index 0, and FFh would count as the highest one
+        // zencan generates sub-index 0, and would treat FFh as the highest one
         let subs = object.entries.iter().filter(|entry| !matches!(entry.sub, 0 | 0xFF));
         let names: Vec<String> = subs.clone().map(|entry| words(&entry.name)).collect();
         let mut fields = NameScope::of_lower_case("flags sub0");

@@ -8,7 +8,7 @@ use crate::resolve::Encoded;
 /// Number of mapped objects per PDO in zencan (`N_MAPPING_PARAMS`).
 const MAPPED: u8 = 8;
 
-/// Number of PDOs per direction: zencan counts them in eight bits.
+/// Number of PDOs per direction: zencan uses an eight-bit counter.
 const MOST: u16 = 255;
 
 /// The initial state of a PDO.

@@ -18,7 +18,7 @@ pub(super) struct Kept {
     pub(super) loss: Option<String>,
 }
 
-/// The bytes as a text.
+/// The bytes as a string.
 pub(super) fn text_of(bytes: &[u8]) -> Option<String> {
     String::from_utf8(bytes.to_vec()).ok()
 }
@@ -111,7 +111,7 @@ impl Kept {
         }
     }
 
-    /// Bytes of fixed length: that of the default, if there is one.
+    /// Bytes of fixed length: as long as the default, if there is one.
     fn octets(bytes: &[u8], room: usize, access: Access) -> Self {
         let size = if bytes.is_empty() && access != Access::Const { room } else { bytes.len() };
         let text = text_of(bytes).unwrap_or_default();
@@ -128,7 +128,7 @@ impl Kept {
     }
 }
 
-/// zencan parses 64-bit numbers and rounds them: the shortest digits that give the same number.
+/// zencan parses 64-bit numbers and rounds them: the shortest digits that result in the same number.
 fn real32(number: f32) -> Option<String> {
     let short = format!("{number:?}");
     let comes_back = short.parse::<f64>().is_ok_and(|wide| (wide as f32).to_bits() == number.to_bits());

@@ -1,4 +1,4 @@
-//! The little of C that object dictionaries are written in: types, macros with a value, and initialisers.
+//! A minimal parser for the C of object dictionaries: types, macros with a value, and initialisers.
 
 use std::collections::BTreeMap;
 
@@ -10,13 +10,13 @@ const DEEPEST: usize = 16;
 pub(super) enum Token<'t> {
     /// A name, a keyword or a number.
     Word(&'t str),
-    /// A text or a character with its quotes.
+    /// A string or character literal with its quotes.
     Quoted(&'t str),
     /// Any other character.
     Mark(char),
 }
 
-/// The macros of a text without parameters, and the tokens of all but its directives.
+/// The macros of a text without parameters, and the tokens outside directives.
 pub(super) fn scan(text: &str) -> (BTreeMap<&str, &str>, Vec<Token<'_>>) {
     let (mut macros, mut tokens) = (BTreeMap::new(), Vec::new());
     let mut rest = text;
@@ -65,7 +65,7 @@ fn is_word(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }
 
-/// The length of a line with those that it continues in, without the line end.
+/// The length of a line including continuation lines, without the line end.
 fn line_length(text: &str) -> usize {
     let mut from = 0;
     while let Some(at) = text[from..].find('\n') {
@@ -78,7 +78,7 @@ fn line_length(text: &str) -> usize {
     text.len()
 }
 
-/// The length of a quoted text with both quotes.
+/// The length of a literal with both quotes.
 fn quoted_length(text: &str, quote: char) -> usize {
     let mut is_escaped = false;
     for (at, c) in text.char_indices().skip(1) {
@@ -101,7 +101,7 @@ fn define(line: &str) -> Option<(&str, &str)> {
     (!value.starts_with('(') && !name.is_empty()).then_some((name, value.trim()))
 }
 
-/// What an initialiser has.
+/// The content of an initialiser.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Initialiser<'t> {
     /// A value: its tokens.
@@ -126,7 +126,7 @@ impl<'t> Initialiser<'t> {
         self.items().iter().find(|(field, _)| *field == Some(name)).map(|(_, value)| value)
     }
 
-    /// The values in braces; none of a single value.
+    /// The values in braces; empty for a single value.
     pub(super) fn items(&self) -> &[(Option<&'t str>, Self)] {
         match self {
             Self::List(items) => items,
@@ -141,7 +141,8 @@ impl<'t> Initialiser<'t> {
     }
 }
 
-/// Reads an initialiser from its first token on, and returns the tokens behind it; `None` if it does not end or nests too deeply.
+/// Reads an initialiser from its first token on, and returns the tokens after it; `None` if it does not end
+/// or is nested too deeply.
 pub(super) fn initialiser<'a, 't>(
     tokens: &'a [Token<'t>],
     depth: usize,

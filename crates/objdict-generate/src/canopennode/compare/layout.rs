@@ -1,17 +1,17 @@
-//! Where the values of a storage group are in memory: natural alignment, as all 32-bit ABIs of microcontrollers have it.
+//! The memory layout of a storage group: natural alignment, as in all 32-bit ABIs of microcontrollers.
 
 use super::tables::{ComparedMember, MemberKind};
 
-/// A variable in its place.
+/// A variable and its location.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Located {
-    /// Its name, behind that of its record and a point.
+    /// Its name, after the name of its record and a dot.
     pub(super) path: String,
-    /// The object that its name begins with, and how many variables of it are before this one.
+    /// The object at the start of its name, and the number of previous variables of that object.
     pub(super) object: (String, usize),
     /// The type with the numbers of elements.
     pub(super) declaration: String,
-    /// The offset in bytes; `None` behind a type of unknown size.
+    /// The offset in bytes; `None` after a type of unknown size.
     pub(super) offset: Option<u64>,
 }
 
@@ -22,7 +22,7 @@ pub(super) fn located(members: &[ComparedMember]) -> (Vec<Located>, Option<u64>)
     (variables, end.and_then(|end| aligned(end, alignment)))
 }
 
-/// Places members from an offset on; returns the offset behind them, and their alignment.
+/// Places members from an offset on; returns the offset after them, and their alignment.
 fn place(
     members: &[ComparedMember],
     prefix: &str,

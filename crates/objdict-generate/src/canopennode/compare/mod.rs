@@ -1,5 +1,5 @@
-//! Tables that a project has already, beside those that are generated: what of an application, of stored values and on the
-//! bus would change.
+//! Compares existing tables of a project with generated ones: changes for the application, for stored values and on the
+//! bus.
 
 mod c_text;
 mod layout;
@@ -16,7 +16,7 @@ use crate::{OutputFile, TableAspect, TableDifference};
 /// The storage group whose values are lost without power.
 const VOLATILE: &str = "OD_RAM";
 
-/// Compares a header and its source with generated files; `None` if they are no tables of this stack.
+/// Compares a header and its source with generated files; `None` if they are not tables of this stack.
 pub(crate) fn compare(header: &str, source: &str, made: &[OutputFile]) -> Option<Vec<TableDifference>> {
     let [new_header, new_source] = texts(made)?;
     let old = TableSide::new(ComparedTables::read(header, source));
@@ -38,7 +38,7 @@ fn texts(made: &[OutputFile]) -> Option<[&str; 2]> {
     Some([text(".h")?, text(".c")?])
 }
 
-/// Tables, and their variables by name, each with its group.
+/// Tables, and their variables by name, with the group of each.
 struct TableSide {
     tables: ComparedTables,
     variables: BTreeMap<String, (String, Located)>,
@@ -54,13 +54,13 @@ impl TableSide {
         Self { tables, variables }
     }
 
-    /// The value that a variable starts with: 0 where none is written.
+    /// The initial value of a variable: 0 if none is written.
     fn start_value(&self, group: &str, path: &str) -> String {
         self.tables.values.get(&format!("{group}.{path}")).cloned().unwrap_or_else(|| "0".to_owned())
     }
 }
 
-/// Old names by new ones: the same object, position in it and type, where the old name is gone.
+/// Old names by new ones: same object, position in it and type, if the old name no longer exists.
 fn renamed(old: &TableSide, new: &TableSide) -> BTreeMap<String, String> {
     fn only_in<'s>(side: &'s TableSide, other: &'s TableSide) -> impl Iterator<Item = &'s Located> {
         let variables = side.variables.iter().filter(|(path, _)| !other.variables.contains_key(*path));
@@ -90,7 +90,7 @@ impl Sides {
         self.renamed.get(path).map_or(path, |name| name)
     }
 
-    /// Variables that have another name, group or type, that are gone, or new.
+    /// Variables with a different name, group or type, removed ones and new ones.
     fn names(&self) -> Vec<TableDifference> {
         let mut found = Vec::new();
         let mut add = |place: String, old, new| {
@@ -122,11 +122,11 @@ impl Sides {
         found
     }
 
-    /// Names of entries that applications use, and numbers of objects that the stack is compiled with.
+    /// Names of entries that applications use, and numbers of objects for which the stack is compiled.
     fn macros(&self) -> Vec<TableDifference> {
         let (old, new) = (&self.old.tables.macros, &self.new.tables.macros);
         let names: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
-        // the value of the others is a position in the list
+        // the value of the others is a list position
         let shown = |name: &str, value: Option<&String>| match name.starts_with("OD_CNT_") {
             true => value.cloned(),
             false => value.map(|_| "defined".to_owned()),
@@ -140,7 +140,7 @@ impl Sides {
         differences.filter(|difference| difference.old != difference.new).collect()
     }
 
-    /// The first variable of each stored group that is at another place, or the size of the group.
+    /// The first variable of each stored group whose location changes, or the size of the group.
     fn layout(&self) -> Vec<TableDifference> {
         let stored = self.old.tables.groups.iter().filter(|(group, _)| *group != VOLATILE);
         let difference = |(group, members): (&String, &Vec<ComparedMember>)| {
@@ -169,7 +169,7 @@ impl Sides {
         stored.map(difference).filter(|difference| difference.old != difference.new).collect()
     }
 
-    /// What the stack serves: objects, sub-indexes, flags, lengths.
+    /// Objects, sub-indexes, flags and lengths that the stack serves.
     fn objects(&self) -> Vec<TableDifference> {
         let (old, new) = (&self.old.tables.objects, &self.new.tables.objects);
         let mut found = Vec::new();
@@ -216,7 +216,7 @@ impl Sides {
     }
 }
 
-/// Two places of a member; those of its record if the member itself has kept its name.
+/// Two paths of a member, shortened to the record if the member itself has kept its name.
 fn without_member<'p>(old: &'p str, new: &'p str) -> (&'p str, &'p str) {
     let of_record = |place: &'p str| place.rsplit_once('.').filter(|(record, _)| record.contains('.'));
     match (of_record(old), of_record(new)) {
@@ -227,7 +227,7 @@ fn without_member<'p>(old: &'p str, new: &'p str) -> (&'p str, &'p str) {
     }
 }
 
-/// What differs in the properties of an entry.
+/// The differing properties of an entry.
 fn differing(old: &ListedEntry, new: &ListedEntry) -> [String; 2] {
     let is_other = [old.flags != new.flags, old.length != new.length, old.has_value != new.has_value];
     [old, new].map(|entry| {

@@ -7,23 +7,24 @@ use super::layout::size_of;
 use super::tables::{MemberKind, definitions, members, number, plain, plain_number};
 use crate::{OutputFile, TableAspect, TableDifference};
 
-/// What a project can notice, by the aspect and the place: an entry, a macro, or a member of a memory.
+/// Properties that a project depends on, by the aspect and the place: an entry, a macro, or a member of a
+/// memory.
 #[derive(Default)]
 struct RowFacts(BTreeMap<(TableAspect, String), String>);
 
 type RowDifferences = Option<Vec<TableDifference>>;
 
-/// Compares tables of CANopenNode 1.3 with generated files; `None` if they are none.
+/// Compares tables of CANopenNode 1.3 with generated files; `None` if they are not such tables.
 pub(crate) fn compare_v1(header: &str, source: &str, made: &[OutputFile]) -> RowDifferences {
     compare(v1, header, source, made)
 }
 
-/// The same for canopen-stack.
+/// Compares tables of canopen-stack.
 pub(crate) fn compare_keys(header: &str, source: &str, made: &[OutputFile]) -> RowDifferences {
     compare(keys, header, source, made)
 }
 
-/// The same for CanFestival.
+/// Compares tables of CanFestival.
 pub(crate) fn compare_indexes(header: &str, source: &str, made: &[OutputFile]) -> RowDifferences {
     compare(indexes, header, source, made)
 }
@@ -59,7 +60,8 @@ impl RowFacts {
         self.0.insert((aspect, place.to_owned()), fact);
     }
 
-    /// An entry: what the stack knows of it, its variable without casts, and the value that the variable starts with.
+    /// An entry: its properties in the stack, its variable without casts, and the initial value of the
+    /// variable.
     fn entry(
         &mut self,
         place: &str,
@@ -170,7 +172,7 @@ fn keys(_: &str, source: &str) -> RowFacts {
         let ["CO_KEY", index, sub, flags] = key.words()[..] else { continue };
         let sub = number(sub).and_then(|sub| usize::try_from(sub).ok());
         let (Some(index), Some(sub)) = (number(index), sub) else { continue };
-        // `D` is where the value is, and types have a `T` since version 4.2
+        // `D` marks the location of the value, and types have a `T` since version 4.2
         let flags: String = flags.replace("CO_OBJ_", "").replace(['_', 'D'], "");
         let of = plain(of);
         let of = of.trim_start_matches("CO_").trim_start_matches('T');

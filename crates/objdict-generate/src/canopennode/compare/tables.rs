@@ -1,4 +1,4 @@
-//! What tables of CANopenNode 4 define, of any generator.
+//! The definitions in CANopenNode 4 tables of any generator.
 
 use std::collections::BTreeMap;
 
@@ -42,16 +42,17 @@ pub(super) struct ListedObject {
     pub(super) kind: String,
     /// The number of sub-indexes.
     pub(super) count: String,
-    /// Properties of its entries by sub-index; of an array those of sub-index 0 and of all others, which are sub-index 1.
+    /// Properties of its entries by sub-index; an array has only those of sub-index 0 and, as sub-index 1, of
+    /// all others.
     pub(super) entries: BTreeMap<u8, ListedEntry>,
 }
 
-/// What the stack knows of an entry.
+/// The properties of an entry in the stack.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct ListedEntry {
-    /// The flags, sorted; those that stand for two are taken apart.
+    /// The flags, sorted; combined flags are split.
     pub(super) flags: Vec<String>,
-    /// The number of bytes, or how it is computed.
+    /// The number of bytes, or its expression.
     pub(super) length: String,
     /// Whether the tables have memory for the value.
     pub(super) has_value: bool,
@@ -81,7 +82,7 @@ impl ComparedTables {
         tables
     }
 
-    /// Reads a group from its first member on; returns what follows it.
+    /// Reads a group from its first member on; returns the tokens after it.
     fn group<'a, 't>(&mut self, body: &'a [Token<'t>], macros: &BTreeMap<&str, &str>) -> &'a [Token<'t>] {
         let Some((members, behind)) = members(body, macros, 0) else { return body };
         if let [Token::Word(name), behind @ ..] = behind {
@@ -217,7 +218,7 @@ fn entry(descriptor: &Initialiser<'_>, [flags, length, value]: [&str; 3]) -> Lis
     ListedEntry { flags, length: descriptor.field(length).map(plain).unwrap_or_default(), has_value }
 }
 
-/// The flags that a word of the header of the stack is for.
+/// The flags that a flag name of the stack's header stands for.
 fn single_flags(word: &str) -> Vec<String> {
     match word {
         "ODA_SDO_RW" => ["ODA_SDO_R", "ODA_SDO_W"].map(str::to_owned).to_vec(),
@@ -228,7 +229,7 @@ fn single_flags(word: &str) -> Vec<String> {
     }
 }
 
-/// A value in one spelling: numbers in decimal, characters as a text, zeros at the end left out.
+/// A value in normalised spelling: numbers in decimal, characters as a string, without trailing zeros.
 pub(super) fn plain(value: &Initialiser<'_>) -> String {
     let items = match value {
         Initialiser::Value(tokens) => return plain_value(tokens),
@@ -247,7 +248,7 @@ pub(super) fn plain(value: &Initialiser<'_>) -> String {
     }
 }
 
-/// A list with a character in it as a text in quotes, without the zeros at its end; `None` for any other list.
+/// A list that contains a character as a quoted string, without trailing zeros; `None` for any other list.
 fn characters(items: &[(Option<&str>, Initialiser<'_>)]) -> Option<String> {
     let is_character = |item: &Initialiser<'_>| matches!(item, Initialiser::Value(tokens) if matches!(tokens[..], [Token::Quoted(_)]));
     if !items.iter().any(|(_, item)| is_character(item)) {
