@@ -1,4 +1,4 @@
-//! What a build script asks for.
+//! The builder for build scripts.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -23,12 +23,13 @@ use objdict_model::source;
 use objdict_model::source::Encoding;
 use objdict_project::registry;
 
-/// The default number of warnings about a description, and of notes about a target.
+/// The default maximum number of warnings about a description, and of notes about a target.
 const MAX_WARNINGS: usize = 20;
 
 /// Generates files from a description; see [the module](super).
 ///
-/// Paths are relative to the current folder, which is that of `Cargo.toml` where Cargo runs a build script.
+/// Paths are relative to the current folder, which Cargo sets to the folder of `Cargo.toml` when it runs a
+/// build script.
 #[derive(Debug)]
 #[must_use = "nothing is generated without `generate`"]
 pub struct Builder {
@@ -36,14 +37,14 @@ pub struct Builder {
     out_dir: Option<PathBuf>,
     overwrite: bool,
     max_warnings: usize,
-    /// The rules of warnings, and the texts of notes, that are not reported.
+    /// The accepted warnings and notes: rules, and texts in notes.
     accepted: Vec<String>,
     /// The first invalid option.
     failure: Option<Error>,
 }
 
 impl Builder {
-    /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
+    /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or a JSON device.
     pub fn new(path: impl AsRef<Path>) -> Self {
         let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
         Self {
@@ -56,46 +57,47 @@ impl Builder {
         }
     }
 
-    /// What to generate; may be called several times. Without it, the first
-    /// that the features of this crate bring: `rust`, where it is among them.
+    /// Adds a target; may be called several times. Without it, the first target in the enabled
+    /// crate features: `rust`, if enabled.
     pub fn target(mut self, target: Target) -> Self {
         self.request.targets.push(target);
         self
     }
 
-    /// The folder that the files go to, instead of the one that the variable `OUT_DIR` names.
+    /// The output folder, instead of the one in the variable `OUT_DIR`.
     pub fn out_dir(mut self, folder: impl AsRef<Path>) -> Self {
         self.out_dir = Some(folder.as_ref().to_owned());
         self
     }
 
-    /// Whether to replace files in the folder that objdict did not make, or that are not as
-    /// `objdict.sha256` lists them. The inputs are never
-    /// replaced.
+    /// Whether to replace files in the folder that objdict did not write, or that differ from their
+    /// entry in `objdict.sha256`. Input files are never replaced.
     pub fn overwrite(mut self, overwrite: bool) -> Self {
         self.overwrite = overwrite;
         self
     }
 
-    /// Whether to generate even where errors in the description make the tables wrong. They become warnings of the build.
+    /// Whether to generate despite errors in the description that make the tables wrong. They become build
+    /// warnings.
     pub fn force(mut self, force: bool) -> Self {
         self.request.force = force;
         self
     }
 
-    /// Another name to make the identifiers of an object or entry of; one that a file of names has for it counts more.
+    /// A replacement name for the identifiers of an object or entry; a name in a file of names takes
+    /// precedence.
     pub fn name_of(mut self, at: impl Into<Address>, name: impl Into<String>) -> Self {
         self.request.options.renamed.insert(at.into(), name.into());
         self
     }
 
-    /// The bytes of flash that the tables of each target may take at most, without the code that serves them.
+    /// The maximum number of flash bytes for each target's tables, without the code that serves them.
     pub fn max_flash(mut self, bytes: usize) -> Self {
         self.request.room.flash = Some(bytes);
         self
     }
 
-    /// The bytes of RAM that the values of each target may take at most.
+    /// The maximum number of RAM bytes for each target's values.
     pub fn max_ram(mut self, bytes: usize) -> Self {
         self.request.room.ram = Some(bytes);
         self
@@ -107,7 +109,7 @@ impl Builder {
         self
     }
 
-    /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` say.
+    /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` state.
     pub fn implicit_pdos(mut self, describe: bool) -> Self {
         self.request.implicit_pdos = describe;
         self
@@ -119,7 +121,7 @@ impl Builder {
         self
     }
 
-    /// Which device of a network file (`.nxdd`, `.nxdc`), counted from 1.
+    /// The device of a network file (`.nxdd`, `.nxdc`), counted from 1.
     pub fn device(mut self, number: NonZeroUsize) -> Self {
         self.request.reading.device = Some(number);
         self
@@ -131,7 +133,8 @@ impl Builder {
         self
     }
 
-    /// The largest description that is read, in bytes; without it, [64 MiB](objdict_model::source::DEFAULT_MAX_SIZE).
+    /// The maximum size of a description in bytes; without it,
+    /// [64 MiB](objdict_model::source::DEFAULT_MAX_SIZE).
     pub fn max_size(mut self, bytes: u64) -> Self {
         self.request.reading.max_size = bytes;
         self
@@ -144,7 +147,7 @@ impl Builder {
         self
     }
 
-    /// The severity of a rule or group, such as `cia306/file-name` or `cia302`. Later calls override earlier ones, and all of them
+    /// The severity of a rule or group, such as `cia306/file-name` or `cia302`. Later calls override earlier ones and
     /// the configuration.
     pub fn severity(self, rules: &str, level: Level) -> Self {
         self.with_rules(rules, |severities, rules| severities.set(rules, level))
@@ -160,8 +163,8 @@ impl Builder {
         self.severity(rules, Level::Off)
     }
 
-    /// The lowest severity of a finding that stops the generation. Without it, only errors do that make a table wrong: type,
-    /// access or value of an entry is unknown, or it is described twice.
+    /// The lowest severity of a finding that stops the generation. Without it, only errors that make a table wrong stop
+    /// it: the type, access or value of an entry is unknown, or the entry is described twice.
     pub fn deny(mut self, severity: Severity) -> Self {
         self.request.deny = Some(severity);
         self
@@ -175,16 +178,16 @@ impl Builder {
         self
     }
 
-    /// The number of warnings of the check, and of notes of each target, that Cargo shows; the rest is counted. Without it, 20.
-    /// Errors of the check are all shown.
+    /// The maximum number of check warnings, and of notes for each target, that Cargo shows, followed by the number of
+    /// the rest. Default: 20. Errors of the check are all shown.
     pub fn max_warnings(mut self, most: usize) -> Self {
         self.max_warnings = most;
         self
     }
 
-    /// Does not report what is known and accepted: warnings of a rule such as `cia306/file-name`, and warnings and notes of targets
-    /// whose line contains the text, such as a place (`0x1003sub0`) or words of the message; may be called several times. A warning
-    /// names what accepts nothing. Errors are always reported.
+    /// Suppresses accepted warnings and notes: warnings of a rule such as `cia306/file-name`, and warnings and notes of
+    /// targets whose line contains the text, such as a place (`0x1003sub0`) or words of the message; may be called
+    /// several times. Unused values are reported in a warning. Errors are always reported.
     pub fn accept(mut self, what: impl Into<String>) -> Self {
         self.accepted.push(what.into());
         self
@@ -193,15 +196,15 @@ impl Builder {
     /// Checks the description, writes the files and reports to Cargo on the standard output.
     ///
     /// # Errors
-    /// When there is an error in the description, or a file cannot be read or written, see [`Error`].
+    /// If there is an error in the description, or a file cannot be read or written; see [`Error`].
     pub fn generate(self) -> Result<Built, Error> {
         self.generate_to(&mut io::stdout().lock())
     }
 
-    /// As [`generate`](Self::generate); the lines for Cargo go to `cargo`.
+    /// Like [`generate`](Self::generate), but writes the lines for Cargo to `cargo`.
     ///
     /// # Errors
-    /// As [`generate`](Self::generate), and when `cargo` cannot be written to.
+    /// Like [`generate`](Self::generate), and if `cargo` cannot be written to.
     pub fn generate_to(mut self, cargo: &mut dyn Write) -> Result<Built, Error> {
         if let Some(error) = self.failure {
             return Err(error);
@@ -212,7 +215,7 @@ impl Builder {
         let mut cargo = Cargo::new(cargo);
         let mut files = vec![self.request.file.clone()];
         let produced = self.produce(&mut files);
-        // also when it fails, so that the next run knows what to wait for
+        // also on failure, so that Cargo runs the script again when these files change
         files.iter().try_for_each(|file| cargo.depends_on(file)).map_err(Error::Cargo)?;
         let (checked, generation) = produced?;
         self.warn(&checked, &generation, &mut cargo).map_err(Error::Cargo)?;
@@ -261,7 +264,7 @@ impl Builder {
         for (target, generated) in &generation.outputs {
             let target = target.name();
             let mut notes: Vec<_> = generated.notes.iter().collect();
-            // the worst come first, so that the limit does not drop them
+            // the most severe first, so that the limit does not drop them
             notes.sort_by_key(|note| Reverse(note.severity));
             let notes = notes.into_iter().filter_map(|note| {
                 let text = format!("{file}: {}: {target}: {}", note.severity, placed(note));
@@ -316,21 +319,22 @@ impl Builder {
 /// Patches, variants and conversions of the description.
 #[cfg(feature = "full")]
 impl Builder {
-    /// Also writes the description to the file at `path`, in the format of its ending and with the bytes of `objdict convert`,
-    /// and replaces what is there; may be called several times. For an EDS or XDD that goes with the firmware.
+    /// Also writes the description to the file at `path`, in the format of its extension and with the same bytes as
+    /// `objdict convert`, replacing an existing file; may be called several times. For an EDS or XDD that ships with
+    /// the firmware.
     pub fn convert_to(mut self, path: impl AsRef<Path>) -> Self {
         self.request.conversions.push(path.as_ref().to_owned());
         self
     }
 
-    /// Which variant of a `device.toml`, by its name.
+    /// The variant of a `device.toml`, by name.
     pub fn variant(mut self, name: impl Into<String>) -> Self {
         self.request.reading.variant = Some(name.into());
         self
     }
 
-    /// Also applies a patch to the description, if it is for it (docs/guides/patches.md), beside those of `objdict.toml`; may be called several
-    /// times.
+    /// Also applies a patch to the description if the patch selects it (docs/guides/patches.md), in addition to those
+    /// of `objdict.toml`; may be called several times.
     pub fn patch(mut self, path: impl AsRef<Path>) -> Self {
         self.request.patches.push(path.as_ref().to_owned());
         self

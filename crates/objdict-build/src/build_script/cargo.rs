@@ -28,7 +28,7 @@ impl<W: Write> Cargo<W> {
         self.line("rerun-if-changed", &path)
     }
 
-    /// Warnings of one kind: as many as are allowed, and how many there are beside.
+    /// Writes warnings of one kind, up to the limit, and the number of the rest.
     pub(super) fn warn(
         &mut self,
         most: usize,

@@ -24,22 +24,23 @@
 //! }
 //! ```
 //!
-//! The firmware takes the file in with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/guides/cargo.md` shows a whole
-//! project, `examples/firmware-rust` is one.
+//! The firmware includes the file with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/guides/building.md` shows
+//! a complete project, and `examples/firmware-rust` is one.
 //!
-//! A script also writes the EDS or XDD that goes with the firmware ([`Builder::convert_to`], with the feature `toml`,
-//! which reads `device.toml` too).
+//! A script can also write the EDS or XDD that ships with the firmware ([`Builder::convert_to`], with the feature
+//! `toml`, which also reads `device.toml`).
 //!
 //! # Lines for Cargo
 //!
-//! * An error in the description fails the build: [`Error`] shows it with its place when `main` returns it.
-//! * Warnings, and what a target cannot express, become `cargo:warning` lines, [so many](Builder::max_warnings) of them.
-//! * Each file that was read is named by `cargo:rerun-if-changed`: the description, the configuration `objdict.toml` with
-//!   its profiles, the files that options name. A configuration that is new, where there was none, does not make Cargo run
-//!   the script.
-//! * Files are only written when they change, and then as a whole.
+//! * An error in the description fails the build: [`Error`] shows it with its place if `main` returns it.
+//! * Warnings, and content that a target cannot express, become `cargo:warning` lines, up to a
+//!   [limit](Builder::max_warnings).
+//! * `cargo:rerun-if-changed` lists each file that was read: the description, the configuration `objdict.toml` with its
+//!   profiles, and the files in options. Adding a first configuration does not make Cargo run the script.
+//! * Files are written only when they change, and then as a whole.
 //!
-//! The check is that of `objdict generate`: the nearest `objdict.toml` holds, see [`Builder::config`].
+//! The check is the same as in `objdict generate`: the nearest `objdict.toml` applies; see
+//! [`Builder::config`].
 
 mod builder;
 mod cargo;
@@ -52,7 +53,7 @@ use objdict_generate::Sizes;
 pub use objdict_lint::Level;
 pub use objdict_model::diagnostic::Severity;
 
-/// What a build script made.
+/// The result of a build script.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Built {
@@ -60,18 +61,17 @@ pub struct Built {
     pub objects: usize,
     /// How many entries they have.
     pub entries: usize,
-    /// The files, in the order of the targets, and then the descriptions; those that were there already with these contents
-    /// too.
+    /// The files, in the order of the targets, then the descriptions, including files that already had these contents.
     pub files: Vec<PathBuf>,
-    /// What the tables take in flash and RAM, by the names of the targets; empty unless
-    /// [that is asked for](Builder::sizes).
+    /// The flash and RAM sizes of the tables, by the names of the targets; empty unless
+    /// [requested](Builder::sizes).
     pub sizes: Vec<(&'static str, Sizes)>,
 }
 
 /// Writes `od.rs`, the dictionary of a description in Rust, to `OUT_DIR`: [`Builder::new`] without any option.
 ///
 /// # Errors
-/// When there is an error in the description, or a file cannot be read or written, see [`Error`].
+/// If there is an error in the description, or a file cannot be read or written; see [`Error`].
 pub fn generate(description: impl AsRef<Path>) -> Result<Built, Error> {
     Builder::new(description).generate()
 }

@@ -1,11 +1,11 @@
-//! Why a file is not written.
+//! The reasons why a file is not written.
 
 use std::io;
 use std::path::PathBuf;
 
 use objdict_model::source::shown;
 
-/// Why a file is not written.
+/// The reason why a file is not written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum OutputError {
@@ -13,20 +13,20 @@ pub enum OutputError {
     Unwritable {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         error: io::Error,
     },
-    /// The run reads it, or has written it.
+    /// The run reads it, or has already written it.
     InUse {
         /// The file.
         path: PathBuf,
     },
-    /// It is in the folder, and objdict did not write it.
+    /// It is in the folder, but objdict did not write it.
     Foreign {
         /// The file.
         path: PathBuf,
     },
-    /// It is in the folder, and is not as objdict wrote it.
+    /// It is in the folder, but differs from what objdict wrote.
     Changed {
         /// The file.
         path: PathBuf,
@@ -53,7 +53,7 @@ impl OutputError {
         |error| Self::Unwritable { path: path.into(), error }
     }
 
-    /// What to do about it; `overwrite` is how the caller says that files of others may be replaced.
+    /// How to fix the error; `overwrite` is the caller's option for replacing foreign files.
     pub fn help(&self, overwrite: &str) -> Option<String> {
         Some(match self {
             Self::Unwritable { .. } => return None,

@@ -1,4 +1,4 @@
-//! A folder that files are written into, beside those of others.
+//! A folder into which files are written, next to foreign ones.
 
 use std::collections::{BTreeMap, HashSet};
 use std::io;
@@ -11,42 +11,42 @@ use super::save::{NewFile, Prepared, Saved, prepare, put};
 use super::used::Used;
 use objdict_model::source::read;
 
-/// What the first lines of generated files say, in a comment of their language.
+/// The mark in a comment in the first lines of generated files.
 const MARK: &[u8] = b"Made by objdict ";
 
-/// So many lines at the start of a file may say it.
+/// The number of lines at the start of a file that may contain the mark.
 const HEAD_LINES: usize = 3;
 
-/// A folder that a run writes files into. It replaces what objdict wrote: the first lines of a file say so, or the list of the
-/// folder, if the file is as it was written. The list gets the files whose first lines say nothing.
+/// An output folder. A run replaces only files of objdict: those with the mark in their first lines, or those in the
+/// folder's list if they are unchanged. Files without a mark are added to the list.
 #[derive(Debug)]
 pub struct OutputFolder {
     pub(super) path: PathBuf,
-    /// What writes the files, for the list.
+    /// The program that writes the files, for the list.
     pub(super) origin: String,
     /// Whether files of others are replaced too.
     pub(super) overwrite: bool,
     pub(super) manifest: Manifest,
     /// The files of this run that are in the list.
     listed: BTreeMap<String, Hash>,
-    /// The files of this run: their contents, until all get them, and where they are.
+    /// The files of this run: their contents and, until all are put in place, their temporary locations.
     new: Vec<NewFile>,
     saved: Vec<PathBuf>,
     /// The names that this run has written to, as a system sees them that does not distinguish upper and lower case.
     pub(super) taken: HashSet<String>,
 }
 
-/// What is where a file is to be written.
+/// The file at an output path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FoundFile {
-    /// Nothing, or a file that may be replaced.
+    /// None, or one that may be replaced.
     Replaceable,
     /// A file with the contents.
     Same,
 }
 
 impl OutputFolder {
-    /// The folder at `path`, which need not exist; `origin` is what writes the files.
+    /// The folder at `path`, which need not exist; `origin` is the program that writes the files.
     ///
     /// # Errors
     /// When its list cannot be read.
@@ -64,10 +64,10 @@ impl OutputFolder {
         })
     }
 
-    /// Refuses a file that must not be written; `name` has `/` between folder and file.
+    /// Rejects a file that must not be written; `name` has `/` between folder and file.
     ///
     /// # Errors
-    /// When the name is not valid, the run uses the file, or another program wrote or changed it.
+    /// If the name is not valid, the run uses the file, or another program wrote or changed it.
     pub fn admit(&self, name: &str, contents: &[u8], used: &Used) -> Result<(), OutputError> {
         self.find(name, contents, used).map(|_| ())
     }
@@ -89,7 +89,7 @@ impl OutputFolder {
         let former = match read(&path, u64::MAX) {
             Ok(former) => former,
             Err(_) if path.is_file() && !self.overwrite => return Err(OutputError::Foreign { path }),
-            // nothing is there, or what is no file, of which the system says whether it can be written
+            // missing, or not a regular file; the system reports whether it can be written
             Err(_) => return Ok(FoundFile::Replaceable),
         };
         let is_marked = former.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
@@ -102,10 +102,10 @@ impl OutputFolder {
         }
     }
 
-    /// Gives a file in the folder its contents, which it has with all others once [`finish`](Self::finish) was called.
+    /// Saves a file to the folder; all files are put in place by [`finish`](Self::finish).
     ///
     /// # Errors
-    /// As [`admit`](Self::admit), and when the contents cannot be written.
+    /// Like [`admit`](Self::admit), and if the contents cannot be written.
     pub fn save(&mut self, name: &str, contents: &[u8], used: &mut Used) -> Result<Saved, OutputError> {
         let found = self.find(name, contents, used)?;
         let path = self.join(name);
@@ -130,10 +130,10 @@ impl OutputFolder {
         })
     }
 
-    /// Puts all files in their places, or none, with the list, if there are files in it that are new or have changed.
+    /// Puts all files in place, or none, with the list if it contains new or changed files.
     ///
     /// # Errors
-    /// When one of them cannot be written.
+    /// If one of them cannot be written.
     pub fn finish(mut self, used: &mut Used) -> Result<(), OutputError> {
         self.put_all().map_err(OutputError::unwritable(&self.path))?;
         self.saved.iter().for_each(|path| used.add(path));
@@ -148,7 +148,7 @@ impl OutputFolder {
             let mut manifest = Manifest::open(&self.path)?.unwrap_or_default();
             self.listed.iter().for_each(|(name, hash)| manifest.set(name, *hash, &self.origin));
             if let Prepared::New(file) = prepare(&self.path.join(NAME), manifest.text().as_bytes())? {
-                // a run that is killed leaves no file that the next one does not know
+                // a killed run leaves no file that the next run does not recognise
                 let mut log = WriteLog::open(&self.path, &self.origin)?;
                 self.listed.iter().try_for_each(|(name, hash)| log.add(name, *hash))?;
                 list.push(file);

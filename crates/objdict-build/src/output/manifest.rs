@@ -1,5 +1,5 @@
-//! The list of the files that objdict wrote into a folder. It has the form of `sha256sum`, which checks it too; a comment in
-//! front of files says what wrote them.
+//! The list of the files that objdict wrote into a folder. It has the format of `sha256sum`, which can also check it; a
+//! comment before files names the program that wrote them.
 //!
 //! A file is listed before it is written, so a killed run leaves no file that the next run does not recognise.
 
@@ -19,7 +19,7 @@ pub(super) const NAME: &str = "objdict.sha256";
 const HEAD: &str =
     "# Files that objdict wrote here. Check them with `objdict network verify` or `sha256sum -c`.\n";
 
-/// The largest list that is read, in bytes.
+/// The maximum size of a list in bytes.
 const MAX_SIZE: u64 = 16 << 20;
 
 /// A SHA-256.
@@ -56,42 +56,42 @@ impl fmt::Debug for Hash {
     }
 }
 
-/// What is known of a file.
+/// The record of a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct FileRecord {
-    /// What it may hold: several while it is being replaced, and when that was interrupted.
+    /// Its possible contents: several during a replacement, and after an interrupted one.
     pub(super) hashes: BTreeSet<Hash>,
-    /// What wrote it.
+    /// The program that wrote it.
     pub(super) origin: String,
 }
 
-/// What a file of the list is now.
+/// The current state of a listed file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileState {
     /// As it was written.
     Same,
-    /// Another content.
+    /// The content differs.
     Changed,
     /// Not there.
     Missing,
-    /// As it was written, or as it was to be written when that was interrupted.
+    /// As written, or as it was to be written before an interruption.
     Interrupted,
 }
 
-/// The files that objdict wrote into a folder, by their names there.
+/// The files that objdict wrote into a folder, by name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Manifest {
     pub(super) files: BTreeMap<String, FileRecord>,
 }
 
 impl Manifest {
-    /// What it is called in its folder.
+    /// Its name in the folder.
     pub const NAME: &str = NAME;
 
-    /// The list of a folder; `None` where there is none.
+    /// The list of a folder; `None` if there is none.
     ///
     /// # Errors
-    /// When it cannot be read, or is another file of this name.
+    /// If it cannot be read, or is a different file with this name.
     pub fn open(folder: &Path) -> io::Result<Option<Self>> {
         let bytes = match read(&folder.join(NAME), MAX_SIZE) {
             Ok(bytes) => bytes,
@@ -112,7 +112,7 @@ impl Manifest {
         }
     }
 
-    /// A last line without its end was cut, and is skipped.
+    /// An unterminated last line was truncated, and is skipped.
     fn parse(text: &str) -> Self {
         let text = text.rfind('\n').map_or("", |end| &text[..=end]);
         let mut files: BTreeMap<String, FileRecord> = BTreeMap::new();
@@ -121,7 +121,7 @@ impl Manifest {
             if let Some(heading) = line.strip_prefix("# ") {
                 origin = heading;
             }
-            // a name that leads out of the folder is not one that objdict wrote
+            // objdict never writes a name outside the folder
             let file = file_of(line).filter(|(_, name)| require_portable(name).is_ok());
             let Some((hash, name)) = file else { continue };
             let record = files.entry(name).or_default();
@@ -131,7 +131,7 @@ impl Manifest {
         Self { files }
     }
 
-    /// The list as a text, by what wrote the files and by their names.
+    /// The list as text, grouped by program and sorted by name.
     pub(super) fn text(&self) -> String {
         let mut by_origin: BTreeMap<&str, String> = BTreeMap::new();
         for (name, record) in &self.files {
@@ -145,7 +145,7 @@ impl Manifest {
         text
     }
 
-    /// What becomes of a file that was written as a whole.
+    /// Records a completely written file.
     pub(super) fn set(&mut self, name: &str, hash: Hash, origin: &str) {
         let record = FileRecord { hashes: BTreeSet::from([hash]), origin: origin.to_owned() };
         self.files.insert(name.to_owned(), record);
@@ -161,7 +161,7 @@ impl Manifest {
         name == NAME || self.files.contains_key(name)
     }
 
-    /// The files with what they are now, by their names.
+    /// The files with their current states, by name.
     pub fn verify(&self, folder: &Path) -> impl Iterator<Item = (&str, io::Result<FileState>)> {
         self.files.iter().map(move |(name, record)| (name.as_str(), record.state(&folder.join(name))))
     }
@@ -182,12 +182,12 @@ impl FileRecord {
     }
 }
 
-/// Files that are about to be written, so that they are known should the run end before the list is written.
+/// Files that are about to be written, so that they are known if the run ends before the list is written.
 #[derive(Debug)]
 pub(super) struct WriteLog(File);
 
 impl WriteLog {
-    /// Goes on with the list of a folder, or begins it.
+    /// Opens the list of a folder for appending, or creates it.
     pub(super) fn open(folder: &Path, origin: &str) -> io::Result<Self> {
         std::fs::create_dir_all(folder)?;
         let mut file = OpenOptions::new().create(true).append(true).open(folder.join(NAME))?;

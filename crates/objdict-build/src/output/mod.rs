@@ -1,5 +1,5 @@
-//! Files that a run writes. None takes the place of one that the run reads; a file that an argument names is replaced; in a
-//! folder only what objdict wrote is, unless `overwrite` is set.
+//! Files that a run writes. None replaces a file that the run reads. A file given as an argument is replaced; in a
+//! folder, only files of objdict are, unless `overwrite` is set.
 //!
 //! No other module writes files of a product, for the command and for build scripts. Inputs and outputs of a run
 //! are recorded by device and inode (`Used`), so links and different spellings are recognised.

@@ -1,4 +1,4 @@
-//! Names of files that every system can have. They are judged as texts, so that the same is refused everywhere.
+//! Portable file names. They are checked as strings, so that the same names are rejected on every system.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -6,8 +6,8 @@ use std::path::Path;
 use super::error::OutputError;
 use objdict_model::source::{is_device_name, unportable};
 
-/// Refuses the name of a file in a folder, with `/` between its parts, that leads out of the folder or that Windows does not
-/// allow.
+/// Rejects the name of a file in a folder, with `/` between its parts, that is outside the folder or that Windows does
+/// not allow.
 pub(super) fn require_portable(name: &str) -> Result<(), OutputError> {
     match name.split('/').find_map(unportable) {
         Some(reason) => Err(OutputError::Name { name: name.to_owned(), reason }),
@@ -15,7 +15,8 @@ pub(super) fn require_portable(name: &str) -> Result<(), OutputError> {
     }
 }
 
-/// The same for a file that an argument names, whose folder is given. `NUL` is what Windows calls `/dev/null`.
+/// Like `require_portable`, for a file given as an argument, whose folder exists. `NUL` is the Windows name
+/// of `/dev/null`.
 pub(super) fn require_file(path: &Path) -> Result<(), OutputError> {
     let name = path.file_name().and_then(OsStr::to_str);
     let name = name.filter(|name| name.contains('.') && is_device_name(name));

@@ -1,10 +1,11 @@
-//! All files of a folder that belong together, replaced at once: a run that fails or is killed leaves the former files, and
-//! never some of them beside new ones.
+//! Replaces all related files of a folder at once: a run that fails or is killed leaves the old files, and never a
+//! mixture of old and new ones.
 //!
 //! Renaming the files one by one would leave a mixture after a kill; a journal would need readers that know it.
 //!
-//! A folder that holds nothing else is built beside the old one, and both change places in one step. Where that is not
-//! possible, as with files of others in the folder, the old files leave it before the new ones come.
+//! A folder without other files is built next to the old one, and both are exchanged in one step. If that is not
+//! possible, for example because of foreign files in the folder, the old files are removed before the new ones are
+//! added.
 
 use std::fs::{self, File};
 use std::io;
@@ -25,10 +26,11 @@ struct WantedFile<'a> {
 }
 
 impl OutputFolder {
-    /// Gives the folder these files. Other files stay; the result is the names of those that the same origin wrote before.
+    /// Replaces the folder's files with these. Other files are kept; returns the names of those that the same
+    /// origin wrote before.
     ///
     /// # Errors
-    /// When one of the files must not be written, or cannot be. Then all are as they were.
+    /// If one of the files must not be written, or cannot be. All are then unchanged.
     pub fn replace(mut self, files: &[(&str, &[u8])], used: &mut Used) -> Result<Vec<String>, OutputError> {
         let failed = |path: PathBuf| OutputError::unwritable(path);
         files.iter().try_for_each(|(name, _)| require_flat(name))?;
@@ -36,7 +38,7 @@ impl OutputFolder {
         fs::create_dir_all(&shown).map_err(failed(shown.clone()))?;
         let folder = fs::canonicalize(&shown).map_err(failed(shown.clone()))?;
         let _lock = locked(&folder).map_err(failed(shown.clone()))?;
-        // another run may have had the lock
+        // another run may have held the lock
         self.manifest = Manifest::open(&folder).map_err(failed(shown.join(NAME)))?.unwrap_or_default();
         let mut wanted = Vec::with_capacity(files.len());
         for &(name, contents) in files {
@@ -65,26 +67,26 @@ impl OutputFolder {
     }
 }
 
-/// What a folder gets.
+/// The new files of a folder.
 struct FolderReplacement<'a> {
     /// Its full path.
     folder: &'a Path,
     wanted: Vec<WantedFile<'a>>,
     /// The list in the end.
     manifest: Manifest,
-    /// The list that is there.
+    /// The current list.
     former: &'a Manifest,
 }
 
 impl FolderReplacement<'_> {
-    /// Removes what runs have left that were killed.
+    /// Removes leftovers of killed runs.
     fn clean_up(&self) {
         let names = self.manifest.files.keys().map(String::as_str);
         Temporary::clean_up_in(self.folder, &names.chain([NAME]).collect::<Vec<_>>());
         Temporary::clean_up(self.folder);
     }
 
-    /// Builds the folder beside the one that is there and exchanges both. Whether that was possible.
+    /// Builds the new folder next to the existing one and exchanges both. Returns whether that was possible.
     fn by_exchange(&self) -> io::Result<bool> {
         if !CAN_EXCHANGE || !self.is_ours_alone() {
             return Ok(false);
@@ -109,7 +111,7 @@ impl FolderReplacement<'_> {
         if exchange(&new.path, self.folder).is_err() {
             return Ok(false);
         }
-        // what came into the old folder in the meantime
+        // files added to the old folder in the meantime
         for entry in fs::read_dir(&new.path)?.flatten().filter(|entry| !self.is_known(entry)) {
             fs::rename(entry.path(), self.folder.join(entry.file_name()))?;
         }
@@ -124,8 +126,8 @@ impl FolderReplacement<'_> {
             .is_some_and(|name| self.former.lists(name) || self.wanted.iter().any(|file| file.name == name))
     }
 
-    /// Whether there is nothing in the folder but files of the list, and it is not the working directory, which would be the
-    /// old one.
+    /// Whether the folder contains only files of the list, and is not the working directory, which would remain the old
+    /// one.
     fn is_ours_alone(&self) -> bool {
         let is_ours = |entry: fs::DirEntry| {
             let is_file = entry.metadata().is_ok_and(|found| found.is_file() && has_one_name(&found));
@@ -169,7 +171,7 @@ fn write(path: &Path, contents: &[u8], old: &Path) -> io::Result<()> {
     }
 }
 
-/// Refuses to replace what is no file, or is read-only.
+/// Rejects a target that is not a regular file, or is read-only.
 fn require_file(path: &Path) -> io::Result<()> {
     match fs::metadata(path) {
         Ok(found) if !found.is_file() => Err(io::Error::other("it is not a file")),
@@ -178,7 +180,7 @@ fn require_file(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Whether two folders can change places.
+/// Whether the system can exchange two folders.
 const CAN_EXCHANGE: bool = cfg!(all(target_os = "linux", target_env = "gnu"));
 
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
@@ -192,7 +194,7 @@ fn exchange(_: &Path, _: &Path) -> io::Result<()> {
     Err(io::ErrorKind::Unsupported.into())
 }
 
-/// Waits until no other run has the folder. A folder that is exchanged in the meantime is locked anew.
+/// Waits until no other run uses the folder. If the folder is exchanged in the meantime, locks the new one.
 #[cfg(unix)]
 fn locked(folder: &Path) -> io::Result<Option<nix::fcntl::Flock<File>>> {
     use std::os::unix::fs::MetadataExt;
@@ -239,7 +241,7 @@ fn has_owner_of(_: &Path, _: &Path) -> bool {
     true
 }
 
-/// Refuses the name of a file that is not in the folder itself, or that not every system can have.
+/// Rejects the name of a file that is not directly in the folder, or that is not valid on every system.
 fn require_flat(name: &str) -> Result<(), OutputError> {
     if name.contains('/') {
         return Err(OutputError::Name { name: name.to_owned(), reason: "it points to a different folder" });

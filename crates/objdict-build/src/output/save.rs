@@ -1,4 +1,4 @@
-//! Files that are written: as a whole, and only when they change.
+//! Writes files: as a whole, and only when they change.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, Metadata, OpenOptions};
@@ -9,21 +9,21 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use objdict_model::source::{is_device_name, shown};
 
-/// What became of a file.
+/// The result of saving a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Saved {
     /// It was written.
     Written,
-    /// It had these contents already and was not touched, so that nothing is built again because of it.
+    /// It already had these contents and was not touched, so that nothing is rebuilt because of it.
     Unchanged,
 }
 
 /// The temporary files that exist now.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Gives the file at `path` its contents: all of them or, when something fails, none. Folders are made. A file that exists
-/// keeps its permissions, its owner and its other names; one that is read-only is left alone. A pipe or a device is
-/// written to.
+/// Writes the file at `path`: all of its contents or, on failure, none. Folders are created. An existing file keeps its
+/// permissions, its owner and its other names; a read-only one is not changed. A pipe or a device is written to
+/// directly.
 pub fn save(path: &Path, contents: &[u8]) -> io::Result<Saved> {
     match prepare(path, contents)? {
         Prepared::Done(saved) => Ok(saved),
@@ -31,29 +31,29 @@ pub fn save(path: &Path, contents: &[u8]) -> io::Result<Saved> {
     }
 }
 
-/// What is done for a file before it gets its contents.
+/// The preparation of a file before its contents are put in place.
 pub(super) enum Prepared {
-    /// There is nothing to replace.
+    /// Nothing remains to be replaced.
     Done(Saved),
     New(NewFile),
 }
 
-/// Contents that are on the disk, beside the file that gets them.
+/// Contents that are already on the disk, next to the target file.
 #[derive(Debug)]
 pub(super) struct NewFile {
     pub(super) path: PathBuf,
     pub(super) new: Temporary,
-    /// The former contents of a file that has other names or another owner: it is written into.
+    /// The old contents of a file that has other names or a different owner: it is overwritten in place.
     pub(super) backup: Option<Temporary>,
 }
 
-/// Writes the contents of a file beside it.
+/// Writes the contents of a file next to it.
 pub(super) fn prepare(path: &Path, contents: &[u8]) -> io::Result<Prepared> {
     let to_device = || {
         OpenOptions::new().append(true).open(path)?.write_all(contents)?;
         Ok(Prepared::Done(Saved::Written))
     };
-    // of `NUL` Windows knows nothing else
+    // the only information that Windows has about `NUL`
     if cfg!(windows) && path.file_name().and_then(OsStr::to_str).is_some_and(is_device_name) {
         return to_device();
     }
@@ -70,7 +70,7 @@ pub(super) fn prepare(path: &Path, contents: &[u8]) -> io::Result<Prepared> {
     }
 }
 
-/// Whether a path names what is open already, such as `/dev/stdout`.
+/// Whether a path refers to an open file, such as `/dev/stdout`.
 fn is_of_system(path: &Path) -> bool {
     path.starts_with("/dev") || path.starts_with("/proc")
 }
@@ -103,8 +103,8 @@ fn beside(path: &Path, found: Option<&Metadata>, contents: &[u8]) -> io::Result<
     Ok(Prepared::New(NewFile { path, new, backup }))
 }
 
-/// Puts new files in their places: all of them or, when something fails, none. The former files of several leave first, so that a run
-/// that is killed leaves none of them beside new ones.
+/// Puts new files in place: all of them or, on failure, none. If there are several, the old files are removed first, so
+/// that a killed run leaves none of them next to new ones.
 pub(super) fn put(mut files: Vec<NewFile>) -> io::Result<()> {
     let renamed = || files.iter().filter(|file| file.backup.is_none());
     let leaving = renamed().filter(|file| files.len() > 1 && file.path.exists());
@@ -143,7 +143,7 @@ impl Drop for Moves {
     }
 }
 
-/// Whether a new file may take the place of one: not if that has other names, or another owner.
+/// Whether a new file may replace the existing one: not if that has other names, or a different owner.
 #[cfg(unix)]
 fn can_be_renamed(new: &File, _: &Path, found: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -161,7 +161,7 @@ fn can_be_renamed(_: &File, _: &Path, _: &Metadata) -> bool {
     true
 }
 
-/// What Windows knows of a file, and `std` keeps for itself.
+/// Windows file information that `std` does not expose.
 #[cfg(all(windows, feature = "command"))]
 pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information> {
     winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
@@ -188,17 +188,18 @@ fn overwrite(file: &mut NewFile, pending: &mut Vec<PathBuf>) -> io::Result<()> {
     Err(error)
 }
 
-/// A file or folder beside another, so that renaming it stays on one disk. It is removed in the end, if it is still there.
+/// A file or folder next to another one, so that it can be renamed on the same disk. It is finally removed if
+/// it still exists.
 #[derive(Debug)]
 pub(super) struct Temporary {
     pub(super) path: PathBuf,
     _lock: Option<lock::Lock>,
 }
 
-/// The last extension of temporary files.
+/// The file extension of temporary files.
 const ENDING: &str = ".new";
 
-/// So many temporary files are locked at once; some systems open no more than 256 files.
+/// The maximum number of temporary files locked at once; some systems open no more than 256 files.
 const MAX_LOCKS: usize = 100;
 
 impl Temporary {
@@ -214,7 +215,7 @@ impl Temporary {
             match make(&temporary) {
                 Ok(made) => {
                     let lock = if pending.len() < MAX_LOCKS { lock::of(&temporary) } else { None };
-                    // another run may have had the lock first, and removed it
+                    // another run may have held the lock first, and removed it
                     if temporary.exists() {
                         pending.push(temporary.clone());
                         return Ok((made, Self { path: temporary, _lock: lock }));
@@ -226,7 +227,7 @@ impl Temporary {
         }
     }
 
-    /// A name beside `path` that nothing else has.
+    /// An unused name next to `path`.
     pub(super) fn name_beside(path: &Path) -> PathBuf {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let random = RandomState::new().hash_one(path);
@@ -258,7 +259,7 @@ impl Temporary {
     }
 
     fn remove(path: &Path) {
-        // after a renaming there is nothing to remove
+        // after renaming there is nothing to remove
         if fs::remove_file(path).is_err() && path.is_dir() {
             let _ = fs::remove_dir_all(path);
         }
@@ -276,12 +277,13 @@ pub(super) fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A file that no other user can read, in a folder of its own. Both are removed when it is dropped, and when the command is interrupted.
+/// A file that no other user can read, in its own folder. Both are removed when it is dropped, and when the
+/// command is interrupted.
 #[cfg(feature = "command")]
 #[derive(Debug)]
 pub struct PrivateFile {
     _folder: Temporary,
-    /// Where it is.
+    /// Its path.
     pub path: PathBuf,
 }
 
@@ -303,14 +305,14 @@ impl PrivateFile {
     }
 }
 
-/// Removes all temporary files and runs `end`, before which no other one is made.
+/// Removes all temporary files and runs `end`; no new ones are created before that.
 pub fn abandon(end: impl FnOnce()) {
     let pending = pending();
     pending.iter().for_each(|path| Temporary::remove(path));
     end();
 }
 
-/// Locks of temporary files, which end with the process that has them.
+/// Locks of temporary files, which end with the process that holds them.
 #[cfg(all(unix, feature = "command"))]
 mod lock {
     use std::fs::File;
@@ -320,14 +322,15 @@ mod lock {
 
     pub(super) type Lock = Flock<File>;
 
-    /// The lock of a new file or folder; `None` where the file system has none.
+    /// The lock of a new file or folder; `None` if the file system does not support locks.
     pub(super) fn of(path: &Path) -> Option<Lock> {
         Flock::lock(File::open(path).ok()?, FlockArg::LockExclusive).ok()
     }
 
-    /// Removes it unless a process has its lock, which is kept until then, so that none gets it.
+    /// Removes it unless a process holds its lock; keeps the lock during removal, so that no other process
+    /// gets it.
     pub(super) fn if_abandoned(path: &Path, remove: impl Fn(&Path)) {
-        // to open a pipe would wait for its other end
+        // opening a pipe would wait for its other end
         if path.symlink_metadata().is_ok_and(|found| found.is_file() || found.is_dir())
             && let Ok(file) = File::open(path)
             && let Ok(_lock) = Flock::lock(file, FlockArg::LockExclusiveNonblock)
@@ -337,7 +340,7 @@ mod lock {
     }
 }
 
-/// Without locks, a file that a process still needs is younger than a minute.
+/// Without locks, a file younger than a minute is assumed to be in use.
 #[cfg(not(all(unix, feature = "command")))]
 mod lock {
     use std::fs;
@@ -396,7 +399,7 @@ mod tests {
             left
         };
         let others = [left("0123456789abcdef", "od.h"), left("new", "od.c")];
-        // when it is written, and when it is as it should be
+        // when it is written, and when it is already up to date
         for _ in 0..2 {
             let left = left("0123456789abcdef", "od.c");
             save(&path, b"1").unwrap();

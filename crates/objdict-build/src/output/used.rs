@@ -9,13 +9,14 @@ use super::error::OutputError;
 use super::names::require_file;
 use super::save::{Saved, save};
 
-/// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
+/// The identity of a file, regardless of its name: its device and its number there, or its full path if files
+/// have no numbers.
 #[cfg(any(unix, all(windows, feature = "command")))]
 type FileIdentity = (u64, u64);
 #[cfg(not(any(unix, all(windows, feature = "command"))))]
 type FileIdentity = PathBuf;
 
-/// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
+/// `None` for missing files, and for pipes and devices, because writing to them destroys nothing.
 #[cfg(unix)]
 fn identity(path: &Path) -> Option<FileIdentity> {
     use std::os::unix::fs::MetadataExt;
@@ -43,7 +44,7 @@ impl Used {
         self.0.extend(identity(path));
     }
 
-    /// Refuses a file that the run uses already.
+    /// Rejects a file that the run already uses.
     pub fn require_other(&self, path: &Path) -> Result<(), OutputError> {
         match identity(path) {
             Some(identity) if self.0.contains(&identity) => Err(OutputError::InUse { path: path.to_owned() }),
@@ -51,7 +52,7 @@ impl Used {
         }
     }
 
-    /// Writes a file that an argument names: it replaces what is there, but nothing that the run uses.
+    /// Writes a file given as an argument: it replaces an existing one, but no file that the run uses.
     pub fn save(&mut self, path: &Path, contents: &[u8]) -> Result<Saved, OutputError> {
         require_file(path)?;
         self.require_other(path)?;

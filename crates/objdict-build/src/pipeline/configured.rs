@@ -15,7 +15,7 @@ use objdict_project::report::Subject;
 use objdict_project::workspace::{Overrides, Workspace};
 
 impl Request {
-    /// The options of the check, and the problems of the configuration that they come from.
+    /// The options of the check, and the problems of the configuration files.
     pub(super) fn configured(
         &self,
         project: Option<&Project>,
@@ -34,7 +34,7 @@ impl Request {
         Ok((options, findings.unwrap_or_default()))
     }
 
-    /// The configuration of the description; its files go to `files`.
+    /// The configuration of the description; its files are added to `files`.
     pub(super) fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
         let mut workspace = Workspace::new(self.check.config.clone(), Overrides::default())?;
         let project = workspace.project_of(&self.file)?;
@@ -66,7 +66,7 @@ fn config_findings(project: &Project, options: &Options) -> Result<Vec<String>, 
     Ok(warnings.map(|finding| finding.line(subject.source(), |at| subject.span_of(at))).collect())
 }
 
-/// Puts the names that a file gives to objects and entries into the options.
+/// Adds the names of objects and entries from a file to the options.
 pub(super) fn rename(options: &mut generate::Options, files: &mut Vec<PathBuf>) -> Result<(), Error> {
     let Some(path) = options.rename.take() else { return Ok(()) };
     files.push(path.clone());

@@ -1,9 +1,9 @@
-//! What make has to know: which files a stamp was made of.
+//! Output for make: the input files of a stamp.
 
 use std::path::{Path, PathBuf};
 
-/// The rule of a stamp that was made of files, as compilers write it. Each file has an empty rule too, so that make goes on
-/// when one of them is gone. `None` where a name has a line break, which no rule can hold.
+/// The rule of a stamp for its input files, as written by compilers. Each file also has an empty rule, so that make
+/// continues if one of them is missing. `None` if a name contains a line break, which rules do not support.
 pub fn depfile(stamp: &Path, files: &[PathBuf]) -> Option<String> {
     let mut names: Vec<String> = Vec::new();
     for file in files {

@@ -1,4 +1,4 @@
-//! Why nothing was generated.
+//! The reasons why nothing was generated.
 
 use std::fmt::{self, Display};
 use std::io;
@@ -17,15 +17,15 @@ use objdict_project::baseline::BaselineError;
 #[cfg(feature = "lint")]
 use objdict_project::report::problem;
 
-/// Why a build script generated nothing.
+/// The reason why a build script generated nothing.
 ///
-/// `Display` is one sentence, and `Debug` is what a reader of the build's output needs: the sentence, the findings with
-/// their places and what to do. So `fn main() -> Result<(), Error>` reports all of it.
+/// `Display` is one sentence, and `Debug` is suitable for build output: the sentence, the findings with their places,
+/// and the help. So `fn main() -> Result<(), Error>` reports all of it.
 #[non_exhaustive]
 pub enum Error {
     /// The description cannot be read.
     Input(ReadError),
-    /// A configuration, or another file that an option names, cannot be read.
+    /// A configuration, or a file in an option, cannot be read.
     Config(SourceError),
     /// A profile cannot be used.
     #[cfg(feature = "lint")]
@@ -42,11 +42,12 @@ pub enum Error {
     Findings {
         /// The file that they are in.
         file: String,
-        /// What stops the generation, errors first.
+        /// The findings that stop the generation, errors first.
         findings: Findings,
         /// `error`, or `finding` if a lower severity stops the generation.
         noun: &'static str,
-        /// The errors with their places: excerpts, or a line each where the crate is built without the feature `cli`.
+        /// The errors with their places: excerpts, or one line each if the crate is built without the feature
+        /// `cli`.
         report: String,
     },
     /// No rule and no group has this name.
@@ -70,37 +71,37 @@ pub enum Error {
         /// Why.
         error: GenerateError,
     },
-    /// The tables take more than they may.
+    /// The tables exceed a limit.
     TooLarge {
         /// The target.
         target: &'static str,
         /// `flash` or `RAM`.
         memory: &'static str,
-        /// What they take.
+        /// Their size.
         bytes: usize,
-        /// What they may take.
+        /// The limit.
         most: usize,
     },
-    /// The tables may take only so much, and what they take is known of none of the targets.
+    /// A limit is set, but the table size is unknown for all targets.
     NotMeasured {
         /// The first of the targets.
         target: &'static str,
-        /// Why it is not known.
+        /// The reason why the size is unknown.
         why: &'static str,
     },
-    /// The name of a file for the description is that of no format that can describe the device.
+    /// The file name for a conversion does not belong to a format that can describe the device.
     NoFormat {
         /// The file.
         path: PathBuf,
     },
-    /// The description cannot be written in another format.
+    /// The description cannot be converted to another format.
     Conversion {
         /// The file.
         path: PathBuf,
         /// Why.
         error: EditError,
     },
-    /// A file is not written.
+    /// A file cannot be written.
     Output(OutputError),
     /// No output folder is set.
     NoOutDir,
@@ -142,7 +143,7 @@ objdict_model::error_messages! { Error:
 } }
 
 impl Error {
-    /// What to do about it, where that is known.
+    /// How to fix the error, if known.
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Input(ReadError::SeveralDevices { .. }) => {
@@ -184,7 +185,7 @@ impl Error {
         }
     }
 
-    /// The problems with places and lines; `None` where the sentence says all.
+    /// The problems with places and lines; `None` if the sentence is complete.
     pub fn report(&self) -> Option<String> {
         match self {
             Self::Findings { report, .. } => Some(report.clone()),

@@ -14,7 +14,7 @@ use objdict_project::baseline::{self, Baseline};
 use objdict_project::config::Project;
 
 impl Request {
-    /// How the description is read, with the patches of arguments and configuration.
+    /// Options for reading the description, with the patches of arguments and configuration.
     pub(super) fn with_patches(
         &self,
         mut reading: Reading,
@@ -49,7 +49,7 @@ impl Request {
         Ok(findings)
     }
 
-    /// What is generated, with the description in other formats.
+    /// The generated files, with the description in other formats.
     pub(super) fn with_conversions(
         &self,
         generation: Generation,
@@ -61,7 +61,7 @@ impl Request {
 }
 
 impl DescribedDevice {
-    /// The warnings about the configuration, and those about patches.
+    /// The warnings about the configuration and about patches.
     pub(super) fn with_lines_of_patches(&self, mut lines: Vec<String>) -> Vec<String> {
         if let Self::Text(description) = self {
             lines.extend(description.patched().map(Patched::lines).unwrap_or_default());
@@ -80,7 +80,7 @@ fn conversion(device: &Device, path: &Path) -> Result<Conversion, Error> {
     Ok(Conversion { path: path.to_owned(), lost: lost.collect(), bytes: written.bytes })
 }
 
-/// The format for the extension of a file; `None` if it cannot hold a description of the device.
+/// The format for the extension of a file; `None` if it cannot describe the device.
 fn format_of(device: &Device, path: &Path) -> Option<Format> {
     let kind = FileKind::of(path)?;
     let format = kind.format().filter(|format| FileKind::from(*format) == kind)?;

@@ -1,5 +1,5 @@
-//! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
-//! the configuration says, generating, writing. Callers supply arguments and reporting.
+//! Generates the files of a product from a description, in one piece for the command and for build scripts: reading,
+//! checking according to the configuration, generating, writing. Callers supply arguments and reporting.
 
 #[cfg(feature = "lint")]
 mod configured;
@@ -32,14 +32,14 @@ use objdict_project::report::{Subject, grouped, listed};
 #[cfg(feature = "lint")]
 pub use objdict_project::workspace::ConfigSource;
 
-/// What is to be made of a description.
+/// A request to generate files from a description.
 #[derive(Debug, Default)]
 pub struct Request {
     /// The description; its bytes may come from elsewhere.
     pub file: PathBuf,
-    /// How it is read.
+    /// Options for reading it.
     pub reading: Reading,
-    /// Patches, which are read when the description is.
+    /// Patches, which are read together with the description.
     pub patches: Vec<PathBuf>,
     /// The settings of the check.
     pub check: CheckSettings,
@@ -47,38 +47,38 @@ pub struct Request {
     pub implicit_pdos: bool,
     /// Whether to generate although tables will be wrong.
     pub force: bool,
-    /// The lowest severity of a finding that stops it, beside those that make a table wrong.
+    /// The lowest severity of a finding that stops it, in addition to errors that make a table wrong.
     pub deny: Option<Severity>,
-    /// A file of findings that are known and neither stop nor count.
+    /// A file of known findings, which are ignored.
     pub baseline: Option<PathBuf>,
-    /// What to generate; what is there twice counts once.
+    /// The requested targets; duplicates are ignored.
     pub targets: Vec<Target>,
-    /// The files that the description is also written to, in the formats of their names.
+    /// The files to which the description is also written, in the formats of their extensions.
     pub conversions: Vec<PathBuf>,
-    /// The options; the names of files, those in the file of names, and the hash are found out.
+    /// The options; the file names, the names in the file of names, and the hash are added automatically.
     pub options: Options,
     /// Whether the size of the tables is reported.
     pub sizes: bool,
-    /// The bytes of flash and of RAM that the tables of a target may take at most.
+    /// The maximum number of flash and RAM bytes for the tables of a target.
     pub room: MemoryLimits,
 }
 
 /// The settings of a check.
 #[derive(Debug, Default)]
 pub struct CheckSettings {
-    /// Where the configuration comes from.
+    /// The source of the configuration.
     #[cfg(feature = "lint")]
     pub config: ConfigSource,
-    /// The severities that replace those of the rules.
+    /// The severities that override those of the rules.
     pub severities: Severities,
-    /// Profiles to check against beside that of the device: numbers, or paths of files.
+    /// Additional profiles to check against: numbers, or paths of files.
     pub profiles: Vec<String>,
 }
 
 /// A description that was read and checked.
 #[derive(Debug)]
 pub struct CheckedDescription {
-    /// What reports call it.
+    /// Its name in reports.
     name: String,
     described: DescribedDevice,
     /// Its problems.
@@ -87,7 +87,7 @@ pub struct CheckedDescription {
     pub of_config: Vec<String>,
 }
 
-/// A device, with its text where it has one.
+/// A device, with its text if it has one.
 #[derive(Debug)]
 enum DescribedDevice {
     Text(Box<Description>),
@@ -101,16 +101,16 @@ pub struct Conversion {
     pub path: PathBuf,
     /// Its bytes.
     pub bytes: Vec<u8>,
-    /// What it does not have of the device, a line each.
+    /// The losses compared with the device, one line each.
     pub lost: Vec<String>,
 }
 
-/// What tables may take at most, in bytes.
+/// Limits for the tables in bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct MemoryLimits {
-    /// The most bytes of constants.
+    /// The maximum number of bytes of constants.
     pub flash: Option<usize>,
-    /// The most bytes of variables.
+    /// The maximum number of bytes of variables.
     pub ram: Option<usize>,
 }
 
@@ -121,7 +121,7 @@ pub struct Generation {
     pub objects: usize,
     /// How many entries they have.
     pub entries: usize,
-    /// What was made, in the order of the targets.
+    /// The generated output, in the order of the targets.
     pub outputs: Vec<(Target, Generated)>,
     /// The description in other formats.
     pub conversions: Vec<Conversion>,
@@ -130,8 +130,8 @@ pub struct Generation {
 }
 
 impl Request {
-    /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
-    /// to `files`, whatever becomes of it.
+    /// Reads and checks the bytes of the description, called `name` in reports. Other files that are read for it are
+    /// added to `files`, even on failure.
     pub fn check(
         &self,
         name: &str,
@@ -143,7 +143,7 @@ impl Request {
         let project = self.project(files)?;
         #[cfg(feature = "full")]
         let reading = self.with_patches(reading, project.as_ref(), files)?;
-        // its errors are among the findings, and stop what is made
+        // its errors are among the findings, and stop the generation
         let reading = Reading { judge: None, ..reading };
         let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => {
@@ -178,11 +178,11 @@ impl Request {
         Ok(CheckedDescription { name: name.to_owned(), described, findings, of_config })
     }
 
-    /// Everything that is to be written, before anything is.
+    /// Produces everything that is to be written, before anything is.
     ///
     /// # Errors
-    /// When errors in the description make a table wrong, or a `device.toml` has any, and `force` is not set; when a target cannot express
-    /// the device.
+    /// If errors in the description make a table wrong, or a `device.toml` has any, and `force` is not set; or if a
+    /// target cannot express the device.
     pub fn produce(
         &self,
         checked: &CheckedDescription,
@@ -243,8 +243,8 @@ impl Request {
     }
 }
 
-/// Moves the files of a target to a folder if an earlier one in the list of all targets has a file of the same name. The order of
-/// the request does not matter, so a build that asks for the same targets finds its files.
+/// Moves the files of a target to a folder if an earlier one in the list of all targets has a file of the same name.
+/// The order of the request does not matter, so a build with the same targets finds its files.
 fn separate(outputs: &mut [(Target, Generated)]) {
     let mut paths: BTreeSet<String> = BTreeSet::new();
     for known in Target::all() {
@@ -267,7 +267,7 @@ impl MemoryLimits {
         self.flash.is_some() || self.ram.is_some()
     }
 
-    /// Refuses tables that take more; a note where that is not known.
+    /// Rejects tables that exceed the limits; adds a note if the size is unknown.
     fn admit(self, target: Target, sizes: &Sizes) -> Result<Option<Note>, Error> {
         let Size { flash, ram } = match sizes {
             Sizes::Known(report) => report.total,
@@ -286,7 +286,7 @@ impl MemoryLimits {
         Ok(None)
     }
 
-    /// Refuses limits that hold for none of the targets.
+    /// Rejects limits that apply to none of the targets.
     fn is_measured(self, sizes: &[(Target, Sizes)]) -> Result<(), Error> {
         match sizes.first() {
             Some((target, Sizes::Unknown(why)))
@@ -316,12 +316,12 @@ impl CheckedDescription {
         }
     }
 
-    /// Whether its author wrote it for objdict, and can correct every error.
+    /// Whether it was written for objdict, so that its author can correct every error.
     fn is_source(&self) -> bool {
         matches!(&self.described, DescribedDevice::Text(description) if description.format() == Format::Toml)
     }
 
-    /// The findings that stop as an error, if there are any.
+    /// The findings that stop the generation, as an error if there are any.
     fn refuse(&self, stops: impl Fn(&Diagnostic) -> bool) -> Result<(), Error> {
         refusal(&self.name, &self.findings, stops, |errors| match &self.described {
             DescribedDevice::Text(description) => text_of((&**description).into(), errors),
@@ -331,7 +331,7 @@ impl CheckedDescription {
         })
     }
 
-    /// A finding in a line: its place, the rule and the message.
+    /// A finding on one line: its place, the rule and the message.
     pub fn line(&self, finding: &Diagnostic) -> String {
         match &self.described {
             DescribedDevice::Text(description) => {
@@ -342,8 +342,8 @@ impl CheckedDescription {
     }
 }
 
-/// The findings of a description. A `device.toml` is checked with its variants, because its author corrects both; a selected variant is
-/// checked alone.
+/// The findings of a description. A `device.toml` is checked with its variants, because its author corrects both; a
+/// selected variant is checked on its own.
 fn checked(description: &Description, options: &lint::Options) -> Findings {
     let check = |description: &Description| objdict_project::check_with(description, options);
     if description.format() != Format::Toml || description.variant().is_some() {
@@ -377,7 +377,7 @@ fn text_of(subject: Subject<'_>, findings: &Findings) -> String {
     listed(subject, findings).unwrap_or_else(|error| format!("the findings cannot be shown: {error}\n"))
 }
 
-/// A finding of a device that has no text.
+/// A finding for a device without a text.
 fn without_text(name: &str, finding: &Diagnostic) -> String {
     let place = match finding.labels.first().map(|label| &label.at) {
         Some(At::Place(place)) => place.to_string(),
@@ -387,7 +387,7 @@ fn without_text(name: &str, finding: &Diagnostic) -> String {
     one_line(&format!("{name}: {severity} {rule}: {place}: {message}"))
 }
 
-/// The file's name without its last ending.
+/// The file name without its last extension.
 fn stem(file: &Path) -> String {
     let stem = file.file_stem().filter(|_| file != Path::new("-"));
     stem.map_or_else(|| "device".to_owned(), |stem| stem.to_string_lossy().into_owned())
