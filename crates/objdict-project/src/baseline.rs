@@ -1,4 +1,4 @@
-//! Findings that are known: a check with a baseline reports what came since (docs/reference/config.md).
+//! Known findings: a check with a baseline reports only new ones (docs/reference/config.md).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -9,13 +9,13 @@ use crate::report::{FINGERPRINT_NAME, Fingerprint, Subject, fingerprints};
 use objdict_model::diagnostic::Findings;
 use objdict_model::source::absolute;
 
-/// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
+/// The maximum size of a baseline in bytes: 80,000 findings, which need 40 MB of memory.
 pub const MAX_SIZE: u64 = 16 << 20;
 
 /// The version of the file.
 const VERSION: u32 = 1;
 
-/// The findings of some files, known by their fingerprints. Files have names, which the user of a baseline gives them.
+/// The findings of some files, identified by fingerprints. The caller chooses the names of the files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Baseline {
     files: BTreeMap<String, BTreeSet<Known>>,
@@ -29,13 +29,13 @@ struct Known {
     message: String,
 }
 
-/// Why a text is not a baseline.
+/// The reason why a text is not a baseline.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum BaselineError {
-    /// It is not the JSON of one.
+    /// It is not the JSON of a baseline.
     Json(serde_json::Error),
-    /// It was written by another version of this program, or its fingerprints are made in another way.
+    /// It was written by a different version of this program, or its fingerprints use a different method.
     Version,
 }
 
@@ -65,17 +65,17 @@ struct BaselineLine {
     file: String,
     /// The id of the rule.
     rule: String,
-    /// What identifies the finding in its file.
+    /// The identification of the finding in its file.
     fingerprint: String,
     /// The problem, for readers.
     message: String,
 }
 
 impl Baseline {
-    /// The baseline that a text holds.
+    /// Parses a baseline.
     ///
     /// # Errors
-    /// When the text is none, or one whose findings cannot be known again.
+    /// If the text is not a baseline, or its findings cannot be recognised.
     pub fn read(text: &str) -> Result<Self, BaselineError> {
         let document: BaselineJson = serde_json::from_str(text)?;
         if document.version != VERSION || document.fingerprints != FINGERPRINT_NAME {
@@ -90,7 +90,8 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// The text of the baseline: JSON with a finding a line, sorted, so that a change of one is a change of one line.
+    /// The text of the baseline: JSON with one finding per line, sorted, so that a change of one finding
+    /// changes one line.
     pub fn write(&self) -> String {
         let mut text =
             format!("{{\"version\":{VERSION},\"fingerprints\":\"{FINGERPRINT_NAME}\",\"findings\":[");
@@ -109,7 +110,7 @@ impl Baseline {
         text
     }
 
-    /// Takes the findings of a file, or of one more device of it.
+    /// Adds the findings of a file, or of one more device in it.
     pub fn add<'a>(&mut self, file: &str, subject: impl Into<Subject<'a>>, findings: &Findings) {
         let prints = fingerprints(subject, findings);
         let known = findings.iter().zip(prints).map(|(finding, fingerprint)| Known {
@@ -120,8 +121,8 @@ impl Baseline {
         self.files.entry(file.to_owned()).or_default().extend(known);
     }
 
-    /// Takes the findings of a file away that are known, and says how many that are. A file that is not in the baseline and has all the
-    /// findings of one that `is_gone` is that file, moved.
+    /// Removes the known findings of a file, and returns their number. A file that is not in the baseline and has the
+    /// same findings as one that `is_gone` is treated as that file, moved.
     pub fn suppress<'a>(
         &self,
         file: &str,
@@ -144,7 +145,8 @@ impl Baseline {
         before - findings.len()
     }
 
-    /// [`Baseline::suppress`] of a baseline in a file, beside which what is not there is gone.
+    /// Like [`Baseline::suppress`], for a baseline in a file: files that no longer exist relative to it are
+    /// gone.
     pub fn suppress_beside<'a>(
         &self,
         path: &Path,
@@ -156,7 +158,7 @@ impl Baseline {
         self.suppress(&name_in(path, subject.source().name()), subject, findings, is_gone)
     }
 
-    /// The findings of a file that is gone and had the same ones: it was moved.
+    /// The findings of a file that is gone and had the same ones, and so was moved.
     fn moved(&self, prints: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Option<&BTreeSet<Known>> {
         let prints: BTreeSet<Fingerprint> = prints.iter().copied().collect();
         let is_same = |known: &BTreeSet<Known>| {
@@ -175,7 +177,7 @@ impl Baseline {
         self.files.values().map(BTreeSet::len).sum()
     }
 
-    /// Whether nothing is known.
+    /// Whether there are no known findings.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -187,7 +189,7 @@ pub fn folder_of(path: &Path) -> PathBuf {
     path.parent().unwrap_or(&path).to_owned()
 }
 
-/// What a file is called from the folder of a baseline, with `/` between folders.
+/// The name of a file relative to the folder of a baseline, with `/` between folders.
 pub fn name_in(baseline: &Path, file: &str) -> String {
     if file.starts_with('<') {
         // the standard input
@@ -202,7 +204,7 @@ pub fn name_in(baseline: &Path, file: &str) -> String {
         }
         up.push_str("../");
     }
-    // on another drive
+    // on a different drive
     path.display().to_string()
 }
 

@@ -1,7 +1,7 @@
-//! Findings fixed: fixes applied, and proven by reading and checking the text again.
+//! Fixes findings: applies fixes, and verifies them by reading and checking the text again.
 //!
-//! All fixes that do not overlap are applied together, the text is read and checked again, and fixes that did not
-//! help are reverted.
+//! All fixes that do not overlap are applied together, the text is read and checked again, and ineffective fixes
+//! are reverted.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,28 +15,31 @@ use objdict_model::diagnostic::{Applicability, At, Change, Diagnostic, Findings,
 use objdict_model::model::{Device, Part};
 use objdict_model::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
-/// Texts of so many bytes together are read and checked to fix a file, which takes a few seconds, but at least [`MIN_TRIALS`]. The fixes
-/// that need more are left ([`Fixed::is_unfinished`]).
+/// The total size of texts that are read and checked to fix a file, which takes a few seconds, but at least
+/// [`MIN_TRIALS`]. Fixes that need more remain ([`Fixed::is_unfinished`]).
 const MAX_FIX_BYTES: usize = 64 << 20;
 const MIN_TRIALS: usize = 8;
 
-/// The same to find the fixes that a report offers. Those of a larger file are not: two descriptions of it would be in memory.
+/// The same limit for finding the fixes that a report offers. A larger file has no offered fixes, because two
+/// descriptions of it would be in memory.
 const MAX_OFFER_BYTES: usize = 8 << 20;
 
-/// So many texts are read and checked, however small they are.
+/// The maximum number of texts that are read and checked, regardless of their size.
 const MAX_TRIALS: usize = 1000;
 
-/// An object or entry takes the time and memory of so many bytes more; its text may be ten bytes long.
+/// The time and memory of an object or entry in equivalent bytes, because its text may only be ten bytes
+/// long.
 const BYTES_PER_PART: usize = 128;
 
-/// How many texts of the size of a description are tried.
+/// The number of trials for a description of this size.
 fn trials(description: &Description, bytes: usize, least: usize) -> u32 {
     let parts: usize = description.device().objects.values().map(|object| 1 + object.subs.len()).sum();
     let affordable = bytes / (description.source().text().len() + parts * BYTES_PER_PART).max(1);
     affordable.clamp(least, MAX_TRIALS) as u32
 }
 
-/// The rules that find what a fix of another rule leaves open: a new section lacks what only its author knows.
+/// The rules about content that a fix of another rule leaves open: a new section lacks content that only its
+/// author knows.
 const LEFT_OPEN: [&str; 4] = [
     "cia306/missing-device-info-key",
     "cia306/missing-file-info-key",
@@ -53,13 +56,13 @@ const MAX_HARM: usize = 8;
 pub struct Fixed {
     /// The description as it is now.
     pub description: Description,
-    /// What is still found in it.
+    /// The remaining findings.
     pub findings: Findings,
     /// The fixes that were made, in their order.
     pub applied: Vec<AppliedFix>,
-    /// The fixes that cannot be made, for their finding would still be there, or another one would have come.
+    /// The fixes that cannot be applied, because their finding would remain, or a new one would appear.
     pub skipped: Vec<AppliedFix>,
-    /// Whether fixes are left because enough texts were tried; fixing the result again goes on.
+    /// Whether fixes remain because the limit of trials was reached; fixing the result again continues.
     pub is_unfinished: bool,
 }
 
@@ -68,9 +71,9 @@ pub struct Fixed {
 pub struct AppliedFix {
     /// The rule.
     pub rule: &'static str,
-    /// What was found.
+    /// The message of the finding.
     pub message: String,
-    /// What was done about it, or was not.
+    /// The title of the fix.
     pub title: String,
 }
 
@@ -81,10 +84,10 @@ impl Fixed {
     }
 }
 
-/// Fixes what `check` finds in a description and a fix no less safe than `safety` can fix. Fixes that touch each other are
-/// made one after the other: after each round the text is read and checked again. A fix after which its finding is still
-/// there, or another one has come, is taken back, and tried again when other fixes have changed the text. So the result
-/// has no fix that another run makes, unless [`Fixed::is_unfinished`].
+/// Fixes the findings of `check` in a description with fixes that are at least as safe as `safety`. Fixes that touch
+/// each other are applied one after the other: after each round the text is read and checked again. A fix whose finding
+/// remains, or that causes a new one, is reverted, and tried again when other fixes have changed the text. So another
+/// run finds nothing more to fix, unless [`Fixed::is_unfinished`].
 pub fn fix(
     description: Description,
     safety: Applicability,
@@ -94,12 +97,12 @@ pub fn fix(
     let mut left = trials(&description, MAX_FIX_BYTES, MIN_TRIALS);
     let (applied, skipped) = (Vec::new(), Vec::new());
     let mut fixed = Fixed { description, findings, applied, skipped, is_unfinished: false };
-    // by the numbers of their findings; it holds for this text alone
+    // by the numbers of their findings; valid only for this text
     let mut refused: BTreeMap<usize, AppliedFix> = BTreeMap::new();
     loop {
         let Fixed { description, findings, .. } = &fixed;
         let mut candidates = candidates(description, findings, safety, &refused);
-        // alone: in another encoding everything may be another text
+        // on its own: a different encoding may change the whole text
         if let Some(number) = candidates.iter().position(|candidate| candidate.encoding.is_some()) {
             candidates = vec![candidates.swap_remove(number)];
         }
@@ -124,8 +127,9 @@ pub fn fix(
     fixed
 }
 
-/// As [`fix`], and also fixes spellings that CiA 306 allows and readers refuse: empty numbers, missing keys of `[DummyUsage]`, keys in
-/// another case and, without unsafe fixes, a text that is not UTF-8. With tools in the options, what these need is fixed and nothing else.
+/// Like [`fix`], but also fixes spellings that CiA 306 allows and readers reject: empty numbers, missing keys of
+/// `[DummyUsage]`, keys in different case and, without unsafe fixes, a text that is not UTF-8. If the options contain
+/// tools, only the fixes that these need are applied.
 pub fn fix_for_readers(description: Description, safety: Applicability, options: &Options) -> Fixed {
     let check = |description: &Description| check_with(description, options);
     if description.format().syntax() != Syntax::Ini || !options.tools.is_empty() {
@@ -138,12 +142,12 @@ pub fn fix_for_readers(description: Description, safety: Applicability, options:
     Fixed { findings: check(&fixed.description), ..fixed }
 }
 
-/// The findings with those fixes alone offered ([`Fix::is_offered`](objdict_model::diagnostic::Fix::is_offered)) that [`fix`] makes of this
-/// text at once: no two of them touch each other, and each fixes its finding and causes no other. If some do harm together,
-/// others at their places may be missing.
+/// The findings, offering only the fixes ([`Fix::is_offered`](objdict_model::diagnostic::Fix::is_offered)) that [`fix`]
+/// applies to this text at once: no two of them touch each other, and each fixes its finding and causes no other. If
+/// some are harmful together, others at their places may be missing.
 ///
-/// Fixes are proven on the text without the objects that they have nothing to do with, if the findings that they fix are found in
-/// that too; [`fix`] proves them on the whole text.
+/// Fixes are verified on the text without unrelated objects, if their findings also occur in that; [`fix`] verifies
+/// them on the whole text.
 pub fn with_sound_fixes(
     description: &Description,
     findings: Findings,
@@ -175,8 +179,9 @@ fn listed(device: &Device, fix: &Fix) -> Vec<u16> {
     added
 }
 
-/// Where the objects are written that no fix concerns. Fixes concern the objects that they change or whose findings they fix, objects of
-/// the same name, mapped objects, the communication profile, and the device profile if they change a part of it.
+/// The spans of objects that are unrelated to any fix. Related objects are those that a fix changes or whose findings
+/// it fixes, objects of the same name, mapped objects, the communication profile, and the device profile if a fix
+/// changes part of it.
 fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec<Span> {
     let (device, mut objects) = (description.device(), description.object_spans());
     let mut related = BTreeSet::new();
@@ -206,7 +211,7 @@ fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec
     objects.into_iter().map(|(_, span)| span).collect()
 }
 
-/// A fix as what it does to the text.
+/// A fix as edits of the text.
 struct Candidate {
     applied: AppliedFix,
     safety: Applicability,
@@ -215,11 +220,11 @@ struct Candidate {
     key: FindingKey,
     edits: Vec<(Span, String)>,
     encoding: Option<Encoding>,
-    /// What it adds to object lists.
+    /// The indexes that it adds to object lists.
     listed: Vec<u16>,
 }
 
-/// The fixes to be made in one round: those that do not touch one that was taken before. Safe ones come first.
+/// The fixes to apply in one round: those that do not touch a previously selected one. Safe ones come first.
 fn candidates(
     description: &Description,
     findings: &Findings,
@@ -255,18 +260,18 @@ fn candidates(
 /// The search for the fixes that can be made together.
 struct Trials<'a, F> {
     description: &'a Description,
-    /// Whether the encoding of the file is not the one that its bytes are recognised by.
+    /// Whether the encoding of the file differs from the one detected from its bytes.
     is_encoding_given: bool,
     candidates: &'a [Candidate],
     check: &'a F,
-    /// What is left out of the text in which the fixes are tried.
+    /// The omitted parts of the text in which the fixes are tried.
     omitted: Vec<Span>,
     before: Counts,
     /// How many more texts may be tried.
     left: u32,
-    /// Whether only the numbers are asked for: then no text is kept.
+    /// Whether only the numbers are needed, so that no text is kept.
     is_offer: bool,
-    /// What came of the last text that was better than the one before.
+    /// The result of the last text that was an improvement.
     best: Option<(Description, Findings)>,
     harmful: Vec<usize>,
 }
@@ -298,7 +303,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         }
     }
 
-    /// Leaves the objects out that no fix has to do with, unless a finding that is to be fixed goes with them.
+    /// Omits the objects that are unrelated to all fixes, unless that removes a finding to be fixed.
     fn omit_unrelated_objects(&mut self) {
         self.omitted = unrelated_objects(self.description, self.candidates);
         if self.omitted.is_empty() {
@@ -315,11 +320,11 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         }
     }
 
-    /// The fixes that are made in this round, in the order of their findings. Safe ones are tried first, because they must
-    /// do no harm without the others.
+    /// Selects the fixes of this round, in the order of their findings. Safe ones are tried first, because they must be
+    /// harmless without the others.
     fn run(&mut self) -> Vec<usize> {
         let mut numbers: Vec<usize> = (0..self.candidates.len()).collect();
-        // those of one rule fail together, and are found fast where they are side by side
+        // fixes of one rule fail together, and are found faster if they are adjacent
         numbers.sort_by_key(|&number| (self.candidates[number].safety, self.candidates[number].applied.rule));
         let is_safe = |&number: &usize| self.candidates[number].safety == Applicability::Safe;
         let (safe, others) = numbers.split_at(numbers.partition_point(is_safe));
@@ -331,7 +336,8 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         accepted
     }
 
-    /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them.
+    /// Those of `numbers` that can be applied together with the `accepted` ones, and these. Usually that is
+    /// all of them.
     fn narrow(&mut self, accepted: Vec<usize>, numbers: &[usize]) -> Vec<usize> {
         let mut all = accepted.clone();
         all.extend(numbers);
@@ -344,8 +350,8 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         }
     }
 
-    /// As [`narrow`](Self::narrow), of `numbers` that do harm together: those where something is wrong then are tried apart from the
-    /// others; where all are, each half is.
+    /// Like [`narrow`](Self::narrow), for `numbers` that are harmful together: those at problematic places are tried
+    /// separately from the others; if all are, each half is.
     fn part(&mut self, accepted: Vec<usize>, numbers: &[usize], harm: &[FindingKey]) -> Vec<usize> {
         if self.left == 0 {
             return accepted;
@@ -373,7 +379,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         } else if is_apart && self.is_offer {
             accepted
         } else {
-            // with these, it is what was tried already
+            // with these, it equals the previous trial
             self.part(accepted, &second, harm)
         }
     }
@@ -386,8 +392,8 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         harm >= MAX_HARM && numbers.iter().all(|number| rule(number) == first)
     }
 
-    /// The description with some fixes made, where each fixes its finding and none makes another; else where it is known,
-    /// the findings that there would be too many of.
+    /// The description with some fixes applied, if each fixes its finding and causes no other; otherwise, if known, the
+    /// excess findings.
     fn attempt(&mut self, numbers: &[usize]) -> Result<(Description, Findings), Vec<FindingKey>> {
         self.left = self.left.checked_sub(1).ok_or_else(Vec::new)?;
         let (description, fixed) = self.amended(numbers).ok_or_else(Vec::new)?;
@@ -398,7 +404,8 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         }
     }
 
-    /// The description with some fixes made, and how many findings of each kind they fix; `None` where validation refuses it.
+    /// The description with some fixes applied, and the number of findings of each kind that they fix; `None`
+    /// if validation rejects it.
     fn amended(&self, numbers: &[usize]) -> Option<(Description, BTreeMap<&'a FindingKey, u32>)> {
         let source = self.description.source();
         let mut edits = Edits::new(source);
@@ -412,7 +419,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
             *fixed.entry(&candidate.key).or_default() += 1;
         }
         let bytes = encoding.encode(&edits.text().ok()?).ok()?;
-        // without the bytes that a fix removes, the others may be those of another encoding
+        // without the bytes that a fix removes, a different encoding may be detected
         let mut options = SourceOptions::default();
         options.encoding = self.is_encoding_given.then_some(encoding);
         options.max_size = u64::MAX;
@@ -424,7 +431,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
     }
 }
 
-/// What a finding is counted by: its rule, and the part of the description where it is.
+/// The key for counting findings: its rule, and its part of the description.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct FindingKey(&'static str, Option<Part>);
 
@@ -437,7 +444,7 @@ impl FindingKey {
         Self(finding.rule.id, part)
     }
 
-    /// Whether both are findings of one part, or where no part is known, of one rule.
+    /// Whether both are findings about the same part or, if no part is known, of the same rule.
     fn is_near(&self, other: &Self) -> bool {
         match (&self.1, &other.1) {
             (Some(part), Some(other)) => part == other,
@@ -446,15 +453,15 @@ impl FindingKey {
     }
 }
 
-/// How many findings there are of each kind.
+/// The number of findings of each kind.
 #[derive(Default)]
 struct Counts {
     parts: BTreeMap<FindingKey, u32>,
-    /// By rule alone, those that were only counted among them.
+    /// By rule only, including findings that were only counted.
     rules: BTreeMap<&'static str, u32>,
-    /// By rule and the least severity, those that are known.
+    /// The kept findings, by rule and minimum severity.
     severe: BTreeMap<(&'static str, Severity), u32>,
-    /// The rules of which not all findings are known.
+    /// The rules with findings that were only counted.
     capped: BTreeSet<&'static str>,
 }
 
@@ -477,8 +484,8 @@ impl Counts {
         counts
     }
 
-    /// The findings that there are too many of: that were `fixed` and are not gone, that have come or become more severe,
-    /// but not what a new section leaves open.
+    /// The excess findings: those that were `fixed` but remain, and those that are new or have become more severe,
+    /// except those that a new section leaves open.
     fn harm(&self, before: &Self, fixed: &BTreeMap<&FindingKey, u32>) -> Vec<FindingKey> {
         let adds_section = fixed.keys().any(|key| key.0 == "cia306/missing-section");
         let is_open = |rule: &str| adds_section && LEFT_OPEN.contains(&rule);
@@ -512,8 +519,8 @@ impl Counts {
 struct Taken(BTreeMap<u32, u32>);
 
 impl Taken {
-    /// Takes the spans of a fix, unless one of them overlaps a span that was taken. Texts that are put in may not even touch
-    /// another change, for it would be open which comes first.
+    /// Reserves the spans of a fix, unless one of them overlaps a reserved span. Inserted texts may not even touch
+    /// another change, because their order would be undefined.
     fn take(&mut self, edits: &[(Span, String)]) -> bool {
         if edits.iter().any(|(span, _)| self.is_taken(*span)) {
             return false;

@@ -1,4 +1,5 @@
-//! From a file and its configuration to findings, and their reports. Part of `objdict`, which is the crate to depend on.
+//! Checks files according to their configuration and reports the findings. Part of `objdict`, which is the
+//! crate to depend on.
 
 #![cfg_attr(not(feature = "full"), allow(unreachable_pub, reason = "what is used depends on the features"))]
 

@@ -1,4 +1,4 @@
-//! Which lines two versions of a text do not share.
+//! The lines in which two versions of a text differ.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -14,8 +14,8 @@ pub struct LineChange {
     pub new: Range<usize>,
 }
 
-/// So many pairs of lines are compared in all: what lies between two matches and has more counts as replaced. No clock decides, so two
-/// texts have one difference everywhere.
+/// The maximum number of line pairs compared in total: a larger range between two matches is treated as replaced. There
+/// is no time limit, so the difference of two texts is the same everywhere.
 const MAX_PAIRS: usize = 1 << 26;
 
 /// The changes that make `new` of `old`, in order. Lines that both have once are matched first, so that sections keep their lines.
@@ -37,7 +37,7 @@ pub fn changes(old: &[&str], new: &[&str]) -> Vec<LineChange> {
     joined
 }
 
-/// The changes between two matches; `pairs` is what may still be compared.
+/// The changes between two matches; `pairs` is the number of remaining comparisons.
 fn between(
     [old, new]: [&[&str]; 2],
     start: [usize; 2],
@@ -63,7 +63,8 @@ fn between(
     changes.map(|operation| change(operation.old_range(), operation.new_range())).collect()
 }
 
-/// The most lines that both have once and in the same order, each with its numbers in both.
+/// The longest sequence of lines that are unique in both texts and in the same order, with their numbers in
+/// both.
 fn anchors(old: &[&str], new: &[&str]) -> Vec<[usize; 2]> {
     const NEVER: usize = usize::MAX;
     const OFTEN: usize = usize::MAX - 1;
@@ -76,7 +77,7 @@ fn anchors(old: &[&str], new: &[&str]) -> Vec<[usize; 2]> {
     }
     let mut once: Vec<_> = lines.into_values().filter(|at| at.iter().all(|&at| at < OFTEN)).collect();
     once.sort_unstable();
-    // of each length, the chain that ends first in the new text
+    // for each length, the chain that ends first in the new text
     let (mut ends, mut previous): (Vec<usize>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
     for (number, [_, new]) in once.iter().enumerate() {
         let length = ends.partition_point(|&end| once[end][1] < *new);

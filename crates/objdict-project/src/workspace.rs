@@ -1,5 +1,5 @@
-//! The one way from a file to its findings. The command, the language server, build scripts, pages and Python come here, so that they
-//! agree on which configuration holds, what overrides it, and what belongs to a file beside its text.
+//! The common path from a file to its findings. The command, the language server, build scripts, pages and Python use
+//! it, so that they agree on the configuration, its overrides, and the additional files of a description.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,35 +15,35 @@ use crate::check::{check_after, check_with};
 pub use crate::check::{of_devices, with_origin_beside};
 use crate::config::{Config, Project};
 
-/// Which configuration applies.
+/// The source of the configuration.
 #[derive(Clone, Debug, Default)]
 pub enum ConfigSource {
     /// The nearest `objdict.toml`, in the folder of a file or above.
     #[default]
     Nearest,
-    /// That of a path, for all files.
+    /// The file at this path, for all files.
     At(PathBuf),
-    /// None.
+    /// No configuration.
     Off,
 }
 
-/// What counts more than the configuration: arguments of a command, or settings of a build script.
+/// Settings that override the configuration: arguments of a command, or of a build script.
 #[derive(Clone, Debug, Default)]
 pub struct Overrides {
-    /// The severities that replace those of rules and configuration.
+    /// The severities that override those of rules and configuration.
     pub severities: Severities,
-    /// Profiles to check against beside those of the configuration.
+    /// Additional profiles to check against.
     pub profiles: Vec<Arc<Profile>>,
     /// The node-ID that formulas are evaluated for.
     pub node_id: Option<u8>,
-    /// The tools that descriptions are also for; empty for those of the configuration.
+    /// The target tools of descriptions; empty for those of the configuration.
     pub tools: Vec<Tool>,
     /// The lowest severity that fails a check.
     pub deny: Option<Severity>,
 }
 
 impl Overrides {
-    /// The options of the check of a file with its configuration.
+    /// The options for checking a file with its configuration.
     pub fn options(&self, path: &Path, project: Option<&Project>) -> Options {
         let mut options = match project {
             Some(project) => project.config.options(path, &self.severities),
@@ -58,13 +58,13 @@ impl Overrides {
         options
     }
 
-    /// The lowest severity that fails the check of a file with its configuration: errors, unless one says otherwise.
+    /// The lowest severity that fails the check of a file with its configuration; the default is error.
     pub fn deny(&self, project: Option<&Project>) -> Severity {
         self.deny.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Error)
     }
 }
 
-/// The configurations of files, each of which is read once, with what overrides them.
+/// The configurations of files, each read once, with their overrides.
 ///
 /// ```
 /// use std::path::Path;
@@ -85,9 +85,9 @@ impl Overrides {
 pub struct Workspace {
     config: ConfigSource,
     overrides: Overrides,
-    /// The configuration that holds in a folder.
+    /// The configuration of each folder.
     by_folder: BTreeMap<PathBuf, Option<Arc<Project>>>,
-    /// Those that were read, in the order in which they were met, by their paths.
+    /// All configurations that were read, in the order of first use, by path.
     projects: Vec<(PathBuf, Arc<Project>)>,
 }
 
@@ -105,12 +105,12 @@ impl Workspace {
         Ok(made)
     }
 
-    /// What counts more than the configurations.
+    /// The settings that override the configurations.
     pub fn overrides(&self) -> &Overrides {
         &self.overrides
     }
 
-    /// The configuration that holds for a file; the standard input is taken for a file of the current folder.
+    /// The configuration for a file; the standard input is treated as a file in the current folder.
     ///
     /// # Errors
     /// When it cannot be opened.
@@ -149,12 +149,12 @@ impl Workspace {
     }
 }
 
-/// The findings of each device of a file; of a variant those that the file does not have without it.
+/// The findings of each device of a file; for a variant, those that the base device does not have.
 pub fn findings(description: &Description, options: &Options) -> Vec<Findings> {
     of_devices(description, |device| check_with(device, options))
 }
 
-/// The same from what is known of the objects of a description before an edit; what is known now takes its place.
+/// Like `findings`, reusing results for objects from before an edit, which are then updated.
 #[doc(hidden)] // for the language server
 pub fn findings_after(
     description: &Description,
@@ -167,7 +167,8 @@ pub fn findings_after(
     }
 }
 
-/// The same with the configuration of its file; one that cannot be read is reported by who reads the patches in it.
+/// Like `findings`, with the configuration of its file; the caller that reads its patches reports an
+/// unreadable one.
 pub fn configured_findings(description: &Description, config: ConfigSource) -> Vec<Findings> {
     let path = Path::new(description.source().name());
     let mut workspace = Workspace::new(config, Overrides::default()).unwrap_or_default();
@@ -175,7 +176,7 @@ pub fn configured_findings(description: &Description, config: ConfigSource) -> V
     findings(description, &workspace.overrides.options(path, project.as_deref()))
 }
 
-/// The same with the nearest configuration.
+/// Like `findings`, with the nearest configuration.
 pub fn judge(description: &Description) -> Vec<Findings> {
     configured_findings(description, ConfigSource::Nearest)
 }

@@ -1,9 +1,9 @@
-//! The patches that changed what findings are about.
+//! The patches that caused findings.
 
 use objdict_format::Description;
 use objdict_model::diagnostic::{At, Findings};
 
-/// The findings with the places of patches that changed what they are about.
+/// Adds the places in patches that caused the findings.
 pub(super) fn named(description: &Description, findings: Findings) -> Findings {
     let Some(patched) = description.patched() else { return findings };
     findings.filter_map(|finding| {

@@ -1,4 +1,4 @@
-//! Merge conflicts: a file with their markers is two versions at once, so only the markers can be judged.
+//! Merge conflicts: a file with their markers contains two versions, so only the markers can be checked.
 
 use objdict_format::Description;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
@@ -9,8 +9,8 @@ pub(crate) fn is_in(text: &str) -> bool {
     begins_line("<<<<<<<") && begins_line(">>>>>>>")
 }
 
-/// The findings about the markers: keys, sections and counts of the two versions contradict each other. No finding has a fix, which
-/// would remove what one of the versions needs.
+/// The findings about the markers: keys, sections and counts of the two versions contradict each other. No finding has
+/// a fix, because a fix could remove content that one of the versions needs.
 pub(super) fn alone(description: &Description, findings: Findings) -> Findings {
     let text = description.source().text();
     if !is_in(text) {

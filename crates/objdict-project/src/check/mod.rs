@@ -23,7 +23,7 @@ pub use self::comments::insertion;
 pub use self::origin::{last_eds, with_origin_beside};
 pub use self::variants::of_devices;
 
-/// All findings of a description, in the order of its text; errors in the keys of a `device.toml` come first.
+/// All findings of a description, in text order; errors in the keys of a `device.toml` come first.
 pub fn check(description: &Description) -> Findings {
     check_with(description, &Options::default())
 }
@@ -33,7 +33,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     in_order(description, unordered(description, options, None))
 }
 
-/// As [`check_with`], from what is known of the objects before an edit.
+/// Like [`check_with`], reusing results for objects from before an edit.
 #[cfg(feature = "lint")]
 pub(crate) fn check_after(
     description: &Description,
@@ -51,7 +51,8 @@ fn in_order(description: &Description, mut findings: Findings) -> Findings {
     findings
 }
 
-/// As [`check_with`], in any order: to count findings, since most of the time that an order takes goes into finding their lines.
+/// Like [`check_with`], but unordered, for counting findings: ordering them mostly costs time for finding
+/// their lines.
 pub fn check_unordered(description: &Description, options: &Options) -> Findings {
     unordered(description, options, None)
 }
@@ -110,15 +111,15 @@ fn unordered(description: &Description, options: &Options, known: Option<&mut Kn
     variants::named(description, findings)
 }
 
-/// What a project of objdictgen has no place for, or objdictgen itself decides: bit rates, flags, and which of the objects of
-/// CiA documents are arrays.
+/// Rules about content that objdictgen projects do not support, or that objdictgen itself determines: bit rates, flags,
+/// and which objects of CiA documents are arrays.
 const NOT_OF_OBJDICTGEN: [&str; 3] =
     ["cia306/no-baud-rate", "cia306/command-without-flag", "cia301/wrong-object-type"];
 
-/// Who made a file and when is in the version control of a source, and in the files that are made of it.
+/// Author and date of a source are in its version control, and in the generated files.
 const NOT_OF_TOML: &str = "cia306/missing-file-info-key";
 
-/// A finding in the words of `device.toml`; `None` for one that a source does not need.
+/// A finding in the terms of `device.toml`; `None` for one that does not apply to a source.
 fn of_toml(finding: Diagnostic) -> Option<Diagnostic> {
     #[cfg(feature = "full")]
     let finding = finding.in_words(objdict_format::device_toml::wording::words);
@@ -131,7 +132,8 @@ fn is_of_objdictgen(description: &Description) -> bool {
         && description.device().extra.iter().any(|section| section.name() == OBJDICTGEN_SECTION)
 }
 
-/// The findings without the fixes of what a lost header explains: what its object seems to lack is in the section above.
+/// Removes the fixes of findings that a lost header explains: the seemingly missing content is in the
+/// previous section.
 fn without_fixes_of_lost(description: &Description, findings: Findings) -> Findings {
     let is_header = |finding: &Diagnostic| {
         let line = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();

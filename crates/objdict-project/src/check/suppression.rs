@@ -25,13 +25,13 @@ pub(super) fn apply(description: &Description, options: &Options, findings: &mut
     findings.suppress(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         let mut is_allowed = false;
-        // every comment that allows the finding counts as used
+        // every comment that allows the finding is considered used
         for suppression in &mut suppressions {
             is_allowed |= suppression.allows(finding.rule, start);
         }
         is_allowed
     });
-    // of a file with several devices only one is checked here, so a comment may be used by another
+    // only one of a file's devices is checked here, so another one may use the comment
     if description.device_count() == 1 {
         let format = description.format();
         suppressions.iter().for_each(|suppression| suppression.report_unused(format, options, &mut about));

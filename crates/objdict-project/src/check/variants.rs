@@ -1,9 +1,9 @@
-//! Findings of the variants of a device, each of which is checked like a file.
+//! The findings of a device's variants, each of which is checked like a file.
 
 use objdict_format::Description;
 use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
 
-/// The findings with the name of the variant, and of what is in the file that the text extends, the name of that file.
+/// Adds the name of the variant to findings and, for content of the extended file, the name of that file.
 pub(super) fn named(description: &Description, findings: Findings) -> Findings {
     let (variant, extended) = (description.variant(), description.extended());
     if variant.is_none() && extended.is_none() {
@@ -22,7 +22,7 @@ pub(super) fn named(description: &Description, findings: Findings) -> Findings {
     })
 }
 
-/// The findings of each device of a file; of a variant those that the file does not have without it.
+/// The findings of each device of a file; for a variant, those that the base device does not have.
 pub fn of_devices(description: &Description, examine: impl Fn(&Description) -> Findings) -> Vec<Findings> {
     let mut of_base = None;
     description.map_devices(|device| match (device.variant(), &of_base) {
@@ -31,7 +31,7 @@ pub fn of_devices(description: &Description, examine: impl Fn(&Description) -> F
     })
 }
 
-/// The findings of the variant of a name without those that the file has without it.
+/// The findings of a variant without those of the base device.
 fn without_those_of_base(name: &str, base: &Findings, findings: Findings) -> Findings {
     findings.filter_map(|finding| {
         let at = |finding: &Diagnostic| finding.labels.first().map(|label| label.at.clone());

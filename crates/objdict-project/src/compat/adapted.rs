@@ -5,7 +5,7 @@ use objdict_format::Description;
 use objdict_lint::Options;
 use objdict_model::diagnostic::{Applicability, Tool};
 
-/// A description with the safe fixes of what these tools refuse, misread or drop.
+/// Applies the safe fixes for content that these tools reject, misread or drop.
 pub fn adapt(description: Description, tools: &[Tool]) -> Description {
     let options = Options { tools: tools.to_vec(), ..Options::default() };
     let concerns = |rule: &str| {

@@ -1,5 +1,6 @@
-//! What CANchkEDS of Vector reports, by its public help: errors (E) and warnings (W) with their numbers. It checks EDS
-//! files only. Its database of objects is not public; the numbers E30, E38 and E39 stand for what CiA's documents say.
+//! The reports of CANchkEDS of Vector according to its public help: errors (E) and warnings (W) with their numbers. It
+//! checks only EDS files. Its database of objects is not public; the numbers E30, E38 and E39 represent the content of
+//! CiA documents.
 
 use super::reactions::{is_at_header, section_of, shown};
 use super::{Effect, Reaction, When};
@@ -135,13 +136,13 @@ fn is_of_information(description: &Description, finding: &Diagnostic) -> bool {
     section_of(description, finding).to_ascii_lowercase().ends_with("info")
 }
 
-/// Whether the place of a finding is a number. It is the header or the key where there is none.
+/// Whether the place of a finding is a number. If there is none, it is the header or the key.
 fn has_value(description: &Description, finding: &Diagnostic) -> bool {
     let is_number = shown(description, finding).starts_with(|first: char| first.is_ascii_digit());
     is_number && !is_at_header(description, finding)
 }
 
-/// Whether a count is above what the fix writes. A count that is missing or not a number is not.
+/// Whether a count exceeds the one that the fix writes. Missing and non-numeric counts do not.
 fn has_fewer(description: &Description, finding: &Diagnostic) -> bool {
     let stated: Option<u64> = shown(description, finding).parse().ok();
     let written = finding.fix.iter().flat_map(|fix| &fix.changes).find_map(|change| match change {

@@ -1,7 +1,7 @@
-//! The fixes that depend on the selected tools: what one tool reads better, another may read worse.
+//! The fixes that depend on the selected tools: a change that helps one tool may harm another.
 //!
-//! Without tools only fixes that every tool survives are safe. With tools, a fix is safe when one of them reads the file better
-//! and none of them reads it worse; a fix that makes the file worse for one of them is not offered.
+//! Without tools, only fixes that harm no tool are safe. With tools, a fix is safe if it helps one of them and harms
+//! none; a fix that harms one of them is not offered.
 
 use super::reactions::{is_of_comments, is_of_one_byte, shown};
 use objdict_eds::eds;
@@ -11,12 +11,12 @@ use objdict_model::diagnostic::{Applicability, Change, Diagnostic, Fix, Tool, sa
 use objdict_model::model::{Device, Field, Part};
 use objdict_model::source::Span;
 
-/// A section with more lines is left as it is.
+/// A section with more lines is not changed.
 const MAX_LINES: usize = 1000;
 
 use Tool::{CanOpenEditor, DcfTools, NodeCanopen, PythonCanopen};
 
-/// The existing fixes of a rule, which are safe for the first tools and do harm to the others.
+/// The existing fixes of a rule, which are safe for the first tools and harm the others.
 struct FixChoice {
     rule: &'static str,
     better: &'static [Tool],
@@ -31,7 +31,7 @@ const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [To
 
 const CHOICES: [FixChoice; 11] = [
     FixChoice {
-        // without its header, a section would be read into the one above
+        // without its header, a section would be read as part of the previous one
         when: |description, finding| {
             let line = shown(description, finding);
             line.contains('[') || !line.contains(']')
@@ -39,15 +39,15 @@ const CHOICES: [FixChoice; 11] = [
         ..choice("cia306/junk-line", &[DcfTools, PythonCanopen, CanOpenEditor], &[])
     },
     choice("cia306/limit-above-type", &[DcfTools, PythonCanopen], &[]),
-    // all readers of lists but this one do without the objects, which have no entries
+    // all other readers of lists ignore the missing objects, which have no entries
     choice("cia306/listed-object-missing", &[DcfTools], &[]),
     FixChoice {
-        // other misspelt keys may be those of a value
+        // other misspelt keys may belong to a value
         when: |description, finding| shown(description, finding).contains(' '),
         ..choice("cia306/misspelt-key", &[DcfTools], &[])
     },
     FixChoice {
-        // a fix that leaves `SubNumber` adds what is counted
+        // a fix that keeps `SubNumber` adds the counted sub-indexes
         when: |_, finding| finding.fix.as_ref().is_some_and(|fix| fix.changes.len() == 1),
         ..choice("cia306/missing-sub-0", &[DcfTools], &[])
     },
@@ -62,7 +62,7 @@ const CHOICES: [FixChoice; 11] = [
     choice("portability/real-as-decimal", &[DcfTools], &[PythonCanopen, NodeCanopen]),
 ];
 
-/// The finding with its fix as the tools need it; `None` if the finding is what they need.
+/// The finding with its fix adapted to the tools; `None` if it is already suitable.
 pub(super) fn choose(
     mut finding: Diagnostic,
     description: &Description,
@@ -84,7 +84,7 @@ pub(super) fn choose(
             fix.safety = Applicability::Safe;
         }
     }
-    // what is not read, though it may be meant, is kept as a comment
+    // unread but possibly intended content is kept as a comment
     let is_unsafe = finding.fix.as_ref().is_some_and(|fix| fix.safety != Applicability::Safe);
     if is_unsafe && is_unread(&finding, tools) {
         finding.fix = comment_unread(&finding, description);
@@ -103,7 +103,7 @@ pub(super) fn choose(
     Some(finding)
 }
 
-/// Whether tools refuse or misread the encoding, and all values of the device are in ISO 646.
+/// Whether tools reject or misread the encoding although all values of the device are in ISO 646.
 fn is_refused_for_its_letters(description: &Description) -> bool {
     let has_value = |line: Line, text: &str| match line.kind {
         LineKind::Entry { key, .. } => {
@@ -126,11 +126,11 @@ fn is_read_by_others(name: &str) -> bool {
     is("StorageLocation") || is("TPDODetectCos") || eds::is_meaning_key(name)
 }
 
-/// Makes a comment of a key that the standard does not define; `is_needed` says whether one of the tools is among those that
-/// read some of them.
+/// Comments out a key that the standard does not define; `is_needed` returns whether one of the tools is among those
+/// that read some of them.
 fn comment_key(finding: &Diagnostic, description: &Description, is_needed: bool) -> Option<Fix> {
     let name = shown(description, finding);
-    // a key of another section may be one that the tool reads there
+    // a key of a different section may be one that the tool reads there
     if eds::is_key(name) || is_of_comments(description, finding) {
         return None;
     }
@@ -141,7 +141,7 @@ fn comment_key(finding: &Diagnostic, description: &Description, is_needed: bool)
     comment_line(fix, start_of(finding, description)?, description)
 }
 
-/// Makes comments of the keys before the first section, which belong to no part of the device.
+/// Comments out the keys before the first section, which belong to no part of the device.
 fn comment_stray_keys(description: &Description) -> Option<Fix> {
     let is_header = |line: &Line| matches!(line.kind, LineKind::Section { .. });
     let stray = description.document()?.lines().take_while(|line| !is_header(line));
@@ -151,7 +151,7 @@ fn comment_stray_keys(description: &Description) -> Option<Fix> {
     (keys.len() <= MAX_LINES).then_some(fix)
 }
 
-/// Makes comments of the lines of a section that the standard does not define.
+/// Comments out the lines of a section that the standard does not define.
 fn comment_unknown_section(finding: &Diagnostic, description: &Description) -> Option<Fix> {
     let name = shown(description, finding);
     if name.eq_ignore_ascii_case("TypeDefinitions") {
@@ -161,13 +161,13 @@ fn comment_unknown_section(finding: &Diagnostic, description: &Description) -> O
     comment_section(fix, start_of(finding, description)?, description)
 }
 
-/// Whether a finding is about a line that the standard leaves unread, and a tool refuses.
+/// Whether a finding is about a line that is unread according to the standard but rejected by a tool.
 fn is_unread(finding: &Diagnostic, tools: &[Tool]) -> bool {
     let is_compact = finding.message.names(&Field::CompactSubObj);
     finding.rule.id == "cia306/unsupported-key" && is_compact && tools.contains(&NodeCanopen)
 }
 
-/// Makes a comment of a line that is not read.
+/// Comments out a line that is not read.
 fn comment_unread(finding: &Diagnostic, description: &Description) -> Option<Fix> {
     let start = start_of(finding, description)?;
     let line = description.document()?.line_at(start)?;

@@ -1,8 +1,8 @@
 //! The reactions of other tools to findings: one table, applied to the findings of a check in one place.
 //!
-//! A rule knows a problem, but not the affected tools. When a check includes tools
-//! ([`Options::tools`](objdict_lint::Options::tools)), each finding that affects one of them names it, and has at least the
-//! severity of the effect. Findings of the group `portability` are reported for affected tools only.
+//! A rule knows a problem, but not the affected tools. If a check includes tools
+//! ([`Options::tools`](objdict_lint::Options::tools)), each finding that affects one of them names it, and has at least
+//! the severity of the effect. Findings of the group `portability` are reported only for affected tools.
 
 #[cfg(feature = "lint")]
 mod adapted;
@@ -40,7 +40,7 @@ pub struct Reaction {
 /// The condition of a reaction.
 #[derive(Clone, Copy, Debug)]
 pub struct When {
-    /// In words: "in `[DummyUsage]`".
+    /// As text: "in `[DummyUsage]`".
     pub text: &'static str,
     /// Whether a finding meets the condition.
     pub holds: fn(&Description, &Diagnostic) -> bool,
@@ -50,7 +50,7 @@ objdict_model::named! {
     /// The effect of a finding on a tool.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Effect {
-        /// The tool refuses the file, or crashes.
+        /// The tool rejects the file, or crashes.
         Refused = "refused",
         /// The tool misreads the file.
         Wrong = "wrong",
@@ -74,13 +74,13 @@ impl Effect {
     }
 }
 
-/// The findings without the fixes that one reader needs and another refuses, while no reader is chosen.
+/// Removes the fixes that one reader needs and another rejects, if no reader is selected.
 pub fn without_readers(findings: Findings, description: &Description) -> Findings {
     findings.filter_map(|finding| fixes::choose(finding, description, &[]))
 }
 
-/// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the
-/// group `portability` that affect none of them.
+/// Adds the reactions of the selected tools to the findings, and selects suitable fixes; removes findings of the group
+/// `portability` that affect none of them.
 pub fn react(findings: Findings, description: &Description, tools: &[Tool]) -> Findings {
     // CANchkEDS does not check configurations
     let is_type = description.device().kind == DeviceKind::Type;

@@ -1,8 +1,9 @@
-//! The table: rule, tools, reaction. Tested with dcf-tools 2.4.2, canopen 2.4.1 for Python, canopen 6.2.1 of npm and CANopenNode 4; taken from
-//! the sources of CANopenEditor of July 2026 and CANopenNode 4, and from the manual of CODESYS.
+//! The table: rule, tools, reaction. Tested with dcf-tools 2.4.2, canopen 2.4.1 for Python, canopen 6.2.1 of npm and
+//! CANopenNode 4; also based on the sources of CANopenEditor of July 2026 and CANopenNode 4, and on the manual of
+//! CODESYS.
 //!
-//! A cause that no rule finds needs a rule in the group `portability`: in `objdict-lint`, or in `objdict-eds` if
-//! only the text shows it.
+//! A cause that no rule detects needs a rule in the group `portability`: in `objdict-lint`, or in `objdict-eds`
+//! if only the text shows it.
 
 use super::{Effect, Reaction, When};
 use objdict_eds::eds;
@@ -382,7 +383,7 @@ pub static REACTIONS: &[Reaction] = &[
     row("portability/unquoted-string", DCF_TOOLS, Refused, "dcf2dev stops at it"),
 ];
 
-/// The text of the place of a finding.
+/// The text at the place of a finding.
 pub(super) fn shown<'a>(description: &'a Description, finding: &Diagnostic) -> &'a str {
     let span = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
     span.of(description.source().text())
@@ -398,7 +399,7 @@ pub(super) fn section_of<'a>(description: &'a Description, finding: &Diagnostic)
     header.map_or("", |header| header.trim_matches(['[', ']']))
 }
 
-/// Whether the place of a finding is the name in the header of a section: what is missing there has no place of its own.
+/// Whether the place of a finding is the name in a section header: missing content has no place of its own.
 pub(super) fn is_at_header(description: &Description, finding: &Diagnostic) -> bool {
     before(description, finding).trim_end().ends_with('[')
 }
@@ -420,14 +421,15 @@ fn is_of_names(description: &Description, finding: &Diagnostic) -> bool {
     section_of(description, finding).to_ascii_lowercase().ends_with("name")
 }
 
-/// Whether the second place of a finding shows the same as the first, letter by letter.
+/// Whether the text at the second place of a finding is identical to the first.
 fn is_repeated(description: &Description, finding: &Diagnostic) -> bool {
     let text = description.source().text();
     let mut places = finding.labels.iter().map(|label| description.span_of(&label.at).of(text));
     places.next() == places.next()
 }
 
-/// Whether the first place of a finding is in an entry of an integer type that node-canopen keeps in 64 bits.
+/// Whether the first place of a finding is in an entry of an integer type that node-canopen stores in 64
+/// bits.
 fn is_wide(description: &Description, finding: &Diagnostic) -> bool {
     let place = finding.labels.first().and_then(|label| description.place_of(&label.at));
     let data_type =
@@ -449,7 +451,7 @@ fn is_limit(description: &Description, finding: &Diagnostic) -> bool {
     line.trim_start().to_ascii_lowercase().contains("limit")
 }
 
-/// Whether the finding is about a low limit that is above the high one when both are read as positive numbers.
+/// Whether the finding is about a low limit that exceeds the high one if both are read as positive numbers.
 fn is_read_above_high(description: &Description, finding: &Diagnostic) -> bool {
     let (before, text) = (before(description, finding), description.source().text());
     let start = before.rfind("\n[").unwrap_or(0);
@@ -464,7 +466,7 @@ fn is_read_above_high(description: &Description, finding: &Diagnostic) -> bool {
             .is_some_and(|(low, high)| low > high)
 }
 
-/// Whether the text holds an entry whose line is as `is_meant` says.
+/// Whether the text contains an entry whose line satisfies `is_meant`.
 fn has_entry(description: &Description, is_meant: fn(&str) -> bool) -> bool {
     description.document().is_some_and(|document| {
         let is_entry =
@@ -486,7 +488,7 @@ fn helps(finding: &Diagnostic, is_meant: fn(&Part) -> bool) -> bool {
     finding.help.as_ref().is_some_and(|help| help.names_part(is_meant))
 }
 
-/// Whether the name of a section has a `0x` or blanks in it.
+/// Whether the name of a section contains `0x` or spaces.
 fn is_decorated(finding: &Diagnostic) -> bool {
     let name = finding.message.quoted().unwrap_or_default();
     name.contains(char::is_whitespace) || name.to_ascii_lowercase().contains("0x")
@@ -496,19 +498,19 @@ fn has_hex_mark(value: &str) -> bool {
     value.get(..2).is_some_and(|mark| mark.eq_ignore_ascii_case("0x"))
 }
 
-/// Whether a number is one that the tools of Python read, and do not forgive the leading zero of.
+/// Whether a number is one that Python tools read and whose leading zero they reject.
 fn is_read_number(description: &Description, finding: &Diagnostic) -> bool {
     let is_zero = shown(description, finding).bytes().all(|byte| byte == b'0');
     !is_zero && !section_of(description, finding).eq_ignore_ascii_case("FileInfo")
 }
 
-/// Whether the text is in an encoding of one byte a character.
+/// Whether the text is in a single-byte encoding.
 pub(super) fn is_of_one_byte(description: &Description) -> bool {
     let encoding = description.source().encoding();
     !matches!(encoding, Encoding::Utf8 | Encoding::Utf8Bom | Encoding::Utf16Le | Encoding::Utf16Be)
 }
 
-/// Whether a name is one of letters and digits.
+/// Whether a name consists of letters and digits.
 fn is_plain(name: &str) -> bool {
     name.bytes().all(|byte| byte.is_ascii_alphanumeric())
 }

@@ -1,4 +1,4 @@
-//! The spellings that CiA 306 allows and a reader refuses, so that fixing repairs them for no certain tool.
+//! The spellings that CiA 306 allows and a reader rejects, so that fixing them helps only in some tools.
 
 use super::{Effect, REACTIONS, Reaction, reactions};
 use objdict_format::Description;
@@ -6,7 +6,8 @@ use objdict_lint::{Options, Severities};
 use objdict_model::diagnostic::{Applicability, Change, Findings, Fix, Tool};
 use objdict_model::source::Encoding;
 
-/// What CiA 306 allows and python-canopen refuses, with fixes that change neither the device nor what other tools read.
+/// Spellings that CiA 306 allows and python-canopen rejects, with fixes that change neither the device nor
+/// the result in other tools.
 const REFUSED_SPELLINGS: [&str; 7] = [
     "portability/domain-without-type",
     "portability/dummy-usage",
@@ -17,7 +18,7 @@ const REFUSED_SPELLINGS: [&str; 7] = [
     "portability/key-case",
 ];
 
-/// The findings of a check without tools, as fixes need them: with the spellings that a reader refuses.
+/// The findings of a check without tools, for fixing: including spellings that a reader rejects.
 pub fn with_refused_spellings(
     description: &Description,
     safety: Applicability,
@@ -27,7 +28,7 @@ pub fn with_refused_spellings(
     const READER: Tool = Tool::PythonCanopen;
     let is_of_one_byte = reactions::is_of_one_byte(description);
     let mut findings = findings.filter_map(|mut finding| {
-        // the readers take every text for UTF-8; what is UTF-8 has only a fix that changes the text
+        // the readers treat every text as UTF-8; a UTF-8 text only has a fix that changes its content
         if finding.rule.id == "cia306/not-ascii" && safety == Applicability::Safe {
             let fix = Fix::safe("save the file as UTF-8").with(Change::Encode(Encoding::Utf8));
             finding.fix = Some(fix);

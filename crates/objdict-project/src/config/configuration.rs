@@ -1,4 +1,4 @@
-//! A configuration, and what it says of a file.
+//! A configuration, and its settings for a file.
 
 use std::path::{Path, PathBuf};
 
@@ -43,7 +43,7 @@ impl Config {
         Self { source, findings, is_toml, folder, settings: settings.unwrap_or_default() }
     }
 
-    /// The configuration that holds in a folder: the nearest file of the name [`CONFIG_FILE`], in it or above it.
+    /// The configuration of a folder: the nearest file named [`CONFIG_FILE`], in it or in a parent folder.
     pub fn find(folder: &Path) -> Option<PathBuf> {
         absolute(folder).ancestors().map(|folder| folder.join(CONFIG_FILE)).find(|path| is_file(path))
     }
@@ -58,13 +58,13 @@ impl Config {
         &self.findings
     }
 
-    /// Whether it is TOML at all; else no setting holds.
+    /// Whether it is valid TOML; otherwise no setting applies.
     pub fn is_toml(&self) -> bool {
         self.is_toml
     }
 
-    /// Options of a check of the file at `path`; severities of the command line come with `more`, and count more than
-    /// those of the configuration, but not more than what it says of this file alone. Profiles are loaded by the caller.
+    /// Options for checking the file at `path`; `more` contains severities from the command line, which override those
+    /// of the configuration except the ones for this file only. The caller loads profiles.
     pub fn options(&self, path: impl AsRef<Path>, more: &Severities) -> Options {
         let mut severities = Severities::default();
         for &(rules, level) in &self.settings.levels {
@@ -80,8 +80,7 @@ impl Config {
         Options { node_id, tools, severities, ..Options::default() }
     }
 
-    /// Profiles to check descriptions against, beside those that they state themselves; paths of files are relative to
-    /// [`folder`](Self::folder).
+    /// Additional profiles to check descriptions against; paths of files are relative to [`folder`](Self::folder).
     pub fn profiles(&self) -> &[WantedProfile] {
         &self.settings.profiles
     }

@@ -1,7 +1,8 @@
-//! The configuration `objdict.toml`: what a project says of all its descriptions (docs/reference/config.md).
+//! The configuration `objdict.toml`: a project's settings for all its descriptions
+//! (docs/reference/config.md).
 //!
 //! Errors in it are findings with spans, as in a description; an invalid setting is ignored, and the others
-//! hold.
+//! apply.
 //!
 //! ```
 //! # mod objdict { pub use objdict_lint as lint; pub use objdict_model::source; pub use objdict_project::config; }

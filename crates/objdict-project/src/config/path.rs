@@ -1,11 +1,11 @@
-//! Paths as a configuration speaks of them.
+//! Path patterns of a configuration.
 
 use std::path::{Component, Path};
 
 use glob::{MatchOptions, Pattern, PatternError};
 
-/// A pattern of paths, with `/` between folders on every system. One without a folder means files and folders of that name
-/// at any depth, and one of a folder means everything in it.
+/// A pattern of paths, with `/` between folders on every system. A pattern without a folder matches files and folders
+/// of that name at any depth, and a pattern that matches a folder includes everything in it.
 #[derive(Debug)]
 pub(super) struct PathPattern {
     itself: Pattern,

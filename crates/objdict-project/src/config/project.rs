@@ -1,4 +1,4 @@
-//! A configuration with what it needs from other files.
+//! A configuration with the other files that it needs.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use objdict_profile::{OpenError, Profile};
 /// A configuration with the profiles and patches that it names.
 #[derive(Debug)]
 pub struct Project {
-    /// What it says.
+    /// Its settings.
     pub config: Config,
     /// The profiles that it names.
     pub profiles: Vec<Arc<Profile>>,
@@ -22,12 +22,12 @@ pub struct Project {
     pub patches: Vec<Arc<objdict_format::patch::Patch>>,
     /// Its errors.
     pub findings: Findings,
-    /// Errors in the profiles that it names: with one of them files cannot be checked as it says.
+    /// Errors in its profiles: files cannot be checked as configured if there are any.
     pub failures: Vec<OpenError>,
 }
 
 impl Project {
-    /// Reads the file at `path`, and the profiles and patches that it names.
+    /// Reads the file at `path`, and the profiles and patches that it refers to.
     ///
     /// # Errors
     ///
@@ -66,7 +66,7 @@ impl Project {
         }
     }
 
-    /// Whether files can be checked as it says.
+    /// Whether files can be checked as configured.
     pub fn is_usable(&self) -> bool {
         self.config.is_toml() && self.failures.is_empty()
     }

@@ -1,4 +1,4 @@
-//! The settings of a text in TOML.
+//! Reads settings from TOML.
 //!
 //! The TOML tree is walked by hand instead of being deserialised, so that one invalid setting does not hide the
 //! others.
@@ -32,10 +32,10 @@ pub const SETTINGS: [(&str, &str); 8] = [
 
 type TomlValue<'a> = Spanned<DeValue<'a>>;
 
-/// How a list is written.
+/// The notation of a list.
 const LIST: &str = "write strings in quotes between brackets, as in `[\"a\", \"b\"]`";
 
-/// What a text says; `None` for one that is no TOML.
+/// The settings in a text; `None` if it is not TOML.
 pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Settings> {
     let (table, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
@@ -46,12 +46,12 @@ pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Settings> {
     for (key, value) in table.get_ref() {
         reader.setting(key, value);
     }
-    // a rule counts more than its group, regardless of their order
+    // a rule overrides its group, regardless of their order
     reader.settings.levels.sort_by_key(|(rules, _)| matches!(rules, Selection::Rule(_)));
     Some(reader.settings)
 }
 
-/// Where a finding starts.
+/// The start of a finding.
 pub(super) fn start_of(finding: &Diagnostic) -> u32 {
     match finding.labels.first().map(|label| &label.at) {
         Some(At::Span(span)) => span.start,
@@ -59,7 +59,7 @@ pub(super) fn start_of(finding: &Diagnostic) -> u32 {
     }
 }
 
-/// What keeps the text from being TOML.
+/// The syntax error in a text.
 fn damage(text: &str, error: &toml::de::Error) -> Diagnostic {
     let span = error.span().map_or(Span::empty(0), |range| span_of(&range));
     let message = error.message().lines().next().unwrap_or("this is not valid TOML").to_owned();
@@ -185,7 +185,7 @@ impl ConfigReader<'_> {
         }
     }
 
-    /// The texts of a list with their places.
+    /// The strings of a list with their positions.
     fn texts<'a>(&mut self, name: &str, value: &'a TomlValue<'_>) -> Vec<(&'a str, Span)> {
         let Some(list) = value.get_ref().as_array() else {
             self.invalid(value, say!("`{}` must be a list of strings", name), LIST);
@@ -201,7 +201,7 @@ impl ConfigReader<'_> {
         texts
     }
 
-    /// A value that is one of some words.
+    /// A value that is one of some keywords.
     fn word<T: Copy>(
         &mut self,
         name: &str,

@@ -1,11 +1,11 @@
-//! What a configuration says.
+//! The settings of a configuration.
 
 use super::path::PathPattern;
 use objdict_lint::Level;
 use objdict_model::diagnostic::{Selection, Severity, Tool};
 use objdict_model::source::Span;
 
-/// What a configuration says, as far as it is sound.
+/// The valid settings of a configuration.
 #[derive(Debug, Default)]
 pub(super) struct Settings {
     pub(super) levels: Vec<(Selection, Level)>,

@@ -1,17 +1,19 @@
-//! The groups of rules: the one list that the pages, the links of rules and the shares of a corpus follow.
+//! The groups of rules: the only list, which determines the pages, the links of rules and the shares of a
+//! corpus.
 
 /// A group of rules.
 #[derive(Debug)]
 pub struct RuleGroup {
     /// The name, such as `cia306`: the first half of the ids of its rules.
     pub name: &'static str,
-    /// The subject in a few words of Markdown.
+    /// The subject as a short Markdown phrase.
     pub about: &'static str,
-    /// What a check of one EDS, DCF, XDD or XDC lacks, without which no rule of the group fires; `None` if each rule can.
+    /// The condition, beyond checking one EDS, DCF, XDD or XDC, without which no rule of the group applies;
+    /// `None` if each rule can.
     pub needs: Option<&'static str>,
 }
 
-/// Calls a macro with the groups, sorted by name: for each its name, what it is about, and what it needs.
+/// Calls a macro with the groups, sorted by name: the name, the subject, and the condition of each.
 #[doc(hidden)] // the pages of the rules are in the documentation of `objdict`, which has their texts
 #[macro_export]
 macro_rules! with_rule_groups {

@@ -32,7 +32,7 @@ pub fn rules() -> Vec<&'static RuleInfo> {
     rules
 }
 
-/// Former names of rules and groups, which configurations and `allow` comments may still have.
+/// Former names of rules and groups, which configurations and `allow` comments may still contain.
 const RENAMED: [(&str, &str); 19] = [
     ("cia301/error-by-default", "cia301/default-error-register"),
     ("cia301/half-set-life-guarding", "cia301/incomplete-life-guarding"),
@@ -78,7 +78,7 @@ pub fn groups() -> BTreeSet<&'static str> {
     rules().into_iter().map(RuleInfo::group).collect()
 }
 
-/// The rules that a name selects: the id of a rule, or a group; former names too.
+/// The rules that a name selects: the id of a rule, or a group; also former names.
 pub fn select(name: &str) -> Option<Selection> {
     let name = &*current(name);
     match name.contains('/') {

@@ -6,7 +6,7 @@ use super::{Detail, Report, Statistics, Subject, Tally};
 use objdict_model::diagnostic::Findings;
 use objdict_model::diagnostic::one_line;
 
-/// Findings as a line each, and a sum at the end.
+/// Findings on one line each, and a total at the end.
 #[derive(Debug)]
 pub struct Concise<W> {
     out: W,
@@ -21,7 +21,7 @@ impl<W: Write> Concise<W> {
         Self { out, tally: Tally::default(), detail: Detail::default(), statistics: Statistics::default() }
     }
 
-    /// With statistics, behind the findings or without them.
+    /// Sets whether statistics are written, in addition to or instead of the findings.
     #[must_use]
     pub fn detail(mut self, detail: Detail) -> Self {
         self.detail = detail;

@@ -1,6 +1,6 @@
-//! Which findings another one explains, so that a report says the cause alone.
+//! The findings that other findings explain, so that a report only contains the cause.
 //!
-//! Only findings of no higher severity are left out, so the exit code never changes.
+//! Only findings of no higher severity are omitted, so the exit code never changes.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -21,41 +21,42 @@ pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnosti
     findings.into_iter().filter(|_| !is_explained.next().unwrap_or_default()).collect()
 }
 
-/// What one cause explains.
+/// The scope of a cause.
 enum CauseExtent<'a> {
     All,
-    /// What has this offset in it.
+    /// Findings that contain this offset.
     At(u32),
-    /// What starts behind the first offset, and not behind the second.
+    /// Findings that start after the first offset, and not after the second.
     Behind(u32, u32),
     Section(usize),
     Object(u16),
-    /// What shows a key of a section that the text names.
+    /// Findings that show a key of the section in the text.
     Keys(&'a Text),
-    /// As [`Self::Behind`], and what names the object or section.
+    /// Like [`Self::Behind`], and findings that name the object or section.
     Header(u32, u32, Option<u16>, String),
 }
 
 impl CauseExtent<'_> {
-    /// An object, and what names it.
+    /// An object, and findings that name it.
     fn named(index: u16) -> Self {
         Self::Header(0, 0, Some(index), format!("{index:04X}h"))
     }
 }
 
-/// What all causes explain together of one rule and severity, so that a finding is not compared with each of them.
+/// The combined scope of all causes of one rule and severity, so that a finding is not compared with each of
+/// them.
 #[derive(Default)]
 struct CauseScope<'a> {
     is_all: bool,
     /// Sorted by [`Self::sort`].
     offsets: Vec<u32>,
-    /// As [`CauseExtent::Behind`]; [`Self::sort`] makes each end that of the farthest so far.
+    /// Like [`CauseExtent::Behind`]; [`Self::sort`] extends each end to the farthest one so far.
     ranges: Vec<(u32, u32)>,
     sections: HashSet<usize>,
     objects: HashSet<u16>,
-    /// Texts that name the sections whose keys are meant; there are no more than such sections.
+    /// Texts that name the sections of the affected keys; there are no more than such sections.
     keys: Vec<&'a Text>,
-    /// What messages name, by length.
+    /// The names in messages, by length.
     names: BTreeMap<usize, HashSet<Vec<u8>>>,
 }
 
@@ -116,18 +117,18 @@ impl<'a> CauseScope<'a> {
     }
 }
 
-/// Where the findings are, and what in the text limits the scopes.
+/// The positions of the findings, and the limits of scopes in the text.
 struct Places<'a> {
     text: &'a str,
     has_no_objects: bool,
     spans: Vec<Span>,
-    /// Where the headers of sections start.
+    /// The starts of section headers.
     headers: Vec<u32>,
-    /// The only object that is listed or has sub-indexes, and has no section of its own.
+    /// The only object that is listed or has sub-indexes but lacks its own section.
     lost: Option<u16>,
     /// The only object that belongs in a list, or in none, and is not listed.
     unlisted: HashMap<Option<ObjectList>, Option<u16>>,
-    /// Where tags of objects in an XDD start and end.
+    /// The starts and ends of object tags in an XDD.
     object_tags: [Vec<u32>; 2],
 }
 
@@ -155,14 +156,14 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// Which of the findings others explain.
+    /// Which of the findings are explained by others.
     fn explained(&self, findings: &[Diagnostic]) -> Vec<bool> {
         let mut scopes: HashMap<(&str, Severity), CauseScope<'_>> = HashMap::new();
         let located = || findings.iter().zip(&self.spans).filter(|(finding, _)| !finding.labels.is_empty());
         for (finding, span) in located() {
             for one in finding.rule.explains {
                 let Some(extent) = self.extent(one.reach, finding, *span) else { continue };
-                // a cause of a lower severity would change what fails a run
+                // a cause of a lower severity would change the result of a run
                 let severities = [Severity::Note, Severity::Warning, Severity::Error];
                 for severity in severities.into_iter().filter(|severity| *severity <= finding.severity) {
                     for rule in one.rules {
@@ -218,7 +219,7 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// The name in the header above a place; `None` in an XDD.
+    /// The name in the previous header; `None` in an XDD.
     fn header_above(&self, cause: Span) -> Option<&str> {
         let header = *self.headers.get(self.section(cause).checked_sub(1)?)?;
         line(self.text, header + 1).strip_prefix('[')?.split(']').next().map(str::trim)
@@ -249,7 +250,7 @@ fn value_of(line: &str) -> Option<u16> {
     u16::from_str_radix(line.get(from + 1..)?.trim(), 16).ok()
 }
 
-/// The text of a line from an offset.
+/// The text of a line from an offset on.
 fn line(text: &str, offset: u32) -> &str {
     text.get(offset as usize..).and_then(|rest| rest.lines().next()).unwrap_or_default()
 }
@@ -258,7 +259,7 @@ fn of_rule<'a>(findings: &'a [Diagnostic], name: &'a str) -> impl Iterator<Item 
     findings.iter().filter(move |finding| finding.rule.name() == name)
 }
 
-/// The object whose section a finding misses.
+/// The object whose section is missing according to a finding.
 fn lost_object(finding: &Diagnostic) -> Option<u16> {
     match finding.rule.id {
         "cia306/sub-without-object" => index_of(finding),
@@ -270,7 +271,7 @@ fn lost_object(finding: &Diagnostic) -> Option<u16> {
     }
 }
 
-/// What all items are; `None` where they differ, or are none.
+/// The common value of all items; `None` if they differ, or there are none.
 fn only(mut items: impl Iterator<Item = u16>) -> Option<u16> {
     let first = items.next()?;
     items.all(|item| item == first).then_some(first)
@@ -294,7 +295,7 @@ mod tests {
     const EDS: &str = include_str!("../../../../fixtures/eds/io-401.eds");
     const XDD: &str = include_str!("../../../../fixtures/xdd/io-401.xdd");
 
-    /// The rules of what a report shows of a text.
+    /// The rules shown in a report about a text.
     fn shown(name: &str, text: &str, format: Format) -> Vec<&'static str> {
         let description = format::read(SourceFile::from_text(name, text), format);
         let findings = grouped(&description, crate::check(&description));
@@ -343,7 +344,7 @@ mod tests {
         assert!(shown("a.eds", &text, Format::Eds).contains(&"cia306/junk-line"));
     }
 
-    /// The keys of a section without its header are not each a finding; those of others are.
+    /// The keys of a section without its header are not separate findings; those of others are.
     #[test]
     fn a_missing_section_explains_its_own_keys() {
         let eds = EDS.replace("\r\n", "\n").replacen("[1001]\n", "[1001]\nUnit=V\n", 1);

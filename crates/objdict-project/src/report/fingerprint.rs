@@ -15,18 +15,19 @@ use objdict_model::source::{Fnv, Span};
 /// otherwise users of stored fingerprints would get all findings as new ones.
 pub const FINGERPRINT_NAME: &str = "objdict/v2";
 
-/// The most bytes of a line that count. An XDD may be one line, and a change far away is no change of the finding.
+/// The maximum number of bytes of a line that are included. An XDD may consist of one line, and a distant
+/// change does not change the finding.
 const MAX_LINE: usize = 400;
 
-/// The bytes on each side of a label that count in a longer line.
+/// The number of bytes on each side of a label that are included in a longer line.
 const CONTEXT: usize = 80;
 
-/// A hash of the subject of a finding, without its position: of the rule, the place in the model, the values and texts of
-/// the file that the message quotes, and of its number among equal ones. Where the finding is about the text itself, the
-/// section and the text of the line count for the place, without blanks. Moved lines, renumbered list
-/// members, further places of the same kind and another wording change nothing.
+/// A hash of the subject of a finding, independent of its position: the rule, the place in the model, the values and
+/// quotations in the message, and a number among equal ones. If the finding is about the text itself, the section and
+/// the text of the line, without spaces, replace the place. Moving lines, renumbering list members, adding similar
+/// places and rewording have no effect.
 ///
-/// The name of the file is not part of it.
+/// The name of the file is not included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Fingerprint(u64);
 
@@ -70,7 +71,8 @@ pub fn fingerprint<'a>(subject: impl Into<Subject<'a>>, finding: &Diagnostic) ->
     base(subject, &Sections::new(subject), finding)
 }
 
-/// The fingerprints of findings, in their order. Equal ones are numbered, so give all findings of a file, and filter later.
+/// The fingerprints of findings, in their order. Equal ones are numbered, so pass all findings of a file, and
+/// filter later.
 pub fn fingerprints<'a, 's>(
     subject: impl Into<Subject<'s>>,
     findings: impl IntoIterator<Item = &'a Diagnostic>,
@@ -123,7 +125,7 @@ fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fing
     Fingerprint(hash.0)
 }
 
-/// The address; of a member of a list its text, because members are numbered anew when one comes or goes.
+/// The address; for a list member, its text, because members are renumbered when one is added or removed.
 fn at_place(subject: Subject<'_>, place: &Place, hash: &mut Fnv) {
     let is_list = matches!(
         place.part,
@@ -156,7 +158,7 @@ fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv
     }
 }
 
-/// The headers of an INI file, in order; none of XML.
+/// The headers of an INI file, in order; empty for XML.
 struct Sections(Vec<Span>);
 
 impl Sections {

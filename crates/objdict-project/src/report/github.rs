@@ -7,7 +7,7 @@ use super::path::RelativeBase;
 use super::{Location, Report, Subject, Tally};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, one_line, printable};
 
-/// Findings as a workflow command each, and a sum for the log at the end.
+/// Findings as one workflow command each, and a total for the log at the end.
 #[derive(Debug)]
 pub struct Github<W> {
     out: W,
@@ -21,7 +21,7 @@ impl<W: Write> Github<W> {
         Self { out, base: RelativeBase::default(), tally: Tally::default() }
     }
 
-    /// With paths as they are seen from `folder`, which is that of the repository.
+    /// Sets the folder that paths are relative to, which is the repository's.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
         self.base = RelativeBase::new(folder);
@@ -38,7 +38,7 @@ impl<W: Write> Github<W> {
         let at = finding.labels.first().map(|label| Location::new(subject, label));
         if let Some(Location { start, end, .. }) = at {
             write!(self.out, ",line={},endLine={}", start.line, end.line)?;
-            // columns in different lines make GitHub refuse the annotation
+            // GitHub rejects an annotation with columns on different lines
             if start.line == end.line {
                 write!(self.out, ",col={},endColumn={}", start.column, end.column)?;
             }
@@ -78,12 +78,12 @@ impl<W: Write> Report for Github<W> {
     }
 }
 
-/// The text of a command: what would end its line is escaped, and nothing in it steers a terminal.
+/// The text of a command: line ends are escaped, and terminal control characters replaced.
 fn data(text: &str) -> String {
     printable(&text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")).into_owned()
 }
 
-/// A property of a command: also what would end the property is escaped.
+/// A property of a command: characters that end the property are escaped as well.
 fn property(text: &str) -> String {
     data(text).replace(':', "%3A").replace(',', "%2C")
 }

@@ -1,4 +1,4 @@
-//! The code quality report of GitLab: a part of the format of Code Climate.
+//! The code quality report of GitLab: a subset of the Code Climate format.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -49,7 +49,7 @@ impl<W: Write> Gitlab<W> {
         Self { out, base: RelativeBase::default(), is_empty: true, seen: HashMap::new() }
     }
 
-    /// With paths as they are seen from `folder`, which is that of the repository.
+    /// Sets the folder that paths are relative to, which is the repository's.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
         self.base = RelativeBase::new(folder);
@@ -61,7 +61,8 @@ impl<W: Write> Report for Gitlab<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let path = self.base.relative(subject.source().name());
         for (finding, fingerprint) in listed(subject, findings) {
-            // all must differ; without the name of the file they stay when it moves. Those of one file are numbered upwards
+            // all must be unique; without the name of the file they remain when it moves. Those of one file
+            // are numbered upwards
             let number = self.seen.entry(fingerprint).or_default();
             let fingerprint = fingerprint.repeated(*number);
             *number = if *number == 0 { u32::MAX } else { *number - 1 };

@@ -1,7 +1,7 @@
-//! Findings of one cause as one finding: the first one, with the others behind it.
+//! Joins findings with the same cause into one: the first one, with the others attached.
 //!
-//! Findings are joined if only places and found values differ; a gap `{!}` holds a required value, which must be
-//! equal.
+//! Findings are joined if only places and found values differ; a gap `{!}` contains a required value, which must
+//! be equal.
 
 use std::collections::BTreeMap;
 
@@ -14,10 +14,11 @@ use objdict_model::diagnostic::Fix;
 use objdict_model::diagnostic::{Applicability, At, Diagnostic, Findings, Severity, Text, counted, say};
 use objdict_model::model::{Part, Place};
 
-/// The most rows of places that a message names.
+/// The maximum number of ranges of places in a message.
 const MAX_RANGES: usize = 6;
 
-/// What findings of one cause have in common: all but the place, and the numbers and texts of the file in message and help.
+/// The common properties of findings with the same cause: everything except the place, and the numbers and
+/// quotations in message and help.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct CommonCause {
     rule: &'static str,
@@ -40,21 +41,21 @@ impl CommonCause {
 }
 
 /// The findings of a file, each at its place, so that programs can recognise a new one of a known kind. Findings that
-/// another one explains are left out, such as the wrong count of a list in which a number is used twice.
+/// another one explains are omitted, such as the wrong count of a list that contains a number twice.
 ///
-/// [`grouped`] is the form for reading.
+/// Use [`grouped`] for display.
 #[must_use]
 pub fn by_place<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
     let subject = subject.into();
     findings.rearrange(|kept| without_consequences(subject, kept))
 }
 
-/// Joins the findings of a file that have one cause: those of one rule that say the same but for the place and the values
-/// there. The first one gets the others ([`Diagnostic::also`]), and its message counts them. Findings that point at the
-/// same place stay apart, because only their messages distinguish them.
+/// Joins the findings of a file that have the same cause: those of one rule whose messages differ only in the place and
+/// the values there. The others are attached to the first one ([`Diagnostic::also`]), whose message states their
+/// number. Findings that point to the same place are kept separate, because only their messages distinguish them.
 ///
-/// Findings that another one explains are left out, as [`by_place`] does. Comments, baselines and fixes know each finding,
-/// so join what they leave.
+/// Findings that another one explains are omitted, as in [`by_place`]. Comments, baselines and fixes apply to single
+/// findings, so join the remaining ones.
 #[must_use]
 pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
     let subject = subject.into();
@@ -93,8 +94,8 @@ fn start(subject: Subject<'_>, finding: &Diagnostic) -> u32 {
     finding.labels.first().map_or(0, |label| subject.span_of(&label.at).start)
 }
 
-/// Says in the message how many more findings there are, at least if the rule has more than are kept, and where. A help that
-/// differs by a value holds for the first.
+/// Adds the number and places of further findings to the message, "at least" if the rule has more than are kept. A help
+/// that depends on a value applies to the first.
 fn count(subject: Subject<'_>, finding: &mut Diagnostic, has_more: bool) {
     let help = finding.help.as_ref().map(Text::shown);
     if finding.also.iter().any(|other| other.help.as_ref().map(Text::shown) != help) {
@@ -106,7 +107,7 @@ fn count(subject: Subject<'_>, finding: &mut Diagnostic, has_more: bool) {
     finding.message = std::mem::take(&mut finding.message).followed_by(&rest);
 }
 
-/// Where a finding is, in short.
+/// The location of a finding, in short.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum FindingSpot {
     Object(u16),
@@ -123,7 +124,7 @@ impl FindingSpot {
         }
     }
 
-    /// Whether this follows another one without a gap.
+    /// Whether this directly follows the previous location.
     fn follows(self, before: Self) -> bool {
         match (before, self) {
             (Self::Object(before), Self::Object(index)) => before.checked_add(1) == Some(index),
@@ -144,7 +145,7 @@ impl FindingSpot {
     }
 }
 
-/// `2100h:02 to 2100h:28, line 17`; the first of them only where there are many.
+/// `2100h:02 to 2100h:28, line 17`; only the first ranges if there are many.
 fn ranges(spots: &[FindingSpot]) -> Text {
     let mut ranges: Vec<(FindingSpot, FindingSpot, usize)> = Vec::new();
     for &spot in spots {
@@ -171,7 +172,8 @@ fn ranges(spots: &[FindingSpot]) -> Text {
     }
 }
 
-/// The offered fixes of all findings of a cause that this file has a place for; `None` where it has none for any of them.
+/// The offered fixes of all findings with the same cause, as far as they can be applied to this file; `None`
+/// if none can.
 #[cfg(feature = "full")]
 pub(super) fn joint_fix(description: &Description, finding: &Diagnostic) -> Option<Fix> {
     let all = std::iter::once(finding).chain(&finding.also);
@@ -212,7 +214,7 @@ mod tests {
         let findings = crate::check(&description);
         let all = findings.len();
         let joined = grouped(&description, findings);
-        // nothing explains another here
+        // no finding explains another here
         assert_eq!(joined.iter().map(|finding| 1 + finding.also.len()).sum::<usize>(), all);
         let zero = joined.iter().find(|finding| finding.rule.id == "cia306/leading-zero").unwrap();
         assert!(zero.message.to_string().contains("; 5 more like this: "), "{}", zero.message);

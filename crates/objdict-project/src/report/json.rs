@@ -10,7 +10,8 @@ use super::{Detail, Fingerprint, Location, Report, Statistics, Subject, Tally, f
 use objdict_model::diagnostic::{Applicability, Diagnostic, Findings, Severity, Text};
 use objdict_model::source::Span;
 
-/// The version of the document. It changes when a field is removed or means something else, not when one is added.
+/// The version of the document. It changes when a field is removed or its meaning changes, not when a field
+/// is added.
 const VERSION: u32 = 1;
 
 /// Findings as a JSON document, one finding a line.
@@ -31,16 +32,16 @@ pub struct Json<W> {
 pub struct CheckJson<'a> {
     /// The version of the document.
     version: objdict_model::json::Version<VERSION>,
-    /// The findings, file by file in the order of the arguments, in each file in the order of its text; absent with
+    /// The findings, file by file in the order of the arguments, and in text order within a file; absent with
     /// `--statistics=only`.
     #[schemars(skip_serializing_if = "Option::is_none")]
     findings: Option<Vec<FindingJson<'a>>>,
-    /// With `--statistics`, the rules with findings: the highest severity first, then the most findings.
+    /// With `--statistics`, the rules with findings: by severity, then by number of findings.
     #[schemars(skip_serializing_if = "Option::is_none")]
     statistics: Option<Vec<super::statistics::Statistic>>,
-    /// Rules with more than 1000 findings in a file, of which `findings` has 1000.
+    /// Rules with more than 1000 findings in a file, of which `findings` contains 1000.
     omitted: Vec<Omitted>,
-    /// What was found in all files.
+    /// The number of findings in all files.
     summary: FindingCounts,
 }
 
@@ -48,7 +49,7 @@ pub struct CheckJson<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Finding"))]
 struct FindingJson<'a> {
-    /// The file as it was given; `<stdin>` for the standard input.
+    /// The file as given; `<stdin>` for the standard input.
     file: &'a str,
     /// The id of the rule; `objdict explain` prints its page.
     rule: &'a str,
@@ -61,17 +62,18 @@ struct FindingJson<'a> {
     /// The advice.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<Cow<'a, str>>,
-    /// Other places that belong to the finding.
+    /// Related places.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<Related<'a>>,
-    /// The other places of the same cause, where the document is shown to people, as by the page of `objdict open`; `check`
+    /// Other places with the same cause, in documents for display, such as for the page of `objdict open`; `check`
     /// reports each place as a finding.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     places: Vec<Related<'a>>,
-    /// 16 hex digits that identify the finding in its file, and stay when lines move, lists are renumbered or a message is
-    /// reworded.
+    /// 16 hex digits that identify the finding in its file, and remain when lines move, lists are renumbered or a
+    /// message is reworded.
     fingerprint: Fingerprint,
-    /// What `check --fix` changes, with `--unsafe-fixes` if it is `unsafe`; those of one file never overlap.
+    /// The changes of `check --fix`, with `--unsafe-fixes` if it is `unsafe`; those of one file never
+    /// overlap.
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<FixJson>,
 }
@@ -80,18 +82,18 @@ struct FindingJson<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Fix"))]
 struct FixJson {
-    /// What it does, as an imperative.
+    /// A description of the fix, as an imperative.
     title: String,
     /// Whether it may be made without review.
     safety: Applicability,
-    /// The encoding that the file is written in, if it changes.
+    /// The new encoding of the file, if it changes.
     #[serde(skip_serializing_if = "Option::is_none")]
     encoding: Option<String>,
-    /// The edits, in the order of the text and without overlaps.
+    /// The edits, in text order and without overlaps.
     edits: Vec<Edit>,
 }
 
-/// A piece of text and what it becomes.
+/// A piece of text and its replacement.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Edit {
@@ -99,26 +101,26 @@ struct Edit {
     line: u32,
     /// The column of the first character, counted from 1 in Unicode scalar values.
     column: u32,
-    /// The line behind the last character.
+    /// The line after the last character.
     end_line: u32,
-    /// The column behind the last character.
+    /// The column after the last character.
     end_column: u32,
     /// The new text.
     text: String,
 }
 
-/// Another place of a finding.
+/// A related place of a finding.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Related<'a> {
-    /// The file, if it is another one: the description of a node, for a finding about a network.
+    /// The file, if it differs: the description of a node, for a finding about a network.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
     #[serde(flatten)]
     at: PositionJson,
-    /// What is said of the place.
+    /// The remark about the place.
     message: Cow<'a, str>,
-    /// Of another place of the same cause, where it differs from that of the finding.
+    /// For a place with the same cause, its help if that differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<Cow<'a, str>>,
 }
@@ -131,9 +133,9 @@ struct PositionJson {
     line: u32,
     /// The column of the first character, counted from 1 in Unicode scalar values.
     column: u32,
-    /// The line behind the last character.
+    /// The line after the last character.
     end_line: u32,
-    /// The column behind the last character.
+    /// The column after the last character.
     end_column: u32,
     /// The address in the object dictionary, such as `0x1018sub1 / DefaultValue`; absent outside the sections and elements
     /// of a description.
@@ -153,7 +155,7 @@ struct Omitted {
     count: u32,
 }
 
-/// What was found in all files.
+/// The number of findings in all files.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Summary"))]
 struct FindingCounts {
@@ -182,7 +184,7 @@ impl<W: Write> Json<W> {
         }
     }
 
-    /// With statistics, beside the findings or without them.
+    /// Sets whether statistics are written, in addition to or instead of the findings.
     #[must_use]
     pub fn detail(mut self, detail: Detail) -> Self {
         self.detail = detail;

@@ -1,4 +1,4 @@
-//! JUnit XML: a suite for each file, a test case for each finding, and a passed one for a file without findings.
+//! JUnit XML: a suite per file, a test case per finding, and a passed one for a file without findings.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -10,7 +10,7 @@ use objdict_model::diagnostic::one_line;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 use objdict_xdd::xml::XmlWriter;
 
-/// Findings as failed tests. There is no schema that all readers agree on; this is what they have in common.
+/// Findings as failed tests. There is no schema that all readers agree on; this is their common subset.
 #[derive(Debug)]
 pub struct Junit<W> {
     out: W,
@@ -27,14 +27,14 @@ impl<W: Write> Junit<W> {
         Self { out, base: RelativeBase::default(), deny: Severity::Error, xml }
     }
 
-    /// With paths as they are seen from `folder`, which is that of the repository.
+    /// Sets the folder that paths are relative to, which is the repository's.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
         self.base = RelativeBase::new(folder);
         self
     }
 
-    /// With findings below `severity` as passed tests that say something.
+    /// Writes findings below `severity` as passed tests with output.
     #[must_use]
     pub fn deny(mut self, severity: Severity) -> Self {
         self.deny = severity;
@@ -47,7 +47,7 @@ impl<W: Write> Junit<W> {
         self.xml.open("testsuite", attributes);
     }
 
-    /// A test case; `seen` counts the names in its file, for readers take cases of one name for one case.
+    /// A test case; `seen` counts the names in its file, because readers merge cases with the same name.
     fn case(
         &mut self,
         file: &str,

@@ -1,4 +1,4 @@
-//! Findings as output: one file a format. A report is given one checked file after the other and writes as it goes, so
+//! Reports of findings: one module per format. A report receives checked files one by one and writes immediately, so
 //! the findings of a thousand files are never in memory at once.
 
 mod concise;
@@ -59,16 +59,16 @@ pub use {
     sarif::Sarif,
 };
 
-/// Writes what was found in files.
+/// Writes the findings of files.
 pub trait Report {
-    /// Takes the findings of the next file, in the order of the report.
+    /// Writes the findings of the next file, in the order of the report.
     ///
     /// # Errors
     /// When the output cannot be written.
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()>;
 
-    /// Takes a file that could not be read: the message names it. Most formats have no place for it, so the caller
-    /// also reports it elsewhere.
+    /// Records a file that could not be read, which the message names. Most formats do not support this, so the
+    /// caller also reports it elsewhere.
     ///
     /// # Errors
     /// When the output cannot be written.
@@ -77,43 +77,44 @@ pub trait Report {
         Ok(())
     }
 
-    /// Takes the exit code of the process, before the report ends.
+    /// Records the exit code of the process, before the report ends.
     fn exit_code(&mut self, code: u8) {
         let _ = code;
     }
 
-    /// Sets the lowest severity that fails the run, for the files that follow.
+    /// Sets the lowest severity that fails the run, for the following files.
     fn deny_from(&mut self, severity: Severity) {
         let _ = severity;
     }
 
-    /// Whether people read it, who see findings of one cause as one ([`grouped`]), not each place ([`by_place`]).
+    /// Whether the report is for display, with findings of the same cause joined ([`grouped`]) instead of
+    /// listed by place ([`by_place`]).
     fn is_for_people(&self) -> bool {
         false
     }
 
-    /// Ends the report. No file follows.
+    /// Ends the report, after the last file.
     ///
     /// # Errors
     /// When the output cannot be written.
     fn finish(&mut self) -> io::Result<()>;
 }
 
-/// Where a label points, in the words of the file and of the model.
+/// The location of a label, in the file and in the model.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Location<'a> {
-    /// The file: that of the finding, or the description of a node of a network.
+    /// The file: that of the finding, or the description of a network node.
     pub source: &'a SourceFile,
     /// The bytes of the decoded text.
     pub span: Span,
     /// Line and column of the first character.
     pub start: LineColumn,
-    /// Line and column behind the last character.
+    /// Line and column after the last character.
     pub end: LineColumn,
     /// The address in the model; `None` outside the parts of a description.
     pub place: Option<Cow<'a, Place>>,
-    /// The remark; empty where the message says all.
+    /// The remark; empty if the message is sufficient.
     pub text: Cow<'a, str>,
 }
 
@@ -133,13 +134,13 @@ impl<'a> Location<'a> {
         }
     }
 
-    /// Line and column of a finding; the start of the text for one that has no place.
+    /// Line and column of a finding; the start of the text if it has no place.
     pub fn start_of(subject: Subject<'_>, finding: &Diagnostic) -> LineColumn {
         let start = finding.labels.first().map_or(0, |label| subject.span_of(&label.at).start);
         subject.source().line_column(start)
     }
 
-    /// The line of a finding, counted from 1; `None` for one that points nowhere.
+    /// The line of a finding, counted from 1; `None` if it has no place.
     pub fn line_of(subject: Subject<'_>, finding: &Diagnostic) -> Option<u32> {
         (!finding.labels.is_empty()).then(|| Self::start_of(subject, finding).line)
     }
@@ -158,7 +159,7 @@ pub struct Tally {
     pub files: usize,
     /// Files with at least one finding.
     pub files_with_findings: usize,
-    /// Places of findings: each that is [joined](grouped) counts.
+    /// Places of findings, including [joined](grouped) ones.
     pub places: usize,
     /// Findings of severity error.
     pub errors: usize,
@@ -168,14 +169,14 @@ pub struct Tally {
     pub notes: usize,
     /// Findings that a report does not list, because their rule has too many in one file.
     pub unlisted: usize,
-    /// Findings that the file, the configuration or a baseline says not to report.
+    /// Findings suppressed by the file, the configuration or a baseline.
     pub suppressed: usize,
-    /// Whether the file that was added last is among those with findings.
+    /// Whether the last added file is among those with findings.
     has_last: bool,
 }
 
 impl Tally {
-    /// Adds what a report takes: a file, or one more device of the last file.
+    /// Adds the findings of a file, or of one more device of the last file.
     pub(crate) fn take(&mut self, subject: Subject<'_>, findings: &Findings) {
         let is_same = subject.description().is_some_and(|description| description.number() > 0);
         let before = *self;

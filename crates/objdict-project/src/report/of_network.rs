@@ -1,4 +1,4 @@
-//! Networks as what findings are about.
+//! Networks as subjects of findings.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use objdict_model::diagnostic::Findings;
 use objdict_network_file::NetworkFile;
 
 impl<'a> Subject<'a> {
-    /// The findings of a network by what they are about: its file or, if it has none, the descriptions of its nodes.
+    /// The findings of a network by subject: its file or, if it has none, the descriptions of its nodes.
     pub fn of_network(network: &'a NetworkFile, findings: Findings) -> Vec<(Self, Findings)> {
         if !network.is_made {
             return vec![(network.into(), findings)];

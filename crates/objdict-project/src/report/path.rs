@@ -1,4 +1,4 @@
-//! What reports that are read on another machine call a file: by its way from the folder of the project, with `/`.
+//! The file names in reports for use on other machines: relative to the project folder, with `/`.
 
 use std::path::{Path, PathBuf};
 
@@ -13,9 +13,10 @@ impl RelativeBase {
         Self(Some(folder.to_owned()))
     }
 
-    /// The way to a file from the folder; a path that leads elsewhere stays as it is, and so does what is no path.
+    /// The path of a file relative to the folder; paths outside it, and names that are not paths, are
+    /// unchanged.
     pub(super) fn relative(&self, name: &str) -> String {
-        // a drive has a shorter name than `\\?\C:`, which no URI can have
+        // a drive has a shorter name than `\\?\C:`, which is not valid in a URI
         let plain = name.strip_prefix(r"\\?\").filter(|rest| rest.as_bytes().get(1) == Some(&b':'));
         let path = Path::new(plain.unwrap_or(name));
         let full = if name.starts_with('<') { path.to_owned() } else { absolute(path) };
@@ -30,8 +31,8 @@ impl RelativeBase {
     }
 }
 
-/// A path as the reference of a URI (RFC 3986): relative as it is, absolute as `file:`, without segments that `..` takes
-/// back, as a reader of the URI removes them (§5.2.4).
+/// A path as a URI reference (RFC 3986): a relative one unchanged, an absolute one as `file:`, without segments that
+/// `..` removes, as URI readers do (§5.2.4).
 #[cfg(feature = "full")]
 pub(super) fn uri(path: &str) -> String {
     let path = &without_detours(path);

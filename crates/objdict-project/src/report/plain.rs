@@ -1,4 +1,4 @@
-//! Findings and mistakes as lines, where the library is built without what draws excerpts: what stops a build script.
+//! Findings and errors as lines, if the library is built without excerpts: for errors of build scripts.
 
 use std::io;
 

@@ -1,4 +1,4 @@
-//! How often each rule found something.
+//! The number of findings per rule.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -7,16 +7,16 @@ use std::io::{self, Write};
 use super::Subject;
 use objdict_model::diagnostic::{Diagnostic, Findings, Fix, Severity};
 
-/// What a report shows.
+/// The content of a report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Detail {
     /// The findings.
     #[default]
     Findings,
-    /// The findings, and how often each rule found something.
+    /// The findings, and their number per rule.
     Both,
-    /// Only how often each rule found something.
+    /// Only the number of findings per rule.
     Statistics,
 }
 
@@ -36,7 +36,7 @@ pub struct Statistics {
     rules: BTreeMap<&'static str, Statistic>,
 }
 
-/// How often a rule found something.
+/// The findings of a rule, as numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "full", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -46,7 +46,7 @@ pub struct Statistic {
     pub rule: &'static str,
     /// The highest severity of its findings.
     pub severity: Severity,
-    /// The number of its findings, also of those that were only counted.
+    /// The number of its findings, including those that were only counted.
     pub findings: usize,
     /// The number of files with a finding.
     pub files: usize,
@@ -86,14 +86,14 @@ impl Statistics {
         }
     }
 
-    /// The rules that found something: the highest severity first, then the most findings, else in the order of their ids.
+    /// The rules with findings: by severity, then by number of findings, then by id.
     pub fn rows(&self) -> Vec<Statistic> {
         let mut rows: Vec<Statistic> = self.rules.values().copied().collect();
         rows.sort_by_key(|row| (Reverse(row.severity), Reverse(row.findings), row.rule));
         rows
     }
 
-    /// Writes a table with an empty line behind it; nothing where nothing was found.
+    /// Writes a table followed by an empty line; nothing if there are no findings.
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let rows = self.rows();
         if rows.is_empty() {
@@ -108,7 +108,7 @@ impl Statistics {
     }
 }
 
-/// The first fix that is offered for the findings of a cause.
+/// The first offered fix for the findings of a cause.
 pub(super) fn offer<'a>(subject: Subject<'_>, finding: &'a Diagnostic) -> Option<&'a Fix> {
     let description = subject.description()?;
     let mut fixes = std::iter::once(finding).chain(&finding.also).filter_map(|one| one.fix.as_ref());

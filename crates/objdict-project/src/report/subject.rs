@@ -1,4 +1,4 @@
-//! What findings are about.
+//! The subjects of findings.
 //!
 //! A label of a network may point into the description of a node (`At::Node`); `Subject::of_label` selects the
 //! file.
@@ -9,20 +9,21 @@ use objdict_model::source::{SourceFile, Span};
 #[cfg(feature = "network")]
 use objdict_network_file::NetworkFile;
 
-/// What the findings of a file are about.
+/// The subject of a file's findings.
 #[derive(Clone, Copy, Debug)]
 pub enum Subject<'a> {
     /// A description.
     Description(&'a Description),
-    /// A network; its findings have spans, and labels that point into the descriptions of its nodes.
+    /// A network; its findings have spans, and labels in the descriptions of its nodes.
     #[cfg(feature = "network")]
     Network(&'a NetworkFile),
-    /// The description of a node of a network that has no file; labels point into the descriptions of the other nodes too.
+    /// The description of a node in a network without a file; labels may also point into the descriptions of
+    /// other nodes.
     #[cfg(feature = "network")]
     Node(&'a NetworkFile, usize),
-    /// The text of a description without findings, which was not read because it is known.
+    /// The text of a description without findings, which was not read because its result is known.
     Unchanged(&'a SourceFile),
-    /// Another text, such as the configuration; its findings have spans and no places.
+    /// Any other text, such as the configuration; its findings have spans but no places.
     Text(&'a SourceFile),
 }
 
@@ -41,8 +42,8 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// What a label points into: the description of a node, for a label of a network that does, the description of its type, for
-    /// a label of a configured node that does, else this subject.
+    /// The subject that a label points into: the description of a node, for such a label in a network; the type
+    /// description, for such a label of a configured node; otherwise this subject.
     #[must_use]
     pub fn of_label(self, at: &At) -> Self {
         match (self, at) {
@@ -62,8 +63,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Where a label points in the text of [what it points into](Self::of_label); the start of the text for what is not
-    /// in it.
+    /// The span of a label in the text of [its subject](Self::of_label); the start of the text if it is elsewhere.
     pub fn span_of(self, at: &At) -> Span {
         match (self.of_label(at), at) {
             (Self::Description(description), at) => description.span_of(at),
@@ -72,7 +72,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// The description; `None` for another text.
+    /// The description; `None` for any other text.
     pub fn description(self) -> Option<&'a Description> {
         match self {
             Self::Description(description) => Some(description),

@@ -1,13 +1,14 @@
-//! Columns in units of UTF-16, as SARIF and editors count them.
+//! Columns in UTF-16 units, as in SARIF and editors.
 
 use objdict_model::source::{LineColumn, SourceFile};
 
-/// Finds lines and columns. Findings come in the order of the text, so on a long line the count goes on from the last one.
+/// Finds lines and columns. Findings are in text order, so on a long line counting continues from the
+/// previous one.
 #[derive(Debug)]
 pub(super) struct ColumnCounter<'a> {
     source: &'a SourceFile,
     line: usize,
-    /// Where the last count ended, and the column of it, counted from 0.
+    /// The end of the last count, and its column, from 0.
     at: (usize, u32),
 }
 

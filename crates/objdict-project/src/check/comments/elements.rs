@@ -4,7 +4,7 @@ use super::{Directive, KEYWORD, leading};
 use objdict_model::source::Span;
 use objdict_xdd::xml::{Tree, comments};
 
-/// A comment applies to the next element, and before the root to the whole file.
+/// A comment applies to the next element, or before the root to the whole file.
 pub(super) fn directives(tree: &Tree) -> Vec<Directive> {
     let text = tree.text();
     let directive = |comment: Span| {
@@ -39,7 +39,7 @@ fn line_around(text: &str, comment: Span) -> Span {
     Span::new(line_start as u32, comment.end + (blanks + line_end) as u32)
 }
 
-/// Where a comment that allows a rule for the element around an offset is inserted, and the comment.
+/// The position and text of a new comment that allows a rule for the element around an offset.
 pub(super) fn insertion(text: &str, offset: u32, rule: &str) -> Option<(Span, String)> {
     let before = text.get(..offset as usize)?;
     let at = before.rfind('<')?;

@@ -67,8 +67,8 @@ pub(super) fn directives(description: &Description) -> Vec<Directive> {
     description.document().map_or_else(Vec::new, in_lines)
 }
 
-/// Where a comment that allows a rule for the section or element around an offset is inserted, and the comment; `None` in a format
-/// without such comments.
+/// The position and text of a new comment that allows a rule for the section or element around an offset; `None` in a
+/// format without such comments.
 pub fn insertion(description: &Description, offset: u32, rule: &str) -> Option<(Span, String)> {
     let text = description.source().text();
     text.get(..offset as usize)?;
@@ -85,7 +85,7 @@ pub fn insertion(description: &Description, offset: u32, rule: &str) -> Option<(
     None
 }
 
-/// A comment applies to the next section, and before the first section to the whole file.
+/// A comment applies to the next section, or before the first section to the whole file.
 fn in_lines(document: &Document) -> Vec<Directive> {
     let text = document.text();
     let mut directives: Vec<Directive> = Vec::new();
@@ -121,7 +121,7 @@ fn end_at(directives: &mut [Directive], end: u32) {
     }
 }
 
-/// The words of a text, separated by commas and blanks.
+/// The words of a text, separated by commas and spaces.
 fn words(text: &str) -> impl Iterator<Item = Span> {
     let mut at = 0;
     let is_between = |c: char| c == ',' || is_blank(c);
@@ -137,7 +137,7 @@ fn leading(text: &str, is_left: impl Fn(char) -> bool) -> u32 {
     (text.len() - text.trim_start_matches(is_left).len()) as u32
 }
 
-/// Blanks, line ends, and the end-of-file character of DOS.
+/// Whitespace, line ends, and the end-of-file character of DOS.
 fn is_blank(c: char) -> bool {
     c.is_whitespace() || matches!(c, '\0' | '\u{1A}')
 }

@@ -1,4 +1,4 @@
-//! The objects of SARIF 2.1.0 that are written, by the names that the standard gives them.
+//! The objects of SARIF 2.1.0 that are written, with the names of the standard.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -9,14 +9,14 @@ use super::level;
 use crate::report::Fingerprint;
 use objdict_model::diagnostic::{Applicability, FixSafety, HOME, RuleInfo};
 
-/// The schema that a log follows.
+/// The schema of a log.
 pub(super) const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
-/// What relative paths start from, by the name that services know.
+/// The base of relative paths, with the name that services support.
 pub(super) const SOURCE_ROOT: &str = "%SRCROOT%";
 
-/// What follows the results in a run (§3.14).
+/// The properties of a run that follow the results (§3.14).
 pub(super) struct Run<'a> {
     driver: Driver,
     artifacts: &'a [Artifact],
@@ -24,7 +24,7 @@ pub(super) struct Run<'a> {
     invocation: Invocation<'a>,
 }
 
-/// The folder of a base id (§3.14.14); its own path is omitted, so that a run is the same on every machine.
+/// The folder of a base id (§3.14.14); its path is omitted, so that a run is the same on every machine.
 #[derive(Serialize)]
 struct BaseFolder {
     description: Message,
@@ -89,7 +89,7 @@ pub(super) struct Artifact {
     pub(super) roles: [&'static str; 1],
 }
 
-/// Where a file is (§3.4).
+/// The location of a file (§3.4).
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct ArtifactLocation {
@@ -112,7 +112,7 @@ pub(super) struct Invocation<'a> {
     pub(super) tool_execution_notifications: &'a [Notification],
 }
 
-/// What the tool says of itself (§3.58).
+/// A message about the tool itself (§3.58).
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Notification {
@@ -166,7 +166,7 @@ pub(super) struct PhysicalLocation {
     pub(super) region: Region,
 }
 
-/// A part of a text (§3.30), and of the bytes where the text is in UTF-8.
+/// A part of a text (§3.30), and of the bytes if the text is UTF-8.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Region {
@@ -220,14 +220,15 @@ pub(super) struct Replacement {
     pub(super) inserted_content: Option<Content>,
 }
 
-/// What an edit writes (§3.3).
+/// The inserted text of an edit (§3.3).
 #[derive(Serialize)]
 pub(super) struct Content {
     pub(super) text: String,
 }
 
 impl<'a> Run<'a> {
-    /// The end of a run with these rules and files. `has_relative` says whether a path starts from the source root.
+    /// The end of a run with these rules and files. `has_relative`: whether a path is relative to the source
+    /// root.
     pub(super) fn new(
         rules: &[&'static RuleInfo],
         artifacts: &'a [Artifact],
@@ -292,7 +293,7 @@ fn plain(markdown: &str) -> String {
     lines.join("\n")
 }
 
-/// What an exit code means.
+/// The meaning of an exit code.
 pub(super) fn exit_code_description(code: u8) -> &'static str {
     match code {
         0 => "success",

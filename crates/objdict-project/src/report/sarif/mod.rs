@@ -1,7 +1,7 @@
 //! SARIF 2.1.0 (OASIS), the format of code scanning services.
 //!
-//! Results are written as they come. The rules that they are of, the files and how the run ended follow them, so a long run
-//! needs no more memory than the list of its files.
+//! Results are written immediately. Their rules, the files and the result of the run follow them, so a long run needs
+//! no more memory than the list of its files.
 
 mod log;
 
@@ -56,7 +56,7 @@ impl<W: Write> Sarif<W> {
         }
     }
 
-    /// With paths as they are seen from `folder`, which is that of the repository.
+    /// Sets the folder that paths are relative to, which is the repository's.
     #[must_use]
     pub fn base(mut self, folder: &Path) -> Self {
         self.base = RelativeBase::new(folder);
@@ -75,7 +75,7 @@ impl<W: Write> Sarif<W> {
         Ok(())
     }
 
-    /// The number of a rule among those that found something.
+    /// The number of a rule among those with findings.
     fn rule(&mut self, rule: &'static RuleInfo) -> usize {
         let next = self.rules.len();
         let number = *self.rule_numbers.entry(rule.id).or_insert(next);
@@ -85,7 +85,7 @@ impl<W: Write> Sarif<W> {
         number
     }
 
-    /// The location of a file, which is listed among the artifacts.
+    /// The location of a file, which is added to the artifacts.
     fn artifact(&mut self, subject: Subject<'_>) -> ArtifactLocation {
         let source = subject.source();
         let uri = uri(&self.base.relative(source.name()));
@@ -157,7 +157,7 @@ impl<W: Write> Report for Sarif<W> {
 }
 
 impl<W: Write> Sarif<W> {
-    /// A file that places are in.
+    /// A file that contains places.
     fn open<'a>(&mut self, subject: Subject<'a>) -> SarifFile<'a> {
         SarifFile { subject, artifact: self.artifact(subject), columns: ColumnCounter::new(subject.source()) }
     }
@@ -232,7 +232,7 @@ impl SarifFile<'_> {
         }
     }
 
-    /// The fix of a finding, where this text can be changed so.
+    /// The fix of a finding, if this text can be changed accordingly.
     fn fix(&mut self, finding: &Diagnostic) -> Option<Fix> {
         let description = self.subject.description()?;
         let fix = joint_fix(description, finding)?;
@@ -259,7 +259,8 @@ fn logical_location(place: &Place) -> LogicalLocation {
     }
 }
 
-/// Where the text begins in the file; `None` where offsets of the text are none of the file.
+/// The number of bytes before the text in the file; `None` if offsets in the text do not correspond to the
+/// file.
 fn bytes_before_text(source: &SourceFile) -> Option<u32> {
     match source.encoding() {
         _ if source.is_read_only() => None,
@@ -287,8 +288,8 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-/// A text as a message (§3.11): braces are doubled, for `{0}` is a placeholder, and nothing is a link, for messages quote
-/// untrusted files.
+/// A text as a message (§3.11): braces are doubled, because `{0}` is a placeholder, and links are disabled, because
+/// messages quote untrusted files.
 fn message(text: &str) -> Message {
     let text = printable_lines(text);
     Message { text: text.replace('{', "{{").replace('}', "}}").replace("](", "] (") }

@@ -1,5 +1,5 @@
-//! The lines of a source that a finding is about, as miette asks for them. The source's own line table answers; miette's
-//! stock sources look through the whole text for every label.
+//! The source lines of a finding, as requested by miette. The source's own line table is used; miette's stock sources
+//! search the whole text for every label.
 
 use std::borrow::Cow;
 
@@ -8,10 +8,10 @@ use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpa
 use objdict_model::diagnostic::{one_line, visible};
 use objdict_model::source::{SourceFile, Span};
 
-/// The most bytes of a line that are shown; of a longer one a window around the label.
+/// The maximum number of bytes shown of a line; a longer one is reduced to a window around the label.
 const MAX_LINE: usize = 300;
 
-/// The most bytes of a line that are underlined.
+/// The maximum number of underlined bytes of a line.
 const MAX_LABEL: usize = 120;
 
 /// Bytes to either side of a label that are shown of a line that is too long.
@@ -33,12 +33,12 @@ impl<'a> Excerpts<'a> {
         Self { source, name: one_line(source.name()), text: visible_text(source.text()) }
     }
 
-    /// What reports call the source.
+    /// The name of the source in reports.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
 
-    /// The part of a span that is underlined: within its first line, and not too much of that.
+    /// The underlined part of a span: within its first line, and limited in length.
     pub(super) fn cut(&self, span: Span) -> std::ops::Range<usize> {
         let start = self.floor((span.start as usize).min(self.text.len()));
         let limit = (span.end as usize).clamp(start, start.saturating_add(MAX_LABEL).min(self.text.len()));
@@ -55,13 +55,14 @@ impl<'a> Excerpts<'a> {
         at
     }
 
-    /// The bytes of a line, counted from 0, and where they end without the line end.
+    /// The bytes of a line, numbered from 0, and their end without the line end.
     fn line(&self, line: usize) -> (usize, usize) {
         let span = self.source.lines().line_span(&self.text, line);
         (span.start as usize, span.end as usize)
     }
 
-    /// The bytes to show for `start..end` with so many lines around it; whole lines where they are not too long.
+    /// The bytes to show for `start..end` with this many lines around it; whole lines unless they are too
+    /// long.
     fn window(&self, start: usize, end: usize, before: usize, after: usize) -> Option<(usize, usize)> {
         let lines = self.source.lines();
         let (first, last) = (lines.line_of(&self.text, start as u32), lines.line_of(&self.text, end as u32));
@@ -126,12 +127,12 @@ impl SourceCode for Excerpts<'_> {
     }
 }
 
-/// The text with every character that would steer a terminal replaced by one of the same length, so that all offsets
-/// stay; a lone CR is shown as the line end that it is.
+/// The text with every terminal control character replaced by one of the same length, so that all offsets remain; a
+/// lone CR is shown as a line end.
 fn visible_text(text: &str) -> Cow<'_, str> {
     let is_odd = |byte: u8| (byte.wrapping_sub(b' ') > b'~' - b' ') & !matches!(byte, b'\t' | b'\n' | b'\r');
     let bytes = text.as_bytes();
-    // without an early exit the loop over a chunk is a few vector instructions
+    // without an early exit, the compiler vectorises the loop over a chunk
     let has_odd = |chunk: &[u8]| chunk.iter().fold(false, |found, byte| found | is_odd(*byte));
     let has_lone_cr = || memchr::memchr_iter(b'\r', bytes).any(|at| bytes.get(at + 1) != Some(&b'\n'));
     if !bytes.chunks(4096).any(has_odd) && !has_lone_cr() {

@@ -19,17 +19,18 @@ use super::statistics::offer;
 use super::{Detail, Report, Statistics, Subject, Tally};
 use objdict_model::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
 
-/// The most findings of a file in a brief report, and how many a report has that ends without a table.
+/// The maximum number of findings of a file in a brief report, and of all findings in one that ends without a
+/// table.
 const MAX_BRIEF: usize = 20;
 
-/// Findings with the lines that they are about, and a sum at the end.
+/// Findings with their source lines, and a total at the end.
 pub struct TextReport<W> {
     out: W,
     printer: Printer,
     tally: Tally,
     detail: Detail,
     statistics: Statistics,
-    /// How many findings a safe fix can fix, and how many more an unsafe one.
+    /// The number of findings that a safe fix can fix, and of additional ones that an unsafe fix can.
     fixable: [usize; 2],
     /// Whether only the first findings of a file are shown.
     is_brief: bool,
@@ -55,21 +56,22 @@ impl<W: Write> TextReport<W> {
         }
     }
 
-    /// With lines of so many columns, 60 to 120, instead of 80.
+    /// Sets the line width in columns, 60 to 120 (default: 80).
     #[must_use]
     pub fn width(mut self, columns: usize) -> Self {
         self.printer.width = columns.clamp(60, 120);
         self
     }
 
-    /// With statistics, behind the findings or without them.
+    /// Sets whether statistics are written, in addition to or instead of the findings.
     #[must_use]
     pub fn detail(mut self, detail: Detail) -> Self {
         self.detail = detail;
         self
     }
 
-    /// With at most 20 findings of a file, errors first, and a table of the rules at the end where that was more in all.
+    /// Shows at most 20 findings of a file, errors first, and a table of the rules at the end if there are
+    /// more in total.
     #[must_use]
     pub fn brief(mut self) -> Self {
         self.is_brief = true;
@@ -142,7 +144,7 @@ impl<W: Write> Report for TextReport<W> {
     }
 }
 
-/// Findings of a file as a text without colours, with a sum at the end.
+/// Findings of a file as plain text, with a total at the end.
 pub fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
     let mut text = Vec::new();
     let mut report = TextReport::new(&mut text, false);
@@ -151,7 +153,7 @@ pub fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
-/// A finding, or a problem without a rule, as miette asks for it.
+/// A finding, or a problem without a rule, in the interface of miette.
 #[derive(Debug)]
 struct Rendered<'a> {
     code: Option<&'static str>,

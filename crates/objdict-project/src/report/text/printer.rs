@@ -1,5 +1,5 @@
-//! Draws findings as miette describes them: the lines that they are about, with marks under them. It looks like miette's
-//! own report; a label stays within its line, since `Excerpts` cuts it.
+//! Draws findings from miette's interface: their source lines, with marks under them. It looks like miette's own
+//! report; a label remains within its line, because `Excerpts` truncates it.
 
 use std::fmt::{self, Display, Write};
 use std::ops::Range;
@@ -10,10 +10,10 @@ use super::excerpt::Excerpted;
 use super::wrap;
 use objdict_model::diagnostic::one_line;
 
-/// The most characters of a message that are shown.
+/// The maximum number of characters shown of a message.
 const MAX_MESSAGE: usize = 600;
 
-/// The columns of a report that is not for a terminal.
+/// The width of a report that is not written to a terminal.
 pub(super) const WIDTH: usize = 80;
 
 /// Columns from one tab stop to the next.
@@ -22,7 +22,7 @@ const TAB: usize = 4;
 /// The styles of labels, in turn: purple, yellow, green, all bold.
 const LABELS: [&str; 3] = ["35;1", "33;1", "32;1"];
 
-/// A text in a style of the terminal; without colours there is none.
+/// A text in a terminal style; `None` without colours.
 struct Styled<T>(Option<&'static str>, T);
 
 impl<T: Display> Display for Styled<T> {
@@ -38,7 +38,7 @@ impl<T: Display> Display for Styled<T> {
 #[derive(Debug)]
 pub(super) struct Printer {
     pub(super) colour: bool,
-    /// Columns that a line may take before its text goes on in the next one.
+    /// The maximum width of a line in columns before its text is wrapped.
     pub(super) width: usize,
 }
 
@@ -52,7 +52,7 @@ struct Mark<'a> {
 }
 
 impl Mark<'_> {
-    /// The column from which a line leads to the text.
+    /// The column at which the connector to a label's text starts.
     fn middle(&self) -> usize {
         usize::midpoint(self.start, self.end)
     }
@@ -63,7 +63,7 @@ impl Printer {
         Styled(self.colour.then_some(style), text)
     }
 
-    /// Adds what is found to a text, with what other files have to do with it below its own lines.
+    /// Draws a finding, with related places in other files below its own lines.
     pub(super) fn draw(
         &self,
         out: &mut String,
@@ -173,7 +173,7 @@ impl Printer {
         writeln!(out, "  {:width$}╰────", "")
     }
 
-    /// The line under labels, and a line for the text of each.
+    /// The line under labels, and a line with the text of each.
     fn draw_marks(&self, out: &mut String, width: usize, marks: &[Mark<'_>]) -> fmt::Result {
         if marks.is_empty() {
             return Ok(());
@@ -209,7 +209,7 @@ impl Printer {
     }
 }
 
-/// The labels within a line, of which the text and the place are given.
+/// The labels within a line, whose text and position are given.
 fn marks<'a>(labels: &'a [LabeledSpan], line: &str, place: Range<usize>) -> Vec<Mark<'a>> {
     let mut from = 0;
     let mut marks = Vec::new();
@@ -224,11 +224,11 @@ fn marks<'a>(labels: &'a [LabeledSpan], line: &str, place: Range<usize>) -> Vec<
     marks
 }
 
-/// The columns of long lines that are shown: those of the labels, and as many around them as there is room for.
+/// The visible columns of long lines: those of the labels, and as many around them as fit.
 struct Pane {
-    /// The first one.
+    /// The first column.
     from: usize,
-    /// The one behind the last.
+    /// The column after the last one.
     to: usize,
 }
 
@@ -242,7 +242,8 @@ impl Pane {
         Self { from, to: from + room }
     }
 
-    /// Adds the part of a line, with spaces for tabs and `…` for what is not shown. A short line without labels is shown from its start.
+    /// Draws a part of a line, with spaces for tabs and `…` for hidden text. A short line without labels is
+    /// shown from its start.
     fn draw(&self, out: &mut String, line: &str, has_marks: bool) {
         let is_short = !has_marks && column_of(line, line.len()) <= self.to - self.from;
         let (from, to) = if is_short { (0, self.to) } else { (self.from, self.to) };
@@ -273,19 +274,19 @@ impl Pane {
     }
 }
 
-/// The columns that a character takes in this one.
+/// The width of a character in this column.
 fn columns(column: usize, character: char) -> usize {
     if character == '\t' { TAB - column % TAB } else { wrap::columns(character) }
 }
 
-/// The column of a byte of a line; that of a line end lies behind the text.
+/// The column of a byte in a line; the line end is after the text.
 fn column_of(line: &str, at: usize) -> usize {
     let text = line.get(..at).unwrap_or(line);
     let column = text.chars().fold(0, |column, character| column + columns(column, character));
     column + usize::from(at > line.len())
 }
 
-/// A message without control characters and not endless: it may quote anything in a file.
+/// A message without control characters and truncated, because it may quote anything in a file.
 pub(super) fn shown(message: &str) -> String {
     match message.char_indices().nth(MAX_MESSAGE) {
         Some((end, _)) => one_line(&message[..end]) + "…",

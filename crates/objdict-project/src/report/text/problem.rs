@@ -1,4 +1,4 @@
-//! A mistake in a text that is no description, shown like a finding.
+//! An error in a text that is not a description, shown like a finding.
 
 use miette::{LabeledSpan, Severity};
 
@@ -7,8 +7,8 @@ use super::excerpt::Excerpts;
 use super::printer::{Printer, WIDTH, shown};
 use objdict_model::source::{SourceFile, Span};
 
-/// A problem in a file of objdict (a profile, a configuration), with the lines and a mark under them, without colours:
-/// it goes to the standard error.
+/// A problem in a file of objdict (a profile, a configuration), with its source lines and a mark under them, without
+/// colours, for the standard error.
 pub fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str>) -> String {
     let excerpts = Excerpts::new(source);
     let problem = Rendered {

@@ -1,20 +1,20 @@
-//! Where a text goes on in the next line: between words, and inside one that is longer than a line.
+//! Wraps texts between words, and inside words that are longer than a line.
 
 use unicode_width::UnicodeWidthChar;
 
-/// The columns that a character takes.
+/// The width of a character in columns.
 pub(super) fn columns(character: char) -> usize {
     if character.is_ascii_graphic() { 1 } else { character.width().unwrap_or(0) }
 }
 
-/// The lines of a text, of at most so many columns.
+/// The lines of a text with a maximum width in columns.
 pub(super) fn lines(text: &str, width: usize) -> Vec<&str> {
-    // no character takes more columns than bytes
+    // no character has more columns than bytes
     if text.len() <= width {
         return vec![text.trim_end_matches(' ')];
     }
     let mut lines = Vec::new();
-    // where the line begins, where its last word does, and the columns of the line and of that word
+    // the start of the line and of its last word, and the widths of both
     let (mut start, mut word, mut taken, mut of_word) = (0, 0, 0, 0);
     for (at, character) in text.char_indices() {
         let more = columns(character);
