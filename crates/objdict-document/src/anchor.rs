@@ -6,7 +6,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Anchor {
     pub(crate) index: u16,
-    /// `None` for the whole object.
+    /// `None` for the object as a whole.
     pub(crate) sub: Option<u8>,
 }
 
@@ -63,7 +63,7 @@ fn spelled(part: &str) -> String {
 
 impl fmt::Display for Anchor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // digit by digit, not formatted: a page of a large device has tens of thousands of them
+        // digit by digit, not formatted: a page of a large device contains tens of thousands of them
         for shift in [12, 8, 4, 0] {
             f.write_str(digit(self.index >> shift))?;
         }

@@ -4,7 +4,7 @@ use super::context::{Context, Subject};
 use crate::Language;
 use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo, Part, PdoKind};
 
-/// Facts about a device and its file.
+/// Properties of a device and its file.
 pub(crate) struct Card {
     /// The product name.
     pub(crate) title: String,
@@ -28,13 +28,13 @@ pub(crate) struct VendorSection {
     pub(crate) keys: Vec<(String, String)>,
 }
 
-/// A named fact.
+/// A named property.
 pub(crate) struct CardLine {
     pub(crate) name: &'static str,
     pub(crate) text: String,
 }
 
-/// Collects facts and omits empty ones.
+/// Collects properties and omits empty ones.
 struct CardLines(Vec<CardLine>);
 
 impl CardLines {
@@ -100,7 +100,7 @@ fn device_facts(context: &Context<'_>) -> Vec<CardLine> {
     facts.0
 }
 
-/// Facts that only an XDD contains.
+/// Properties that only an XDD contains.
 fn further_identity(context: &Context<'_>, facts: &mut CardLines) {
     let Some(identity) = context.device.identity.as_deref() else { return };
     let texts = context.texts;
@@ -128,7 +128,7 @@ fn bit_rates(info: &DeviceInfo, context: &Context<'_>) -> String {
     text
 }
 
-/// The capabilities of the device, in words.
+/// The capabilities of the device, as text.
 fn features(info: &DeviceInfo, device: &Device, context: &Context<'_>) -> Vec<String> {
     let language = context.language;
     let flags = [

@@ -1,5 +1,5 @@
-//! Pages about more than one description: what changes between two (both sides beside each other, and PDOs as drawings), the
-//! variants of a device beside each other, and what a device answered beside what its description says.
+//! Pages that compare descriptions: the changes between two (both sides next to each other, and PDOs as diagrams), the
+//! variants of a device, and the responses of a device compared with its description.
 
 use super::diagram::{Diagram, Grid};
 use super::escape::filters;
@@ -17,7 +17,7 @@ pub struct ChangesPage<'a> {
     pub old: ChangedDevice<'a>,
     /// The new description.
     pub new: ChangedDevice<'a>,
-    /// The number of changes, in words.
+    /// The number of changes, as text.
     pub summary: String,
     /// The verdicts, the worst first.
     pub verdicts: Vec<&'static str>,
@@ -47,24 +47,24 @@ pub struct ChangeRow {
     pub rule: &'static str,
     /// The change as a sentence.
     pub message: String,
-    /// What was.
+    /// The old value.
     pub old: String,
-    /// What is.
+    /// The new value.
     pub new: String,
     /// Line and column in the old and in the new description.
     pub places: [String; 2],
-    /// What it means for whom.
+    /// The effects on each audience.
     pub effects: Vec<ChangeEffect>,
     /// The PDO that is drawn on both sides.
     pub pdo: Option<(PdoKind, u16)>,
 }
 
-/// What a change means for an audience.
+/// The effect of a change on an audience.
 #[derive(Clone, Debug)]
 pub struct ChangeEffect {
     /// The identifier of the audience.
     pub audience: &'static str,
-    /// The audience in words.
+    /// The audience as text.
     pub title: &'static str,
     /// The verdict.
     pub verdict: &'static str,
@@ -98,7 +98,7 @@ impl DrawnChange<'_> {
 }
 
 impl ChangesPage<'_> {
-    /// Writes the page as HTML, which needs no other file.
+    /// Writes the page as HTML without external files.
     pub fn html(&self) -> String {
         let rows = self.changes.iter().map(|change| DrawnChange {
             old: change.pdo.and_then(|pdo| drawing(self.old.device, pdo)),
@@ -116,7 +116,7 @@ impl ChangesPage<'_> {
     }
 }
 
-/// The frame of a PDO. Its entries have no place on this page, so nothing links to them.
+/// The frame of a PDO, without links, because its entries are not on this page.
 fn drawing(device: &Device, (kind, number): (PdoKind, u16)) -> Option<Diagram> {
     let pdo = device.pdo(kind, number)?;
     let name = |entry: &Entry| entry.name.to_string();
@@ -146,21 +146,21 @@ struct VariantsTemplate<'a> {
 }
 
 impl VariantsPage<'_> {
-    /// Writes the page as HTML, which needs no other file.
+    /// Writes the page as HTML without external files.
     pub fn html(&self) -> String {
         with_policy(rendered(&VariantsTemplate { page: self }, 20_000))
     }
 }
 
-/// The page of the answers of a device.
+/// The page about a device's responses.
 #[derive(Debug)]
 pub struct ProbePage<'a> {
     /// The description.
     pub file: &'a str,
-    /// How many answers are as described.
+    /// The number of responses that match the description, as text.
     pub summary: String,
-    /// Each answer: address, name, what was asked, the answer, and the rule that it contradicts and how; both are empty for one that is
-    /// as described.
+    /// Each response: address, name, request, response, and the violated rule with its message; the last two are empty
+    /// if the response matches the description.
     pub rows: Vec<[String; 6]>,
 }
 
@@ -171,7 +171,7 @@ struct ProbeTemplate<'a> {
 }
 
 impl ProbePage<'_> {
-    /// Writes the page as HTML, which needs no other file.
+    /// Writes the page as HTML without external files.
     pub fn html(&self) -> String {
         with_policy(rendered(&ProbeTemplate { page: self }, 20_000 + 200 * self.rows.len()))
     }

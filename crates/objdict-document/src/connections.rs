@@ -1,4 +1,4 @@
-//! The CAN-IDs of a node: the predefined connection set (CiA 301 §7.3.5) with its present configuration, and
+//! The CAN-IDs of a node: the predefined connection set (CiA 301 §7.3.5) with its current configuration, and
 //! all further CAN-IDs in use.
 
 use super::anchor::Anchor;
@@ -12,7 +12,7 @@ use crate::model::{CobId, PdoKind, SdoChannel, Services, predefined};
 pub(crate) struct ConnectionRow {
     /// `TPDO 1`.
     pub(crate) service: String,
-    /// From the view of the device.
+    /// From the perspective of the device.
     pub(crate) direction: Direction,
     /// The CAN-ID of the predefined connection set; empty for other services.
     pub(crate) predefined: String,
@@ -46,7 +46,7 @@ impl Direction {
         }
     }
 
-    /// What the device does, in words.
+    /// The role of the device, as text.
     pub(crate) const fn word(self, texts: &LanguageTexts) -> &'static str {
         match self {
             Self::Sends => texts.sends,
@@ -61,7 +61,7 @@ impl Direction {
 pub(crate) enum ServiceUse {
     /// Uses the predefined CAN-ID, or the service has none.
     Used,
-    /// Uses another CAN-ID than the predefined one.
+    /// Uses a CAN-ID other than the predefined one.
     Differs,
     /// Marked as not valid by bit 31.
     Off,

@@ -1,4 +1,4 @@
-//! What all parts of a page are made of: what is documented, in which form, and with which options.
+//! The common input of all parts of a page: the documented device, the output format, and the options.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -52,7 +52,7 @@ impl<'a> Context<'a> {
         self.carriers.get(&(index, sub)).cloned().unwrap_or_default()
     }
 
-    /// The name of an entry in the language of the page, and the name in the file if it differs.
+    /// The name of an entry in the language of the page, and the name in the file if that differs.
     pub(super) fn names(&self, entry: Cow<'a, Entry>) -> (Cow<'a, str>, Option<Cow<'a, str>>) {
         match entry {
             Cow::Borrowed(entry) => {
@@ -88,7 +88,7 @@ fn carriers(device: &Device) -> BTreeMap<(u16, u8), Vec<String>> {
         let name = pdo.to_string();
         for mapped in pdo.mapped().filter(|mapped| !mapped.is_dummy()) {
             let names = carriers.entry(mapped.entry()).or_default();
-            // list a PDO that maps the entry twice only once; it would be the last in the list
+            // list a PDO that maps the entry twice only once; a duplicate would be the last in the list
             if names.last() != Some(&name) {
                 names.push(name.clone());
             }
@@ -102,10 +102,11 @@ fn carriers(device: &Device) -> BTreeMap<(u16, u8), Vec<String>> {
 pub struct Options {
     /// The title (default: product name).
     pub title: Option<String>,
-    /// The node-ID for COB-IDs, 1 to 127 (default: that of the configured node, if any).
+    /// The node-ID for COB-IDs, 1 to 127 (default: from the configured node, if any).
     pub node_id: Option<u8>,
     /// The language of names and descriptions, if the description has several (RFC 5646, such as `de`).
-    /// Headings and sentences use it if objdict supports it ([`Language::of_tag`]), else English.
+    /// Headings and sentences also use it if objdict supports it ([`Language::of_tag`]), otherwise
+    /// English.
     pub language: Option<String>,
     /// The address of a workbench, the page that edits descriptions (default: no link to one). It is a URL of HTTP or a path.
     pub workbench: Option<String>,
@@ -150,7 +151,7 @@ pub struct CodeName {
     pub c: String,
 }
 
-/// Output forms.
+/// Output formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A self-contained HTML page.
@@ -162,10 +163,10 @@ pub enum Form {
 }
 
 impl Form {
-    /// All forms.
+    /// All formats.
     pub const ALL: [Self; 3] = [Self::Html, Self::Markdown, Self::Csv];
 
-    /// The form for a file extension (without the dot).
+    /// The format for a file extension (without the dot).
     pub fn of_extension(extension: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|form| form.extension().eq_ignore_ascii_case(extension))
     }

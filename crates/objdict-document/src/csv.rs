@@ -71,7 +71,7 @@ impl<'a> CsvRow<'a> {
         self.view.map(text).unwrap_or_default().into()
     }
 
-    /// Texts that are not valid values of their fields: `DefaultValue = 300`.
+    /// Invalid field values: `DefaultValue = 300`.
     fn invalid_values(&self) -> String {
         let invalid_values = self.entry.iter().flat_map(|entry| entry.invalid_values.iter());
         let invalid = invalid_values.filter(|invalid| VALUES.contains(&invalid.field));
@@ -80,7 +80,7 @@ impl<'a> CsvRow<'a> {
         pairs(&texts)
     }
 
-    /// A value in spreadsheet form; empty if it is missing or invalid.
+    /// A value in spreadsheet notation; empty if it is missing or invalid.
     fn value(&self, value: impl FnOnce(&Entry) -> Option<&Value>) -> Cow<'_, str> {
         let Some(entry) = &self.entry else { return "".into() };
         let Some(value) = value(entry) else { return "".into() };
@@ -178,7 +178,7 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
     text
 }
 
-/// A column: its name, and what a row has in it.
+/// A column: its name, and its content for a row.
 pub(super) type CsvColumn<R> = (&'static str, fn(&R) -> String);
 
 /// A table with a line for each row.

@@ -35,7 +35,7 @@ pub(crate) struct Details<'a> {
     pub(crate) word_of: Option<Anchor>,
     /// The values allowed by a CiA document, if the description has no limits.
     pub(crate) allowed: Option<String>,
-    /// Further facts with their labels.
+    /// Further properties with their labels.
     pub(crate) facts: Vec<(&'static str, String)>,
     /// Vendor-specific or tool-specific keys, as in the file.
     pub(crate) keys: Vec<(String, String)>,
@@ -84,7 +84,7 @@ impl Details<'_> {
 }
 
 impl Details<'_> {
-    /// Adds what CiA documents define for an entry beyond its description.
+    /// Adds the definitions of CiA documents for an entry in addition to its description.
     pub(super) fn add_documents(&mut self, sub: u8, entry: &Entry, documents: &[ObjectFacts<'static>]) {
         let facts = || documents.iter().filter_map(|facts| facts.entry(sub));
         if self.values.is_empty() && self.parts.is_empty() {
@@ -159,7 +159,7 @@ fn of_own(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
         details.keys.extend(stack.settings().map(|(key, value)| (key.to_owned(), value)));
     }
     details.keys.extend(entry.extra.iter().map(|(key, value)| (key.to_owned(), value.to_owned())));
-    // invalid values are shown in place of the values
+    // invalid values are shown instead of the values
     let others = entry.invalid_values.iter().filter(|invalid| !VALUES.contains(&invalid.field));
     details.keys.extend(others.map(|invalid| (invalid.field.to_string(), format!("`{}`?", invalid.text))));
 }
@@ -213,8 +213,8 @@ fn of_parameter(context: &Context<'_>, parameter: &Parameter, details: &mut Deta
     details.keys.extend(properties.map(|property| (property.name.to_string(), property.value.to_string())));
 }
 
-/// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and how the engineering value is
-/// computed from the raw number.
+/// `mm`, `mm (× 0.001) = (value + 5) × 0.1`: the symbol of the unit, and the formula of the
+/// engineering value.
 fn scaled_unit(context: &Context<'_>, parameter: &Parameter) -> Option<String> {
     let Scaling { unit, offset, multiplier } = context.meanings.as_ref()?.scaling(parameter);
     let mut text =
@@ -279,7 +279,7 @@ fn of_flags(context: &Context<'_>, entry: &Entry, details: &mut Details<'_>) {
 pub(crate) struct StatesView {
     /// `CiA 402`.
     pub(crate) document: &'static str,
-    /// The object that has the state, and the one that takes commands.
+    /// The object with the state, and the object that receives commands.
     pub(crate) objects: [Anchor; 2],
     /// The bits of the first object in each state.
     pub(crate) states: Vec<(String, &'static str)>,
@@ -309,7 +309,7 @@ pub(super) fn states(context: &Context<'_>) -> Option<StatesView> {
     })
 }
 
-/// The values in text: `x01x 0111`, `3`, `4–7`.
+/// The values as text: `x01x 0111`, `3`, `4–7`.
 pub(super) fn shown(values: &Values) -> String {
     match values {
         Values::Mask(mask) => mask.clone(),
@@ -318,7 +318,7 @@ pub(super) fn shown(values: &Values) -> String {
     }
 }
 
-/// The error codes of a device whose profile defines some: these, and those of communication.
+/// The error codes of a device whose profile defines some, including those of communication.
 pub(super) fn error_codes(context: &Context<'_>) -> Vec<ErrorCode> {
     let errors = profile::of_device(context.device).map(Profile::errors).filter(|errors| errors.len() > 0);
     let Some(errors) = errors else { return Vec::new() };

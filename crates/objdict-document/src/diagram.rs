@@ -19,12 +19,12 @@ const RIGHT: u32 = LEFT + 8 * WIDTH;
 const NAME_SIZE: f64 = 11.5;
 const PLACE_SIZE: f64 = 8.5;
 
-/// Number of colours used in turn. Not a divisor of 8, so a field below another one has a different colour.
+/// Number of colours used in turn. Not a divisor of 8, so vertically adjacent fields have different colours.
 const HUES: usize = 6;
 
 /// A PDO diagram.
 pub(crate) struct Diagram {
-    /// The layout in words.
+    /// The layout as text.
     pub(crate) label: String,
     pub(crate) shapes: Vec<DiagramField>,
     /// The unused bits of the last byte.
@@ -38,7 +38,7 @@ pub(crate) struct Diagram {
 pub(crate) struct Rest {
     /// Their outline.
     pub(crate) path: String,
-    /// Position of the label, if there is room for one.
+    /// Position of the label, if it fits.
     pub(crate) place: Option<(u32, u32)>,
 }
 
@@ -88,7 +88,7 @@ pub(crate) struct DiagramText {
 }
 
 impl Diagram {
-    /// The diagram of a layout; `None` if there is nothing to draw.
+    /// The diagram of a layout; `None` if it is empty.
     pub(crate) fn new(title: &str, layout: &FrameLayout, language: Language) -> Option<Self> {
         let mut shapes = Vec::new();
         for (hue, (field, span)) in layout.shown().enumerate() {
@@ -200,7 +200,7 @@ struct TextBox {
     bottom: u32,
 }
 
-/// The texts of a field: its name and, if there is room, its index and sub-index.
+/// The texts of a field: its name and, if it fits, its index and sub-index.
 fn texts(field: &LayoutField, span: BitSpan) -> Vec<DiagramText> {
     rooms(span).into_iter().flat_map(|room| texts_in(field, room)).collect()
 }
@@ -274,8 +274,8 @@ fn of(character: char) -> f64 {
     }
 }
 
-/// Shortens a text with an ellipsis in the middle if there is not enough room, because names of a series
-/// differ at the end.
+/// Shortens a text with an ellipsis in the middle if it is too long, because names of a series differ at
+/// the end.
 pub(super) fn fit(text: &str, room: f64, size: f64) -> String {
     if width(text, size) <= room {
         return text.to_owned();

@@ -15,7 +15,7 @@ pub(crate) struct EntryView<'a> {
     pub(crate) sub: u8,
     /// The name in the language of the page if available, else the name in the file.
     pub(crate) name: Cow<'a, str>,
-    /// The name in the file, if another name is shown.
+    /// The name in the file, if it differs from the displayed one.
     pub(crate) own_name: Option<Cow<'a, str>>,
     /// Empty if unknown.
     pub(crate) data_type: Cow<'static, str>,
@@ -23,7 +23,7 @@ pub(crate) struct EntryView<'a> {
     pub(crate) bits: Option<u8>,
     /// Empty if not stated.
     pub(crate) access: &'static str,
-    /// The PDO kinds that may map it: `RPDO`, `TPDO`, both; empty for none.
+    /// The PDO kinds that may map it: `RPDO`, `TPDO`, both, or empty.
     pub(crate) pdo: &'static str,
     /// The default value; formulas are evaluated if the node-ID is known. Empty if there is none.
     pub(crate) default: String,
@@ -35,7 +35,7 @@ pub(crate) struct EntryView<'a> {
     pub(crate) low: String,
     /// Empty if not stated.
     pub(crate) high: String,
-    /// The meaning of the value in words.
+    /// The meaning of the value as text.
     pub(crate) meaning: Option<String>,
     pub(crate) details: Details<'a>,
     pub(crate) code: Option<&'a CodeName>,
@@ -92,7 +92,7 @@ impl<'a> EntryView<'a> {
         format!("0x{:02X}", self.sub)
     }
 
-    /// Whether there is more to show than name, type, access, mapping and value.
+    /// Whether it has more content than name, type, access, mapping and value.
     pub(crate) fn has_more(&self) -> bool {
         self.meaning.is_some() || self.has_limits() || self.own_name.is_some() || !self.details.is_empty()
     }

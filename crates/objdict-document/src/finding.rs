@@ -51,7 +51,7 @@ impl Finding {
         }
     }
 
-    /// The finding on the page of a device, which has no place for a disabled object.
+    /// Moves the finding to the page of a device, which does not contain disabled objects.
     #[must_use]
     pub fn on_page_of(mut self, device: &Device) -> Self {
         let is_there =
@@ -119,8 +119,8 @@ impl<'a> RuleFindings<'a> {
     }
 }
 
-/// Splits a message into parts and flags those quoted from the description: text between backticks, unless
-/// the quoted text contains a backtick.
+/// Splits a message into parts and flags quotations from the description: text between backticks, unless
+/// the quotation contains a backtick.
 pub(crate) fn quoted(message: &str) -> Vec<(bool, &str)> {
     let parts: Vec<&str> = message.split('`').collect();
     if parts.len().is_multiple_of(2) {

@@ -1,5 +1,4 @@
-//! HTML output: a self-contained page, which may do nothing but what its own scripts and styles do (Content Security Policy
-//! Level 3, W3C).
+//! HTML output: a self-contained page, restricted to its own scripts and styles (Content Security Policy Level 3, W3C).
 
 use super::card::Card;
 use super::escape::filters;
@@ -22,7 +21,7 @@ struct CardTemplate<'a> {
     card: &'a Card,
 }
 
-/// Writes the card alone, for a place in a page of others.
+/// Writes only the card, for including in a different page.
 pub(super) fn write_card(card: &Card) -> String {
     rendered(&CardTemplate { card }, 0)
 }
@@ -33,7 +32,7 @@ pub(super) fn write(page: &Page<'_>) -> String {
     with_policy(rendered(&HtmlPage { page }, 40_000 + 500 * page.entry_count()))
 }
 
-/// The text of a template, in a buffer of a first size.
+/// Renders a template into a buffer of an initial size.
 pub(crate) fn rendered(template: &impl Template, room: usize) -> String {
     let mut text = String::with_capacity(room);
     // writing to a String cannot fail, nor do the template filters
@@ -41,11 +40,11 @@ pub(crate) fn rendered(template: &impl Template, room: usize) -> String {
     text
 }
 
-/// The policy is inserted behind this; it does not apply to what is before it.
+/// The policy is inserted after this; it does not apply to preceding content.
 const HEAD: &str = "<meta charset=\"utf-8\">\n";
 
-/// A page with the policy that allows the scripts and styles in it, by their hashes. Texts of a description are escaped, so none of
-/// them begins an element.
+/// Adds the policy that allows the scripts and styles in a page, by their hashes. Texts of a description are escaped,
+/// so none of them starts an element.
 pub(crate) fn with_policy(mut page: String) -> String {
     let Some(head) = page.find(HEAD) else { return page };
     let (styles, scripts) = (sources(&page, "<style>", "</style>"), sources(&page, "<script>", "</script>"));
@@ -57,7 +56,7 @@ pub(crate) fn with_policy(mut page: String) -> String {
     page
 }
 
-/// The sources that a directive allows: the content of each of the elements.
+/// The sources that a directive allows: the content of each element.
 fn sources(page: &str, start: &str, end: &str) -> String {
     let starts = memmem::find_iter(page.as_bytes(), start);
     let contents = starts.filter_map(|at| Some(page[at + start.len()..].split_once(end)?.0));

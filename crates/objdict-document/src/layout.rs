@@ -19,7 +19,7 @@ pub(crate) struct FrameLayout {
 pub(crate) enum FrameContent {
     /// This number of mapped objects.
     Objects,
-    /// Nothing: the number is 0.
+    /// Empty: the number is 0.
     Nothing,
     /// A multiplexed PDO that contains the source multiplexer (FEh: SAM-MPDO).
     SourceMultiplexed,
@@ -85,7 +85,7 @@ impl FrameLayout {
         Self { content, fields: fields.collect() }
     }
 
-    /// The number of mapped bits, even if more than a frame has; `None` if unknown.
+    /// The number of mapped bits, even if it exceeds a frame; `None` if unknown.
     pub(crate) fn bits(&self) -> Option<u32> {
         let is_known = self.fields.iter().all(|field| field.object.is_some());
         is_known.then(|| self.fields.iter().map(|field| field.bits).sum())

@@ -3,7 +3,7 @@
 //! `objdict-network` is needed for the index of a site, `objdict-node` for the downloads of a node, and
 //! `objdict-device` for the texts of abort codes.
 //!
-//! A page contains the words in reading order; a [`Form`] writes it. Neither reads files: the findings of
+//! A page contains the text in reading order; a [`Form`] writes it. Neither reads files: the findings of
 //! `check` and the file name are passed with the device ([`Subject`]).
 
 mod anchor;
@@ -48,5 +48,5 @@ pub use self::write::{card, write};
 use objdict_model::{Language, diagnostic, model, source};
 use objdict_profile as profile;
 
-/// What pages say that they are made by.
+/// The version of the generator stated on pages.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -29,7 +29,7 @@ pub(crate) struct ObjectView<'a> {
     pub(crate) index: u16,
     /// The name in the language of the page if available, else the name in the file.
     pub(crate) name: Cow<'a, str>,
-    /// The name in the file, if another name is shown.
+    /// The name in the file, if it differs from the displayed one.
     pub(crate) own_name: Option<Cow<'a, str>>,
     /// `ARRAY`; empty if only sub-indexes are described.
     pub(crate) object_type: String,
@@ -39,7 +39,7 @@ pub(crate) struct ObjectView<'a> {
     pub(crate) is_array: bool,
     /// The entries; a single one for an object without sub-indexes.
     pub(crate) entries: Vec<EntryView<'a>>,
-    /// The details of the object; empty if it has one value, whose entry contains them.
+    /// The details of the object; empty if it has a single value, whose entry contains them.
     pub(crate) details: Details<'a>,
     /// The objects it refers to.
     pub(crate) links: Vec<Anchor>,
@@ -114,7 +114,7 @@ pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Area<'a>> {
     areas
 }
 
-/// Shows sentences and bit tables shared by several objects only at the first one; the others link to it.
+/// Shows sentences and bit tables that several objects share only at the first one; the others link to it.
 fn say_once(areas: &mut [Area<'_>]) {
     let (mut sentences, mut words) = (HashSet::new(), HashMap::new());
     for object in areas.iter_mut().flat_map(|area| &mut area.objects) {

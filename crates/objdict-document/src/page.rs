@@ -1,8 +1,8 @@
-//! The content of a page in reading order: communication (services and PDOs in words, CAN-IDs), and what configures a node in
-//! the order in which it is sent.
+//! The content of a page in reading order: communication (services and PDOs as text, CAN-IDs), and the configuration of
+//! a node in the order of transmission.
 //!
-//! A new part is a field of `Page` with its data in a file of its own, partials in `templates/html` and
-//! `templates/markdown`, and words in `texts` in both languages.
+//! A new part is a field of `Page` with its data in a separate file, partials in `templates/html` and
+//! `templates/markdown`, and text in `texts` in both languages.
 
 use super::anchor::Anchor;
 use super::card::Card;
@@ -22,7 +22,7 @@ use crate::describe::{Decoder, ValueReader};
 use crate::model::{Entry, Value};
 use objdict_node::download::{ConciseDcf, Download, PlanOptions, Step, transferred_type};
 
-/// The documentation of a device in words.
+/// The documentation of a device as text.
 pub(crate) struct Page<'a> {
     pub(crate) language: Language,
     pub(crate) texts: &'static LanguageTexts,
@@ -33,17 +33,17 @@ pub(crate) struct Page<'a> {
     /// The findings of `check` by rule; `None` if it did not run.
     pub(crate) findings: Option<Vec<RuleFindings<'a>>>,
     pub(crate) communication: Communication,
-    /// What configures the node, in order; empty for a device type.
+    /// The configuration of the node, in order; empty for a device type.
     pub(crate) downloads: Vec<DownloadView>,
     /// The state machine of the device profile.
     pub(crate) states: Option<StatesView>,
-    /// The error codes that EMCY may have; empty if the device profile has none.
+    /// The possible error codes of EMCY; empty if the device profile has none.
     pub(crate) error_codes: Vec<ErrorCode>,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<ShownGroup<'a>>,
     /// Whether any entry has a configured value.
     pub(crate) is_configured: bool,
-    /// The URL of the index of the site; `None` for a page alone.
+    /// The URL of the index of the site; `None` for a single page.
     pub(crate) site: Option<String>,
     /// The address of a workbench, and the file to open there.
     pub(crate) workbench: Option<(&'a str, &'a str)>,
@@ -131,19 +131,19 @@ impl Communication {
 /// A download to the device.
 pub(crate) struct DownloadView {
     pub(crate) entry: Anchor,
-    /// Where the page has the entry.
+    /// The position of the entry on the page.
     pub(crate) anchor: Option<Anchor>,
     /// The names of object and entry: `Identity object / Vendor-ID`.
     pub(crate) name: String,
     /// The value; `None` for data in a file.
     pub(crate) value: Option<Value>,
-    /// The value in text, or the name of the file.
+    /// The value as text, or the name of the file.
     pub(crate) shown: String,
-    /// The meaning of the value in words.
+    /// The meaning of the value as text.
     pub(crate) meaning: Option<String>,
 }
 
-/// The downloads of a configured node; none where its values cannot be sent, which `check` reports.
+/// The downloads of a configured node; empty if its values cannot be sent, which `check` reports.
 pub(super) fn downloads(context: &Context<'_>) -> Vec<DownloadView> {
     let options = PlanOptions { node_id: context.node_id, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(context.device, &options).unwrap_or_default();

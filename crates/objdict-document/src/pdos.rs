@@ -1,4 +1,4 @@
-//! PDOs of a device in words, with their frame layout.
+//! PDOs of a device as text, with their frame layout.
 
 use super::anchor::Anchor;
 use super::diagram::Diagram;
@@ -39,7 +39,7 @@ pub(crate) struct MappedObjectRow {
     /// Empty if unknown.
     pub(crate) data_type: String,
     pub(crate) bits: u32,
-    /// Whether a DCF maps another object than the default.
+    /// Whether a DCF maps a different object from the default.
     pub(crate) is_changed: bool,
 }
 

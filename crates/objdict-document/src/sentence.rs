@@ -13,7 +13,7 @@ pub(crate) struct Clause {
     pub(crate) anchor: Option<Anchor>,
     /// Whether the configured value differs from the default.
     pub(crate) is_changed: bool,
-    /// The default in words, if the configured value differs.
+    /// The default as text, if the configured value differs.
     pub(crate) default: Option<String>,
 }
 
@@ -63,7 +63,7 @@ pub(super) struct ChangedCobId {
 }
 
 impl ChangedCobId {
-    /// Compares the COB-ID in an entry with its default; without a default, all parts count as changed.
+    /// Compares the COB-ID in an entry with its default; without a default, all parts are considered changed.
     pub(super) fn of(decoder: &Decoder<'_>, index: u16, sub: u8) -> Self {
         let entry = decoder.device.entry(index, sub).filter(|entry| entry.is_changed(decoder.node_id));
         let Some(entry) = entry else { return Self { can_id: false, bit_31: false, bit_30: false } };

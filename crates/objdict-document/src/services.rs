@@ -1,4 +1,4 @@
-//! Services of a device other than PDOs, in words.
+//! Services of a device other than PDOs, as text.
 
 use super::sentence::{self, ChangedCobId, Clause};
 use crate::Language;
@@ -65,7 +65,7 @@ impl Speaker<'_> {
         self.decoder.device.object(index).is_some()
     }
 
-    /// What the number in an object means, which has words of its own for 0; `None` without a number.
+    /// The meaning of the number in an object, with specific text for 0; `None` without a number.
     fn number(
         &self,
         index: u16,

@@ -18,7 +18,8 @@ use crate::Language;
 use crate::diagnostic::Severity;
 use crate::model::PdoKind;
 
-/// A site under construction. Pages are written one by one; kept are only the data for the index, and configured nodes.
+/// A site under construction. Pages are written one by one; only the data for the index and the configured
+/// nodes are kept.
 ///
 /// ```
 /// use objdict_document::{Form, Options, Site, Subject};
@@ -117,19 +118,21 @@ impl Site {
             let count = self.taken.entry(stem.to_lowercase()).or_default();
             *count += 1;
             let name = if *count == 1 { stem.clone() } else { format!("{stem}-{count}") };
-            // a numbered name may be the name of another file
+            // a numbered name may be the name of a different file
             if name == stem || self.taken.insert(name.to_lowercase(), 1).is_none() {
                 return format!("{name}.{}", self.form.extension());
             }
         }
     }
 
-    /// Adds a network to the index. Configured nodes of none of them are shown as the networks that their descriptions state.
+    /// Adds a network to the index. Configured nodes outside these are shown as the networks that their
+    /// descriptions state.
     pub fn add_network(&mut self, network: SiteNetwork) {
         self.networks.push(network);
     }
 
-    /// Returns the index after all pages and networks are added, and the files beside it: pictures and tables of networks.
+    /// Returns the index after all pages and networks are added, and its additional files: diagrams and
+    /// tables of networks.
     pub fn index(mut self) -> Vec<SiteFile> {
         let is_given = |node: &StatedNode| {
             let mut pages = self.networks.iter().flat_map(|network| &network.pages);
@@ -263,7 +266,7 @@ struct MarkdownIndex<'a> {
     index: &'a Index<'a>,
 }
 
-/// The table of devices, a line each. As in the other tables, columns are never renamed, moved or removed.
+/// The table of devices, one line each. As in the other tables, columns are never renamed, moved or removed.
 const COLUMNS: [CsvColumn<Listed>; 15] = [
     ("file", |device| device.file.clone()),
     ("format", |device| device.format.clone()),

@@ -1,11 +1,11 @@
-//! Headings and words of the documentation in the supported languages. Sentences with numbers are in the code
+//! Headings and text of the documentation in the supported languages. Sentences with numbers are in the code
 //! that builds them.
 
 use crate::Language;
 
 macro_rules! texts {
     ($($name:ident: $english:literal, $german:literal;)+) => {
-        /// Headings and words in one language.
+        /// Headings and text in one language.
         pub(crate) struct LanguageTexts {
             $(pub(crate) $name: &'static str,)+
         }

@@ -1,4 +1,4 @@
-//! A page in each of the forms.
+//! Writes a page in each format.
 
 use super::card::Card;
 use super::context::{Context, Form, Options, Subject};

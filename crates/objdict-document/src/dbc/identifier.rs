@@ -18,7 +18,7 @@ pub(super) struct DbcName {
     pub(super) full: Option<String>,
 }
 
-/// The words of a text, joined by `_`; empty if it has no letter or digit of ASCII.
+/// The words of a text, joined by `_`; empty if it has no ASCII letter or digit.
 pub(super) fn words(text: &str) -> String {
     let mut joined = String::new();
     let plain = |c: char| transliterate(c).map_or_else(|| c.to_string(), str::to_owned);
@@ -46,7 +46,7 @@ pub(super) struct DbcNames {
 }
 
 impl DbcNames {
-    /// A name of these words. When it is in use, `suffix` is added, which makes it unique or nearly so.
+    /// A name of these words. If it is in use, `suffix` is added, which makes it unique or nearly so.
     pub(super) fn claim(&mut self, words: &str, suffix: &str) -> DbcName {
         let full = match words {
             "" => self.free(&format!("x{suffix}"), suffix, LONGEST_FULL),
@@ -74,7 +74,7 @@ impl DbcNames {
     }
 }
 
-/// The first bytes of a name, without a `_` at its end.
+/// The first bytes of a name, without a trailing `_`.
 fn clip(name: &str, length: usize) -> &str {
     name[..name.len().min(length)].trim_end_matches('_')
 }

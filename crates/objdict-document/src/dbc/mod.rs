@@ -1,7 +1,7 @@
 //! The frames of configured nodes as a DBC: the messages and signals that tools of the CAN bus decode.
 //!
-//! A DBC holds what is on the bus: the PDOs of each node, its EMCY and heartbeat, SYNC, TIME and NMT, and SDO if that is
-//! asked for. Everything else of a dictionary has no place in it.
+//! A DBC describes the bus: the PDOs of each node, its EMCY and heartbeat, SYNC, TIME and NMT, and SDO on request. It
+//! cannot contain any other part of a dictionary.
 
 mod decimal;
 mod identifier;
@@ -29,14 +29,14 @@ pub struct BusNode<'a> {
     pub device: &'a Device,
     /// The node-ID, 1 to 127. Each node has its own.
     pub node_id: u8,
-    /// The name; `None` for the one that the device states.
+    /// The name; `None` uses the one in the description.
     pub name: Option<&'a str>,
-    /// Whether its PDOs are only the other sides of those of the other nodes, as for a manager without a description: it
+    /// Whether its PDOs are only the counterparts of the other nodes' PDOs, as for a manager without a description: it
     /// sends and receives their messages.
     pub is_counterpart: bool,
 }
 
-/// What a DBC describes beyond PDOs and the services of CiA 301.
+/// Additional content of a DBC besides PDOs and the services of CiA 301.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DbcOptions {
     /// The SDOs of each node, a multiplexed signal for each entry of at most 4 bytes.
@@ -50,20 +50,20 @@ pub struct DbcOptions {
 pub struct Dbc {
     /// The file, in ISO 8859-1.
     pub bytes: Vec<u8>,
-    /// What is on the bus and not in the file, node by node.
+    /// Bus content that is missing in the file, node by node.
     pub omissions: Vec<Omission>,
 }
 
-/// What a DBC does not say of a node.
+/// Content of a node that a DBC cannot describe.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
     /// The position of the node in the list of nodes.
     pub node: usize,
-    /// Where the device says it.
+    /// Its place in the device.
     pub place: Place,
     /// Whether the bus carries it.
     pub is_lost: bool,
-    /// Why it is not in the file: lower case, no full stop.
+    /// The reason why it is missing in the file: lower case, no full stop.
     pub reason: String,
 }
 
@@ -113,7 +113,7 @@ impl<'a> Database<'a> {
         self.omissions.push(Omission { node, place, is_lost, reason: reason.into() });
     }
 
-    /// One line for the entries of each node that are not on the bus.
+    /// Adds one line about the entries of each node that are not on the bus.
     fn count_rest(&mut self) {
         for node in 0..self.stations.len() {
             let entries = self.stations[node].device.objects.iter().flat_map(|(&index, object)| {
@@ -137,9 +137,9 @@ struct Station<'a> {
     meanings: Meanings<'a>,
     /// The name on the bus.
     name: DbcName,
-    /// The name that the device states, or the node-ID.
+    /// The name in the description, otherwise the node-ID.
     title: String,
-    /// Whether its PDOs are the other sides of those of the other nodes.
+    /// Whether its PDOs are the counterparts of the other nodes' PDOs.
     is_counterpart: bool,
 }
 
@@ -175,8 +175,8 @@ impl<'a> Station<'a> {
         label.map(str::trim).filter(|label| !label.is_empty()).unwrap_or(&entry.name)
     }
 
-    /// The words of a signal: the name in the application, else that of the entry. The name of an entry such as `Sub 1` says
-    /// nothing without that of its object.
+    /// The words of a signal: the name in the application, otherwise of the entry. The name of an entry such as `Sub 1`
+    /// is meaningless without the object's.
     fn signal_words(&self, index: u16, sub: u8, entry: &Entry) -> String {
         let configured = entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
         let parameter = entry.parameter.as_ref().and_then(|of| of.denotation.name_in(LANGUAGE));

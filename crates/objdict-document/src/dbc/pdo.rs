@@ -17,7 +17,7 @@ struct Port<'a> {
     layout: FrameLayout,
 }
 
-/// Why a PDO has no message: the place, and whether the bus carries it.
+/// The reason why a PDO has no message: the place, and whether the bus carries it.
 struct PdoRefusal {
     place: Place,
     is_lost: bool,
@@ -56,7 +56,7 @@ impl<'a> Database<'a> {
         if ports.iter().all(is_counterpart) {
             return; // the reason is that of the node's PDO
         }
-        // the node that sends the frame describes it, else the first that receives it
+        // the node that sends the frame describes it, otherwise the first receiver
         ports.sort_by_key(|port| (is_counterpart(port), port.pdo.kind == PdoKind::Rpdo));
         if let Some(other) = self.messages.iter().find(|message| message.id == id) {
             let other = other.comment.split(':').next().unwrap_or_default();
@@ -107,7 +107,7 @@ impl<'a> Database<'a> {
         message
     }
 
-    /// Adds the sender of a message, with the time between two frames: that of SYNC, or the event timer.
+    /// Adds the sender of a message, with the time between two frames: the SYNC period, or the event timer.
     fn sent_by(&mut self, message: &mut DbcMessage, port: &Port<'a>) {
         message.senders.push(port.node);
         let Port { node, pdo, .. } = port;
@@ -171,7 +171,7 @@ impl<'a> Database<'a> {
         Ok(signals)
     }
 
-    /// Adds another PDO with the CAN-ID of a message.
+    /// Adds a second PDO with the CAN-ID of a message.
     fn join(&mut self, message: &mut DbcMessage, main: &Port<'a>, other: &Port<'a>) {
         if self.stations[other.node].is_counterpart {
             match other.pdo.kind {

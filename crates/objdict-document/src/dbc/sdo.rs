@@ -1,4 +1,5 @@
-//! Messages of SDOs: a multiplexed signal for each entry of at most 4 bytes, which one frame transfers, and the abort code.
+//! Messages of SDOs: a multiplexed signal for each entry of at most 4 bytes, which fits in one frame, and the
+//! abort code.
 
 use objdict_device::Abort;
 
@@ -17,7 +18,7 @@ const LONGEST: u32 = 32;
 const COMMAND: usize = 0;
 const ENTRY: usize = 1;
 
-/// The commands of a client, and those of a server (CiA 301 §7.2.4.3).
+/// The commands of a client and of a server (CiA 301 §7.2.4.3).
 const REQUESTS: [(i128, &str); 7] = [
     (0, "download segment"),
     (1, "initiate download"),
@@ -39,7 +40,7 @@ const RESPONSES: [(i128, &str); 7] = [
 
 const ABORT: u32 = 4;
 
-/// Which way an SDO goes.
+/// The direction of an SDO.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
     Request,
@@ -47,7 +48,7 @@ enum Way {
 }
 
 impl Way {
-    /// The command with a value, and the one with the entry alone.
+    /// The command with a value, and the command with only the entry.
     const fn commands(self) -> [u32; 2] {
         match self {
             Self::Request => [1, 2],
@@ -136,7 +137,7 @@ impl Database<'_> {
         let mut entry = within(entry, &[[with_value; 2]]);
         entry.mux.selects = true;
         message.push(entry);
-        // its bits are those of a value in other frames
+        // in other frames, its bits belong to a value
         let alone = DbcSignal::new("Entry_without_value", 8, 24).with_values(names);
         message.push(within(alone, &[[without_value; 2], [ABORT; 2]]));
         message.push(within(DbcSignal::new("Abort_code", 32, 32).with_values(aborts()), &[[ABORT; 2]]));
@@ -157,7 +158,7 @@ impl Database<'_> {
         message
     }
 
-    /// The signals of the entries that go this way.
+    /// The signals of the entries for this direction.
     fn entries(&mut self, node: usize, way: Way) -> Vec<DbcSignal> {
         let station = &self.stations[node];
         let mut signals = Vec::new();

@@ -35,13 +35,13 @@ impl Database<'_> {
         }
     }
 
-    /// A message of a service whose name is unique.
+    /// A message of a service with a unique name.
     fn service(&mut self, id: DbcCanId, name: &str, length: u32, comment: impl Into<String>) -> DbcMessage {
         let name = self.names.claim(&words(name), &format!("{:X}", id.number));
         DbcMessage::new(id, name, length, comment)
     }
 
-    /// The position of the manager of the network, if a node states that it is.
+    /// The position of the network manager, if a node states that it is.
     pub(super) fn manager(&self) -> Option<usize> {
         let is_manager = |of: &crate::model::Commissioning| of.manager == Some(true);
         self.stations.iter().position(|station| station.device.commissioning.as_ref().is_some_and(is_manager))
@@ -106,7 +106,8 @@ impl Database<'_> {
         }
     }
 
-    /// A time in microseconds as a DBC has it. One that is not a whole number of milliseconds is left out.
+    /// A time in microseconds in the unit of a DBC. Times that are not a whole number of milliseconds are
+    /// omitted.
     pub(super) fn milliseconds(&mut self, node: usize, time: u64, place: Place) -> Option<u32> {
         if !time.is_multiple_of(1000) {
             let reason = format!("GenMsgCycleTime has whole milliseconds, and the time is {time} µs");

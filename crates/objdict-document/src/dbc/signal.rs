@@ -1,4 +1,4 @@
-//! Messages, the frames of a CAN-ID, and their signals: numbers in bits of a frame.
+//! Messages, the frames of a CAN-ID, and their signals: numbers in the bits of a frame.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use super::identifier::{DbcName, DbcNames};
 pub(super) struct DbcSignal {
     /// The words of its name.
     pub(super) words: String,
-    /// What is added to the name if several signals have the same: `6041_00`.
+    /// The suffix of the name if several signals have the same: `6041_00`.
     pub(super) suffix: String,
     pub(super) mux: Mux,
     /// The lowest bit.
@@ -34,12 +34,13 @@ pub(super) struct DbcSignal {
 pub(super) struct Mux {
     /// Whether it selects others.
     pub(super) selects: bool,
-    /// The signal that selects it, by its position in the message, and the ranges of values for which it is in the frame.
+    /// The signal that selects it, by its position in the message, and the selector values for which the
+    /// frame contains it.
     pub(super) within: Option<(usize, Vec<[u32; 2]>)>,
 }
 
 impl Mux {
-    /// A signal that is in frames for which another one has a value in these ranges.
+    /// A signal in the frames for which the selector has a value in these ranges.
     pub(super) fn within(selector: usize, ranges: &[[u32; 2]]) -> Self {
         Self { selects: false, within: Some((selector, ranges.to_vec())) }
     }
@@ -89,14 +90,13 @@ impl DbcSignal {
         }
     }
 
-    /// The same in a unit.
+    /// Adds a unit.
     #[must_use]
     pub(super) fn in_unit(self, unit: &str) -> Self {
         Self { unit: unit.to_owned(), ..self }
     }
 
-    /// The same with names of values. Of two names of a value the first counts, and numbers that the bits cannot have are
-    /// left out.
+    /// Adds names of values. Of two names of a value the first is used, and numbers that exceed the bits are omitted.
     #[must_use]
     pub(super) fn with_values(mut self, values: impl IntoIterator<Item = (i128, impl Into<String>)>) -> Self {
         let (low, high) = self.range();
@@ -134,7 +134,7 @@ pub(super) struct DbcMessage {
     pub(super) length: u32,
     /// The nodes that send it.
     pub(super) senders: Vec<usize>,
-    /// In the order of the frame, with their names.
+    /// In frame order, with their names.
     pub(super) signals: Vec<(DbcName, DbcSignal)>,
     pub(super) comment: String,
     /// The time between two frames in milliseconds, if it is stated.

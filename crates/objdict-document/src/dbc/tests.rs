@@ -166,14 +166,14 @@ fn synchronous_pdos_are_cyclic() {
             expected.map(|cycle| format!("BA_ \"GenMsgCycleTime\" BO_ {cycle};")).collect();
         assert_eq!((found, omitted(&dbc)), (expected, missing.iter().map(ToString::to_string).collect()));
     }
-    // acyclic, and on another SYNC
+    // acyclic, and on a different SYNC
     let mut consumer = with_types(0, 1);
     consumer.objects.insert(0x1005, number(0x90));
     let dbc = write(&[node(&consumer, 1), node(&producer, 2)], DbcOptions::default());
     assert_eq!(lines(&dbc, "BA_ \"GenMsgCycleTime\""), [""; 0]);
 }
 
-/// A manager without a description sends what nodes receive, and receives what they send.
+/// A manager without a description sends the messages that nodes receive, and vice versa.
 #[test]
 fn a_counterpart_has_the_other_side() {
     let (mut drive, mut manager) = (device(), device());
@@ -215,7 +215,7 @@ fn words_can_be_bits_and_sdos_are_multiplexed() {
         assert!(has(&format!(" SG_ Entry m{command}M : 8|24@1+")), "{name}: {signals:#?}");
     }
     assert!(has(" SG_ Controlword m24640 : 32|16@1+") && has(" SG_ Abort_code m4 : 32|32@1+"));
-    // the request is 601h, and the word can be read and written
+    // the request is 601h, and the word is readable and writable
     let selected = |id: u32| -> Vec<String> {
         let of_word = ["Entry", "Entry_without_value", "Abort_code", "Data", "Controlword"];
         let name = |line: &String| of_word.contains(&line.split(' ').nth(2).unwrap());

@@ -25,7 +25,7 @@ struct DbcWriter<'a> {
     lines: String,
 }
 
-/// Adds a line; writing to a text cannot fail.
+/// Adds a line; writing to a string cannot fail.
 macro_rules! line {
     ($text:expr, $($arguments:tt)*) => {
         let _ = write!($text.lines, $($arguments)*);
@@ -39,7 +39,7 @@ impl DbcWriter<'_> {
         messages.flat_map(|message| message.signals.iter().map(move |(name, signal)| (message, name, signal)))
     }
 
-    /// The names of nodes, or that of no node.
+    /// The names of nodes, or the name for no node.
     fn nodes<'n>(&self, nodes: impl IntoIterator<Item = &'n usize>) -> String {
         let names = nodes.into_iter().map(|&node| self.database.stations[node].name.short.as_str());
         let names = names.collect::<Vec<_>>().join(",");
@@ -140,7 +140,7 @@ impl DbcWriter<'_> {
 
     /// The bit rate in kbit/s that all nodes state that state one.
     fn bit_rate(&self) -> Option<u16> {
-        // that of a manager without a description is the one of the network, or none
+        // a manager without a description uses the network's bit rate, if any
         let stations = self.database.stations.iter().filter(|station| !station.is_counterpart);
         let mut rates = stations.filter_map(|station| station.device.commissioning.as_ref()?.baud_rate);
         let first = rates.next()?;
@@ -175,7 +175,7 @@ impl DbcWriter<'_> {
     }
 }
 
-/// A text in quotes. A quote or a backslash inside ends the text for some readers.
+/// A quoted string. For some readers, a quote or a backslash inside ends it.
 fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.trim().chars() {

@@ -1,4 +1,4 @@
-//! Signals of an entry: how its bits are a number, and what the number means.
+//! Signals of an entry: the number in its bits, and the meaning of the number.
 
 use super::decimal::Decimal;
 use super::signal::{DbcSignal, NumberFormat, Scale};
@@ -14,7 +14,7 @@ pub(super) struct DbcEntry<'a> {
     pub(super) station: &'a Station<'a>,
     pub(super) index: u16,
     pub(super) sub: u8,
-    /// `None` if the description does not have it.
+    /// `None` if it is missing in the description.
     pub(super) entry: Option<&'a Entry>,
 }
 
@@ -32,7 +32,7 @@ impl<'a> DbcEntry<'a> {
     /// The signals of a value of this many bits, which begins at bit 0: one, or with `split` one for each named bit field.
     ///
     /// # Errors
-    /// Why a signal cannot hold it.
+    /// The reason why a signal cannot represent it.
     pub(super) fn signals(&self, bits: u32, split: bool) -> Result<Vec<DbcSignal>, &'static str> {
         let Some(entry) = self.entry else {
             let words = format!("x{:04X}_{:02X}", self.index, self.sub);
@@ -130,7 +130,7 @@ impl<'a> DbcEntry<'a> {
         }
     }
 
-    /// A signal for each part; of parts that overlap the one with fewer bits.
+    /// A signal for each part; of overlapping parts, the one with fewer bits.
     fn split(&self, entry: &Entry, word: &DbcSignal, parts: &[ValuePart<'_>]) -> Vec<DbcSignal> {
         let mut parts: Vec<_> = parts.iter().filter(|part| part.first + part.bits <= word.bits).collect();
         parts.sort_by_key(|part| (part.bits, part.first));
@@ -151,7 +151,7 @@ impl<'a> DbcEntry<'a> {
         signals
     }
 
-    /// Named parts of the value: those of the description, else those of documents. An enumeration is one part.
+    /// Named parts of the value, from the description, otherwise from documents. An enumeration is one part.
     fn parts(&self, documents: &[ObjectFacts<'static>]) -> Vec<ValuePart<'a>> {
         match self.station.meanings.of(self.index, self.sub) {
             Some(Meaning::Enumeration(found)) => {
@@ -173,7 +173,7 @@ impl<'a> DbcEntry<'a> {
         }
     }
 
-    /// How the value is scaled, and its unit.
+    /// The scale of the value, and its unit.
     fn scale(&self, entry: &'a Entry, documents: &[ObjectFacts<'_>]) -> (Scale, String) {
         scale(&self.station.meanings, entry, self.sub, documents)
     }
@@ -230,7 +230,7 @@ const fn kind_bits(kind: Option<TypeKind>) -> u32 {
     }
 }
 
-/// How a value is scaled, and its unit: as the description says, else as the documents do.
+/// The scale of a value, and its unit, from the description, otherwise from documents.
 fn scale<'a>(
     meanings: &Meanings<'a>,
     entry: &'a Entry,
@@ -284,7 +284,7 @@ impl Scaled {
         Some(if self.unit.is_empty() { number } else { format!("{number} {}", self.unit) })
     }
 
-    /// The name that the description gives a number.
+    /// The name of a number in the description.
     pub(crate) fn name(&self, number: i128) -> Option<&str> {
         self.names.iter().find(|(known, _)| *known == number).map(|(_, name)| name.as_str())
     }

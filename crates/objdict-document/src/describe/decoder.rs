@@ -1,10 +1,10 @@
-//! The value of an entry in words.
+//! The value of an entry as text.
 
 use super::time;
 use crate::model::{Device, Value};
 use crate::{Language, profile};
 
-/// Describes the values of a device in words.
+/// Describes the values of a device as text.
 #[derive(Clone, Copy, Debug)]
 pub struct Decoder<'a> {
     /// The device.

@@ -9,7 +9,7 @@ use crate::{Language, profile};
 const SIGNATURES: [(u16, u32, &str); 3] =
     [(0x1010, 0x6576_6173, "save"), (0x1011, 0x6461_6F6C, "load"), (0x1F25, 0x666E_6F63, "conf")];
 
-/// Whether CiA gives the number to a device profile: these are the documents CiA 4xx.
+/// Whether CiA assigns the number to a device profile: these are the documents CiA 4xx.
 pub(crate) const fn is_of_cia(profile: u32) -> bool {
     matches!(profile, 400..=499)
 }
@@ -40,7 +40,7 @@ impl Decoder<'_> {
         }
     }
 
-    /// `CiA 402`; other words for a number that no document of CiA has.
+    /// `CiA 402`; different text for a number without a CiA document.
     fn numbered(&self, profile: u32) -> String {
         if is_of_cia(profile) {
             return format!("CiA {profile}");

@@ -14,7 +14,7 @@ const REGISTER: [(u32, &str, &str); 7] = [
     (7, "manufacturer-specific", "des Herstellers"),
 ];
 
-/// Error codes by leading bits: mask, code, words. The first match applies.
+/// Error codes by leading bits: mask, code, text. The first match applies.
 const CODES: [(u32, u32, &str, &str); 31] = [
     (0xFFFF, 0x8110, "CAN overrun", "CAN-Überlauf"),
     (0xFFFF, 0x8120, "CAN error passive", "CAN Error-Passive"),
@@ -49,13 +49,13 @@ const CODES: [(u32, u32, &str, &str); 31] = [
     (0xF000, 0x7000, "additional modules", "Zusatzmodule"),
 ];
 
-/// The error codes of communication, which a document names one by one.
+/// The error codes of communication that a document names individually.
 pub(crate) fn single_codes(language: Language) -> impl Iterator<Item = (u32, &'static str)> {
     let single = CODES.into_iter().filter(|(mask, ..)| *mask == 0xFFFF);
     single.map(move |(_, code, english, german)| (code, language.pick(english, german)))
 }
 
-/// The error codes with words of their own, and their English words.
+/// The error codes with specific text, and their English text.
 pub(crate) fn error_codes() -> impl Iterator<Item = (i128, &'static str)> {
     CODES.into_iter().map(|(_, code, english, _)| (i128::from(code), english))
 }

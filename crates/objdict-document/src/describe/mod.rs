@@ -1,4 +1,4 @@
-//! Meanings of values in words: communication objects (CiA 301 §7.5.2, CiA 304) and objects of device
+//! Meanings of values as text: communication objects (CiA 301 §7.5.2, CiA 304) and objects of device
 //! profiles.
 
 mod decoder;

@@ -18,7 +18,7 @@ impl ValueReader {
         self.text(&self.resolve(value, data_type), data_type)
     }
 
-    /// The value of a field in a table; a text that is not a valid value is in backticks.
+    /// The value of a field in a table; an invalid value is in backticks.
     pub fn field(self, entry: &Entry, field: &Field, value: Option<&Value>) -> String {
         match (value, entry.invalid_values.iter().find(|invalid| invalid.field == *field)) {
             (None, Some(invalid)) => format!("`{}`?", invalid.text),

@@ -29,7 +29,7 @@ pub(crate) fn worded(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<Strin
     Ok(Safe(super::markdown::worded(text.as_ref())))
 }
 
-/// A text in a string of a style sheet.
+/// A text for a string in a style sheet.
 #[askama::filter_fn]
 pub(crate) fn css(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
     Ok(Safe(super::html::string(text.as_ref())))

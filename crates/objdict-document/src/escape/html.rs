@@ -11,13 +11,13 @@ pub(crate) struct Html;
 
 impl Escaper for Html {
     fn write_escaped_str<W: fmt::Write>(&self, mut dest: W, text: &str) -> fmt::Result {
-        // fast path: most texts are names and numbers, and a page of a large device has a hundred thousand of
-        // them
+        // fast path: most texts are names and numbers, and a page of a large device contains a hundred
+        // thousand of them
         if text.bytes().all(is_plain) && !text.trim_start().starts_with("::") {
             return dest.write_str(text);
         }
         let mut written = 0;
-        // whether there are only blanks before in the line
+        // whether only whitespace precedes in the line
         let mut starts_line = true;
         let mut characters = text.char_indices().peekable();
         while let Some((at, character)) = characters.next() {
@@ -54,7 +54,7 @@ const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~') && !matches!(byte, b'&' | b'<' | b'>' | b'"' | b'\'' | b'#')
 }
 
-/// Whether a line has had only blanks behind a character.
+/// Whether a line contains only whitespace up to and including a character.
 fn is_blank(character: char, starts_line: bool) -> bool {
     matches!(character, '\n' | '\r') || (starts_line && character.is_whitespace())
 }
@@ -66,8 +66,8 @@ pub(super) fn one_line(text: &str) -> String {
     written.replace('\n', "<br>")
 }
 
-/// The text between the quotes of a string on one line. All but letters, digits and blanks is escaped, so it ends neither the string nor the
-/// `<style>` that has it.
+/// The text between the quotes of a string on one line. Everything except letters, digits and spaces is escaped, so it
+/// ends neither the string nor its `<style>`.
 pub(super) fn string(text: &str) -> String {
     let mut written = String::with_capacity(text.len());
     let mut characters = text.chars().peekable();
@@ -84,7 +84,7 @@ pub(super) fn string(text: &str) -> String {
     written
 }
 
-/// The relative URL of a file in the same folder, percent-encoded so that no name becomes another URL.
+/// The relative URL of a file in the same folder, percent-encoded so that no name becomes a different URL.
 pub(crate) fn address(name: &str) -> String {
     let mut address = String::with_capacity(name.len());
     for &byte in name.as_bytes() {

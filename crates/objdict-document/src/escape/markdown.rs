@@ -4,8 +4,8 @@
 //! The same escaping works in table cells, headings, lists and paragraphs. Possible markup gets a backslash
 //! or becomes a character reference. Post-processing works on the rendered text, where backslashes are
 //! already removed (`@user`, `:smile:`, `$x$`, links without brackets, `[[page]]`), so its special characters
-//! get a `<span>` of their own. Everything else is unchanged, because names and numbers must be readable in
-//! the source, too.
+//! get a separate `<span>`. Everything else is unchanged, because names and numbers must also be readable in
+//! the source.
 
 use std::fmt;
 
@@ -14,8 +14,8 @@ use askama::filters::Escaper;
 use super::shown;
 use crate::diagnostic::printable;
 
-/// The escaper of `.md` templates. Pass each text in one piece: the escaping of a character depends on its
-/// neighbours. At the start and end of a piece the escaper assumes the worst case.
+/// The escaper of `.md` templates. Pass each text in one piece, because the escaping of a character
+/// depends on adjacent ones. At the start and end of a piece the escaper assumes the worst case.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Markdown;
 
@@ -36,7 +36,7 @@ impl Escaper for Markdown {
     }
 }
 
-/// Escapes a text as `.md` templates do.
+/// Escapes a text like `.md` templates.
 pub(super) fn escaped(text: &str) -> String {
     let mut written = String::with_capacity(text.len() + 8);
     let _ = Markdown.write_escaped_str(&mut written, text); // writing to a String cannot fail
@@ -94,7 +94,7 @@ pub(crate) fn code(text: &str) -> String {
     };
     let blank =
         text.is_empty() || text.starts_with(char::is_whitespace) || text.ends_with(char::is_whitespace);
-    // what a CI service takes for a command is escaped, which code cannot be
+    // commands to a CI service must be escaped, which is impossible in code
     let is_awkward = text.contains(awkward) || printable(text) != text;
     if !blank && !is_awkward {
         return format!("`{text}`");
@@ -118,7 +118,7 @@ fn spelling(before: &str, character: char, after: &str) -> MarkdownSpelling {
     // unknown text may follow
     let next_is = |wanted: fn(char) -> bool| next.is_none_or(wanted);
     let backslash = match character {
-        // a tag on a line of its own would start an HTML block
+        // a tag on its own line would start an HTML block
         '\n' if starts => return MarkdownSpelling::Markup("<span></span><br>"),
         '\n' => return MarkdownSpelling::Markup("<br>"),
         '<' => return MarkdownSpelling::Markup("&lt;"),

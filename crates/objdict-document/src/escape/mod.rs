@@ -1,4 +1,4 @@
-//! Escaping of description texts. Any text of a file appears as that text and never as markup.
+//! Escaping of description texts. Any text of a file appears unchanged and never as markup.
 //!
 //! Control characters and bidirectional control characters, including NUL, become U+FFFD everywhere
 //! ([`visible`](crate::diagnostic::visible)); every line end becomes one line feed. askama.toml assigns an
@@ -29,7 +29,7 @@ fn shown(character: char, next: Option<char>) -> Option<char> {
 mod tests {
     use super::*;
 
-    /// A text as every output form shows it.
+    /// A text as displayed in every output format.
     pub(super) fn text_of(text: &str) -> String {
         let nexts = text.chars().skip(1).map(Some).chain([None]);
         text.chars().zip(nexts).filter_map(|(character, next)| shown(character, next)).collect()

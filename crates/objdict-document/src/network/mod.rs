@@ -1,4 +1,4 @@
-//! Networks on the index page of a site: who is in them, what goes from which node to which, and how they boot.
+//! Networks on the index page of a site: their nodes, the data between nodes, and the boot procedure.
 
 mod tables;
 
@@ -21,15 +21,15 @@ use objdict_network::{
     Overview, Said, Timing, TimingOptions, compile, graph, timeline,
 };
 
-/// A network in words.
+/// A network as text.
 pub(crate) struct NetworkView<'a> {
     language: Language,
     texts: &'static LanguageTexts,
     network: &'a SiteNetwork,
     overview: &'a Overview,
-    /// What addresses on the page begin with.
+    /// The prefix of addresses on the page.
     prefix: String,
-    /// The name of the picture beside the page; empty if there is none.
+    /// The file name of the diagram next to the page; empty if there is none.
     picture: String,
     /// The URLs of the pages of nodes.
     pages: Vec<Option<String>>,
@@ -53,7 +53,7 @@ impl<'a> NetworkView<'a> {
             network,
             overview,
             prefix: format!("network-{number}"),
-            // a page without others beside it has no picture there either
+            // a single page has no diagram next to it either
             picture: match form {
                 Form::Markdown if has_pages => format!("network-{number}.svg"),
                 _ => String::new(),
@@ -64,7 +64,7 @@ impl<'a> NetworkView<'a> {
         }
     }
 
-    /// The pictures and their file names, if they are files of their own.
+    /// The diagrams and their file names, if they are separate files.
     pub(crate) fn pictures(&self) -> Vec<(String, String)> {
         if self.picture.is_empty() {
             return Vec::new();
@@ -74,12 +74,12 @@ impl<'a> NetworkView<'a> {
         [(self.picture.clone(), self.drawn() + "\n")].into_iter().chain(timeline).collect()
     }
 
-    /// The file of the picture of messages in time.
+    /// The file of the timing diagram.
     fn timeline_picture(&self) -> String {
         format!("{}-timeline.svg", self.prefix)
     }
 
-    /// The picture of messages in time (SVG).
+    /// The timing diagram (SVG).
     fn timeline(&self) -> String {
         self.network.timing.as_ref().map_or_else(String::new, |timing| timeline::svg(timing, can_id))
     }
@@ -98,7 +98,7 @@ impl<'a> NetworkView<'a> {
         Some(loads + &fits)
     }
 
-    /// How long a message may take until it is received, and its deadline; empty where nothing is known.
+    /// The maximum time until a message is received, and its deadline; empty if unknown.
     fn response(&self, message: &MessageRow) -> [String; 2] {
         let timed = self.network.timing.iter().flat_map(|timing| &timing.messages);
         let Some(timed) = timed.into_iter().find(|timed| timed.can_id == message.can_id) else {
@@ -112,7 +112,7 @@ impl<'a> NetworkView<'a> {
         [response + &late, timed.deadline.map(|(deadline, _)| time(deadline)).unwrap_or_default()]
     }
 
-    /// The picture of nodes and messages (SVG).
+    /// The diagram of nodes and messages (SVG).
     fn drawn(&self) -> String {
         graph::svg(self.overview, can_id)
     }
@@ -134,7 +134,7 @@ impl<'a> NetworkView<'a> {
         words.join(", ")
     }
 
-    /// What the load does not count; empty without a load.
+    /// Messages that the load does not include; empty without a load.
     fn uncounted(&self) -> String {
         let words = self.overview.uncounted.words(self.language, can_id);
         if self.overview.load.is_none() || words.is_empty() {
@@ -148,7 +148,7 @@ impl<'a> NetworkView<'a> {
         self.findings.iter().flatten().map(|found| found.findings.len()).sum()
     }
 
-    /// Node-IDs of several nodes, which CANopen does not allow.
+    /// Node-IDs that several nodes have, which CANopen does not allow.
     fn doubled(&self) -> Vec<u8> {
         let mut ids: Vec<u8> = self.overview.nodes.iter().filter_map(|node| node.node_id).collect();
         let mut doubled: Vec<u8> = Vec::new();
@@ -182,7 +182,7 @@ impl<'a> NetworkView<'a> {
         configured.map(|(number, node)| (number, Some(node.position), node)).collect()
     }
 
-    /// What goes from one node to another, with the numbers of the links.
+    /// The data sent from one node to another, with the numbers of the links.
     fn between(&self, from: &NodeRow, to: &NodeRow) -> Vec<(usize, &PdoLink<'a>)> {
         let is =
             |end: &Option<End>, node: &NodeRow| end.as_ref().is_some_and(|end| end.position == node.position);
@@ -190,7 +190,7 @@ impl<'a> NetworkView<'a> {
         links.filter(|(_, link)| is(&link.row.sender, from) && is(&link.row.receiver, to)).collect()
     }
 
-    /// What a service is called.
+    /// The name of a service.
     fn service(&self, end: &End) -> Cow<'static, str> {
         end.service.name(self.language)
     }
@@ -228,7 +228,7 @@ struct MarkdownNetwork<'a> {
 impl NetworkView<'_> {
     /// The network as a part of an HTML page.
     pub(crate) fn html(&self) -> String {
-        // writing to a text cannot fail, nor do the filters
+        // writing to a string cannot fail, nor can the filters
         HtmlNetwork { network: self }.render().unwrap_or_default()
     }
 
@@ -241,11 +241,11 @@ impl NetworkView<'_> {
 /// A network for the index of a site.
 #[derive(Clone, Debug)]
 pub struct SiteNetwork {
-    /// What the network is and does, in the language of the site.
+    /// The network and its behaviour, in the language of the site.
     pub overview: Overview,
     /// Load and response times; `None` for a network without a bit rate.
     pub timing: Option<Timing>,
-    /// The file of the network, as readers know it; `None` if only its nodes are described.
+    /// The file of the network, as known to readers; `None` if only its nodes are described.
     pub file: Option<String>,
     /// The names of the nodes' pages by the position of the node in the network; `None` for a node without a page.
     pub pages: Vec<Option<String>>,
@@ -286,7 +286,7 @@ impl<'a> PdoLink<'a> {
         self.row.entries.len().max(1)
     }
 
-    /// The entries in short: `0x6000:01–05, 0x6401:01`; those of the sender, where they are known.
+    /// The entries in short notation: `0x6000:01–05, 0x6401:01`; those of the sender, if known.
     fn span(&self) -> String {
         let entries = self.row.entries.iter().filter_map(|entry| entry.from.as_ref().or(entry.to.as_ref()));
         let mut spans: Vec<(Address, u8)> = Vec::new();
@@ -346,12 +346,12 @@ impl StatedNode {
     }
 }
 
-/// What no text says at a place.
+/// A value without a position in a text.
 fn said<T>(value: T) -> Said<T> {
     Said::new(value, Span::empty(0))
 }
 
-/// The networks with several of the nodes. Each node is as its description says; who the manager is does not matter.
+/// The networks with several of the nodes. Each node is as described; the manager is irrelevant.
 pub(crate) fn stated(nodes: Vec<StatedNode>, tag: &str) -> Vec<SiteNetwork> {
     let mut networks: BTreeMap<(Option<u32>, String), Vec<StatedNode>> = BTreeMap::new();
     for node in nodes {

@@ -5,7 +5,7 @@ use objdict_network::{CarriedEntry, DownloadRow, End, MappedEntry, MessageRow, N
 use super::{PdoLink, can_id, spoken};
 use crate::csv::{CsvColumn, table};
 
-/// What goes from entry to entry, all messages, and what configures the nodes, with the names of the files.
+/// The data between entries, all messages, and the configuration of the nodes, with file names.
 pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'static str, String); 3] {
     let named = networks.map(|network| (network.name.as_deref().unwrap_or_default(), network));
     let networks: Vec<(&str, &Overview)> = named.collect();

@@ -1,20 +1,20 @@
-//! Courses in bounded memory: of a number, of a state, and of how many frames there were when.
+//! Time series in bounded memory: of a number, of a state, and of frame counts.
 
 use crate::describe::frames::FrameKind;
 
-/// The course of a number: so many buckets, each with the extremes of the values that came one after another. When all are full,
-/// neighbours become one, so no extreme is lost however many values come.
+/// The time series of a number: a fixed number of buckets, each with the extremes of consecutive values. When all are
+/// full, adjacent ones are merged, so no extreme is lost regardless of the number of values.
 #[derive(Clone, Debug)]
 pub struct Curve {
     buckets: Vec<CurveBucket>,
     capacity: usize,
-    /// The most values of a bucket.
+    /// The maximum number of values in a bucket.
     room: u64,
     count: u64,
     sum: f64,
 }
 
-/// Values that came one after another.
+/// Consecutive values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveBucket {
     /// The earliest time in nanoseconds.
@@ -32,14 +32,14 @@ pub struct CurveBucket {
 }
 
 impl Curve {
-    /// A course without a value, of at most `capacity` buckets; there are at least two.
+    /// An empty series of at most `capacity` buckets, but at least two.
     pub fn new(capacity: usize) -> Self {
         // neighbours become one, so their number is even
         let capacity = capacity.max(2).next_multiple_of(2);
         Self { buckets: Vec::new(), capacity, room: 1, count: 0, sum: 0.0 }
     }
 
-    /// Adds a value at a time in nanoseconds. What is not a number is left out.
+    /// Adds a value at a time in nanoseconds. NaN is ignored.
     pub fn add(&mut self, time: i64, value: f64) {
         if !value.is_finite() {
             return;
@@ -68,7 +68,7 @@ impl Curve {
         }
     }
 
-    /// The buckets in the order in which their values came.
+    /// The buckets in the order of their values.
     pub fn buckets(&self) -> &[CurveBucket] {
         &self.buckets
     }
@@ -78,13 +78,13 @@ impl Curve {
         self.count
     }
 
-    /// The lowest and the highest value; `None` without one.
+    /// The minimum and maximum; `None` without values.
     pub fn range(&self) -> Option<(f64, f64)> {
         let ranges = self.buckets.iter().map(|bucket| (bucket.min, bucket.max));
         ranges.reduce(|(min, max), (low, high)| (min.min(low), max.max(high)))
     }
 
-    /// The mean of the values, each as often as it came; `None` without one.
+    /// The mean of the values, weighted by number; `None` without values.
     pub fn mean(&self) -> Option<f64> {
         (self.count > 0).then(|| self.sum / self.count as f64)
     }
@@ -107,38 +107,38 @@ impl CurveBucket {
     }
 }
 
-/// The most words; what comes behind them is one of the others.
+/// The maximum number of different words; later ones are combined.
 const MAX_WORDS: usize = 48;
 
-/// The course of a state: how long it has each of its words. When there are too many changes, neighbours become one run that has
-/// the words of both, so no word is lost.
+/// The time series of a state: how long each of its words applies. If there are too many changes, adjacent runs are
+/// merged into one with the words of both, so no word is lost.
 #[derive(Clone, Debug)]
 pub struct Bands {
     words: Vec<String>,
     runs: Vec<BandRun>,
     capacity: usize,
-    /// The most words in a row that a run has.
+    /// The maximum number of consecutive words in a run.
     room: u64,
     count: u64,
 }
 
-/// A time with a word, or with several where there were too many changes.
+/// A time with one word, or with several if there were too many changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BandRun {
     /// When it begins, in nanoseconds.
     pub from: i64,
     /// When it was seen last, in nanoseconds.
     pub to: i64,
-    /// The positions of its words, a bit each.
+    /// The bit set of its words.
     pub words: u64,
     /// The position of the last word.
     pub last: usize,
-    /// How many words there were in a row.
+    /// The number of consecutive words.
     pub changes: u64,
 }
 
 impl Bands {
-    /// A course without a word, of at most `capacity` runs; there are at least two.
+    /// An empty series of at most `capacity` runs, but at least two.
     pub fn new(capacity: usize) -> Self {
         let capacity = capacity.max(2).next_multiple_of(2);
         Self { words: Vec::new(), runs: Vec::new(), capacity, room: 1, count: 0 }
@@ -183,22 +183,22 @@ impl Bands {
         })
     }
 
-    /// The words in the order in which they came.
+    /// The words in order of appearance.
     pub fn words(&self) -> &[String] {
         &self.words
     }
 
-    /// The runs in the order in which they came.
+    /// The runs in chronological order.
     pub fn runs(&self) -> &[BandRun] {
         &self.runs
     }
 
-    /// How often a word was given.
+    /// The number of added words.
     pub const fn count(&self) -> u64 {
         self.count
     }
 
-    /// How often the word became another.
+    /// The number of changes of the word.
     pub fn changes(&self) -> u64 {
         self.runs.iter().map(|run| run.changes).sum::<u64>().saturating_sub(1)
     }
@@ -221,20 +221,21 @@ impl BandRun {
     }
 }
 
-/// The kinds of frames, and error frames behind them.
+/// The kinds of frames, followed by error frames.
 pub const DENSITY_KINDS: usize = FrameKind::ALL.len() + 1;
 
-/// The most lanes.
+/// The maximum number of lanes.
 const MAX_LANES: usize = 256;
 
 /// The time of a bin at first, in nanoseconds.
 const FIRST_WIDTH: i128 = 1000;
 
-/// The number of frames of each kind in lanes, over a time that grows: when it is over, bins become twice as long.
+/// The number of frames of each kind in lanes, over a growing time: when it is exceeded, bins become twice as
+/// long.
 #[derive(Clone, Debug)]
 pub struct Density {
     capacity: usize,
-    /// When the first bin begins, in nanoseconds.
+    /// The start of the first bin, in nanoseconds.
     origin: i128,
     /// The time of a bin.
     width: i128,
@@ -245,14 +246,14 @@ pub struct Density {
 }
 
 impl Density {
-    /// Lanes without a frame, of at most `capacity` bins each; there are at least two.
+    /// Empty lanes of at most `capacity` bins each, but at least two.
     pub fn new(capacity: usize) -> Self {
         let capacity = capacity.max(2).next_multiple_of(2);
         Self { capacity, origin: 0, width: FIRST_WIDTH, span: None, lanes: Vec::new(), left_out: 0 }
     }
 
-    /// Adds a frame of a kind at a time in nanoseconds; an error frame has no kind. Frames of lanes for which there is no room are
-    /// [counted](Self::left_out).
+    /// Adds a frame of a kind at a time in nanoseconds; an error frame has no kind. Frames of lanes beyond the maximum
+    /// are [counted](Self::left_out).
     pub fn add(&mut self, lane: usize, kind: Option<FrameKind>, time: i64) {
         let (first, last) = *self.span.get_or_insert_with(|| {
             self.origin = time.into();
@@ -275,7 +276,7 @@ impl Density {
         *count = count.saturating_add(1);
     }
 
-    /// The bin of a time, for which room is made.
+    /// The bin of a time, extending the range if needed.
     fn bin(&mut self, time: i64) -> usize {
         loop {
             let offset = i128::from(time) - self.origin;
@@ -295,7 +296,8 @@ impl Density {
         self.span
     }
 
-    /// The bins of a lane that have frames: when they begin and end in nanoseconds, and the number of each kind.
+    /// The bins of a lane that contain frames: their start and end in nanoseconds, and the number of each
+    /// kind.
     pub fn bins(&self, lane: usize) -> impl Iterator<Item = ([i128; 2], &[u32; DENSITY_KINDS])> {
         let bins = self.lanes.get(lane).into_iter().flatten().enumerate();
         bins.filter(|(_, counts)| counts.iter().any(|count| *count > 0)).map(|(at, counts)| {
@@ -304,7 +306,7 @@ impl Density {
         })
     }
 
-    /// The most frames of a bin.
+    /// The maximum number of frames in a bin.
     pub fn highest(&self) -> u64 {
         self.lanes.iter().flatten().map(total).max().unwrap_or_default()
     }
@@ -340,7 +342,7 @@ mod tests {
     fn a_million_values_stay_in_the_buckets() {
         let mut curve = Curve::new(1000);
         for number in 0..1_000_000_i64 {
-            // one value of a million is another
+            // one value in a million differs
             curve.add(number * 1000, if number == 654_321 { 9.0 } else { (number % 7) as f64 });
         }
         assert!(curve.buckets().len() <= 1000 && curve.buckets.capacity() <= 2048);
@@ -368,7 +370,7 @@ mod tests {
     }
 
     proptest! {
-        /// Each bucket says of its values what they say themselves, whatever order their times have.
+        /// Each bucket reports the extremes of its own values, regardless of the order of their times.
         #[test]
         fn buckets_are_as_their_values(values in prop::collection::vec((-50..50_i64, -9..9_i32), 0..300), capacity in 0..40_usize) {
             let mut curve = Curve::new(capacity);
@@ -440,7 +442,7 @@ mod tests {
     }
 
     proptest! {
-        /// No frame is lost, and each is in the bin of its time.
+        /// No frame is lost, and each is in the correct bin.
         #[test]
         fn bins_have_all_frames(times in prop::collection::vec(-1_000_000_000_i64..1_000_000_000, 0..300), capacity in 0..50_usize) {
             let mut density = Density::new(capacity);

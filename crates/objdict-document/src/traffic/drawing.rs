@@ -6,7 +6,7 @@ use super::course::{Bands, Curve, CurveBucket, DENSITY_KINDS, Density, total};
 use super::scale::{TimeScale, ValueScale, rounded, short};
 use crate::describe::frames::FrameKind;
 
-/// The height of the drawing of numbers.
+/// The height of a plot of numbers.
 pub(super) const PLOT: f64 = 120.0;
 
 /// The height of a band of states in a plot.
@@ -15,14 +15,14 @@ pub(super) const BAND: f64 = 34.0;
 /// The height of the frames in a lane.
 pub(super) const LANE: f64 = 28.0;
 
-/// The most words in a band; a reader cannot see more.
+/// The maximum number of words in a band; a reader cannot see more.
 const MAX_WORDS: usize = 200;
 
-/// The width of a drawing for which words are chosen where no script does, and that of a letter.
+/// The width of a plot for which words are selected without a script, and the width of a letter.
 const WIDTH: f64 = 700.0;
 const LETTER: f64 = 7.0;
 
-/// A colour and what it fills.
+/// A colour and its range.
 pub(super) struct Filled {
     pub(super) class: String,
     pub(super) path: String,
@@ -31,19 +31,19 @@ pub(super) struct Filled {
 /// A word in a band.
 pub(super) struct BandWord {
     pub(super) text: String,
-    /// From when to when it counts, by the axis.
+    /// The range along the axis.
     pub(super) from: String,
     pub(super) to: String,
     pub(super) percent: String,
     pub(super) is_hidden: bool,
 }
 
-/// The class of a kind of frames; error frames have none.
+/// The CSS class of a kind of frames; error frames have none.
 pub(super) fn class(kind: usize) -> &'static str {
     FrameKind::ALL.get(kind).map_or("error", |kind| kind.name())
 }
 
-/// The frames of a lane, a path for each kind. The height of a bin says how many they are, on a logarithmic scale.
+/// The frames of a lane, one path per kind. The height of a bin shows their number, on a logarithmic scale.
 pub(super) fn lane(density: &Density, lane: usize, highest: u64, scale: &TimeScale) -> Vec<Filled> {
     let mut paths = vec![String::new(); DENSITY_KINDS];
     for ([from, to], counts) in density.bins(lane) {
@@ -64,7 +64,7 @@ pub(super) fn lane(density: &Density, lane: usize, highest: u64, scale: &TimeSca
 
 fn rectangle(path: &mut String, left: f64, top: f64, width: f64, height: f64) {
     let [left, top, width, height] = [left, top, width, height].map(short);
-    // writing to a text cannot fail
+    // writing to a string cannot fail
     let _ = write!(path, "M{left} {top}h{width}v{height}h-{width}z");
 }
 
@@ -85,7 +85,7 @@ pub(super) fn band(bands: &Bands, top: f64, height: f64, scale: &TimeScale) -> V
         .collect()
 }
 
-/// The class of a state: those of NMT always have the same colours.
+/// The CSS class of a state: NMT states always have the same colours.
 pub(super) fn state_class(word: &str, position: usize) -> String {
     match word {
         "initialising" | "stopped" | "operational" | "pre-operational" => format!("s-{word}"),
@@ -93,13 +93,13 @@ pub(super) fn state_class(word: &str, position: usize) -> String {
     }
 }
 
-/// Each run and when it ends: with the next one, as a state lasts until then.
+/// Each run and its end, which is the start of the next one, because a state lasts until then.
 fn runs(bands: &Bands) -> impl Iterator<Item = (&super::BandRun, i64)> {
     let ends = bands.runs().iter().skip(1).map(|next| Some(next.from)).chain([None]);
     bands.runs().iter().zip(ends).map(|(run, end)| (run, end.unwrap_or(run.to)))
 }
 
-/// The words that have a place of their own.
+/// The words with enough space to be displayed.
 pub(super) fn words(bands: &Bands, scale: &TimeScale) -> Vec<BandWord> {
     let single = runs(bands).filter(|(run, _)| run.is_single()).take(MAX_WORDS);
     single
@@ -118,18 +118,18 @@ pub(super) fn words(bands: &Bands, scale: &TimeScale) -> Vec<BandWord> {
         .collect()
 }
 
-/// The values as a line from one to the next.
+/// The values as a connected line.
 pub(super) fn line(curve: &Curve, time: &TimeScale, value: &ValueScale) -> String {
     let mut path = String::new();
     for bucket in curve.buckets() {
         let (from, to, y) = (time.x(bucket.from), short(time.x(bucket.to)), short(value.y(bucket.last)));
-        // a value that stays the same is level
+        // a constant value is a horizontal line
         if bucket.min == bucket.max && bucket.from < bucket.to {
             let _ = write!(path, "{}{} {y}", if path.is_empty() { "M" } else { "L" }, short(from));
         }
         let _ = write!(path, "{}{to} {y}", if path.is_empty() { "M" } else { "L" });
     }
-    // a value alone is a point, which a line has to show
+    // a single value is a point, which is drawn as a short line
     if curve.buckets().len() == 1 { path + "h1" } else { path }
 }
 
@@ -145,7 +145,7 @@ pub(super) fn extremes(curve: &Curve, time: &TimeScale, value: &ValueScale) -> S
     path
 }
 
-/// The values for the script: `seconds last min max`, without the extremes where there is one value.
+/// The values for the script: `seconds last min max`, without the extremes if there is only one value.
 pub(super) fn points(curve: &Curve, time: &TimeScale) -> String {
     let point = |CurveBucket { from, min, max, last, .. }: &CurveBucket| {
         let seconds = time.seconds(*from);

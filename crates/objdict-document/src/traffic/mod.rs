@@ -1,4 +1,4 @@
-//! The traffic of a bus as a page: a time line, plots of signals, and tables of sums.
+//! Bus traffic as a page: a timeline, plots of signals, and tables of statistics.
 
 mod course;
 mod drawing;
@@ -17,7 +17,7 @@ use super::html::{rendered, with_policy};
 pub struct TrafficPage<'a> {
     /// The names of the logs.
     pub title: String,
-    /// The number of frames, and their time.
+    /// The number of frames, and their time span.
     pub summary: String,
     /// When there were how many frames, by lanes.
     pub density: &'a Density,
@@ -25,7 +25,7 @@ pub struct TrafficPage<'a> {
     pub buses: Vec<TrafficBus<'a>>,
     /// The signals that are drawn.
     pub plots: Vec<TrafficPlot<'a>>,
-    /// Which signals are not drawn, in sentences; empty if all are.
+    /// The signals that are not drawn, in sentences; empty if all are.
     pub left_out: String,
 }
 
@@ -36,39 +36,39 @@ pub struct TrafficBus<'a> {
     pub title: String,
     /// Its nodes.
     pub lanes: Vec<TrafficLane<'a>>,
-    /// What happened, by kinds.
+    /// The events, by kind.
     pub events: Vec<TrafficEvents>,
-    /// Its sums.
+    /// Its statistics.
     pub tables: Vec<TrafficTable>,
-    /// What else is to be said.
+    /// Additional remarks.
     pub remarks: Vec<String>,
 }
 
 /// A node in the time line.
 #[derive(Debug)]
 pub struct TrafficLane<'a> {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// Its lane in the density.
     pub lane: usize,
-    /// Its NMT states; `None` if it did not say one.
+    /// Its NMT states; `None` if it did not send one.
     pub states: Option<&'a Bands>,
 }
 
-/// What happened of a kind.
+/// The events of one kind.
 #[derive(Debug)]
 pub struct TrafficEvents {
     /// The kind.
     pub title: &'static str,
     /// The class of the marks in the time line: `emcy`, `boot-up`, `abort`, `error` or `deviation`.
     pub class: &'static str,
-    /// In the order of time.
+    /// In chronological order.
     pub events: Vec<TrafficEvent>,
-    /// How many more there are.
+    /// The number of further events.
     pub further: u64,
 }
 
-/// Something that happened.
+/// An event.
 #[derive(Debug)]
 pub struct TrafficEvent {
     /// When, in nanoseconds.
@@ -77,16 +77,16 @@ pub struct TrafficEvent {
     pub shown_time: String,
     /// The position of the node among the lanes of its bus.
     pub lane: Option<usize>,
-    /// What happened.
+    /// The event as text.
     pub text: String,
-    /// The id of the rule that it is against; empty for what no rule forbids.
+    /// The id of the violated rule; empty if there is none.
     pub rule: &'static str,
 }
 
 /// A table.
 #[derive(Debug)]
 pub struct TrafficTable {
-    /// What it has.
+    /// Its title.
     pub title: &'static str,
     /// The headings of its columns.
     pub headings: Vec<&'static str>,
@@ -105,12 +105,12 @@ pub struct TrafficPlot<'a> {
     pub course: TrafficCourse<'a>,
 }
 
-/// What a signal has over time.
+/// The course of a signal over time.
 #[derive(Clone, Copy, Debug)]
 pub enum TrafficCourse<'a> {
     /// Numbers.
     Numbers(&'a Curve),
-    /// Words of states.
+    /// States, by their words.
     States(&'a Bands),
 }
 
@@ -152,15 +152,15 @@ struct TimelineMark<'a> {
 
 struct DrawnEvents<'a> {
     list: &'a TrafficEvents,
-    /// The number of the first event in the page.
+    /// The number of the first event on the page.
     first: usize,
 }
 
 struct DrawnPlot<'a> {
     plot: &'a TrafficPlot<'a>,
-    /// The number of values and their extremes, in words.
+    /// The number of values and their extremes, as text.
     label: String,
-    /// The cells of the table: number, least, mean, greatest.
+    /// The cells of the table: number, minimum, mean, maximum.
     cells: [String; 4],
     drawing: Drawing,
 }
@@ -171,7 +171,7 @@ enum Drawing {
 }
 
 impl TrafficPage<'_> {
-    /// Writes the page as HTML, which needs no other file.
+    /// Writes the page as HTML without external files.
     pub fn html(&self) -> String {
         let scale = TimeScale::new(self.density.span().unwrap_or_default());
         let mut next = 0;
@@ -231,7 +231,7 @@ impl TrafficPage<'_> {
         DrawnBus { bus, lanes: lanes.collect(), lists }
     }
 
-    /// The frames of a lane in words: `plc: sync 40, nmt 4`.
+    /// The frames of a lane as text: `plc: sync 40, nmt 4`.
     fn label(&self, lane: &TrafficLane<'_>) -> String {
         let mut sums = [0_u64; DENSITY_KINDS];
         for (_, counts) in self.density.bins(lane.lane) {

@@ -1,14 +1,14 @@
-//! Where times and values are in a drawing.
+//! Positions of times and values in a plot.
 
-/// The length of the time axis in a drawing. Browsers stretch it to the width that there is.
+/// The length of the time axis in a plot. Browsers stretch it to the available width.
 pub(super) const LENGTH: f64 = 1000.0;
 
-/// The least time that an axis shows, in nanoseconds.
+/// The minimum time span of an axis, in nanoseconds.
 const LEAST: i128 = 1_000_000;
 
-/// What lines of a drawing are labelled with.
+/// A labelled tick of a plot.
 pub(super) struct Tick {
-    /// Where it is, by the axis.
+    /// The position along the axis.
     pub(super) at: String,
     pub(super) label: String,
 }
@@ -20,12 +20,12 @@ pub(super) struct TimeScale {
     pub(super) start: i128,
     /// The time that it shows in nanoseconds.
     pub(super) length: i128,
-    /// The time from which its labels count.
+    /// The zero time of its labels.
     pub(super) zero: i64,
 }
 
 impl TimeScale {
-    /// An axis for all times from the first to the last, with some room at its ends.
+    /// An axis for all times from the first to the last, with some space at its ends.
     pub(super) fn new((first, last): (i64, i64)) -> Self {
         let length = i128::from(last) - i128::from(first);
         let room = (length / 100).max((LEAST - length) / 2).max(1);
@@ -36,17 +36,17 @@ impl TimeScale {
         ((time - self.start) as f64 / self.length as f64).clamp(0.0, 1.0)
     }
 
-    /// Where a time is.
+    /// The position of a time.
     pub(super) fn x(&self, time: impl Into<i128>) -> f64 {
         self.part(time.into()) * LENGTH
     }
 
-    /// The same in percent: `12.5%`.
+    /// The position in percent: `12.5%`.
     pub(super) fn percent(&self, time: impl Into<i128>) -> String {
         format!("{}%", short(self.part(time.into()) * 100.0))
     }
 
-    /// A time in seconds from the first one on.
+    /// A time in seconds since the first one.
     pub(super) fn seconds(&self, time: i64) -> String {
         let nanoseconds = i128::from(time) - i128::from(self.zero);
         let sign = if nanoseconds < 0 { "-" } else { "" };
@@ -88,7 +88,7 @@ impl ValueScale {
         Self { low: low - room, high: high + room, height }
     }
 
-    /// Where a value is.
+    /// The position of a value.
     pub(super) fn y(&self, value: f64) -> f64 {
         // halves, because the whole may be more than a number can be
         let part = (value / 2.0 - self.low / 2.0) / (self.high / 2.0 - self.low / 2.0);
@@ -128,7 +128,7 @@ pub(super) fn short(number: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// A value as a reader needs it: six digits that count.
+/// A value rounded for display: six significant digits.
 pub(super) fn rounded(number: f64) -> String {
     if number == 0.0 || (1e-4..1e15).contains(&number.abs()) {
         let whole = number.abs().max(1.0).log10().floor() as i32;

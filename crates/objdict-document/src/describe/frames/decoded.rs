@@ -1,4 +1,4 @@
-//! What a frame is: its service, its node, and the step of an SDO transfer.
+//! The meaning of a frame: its service, its node, and the step of an SDO transfer.
 
 use objdict_network::Service;
 
@@ -16,7 +16,7 @@ pub struct RawFrame<'f> {
 }
 
 objdict_model::named! {
-    /// What a frame is for.
+    /// The purpose of a frame.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum FrameKind {
         /// A command of the NMT master.
@@ -27,7 +27,7 @@ objdict_model::named! {
         Time = "time",
         /// EMCY.
         Emcy = "emcy",
-        /// A PDO, or the request of one.
+        /// A PDO, or a request for one.
         Pdo = "pdo",
         /// An SDO.
         Sdo = "sdo",
@@ -39,16 +39,16 @@ objdict_model::named! {
         Guarding = "guarding",
         /// LSS (CiA 305).
         Lss = "lss",
-        /// Of no service that is known.
+        /// An unknown service.
         Unknown = "unknown",
     }
 }
 
-/// What a frame is, without its words.
+/// A decoded frame, without its text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct DecodedFrame {
-    /// What it is for.
+    /// Its purpose.
     pub kind: FrameKind,
     /// The service; `None` for a CAN-ID that no node uses.
     pub service: Option<Service>,
@@ -56,7 +56,7 @@ pub struct DecodedFrame {
     pub node_id: Option<u8>,
     /// The step of an SDO transfer.
     pub sdo: Option<SdoFrame>,
-    /// Which of the users of the CAN-ID it is.
+    /// The position of the user of the CAN-ID.
     pub(super) user: usize,
 }
 
@@ -68,7 +68,7 @@ impl DecodedFrame {
         Self { kind, service, node_id, sdo: None, user: 0 }
     }
 
-    /// Whether no node is known to use the CAN-ID: the service is the one that the predefined connection set gives it.
+    /// Whether no known node uses the CAN-ID, so that the service comes from the predefined connection set.
     pub const fn is_predefined(&self) -> bool {
         self.user == usize::MAX
     }
@@ -78,11 +78,11 @@ impl DecodedFrame {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SdoFrame {
-    /// Index and sub-index; `None` if the log does not show them, because it begins in the transfer.
+    /// Index and sub-index; `None` if the log begins in the middle of the transfer.
     pub entry: Option<(u16, u8)>,
-    /// What happens.
+    /// The step of the transfer.
     pub step: TransferStep,
-    /// Which SDO channel of the node, 1 for the default one.
+    /// The SDO channel of the node, 1 for the default one.
     pub channel: u16,
     /// Whether the client sends it.
     pub is_request: bool,
@@ -96,7 +96,7 @@ pub enum TransferStep {
     Read,
     /// The client sends a value in one frame.
     Write,
-    /// The client is going to send a value of this size, if it states one.
+    /// The client will send a value of this size, if stated.
     WriteStart(Option<u32>),
     /// The server expects the value.
     Expected,
@@ -104,29 +104,29 @@ pub enum TransferStep {
     Written,
     /// The server sends the value in one frame.
     Value,
-    /// The server is going to send a value of this size, if it states one.
+    /// The server will send a value of this size, if stated.
     ValueStart(Option<u32>),
-    /// The client asks for the next segment.
+    /// The client requests the next segment.
     NextSegment,
-    /// So many bytes of the value.
+    /// This many bytes of the value.
     Segment(u8),
     /// The last bytes of the value.
     LastSegment,
     /// The server has taken a segment.
     Accepted,
-    /// A segment of a transfer whose beginning is not in the log.
+    /// A segment of a transfer whose start is not in the log.
     Stray,
-    /// The client or the server gives up, with an abort code.
+    /// The client or the server aborts, with an abort code.
     Abort(u32),
     /// The client asks for a value in blocks.
     BlockRead,
     /// The client starts the upload of blocks.
     BlockStart,
-    /// A segment of a block, with its number; the last one of the value is marked.
+    /// A segment of a block, with its number, and whether it is the last one of the value.
     BlockSegment(u8, bool),
     /// A block was received up to the segment of this number.
     BlockAccepted(u8),
-    /// The last block was sent: the value is complete.
+    /// The last block was sent, so the value is complete.
     BlockEnd,
     /// The transfer of blocks is over.
     BlockDone,

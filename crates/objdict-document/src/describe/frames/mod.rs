@@ -1,6 +1,6 @@
-//! Frames of a bus in words: which service of which node, and what it says.
+//! Bus frames as text: service, node, and content.
 //!
-//! A frame is decoded first, which is fast, and put into words if they are wanted.
+//! A frame is first decoded, which is fast, and converted to text only on request.
 
 mod decoded;
 mod sdo;
@@ -26,45 +26,45 @@ use self::users::{CanIdUser, Users};
 use super::Decoder;
 use crate::model::{Device, PdoKind, Value};
 
-/// The objects whose values change what frames mean: those of CiA 301 and its frameworks.
+/// The objects whose values affect the meaning of frames: those of CiA 301 and its frameworks.
 const COMMUNICATION: std::ops::Range<u16> = 0x1000..0x2000;
 
-/// Reads frames in the order of their times. Segments of SDOs belong to the transfers before them, and values that nodes
-/// accept or send as answers count from then on: with another mapping a PDO says other things.
+/// Reads frames in chronological order. Segments of SDOs belong to the preceding transfers, and values that nodes
+/// accept or return apply from then on: for example, a new mapping changes the meaning of a PDO.
 #[derive(Debug)]
 pub struct FrameReader<'a> {
     nodes: Nodes<'a>,
     users: Users,
     transfers: Transfers,
-    /// What has changed of which nodes since their services were found.
+    /// The changes of nodes since their services were determined.
     stale: BTreeSet<(u8, Stale)>,
-    /// Node-IDs that were asked by guarding and have not answered yet.
+    /// Node-IDs with a pending guarding request.
     guarded: u128,
-    /// Whether a CAN-ID that no description has is that of the predefined connection set.
+    /// Whether unknown CAN-IDs are interpreted with the predefined connection set.
     has_defaults: bool,
     changes: Changes,
 }
 
-/// How often nodes have changed, by what depends on it.
+/// The number of node changes, by affected property.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
-    /// What cycles depend on: the producers and consumers of heartbeats, and the period of SYNC.
+    /// Changes that affect cycles: the producers and consumers of heartbeats, and the SYNC period.
     pub cycles: u64,
-    /// What PDOs depend on: their parameters and the synchronous window length.
+    /// Changes that affect PDOs: their parameters and the synchronous window length.
     pub pdos: u64,
 }
 
-/// What a frame says.
+/// A frame as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FrameWords {
     /// The service; `None` for a CAN-ID that no node uses.
     pub service: Option<Service>,
-    /// What it says, with the name of its node.
+    /// The text, with the name of its node.
     pub text: String,
 }
 
 impl<'a> FrameReader<'a> {
-    /// A reader of the frames of these nodes, which are all nodes.
+    /// A reader of the frames of these nodes, on a bus without further nodes.
     pub fn new(talkers: Vec<Talker<'a>>) -> Self {
         let nodes = Nodes::new(talkers);
         let stale = nodes.iter().map(|node| (node.node_id, Stale::All)).collect();
@@ -79,8 +79,8 @@ impl<'a> FrameReader<'a> {
         }
     }
 
-    /// A reader of the frames of a bus with further nodes, whose CAN-IDs are those of the predefined connection set (CiA 301
-    /// §7.3.5).
+    /// A reader of the frames of a bus with further nodes, whose CAN-IDs come from the predefined connection set (CiA
+    /// 301 §7.3.5).
     pub fn of_bus(talkers: Vec<Talker<'a>>) -> Self {
         Self { has_defaults: true, ..Self::new(talkers) }
     }
@@ -91,24 +91,24 @@ impl<'a> FrameReader<'a> {
         self.note_other_values(talker.node_id, [Stale::All]);
     }
 
-    /// How often the values of nodes have become others that change what frames mean.
+    /// The number of changes of node values that affect the meaning of frames.
     pub const fn changes(&self) -> Changes {
         self.changes
     }
 
-    /// The nodes, in the order in which they became known.
+    /// The nodes, in the order of detection.
     pub fn node_ids(&self) -> impl Iterator<Item = u8> + '_ {
         self.nodes.iter().map(|node| node.node_id)
     }
 
-    /// Several values of a node may be others, which decide these services.
+    /// Records that several values of a node may have changed, which affects these services.
     fn note_other_values(&mut self, node_id: u8, stale: impl IntoIterator<Item = Stale>) {
         self.stale.extend(stale.into_iter().map(|stale| (node_id, stale)));
         self.changes.cycles += 1;
         self.changes.pdos += 1;
     }
 
-    /// An entry has another value.
+    /// Records that the value of an entry has changed.
     fn note_change(&mut self, node_id: u8, entry: (u16, u8)) {
         let (stale, (index, _)) = (Stale::of(entry), entry);
         self.stale.extend(stale.map(|stale| (node_id, stale)));
@@ -117,14 +117,14 @@ impl<'a> FrameReader<'a> {
             u64::from(matches!(stale, Some(Stale::Pdo(..) | Stale::Content(..))) || index == 0x1007);
     }
 
-    /// The words for a frame with a CAN-ID of 11 bits.
+    /// The text for a frame with an 11-bit CAN-ID.
     pub fn read(&mut self, can_id: u16, data: &[u8], is_remote: bool) -> FrameWords {
         let frame = RawFrame { can_id: can_id.into(), is_extended: false, is_remote, data };
         let decoded = self.decode(&frame);
         FrameWords { service: decoded.service, text: self.words(&decoded, &frame) }
     }
 
-    /// What a frame is.
+    /// Decodes a frame.
     pub fn decode(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
         let RawFrame { can_id, is_extended, is_remote, data } = *frame;
         let node_id = (can_id & 0x7F) as u8;
@@ -156,7 +156,8 @@ impl<'a> FrameReader<'a> {
         signals.unwrap_or_default()
     }
 
-    /// The values of a PDO without their words, each with the node whose entry it is; without a type the bits are a number.
+    /// The values of a PDO without their text, each with the node of its entry; without a type the bits are a
+    /// number.
     pub fn values(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Vec<(u8, (u16, u8), Value)> {
         let values = self.content(decoded, frame).and_then(|(node, content)| {
             if content.is_multiplexed {
@@ -169,7 +170,7 @@ impl<'a> FrameReader<'a> {
         values.unwrap_or_default()
     }
 
-    /// What a multiplexed PDO of a node carries: the node whose entry it is, the entry, and its bytes.
+    /// The content of a node's multiplexed PDO: the node of the entry, the entry, and its bytes.
     fn multiplexed<'n>(
         &'n self,
         sender: &'n TalkingNode<'a>,
@@ -181,7 +182,7 @@ impl<'a> FrameReader<'a> {
         Some((node, SignalPlace::multiplexed(node, entry), u32::from_le_bytes(bytes).into()))
     }
 
-    /// The number of bytes of a PDO by its mapping, if that is known.
+    /// The number of bytes of a PDO according to its mapping, if known.
     pub fn mapped_bytes(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<usize> {
         let (node, user) = self.user(decoded, frame)?;
         let Service::Pdo(pdo) = user.service else { return None };
@@ -193,7 +194,7 @@ impl<'a> FrameReader<'a> {
         self.transfers.get((decoded.node_id?, decoded.sdo?.channel))
     }
 
-    /// The value of an SDO transfer that is complete with this frame: its bytes, and the value where its type is known.
+    /// The value of an SDO transfer that this frame completes: its bytes, and the value if its type is known.
     pub fn transferred(&self, decoded: &DecodedFrame) -> Option<(&[u8], Option<Value>)> {
         let bytes = self.transferred_bytes(decoded)?;
         let node = decoded.node_id.and_then(|node_id| self.nodes.get(node_id));
@@ -208,7 +209,7 @@ impl<'a> FrameReader<'a> {
         Some(self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry))
     }
 
-    /// What a value of an entry is in a drawing.
+    /// The representation of an entry's value in a plot.
     pub fn reading(&self, node_id: u8, entry: (u16, u8), value: &Value) -> SignalReading {
         let node = self.nodes.get(node_id);
         let scaled = node.and_then(|node| node.scaling(&node.meanings(), entry));
@@ -241,14 +242,14 @@ impl<'a> FrameReader<'a> {
         self.nodes.entry(node_id, entry)
     }
 
-    /// What an error code of EMCY means for a node.
+    /// The meaning of an EMCY error code for a node.
     pub fn error_code(&self, node_id: u8, code: u16) -> &'static str {
         let empty = Device::default();
         let device = self.device(node_id).unwrap_or(&empty);
         Decoder::english(device, Some(node_id)).error_code(code.into())
     }
 
-    /// The node that describes the PDO of a frame, and what it carries.
+    /// The node that describes the PDO of a frame, and the content of the PDO.
     fn content(
         &self,
         decoded: &DecodedFrame,
@@ -258,7 +259,7 @@ impl<'a> FrameReader<'a> {
         Some((node, user.content(node)))
     }
 
-    /// The node that describes the PDO of a frame, and which of its PDOs that is.
+    /// The node that describes the PDO of a frame, and the PDO of that node.
     fn user(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<(&TalkingNode<'a>, &CanIdUser)> {
         let key = users::key(frame.can_id, frame.is_extended);
         let is_pdo = matches!(decoded.service, Some(Service::Pdo(_)));
@@ -270,7 +271,7 @@ impl<'a> FrameReader<'a> {
         Some((node_of(user)?, user))
     }
 
-    /// An NMT command: a reset gives nodes back the values that they have then.
+    /// An NMT command: a reset restores the initial values of nodes.
     fn command(&mut self, data: &[u8]) -> DecodedFrame {
         let node_id = data.get(1).copied().filter(|node_id| *node_id != 0);
         if let &[0x81 | 0x82, whom, ..] = data {
@@ -323,7 +324,7 @@ impl<'a> FrameReader<'a> {
         DecodedFrame { sdo: Some(sdo), ..decoded }
     }
 
-    /// Takes a value that a node has accepted, or has sent as an answer.
+    /// Records a value that a node has accepted or returned.
     fn take(&mut self, (node_id, channel): (u8, u16), entry: (u16, u8), is_accepted: bool) {
         let bytes = self.nodes.transferred(&self.transfers, (node_id, channel), entry);
         let Some(node) = self.nodes.get_mut(node_id) else { return };
@@ -339,7 +340,8 @@ impl<'a> FrameReader<'a> {
         }
     }
 
-    /// Finds the services of nodes whose values have changed, when a frame may be of one: a mapping is written entry by entry.
+    /// Determines the services of nodes whose values have changed, when a frame may belong to one: a mapping
+    /// is written entry by entry.
     fn find_users(&mut self) {
         for (node_id, stale) in std::mem::take(&mut self.stale) {
             if let Some(node) = self.nodes.get_mut(node_id) {

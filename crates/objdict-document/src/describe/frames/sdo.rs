@@ -1,13 +1,13 @@
-//! SDO transfers: what is written and read (CiA 301 §7.2.4.3).
+//! SDO transfers: written and read values (CiA 301 §7.2.4.3).
 
 use std::collections::BTreeMap;
 
 use super::decoded::{SdoFrame, TransferStep};
 
-/// The most bytes of a value that are kept.
+/// The maximum number of stored bytes of a value.
 const LONGEST: usize = 1 << 24;
 
-/// The most bytes of a value that are shown.
+/// The maximum number of displayed bytes of a value.
 const SHOWN: usize = 1 << 16;
 
 /// The present transfer of one channel, as its frames show it.
@@ -15,25 +15,25 @@ const SHOWN: usize = 1 << 16;
 pub struct SdoTransfer {
     entry: Option<(u16, u8)>,
     is_download: bool,
-    /// What is known of the value; an abort keeps it.
+    /// The known part of the value, which remains after an abort.
     data: Vec<u8>,
     is_padded: bool,
     is_complete: bool,
     /// Whether a download was asked for and has not ended.
     is_open: bool,
-    /// The download that a late answer to an earlier upload came between.
+    /// The download that a late response to an earlier upload interrupted.
     interrupted: Option<Box<SdoTransfer>>,
     blocks: Option<Blocks>,
 }
 
-/// Where a transfer of blocks is.
+/// The state of a block transfer.
 #[derive(Clone, Copy, Debug, Default)]
 struct Blocks {
     /// Whether segments are sent now.
     is_open: bool,
     /// The bytes of the blocks that were accepted.
     accepted: usize,
-    /// The number of the last segment of this block that was in its order.
+    /// The number of the last segment of this block that arrived in order.
     last: u8,
     /// Whether the segment that ends the value is among them.
     has_end: bool,
@@ -50,7 +50,7 @@ impl Transfers {
         SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
     }
 
-    /// What is known of the value of a transfer, which has `length` bytes where the transfer does not say it.
+    /// The known value of a transfer, with `length` bytes if the transfer does not state its length.
     pub(super) fn value(&self, channel: (u8, u16), length: impl FnOnce() -> Option<u8>) -> &[u8] {
         let Some(transfer) = self.0.get(&channel) else { return &[] };
         let length = if transfer.is_padded { length() } else { None };
@@ -64,8 +64,8 @@ impl Transfers {
     }
 }
 
-/// The eight bytes of an SDO frame; `None` if bytes with a meaning are missing. Hand-made requests often lack the bytes at the end that
-/// have none, and nodes answer them.
+/// The eight bytes of an SDO frame; `None` if significant bytes are missing. Hand-made requests often lack
+/// insignificant bytes at the end, and nodes respond to them.
 fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
     let mut bytes = [0; 8];
     bytes.get_mut(..data.len())?.copy_from_slice(data);
@@ -79,7 +79,7 @@ fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
 }
 
 impl SdoTransfer {
-    /// Processes a frame from the client (a request) or the server, and returns the step that it makes.
+    /// Processes a frame from the client (a request) or the server, and returns the resulting step.
     pub fn frame(&mut self, data: &[u8], is_request: bool) -> TransferStep {
         let whole = whole(data, is_request);
         if let Some(bytes) = whole {
@@ -93,7 +93,7 @@ impl SdoTransfer {
         }
     }
 
-    /// Goes on with an interrupted download when its client or its server does.
+    /// Resumes an interrupted download when its client or its server continues.
     fn resume(&mut self, bytes: [u8; 8], is_request: bool) {
         let goes_on = |download: &mut Box<Self>| match bytes[0] >> 5 {
             1 | 3 | 5 => true,
@@ -120,7 +120,7 @@ impl SdoTransfer {
         &self.data
     }
 
-    /// Whether these are the four bytes of an expedited transfer that does not say how many of them are the value.
+    /// Whether these are the four bytes of an expedited transfer that does not state the length of the value.
     pub const fn is_padded(&self) -> bool {
         self.is_padded
     }
@@ -203,7 +203,7 @@ impl SdoTransfer {
         *self = Self { entry, is_download, is_open, data, ..Self::default() };
     }
 
-    /// The server answers to an upload: during a download, to one that the client has given up.
+    /// A response of the server to an upload: during a download, to one that the client has abandoned.
     fn answer(&mut self, bytes: [u8; 8]) {
         let interrupted = self.is_open.then(|| Box::new(std::mem::take(self)));
         self.begin(bytes, false);
@@ -228,7 +228,7 @@ impl SdoTransfer {
         }
     }
 
-    /// A segment of a value; with the last one the value is known.
+    /// A segment of a value; the last one completes the value.
     fn segment(&mut self, bytes: [u8; 8], is_download: bool) -> TransferStep {
         if self.entry.is_none() || self.is_download != is_download || self.is_complete {
             return TransferStep::Stray;
@@ -254,7 +254,7 @@ impl SdoTransfer {
         let [first, segment @ ..] = bytes;
         let (number, is_end) = (first & 0x7F, first & 0x80 != 0);
         if let Some(blocks) = &mut self.blocks {
-            // what follows a lost segment is sent again
+            // segments after a lost one are sent again
             if number == blocks.last + 1 {
                 blocks.last = number;
                 blocks.has_end |= is_end;
@@ -277,7 +277,7 @@ impl SdoTransfer {
         TransferStep::BlockAccepted(number)
     }
 
-    /// Answers of a server to blocks of the client.
+    /// Responses of a server to blocks of the client.
     fn block_download(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [command, number, ..] = bytes;
         match command & 3 {
@@ -315,7 +315,7 @@ impl SdoTransfer {
         }
     }
 
-    /// The sender says how many bytes of the last segment are not of the value.
+    /// The sender states how many bytes of the last segment do not belong to the value.
     fn end_of_blocks(&mut self, command: u8) -> TransferStep {
         if self.blocks.take().is_none() {
             return TransferStep::Stray;

@@ -10,7 +10,7 @@ use crate::model::{DataType, Pdo, Value};
 /// A value in a PDO.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PdoSignal<'r> {
-    /// The node whose entry it is.
+    /// The node of the entry.
     pub node_id: u8,
     /// The index of the object.
     pub index: u16,
@@ -20,30 +20,30 @@ pub struct PdoSignal<'r> {
     pub name: Cow<'r, str>,
     /// The length in bits.
     pub bits: u32,
-    /// The number of its bits; `None` if the frame is too short.
+    /// The number in its bits; `None` if the frame is too short.
     pub raw: Option<u64>,
-    /// The value in its type; `None` if the type is not known or the frame is too short.
+    /// The value in its type; `None` if the type is unknown or the frame is too short.
     pub value: Option<Value>,
-    /// The number in its unit, where it is another one.
+    /// The number in its unit, if different.
     pub scaled: Option<String>,
     /// The unit; empty if there is none.
     pub unit: Cow<'r, str>,
-    /// The value in words.
+    /// The value as text.
     pub text: String,
 }
 
-/// What a value is in a drawing.
+/// The representation of a value in a plot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SignalReading {
-    /// The number in its unit; `None` for a text.
+    /// The number in its unit; `None` for a string.
     pub number: Option<f64>,
-    /// The name of the value, where it is a state, a mode, a command or another of few that have names.
+    /// The name of the value, if it is a state, a mode, a command or another one of few named values.
     pub word: Option<String>,
     /// The unit; empty if there is none.
     pub unit: String,
 }
 
-/// Where a value is in the frames of a PDO, and what it is.
+/// The position of a value in the frames of a PDO, and its properties.
 #[derive(Debug)]
 pub(super) struct SignalPlace {
     index: u16,
@@ -55,7 +55,7 @@ pub(super) struct SignalPlace {
     scaled: Option<Scaled>,
 }
 
-/// What a PDO carries.
+/// The content of a PDO.
 #[derive(Debug, Default)]
 pub(super) struct PdoContent {
     pub(super) places: Vec<SignalPlace>,
@@ -63,7 +63,7 @@ pub(super) struct PdoContent {
     pub(super) is_multiplexed: bool,
 }
 
-/// What the first byte of a multiplexed PDO says of the node-ID in it (CiA 301 §7.2.3).
+/// The first byte of a multiplexed PDO, which defines the meaning of its node-ID (CiA 301 §7.2.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Multiplexer {
     /// The value is for this node, or for all (0): destination address mode.
@@ -79,7 +79,7 @@ impl Multiplexer {
     }
 }
 
-/// What a multiplexed PDO carries: whose entry, and its bytes; `None` if it is too short.
+/// The content of a multiplexed PDO: the addressed entry, and its bytes; `None` if it is too short.
 pub(super) fn multiplexed(data: &[u8]) -> Option<(Multiplexer, (u16, u8), [u8; 4])> {
     let &[address, low, high, sub, a, b, c, d] = data else { return None };
     let node_id = address & 0x7F;
@@ -87,7 +87,7 @@ pub(super) fn multiplexed(data: &[u8]) -> Option<(Multiplexer, (u16, u8), [u8; 4
     Some((node, (u16::from_le_bytes([low, high]), sub), [a, b, c, d]))
 }
 
-/// The bytes of the frames of a PDO; `None` if the description does not say.
+/// The length of the frames of a PDO in bytes; `None` if the description does not state it.
 pub(super) fn mapped_bytes(pdo: &Pdo<'_>) -> Option<usize> {
     if pdo.is_multiplexed() {
         return Some(8);
@@ -127,12 +127,13 @@ impl PdoContent {
         parts.map(move |(place, frame)| place.signal(node, frame))
     }
 
-    /// The same as entries and their values; without a type the bits are a number. What a frame is too short for is left out.
+    /// The content as entries and their values; without a type the bits are a number. Values beyond the end
+    /// of the frame are omitted.
     pub(super) fn values(&self, data: &[u8]) -> impl Iterator<Item = ((u16, u8), Value)> {
         self.parts(data).filter_map(|(place, frame)| Some((place.entry(), place.number(frame?))))
     }
 
-    /// The places, each with the frame if it is long enough for it.
+    /// The positions, each with the frame if it is long enough.
     fn parts(&self, data: &[u8]) -> impl Iterator<Item = (&SignalPlace, Option<u64>)> + use<'_> {
         let frame = data.iter().take(8).rev().fold(0, |frame, &byte| frame << 8 | u64::from(byte));
         let length = 8 * data.len() as u32;
@@ -141,7 +142,7 @@ impl PdoContent {
 }
 
 impl SignalPlace {
-    /// The value in a multiplexed PDO, which is of an entry of `node`; without a type all four bytes count.
+    /// The value in a multiplexed PDO for an entry of `node`; without a type it has all four bytes.
     pub(super) fn multiplexed(node: &TalkingNode<'_>, (index, sub): (u16, u8)) -> Self {
         let data_type = node.data_type((index, sub));
         let bits =
@@ -166,12 +167,12 @@ impl SignalPlace {
         frame >> self.start & u64::MAX >> (64 - (self.end - self.start))
     }
 
-    /// The value of these bits in the type; `None` if the type is not known.
+    /// The value of these bits in the type; `None` if the type is unknown.
     fn typed(&self, raw: u64) -> Option<Value> {
         of_bits(raw, self.end - self.start, self.data_type?)
     }
 
-    /// The value in a frame, as a number if the type is not known.
+    /// The value in a frame, as a number if the type is unknown.
     pub(super) fn number(&self, frame: u64) -> Value {
         let raw = self.raw(frame);
         self.typed(raw).unwrap_or(Value::Unsigned(raw))
@@ -204,7 +205,7 @@ impl SignalPlace {
 }
 
 impl PdoSignal<'_> {
-    /// The same without what it is borrowed from.
+    /// The same signal without its borrowed source.
     pub(super) fn into_owned(self) -> PdoSignal<'static> {
         let (name, unit) = (self.name.into_owned().into(), self.unit.into_owned().into());
         PdoSignal { name, unit, ..self }

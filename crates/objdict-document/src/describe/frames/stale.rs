@@ -1,4 +1,4 @@
-//! What has to be found again after an object of a node changed.
+//! The data that must be determined again after an object of a node changed.
 
 use crate::model::PdoKind;
 use objdict_network::Service;
@@ -8,14 +8,14 @@ use objdict_network::Service;
 pub(super) enum Stale {
     All,
     Pdo(PdoKind, u16),
-    /// What a PDO carries, which is written entry by entry; its CAN-ID is the same.
+    /// The content of a PDO, which is written entry by entry; its CAN-ID is unchanged.
     Content(PdoKind, u16),
-    /// Those that are no PDOs.
+    /// Services other than PDOs.
     Others,
 }
 
 impl Stale {
-    /// What an entry decides.
+    /// The data that depends on an entry.
     pub(super) fn of((index, sub): (u16, u8)) -> Option<Self> {
         if matches!(index, 0x1005 | 0x1012 | 0x1014 | 0x1200..=0x127F) {
             return Some(Self::Others);

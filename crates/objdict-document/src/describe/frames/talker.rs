@@ -1,4 +1,4 @@
-//! The nodes of a bus and their entries in words.
+//! The nodes of a bus and their entries as text.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -11,10 +11,10 @@ use crate::describe::{Decoder, ValueReader};
 use crate::model::{Assignment, DataType, Device, Entry, MappedObject, Meanings, Object, PdoKind, Value};
 use crate::profile;
 
-/// The most entries that a node has beyond its description.
+/// The maximum number of entries that a node has beyond its description.
 const MAX_LEARNT: usize = 4096;
 
-/// A node whose frames are read. Its device has the values with which the node runs.
+/// A node whose frames are read. Its device has the current values of the node.
 #[derive(Clone, Copy, Debug)]
 pub struct Talker<'a> {
     /// The name.
@@ -23,7 +23,8 @@ pub struct Talker<'a> {
     pub node_id: u8,
     /// The device.
     pub device: &'a Device,
-    /// Whether its PDOs carry entries of other nodes, which describe them: it has no description of its own.
+    /// Whether its PDOs carry entries of other nodes, which describe them, because it has no description of
+    /// its own.
     pub is_counterpart: bool,
 }
 
@@ -39,9 +40,9 @@ pub(super) struct TalkingNode<'a> {
     /// The values after a reset.
     start: Cow<'a, Device>,
     pub(super) device: Cow<'a, Device>,
-    /// The entries of `device` that no description has, or of which none has a value.
+    /// The entries of `device` that no description has, or for which none has a value.
     learnt: BTreeSet<(u16, u8)>,
-    /// What differs between `start` and `device`.
+    /// The differences between `start` and `device`.
     changed: BTreeSet<Stale>,
 }
 
@@ -81,7 +82,7 @@ impl<'a> Nodes<'a> {
         nodes
     }
 
-    /// The first of two nodes with one node-ID counts.
+    /// Of two nodes with the same node-ID, the first is used.
     fn add(&mut self, node: TalkingNode<'a>) {
         let place = self.by_id.get_mut(usize::from(node.node_id)).filter(|place| place.is_none());
         if let Some((place, at)) = place.zip(u8::try_from(self.all.len()).ok()) {
@@ -98,7 +99,7 @@ impl<'a> Nodes<'a> {
         }
     }
 
-    /// Describes a node, which so far may be one without a description.
+    /// Adds the description of a node, which may have been seen without one.
     pub(super) fn describe(&mut self, talker: Talker<'a>) {
         let mut node = TalkingNode::of_talker(talker);
         match self.by_id.get(usize::from(node.node_id)).copied().flatten() {
@@ -130,7 +131,7 @@ impl<'a> Nodes<'a> {
         self.get(node_id).map_or_else(|| format!("node {node_id}"), |node| node.name.clone().into_owned())
     }
 
-    /// What is known of the value of an entry that a transfer has.
+    /// Information about an entry's value in a transfer.
     pub(super) fn transferred<'t>(
         &self,
         transfers: &'t Transfers,
@@ -146,12 +147,12 @@ impl<'a> Nodes<'a> {
         named(entry, &self.get(node_id).map_or(Cow::default(), |node| node.entry_name(entry)))
     }
 
-    /// The same, and whether the description has the entry.
+    /// The entry, and whether the description has it.
     pub(super) fn marked_entry(&self, node_id: u8, entry: (u16, u8)) -> String {
         self.entry(node_id, entry) + self.get(node_id).map_or("", |node| node.missing_mark(entry))
     }
 
-    /// The same with a value, and with its length if that is not as described.
+    /// The entry with a value, and with its length if that differs from the description.
     pub(super) fn value(&self, node_id: u8, entry: (u16, u8), bytes: &[u8]) -> String {
         let node = self.get(node_id);
         let words = node.and_then(|node| node.words(entry, bytes)).unwrap_or_else(|| raw_bytes(bytes));
@@ -161,18 +162,18 @@ impl<'a> Nodes<'a> {
     }
 }
 
-/// `1017:00 Producer heartbeat time`; without a name the address alone.
+/// `1017:00 Producer heartbeat time`; without a name only the address.
 pub(super) fn named((index, sub): (u16, u8), name: &str) -> String {
     if name.is_empty() { format!("{index:04X}:{sub:02X}") } else { format!("{index:04X}:{sub:02X} {name}") }
 }
 
-/// Bytes that no type makes a value: `01h 25h`.
+/// Bytes without a type that interprets them: `01h 25h`.
 pub fn raw_bytes(bytes: &[u8]) -> String {
     let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}h")).collect();
     digits.join(" ")
 }
 
-/// A text whose last character may be a control character: `STT<00h>`.
+/// A string whose last character may be a control character: `STT<00h>`.
 fn escaped_end(text: &str) -> String {
     match text.strip_suffix(char::is_control) {
         Some(start) => format!("{start}<{:02X}h>", text[start.len()..].chars().next().map_or(0, u32::from)),
@@ -180,17 +181,17 @@ fn escaped_end(text: &str) -> String {
     }
 }
 
-/// The length of a value or a PDO beside the described one: ` (6 bytes, expected 3)`.
+/// The differing length of a value or a PDO: ` (6 bytes, expected 3)`.
 pub(super) fn other_length(is: usize, expected: usize) -> Option<String> {
     let unit = if is == 1 { "byte" } else { "bytes" };
     (is != expected).then(|| format!(" ({is} {unit}, expected {expected})"))
 }
 
-/// What is said of a thing that the description of its node lacks.
+/// The mark for content that the description of its node lacks.
 pub(super) const MISSING: &str = " (not in the description)";
 
 impl TalkingNode<'_> {
-    /// The name of an entry, as the device has it, else as the documents of its profile, CiA 301 and CiA 302 do.
+    /// The name of an entry in the device, otherwise in the documents of its profile, CiA 301 and CiA 302.
     pub(super) fn entry_name(&self, (index, sub): (u16, u8)) -> Cow<'_, str> {
         let own = self.device.entry(index, sub).map(|entry| entry.name.to_string());
         match own.filter(|name| !name.is_empty()) {
@@ -199,7 +200,7 @@ impl TalkingNode<'_> {
         }
     }
 
-    /// What is said of an entry that the description lacks.
+    /// The mark for an entry that the description lacks.
     pub(super) fn missing_mark(&self, (index, sub): (u16, u8)) -> &'static str {
         if self.is_described && self.described.entry(index, sub).is_none() { MISSING } else { "" }
     }
@@ -209,7 +210,7 @@ impl TalkingNode<'_> {
         self.data_types(entry).next()
     }
 
-    /// The types of an entry: as the device has it, and as the documents do.
+    /// The types of an entry in the device and in the documents.
     fn data_types(&self, (index, sub): (u16, u8)) -> impl Iterator<Item = DataType> {
         let own = || {
             let object = self.device.object(index)?;
@@ -222,7 +223,8 @@ impl TalkingNode<'_> {
         own().into_iter().chain(of_documents.flatten())
     }
 
-    /// The value that bytes of an SDO are. A value of another length than described may be as the documents have it.
+    /// The value of the bytes of an SDO. If the length differs from the description, the type in the
+    /// documents may apply.
     pub(super) fn value_of(&self, entry: (u16, u8), bytes: &[u8]) -> Option<Value> {
         self.typed(entry, bytes).map(|(value, _)| value)
     }
@@ -238,7 +240,7 @@ impl TalkingNode<'_> {
         Some(self.words_in(entry, &value, Some(data_type), scaling))
     }
 
-    /// The same with a type, a scale and a unit that are known.
+    /// The value with a known type, scale and unit, as text.
     pub(super) fn words_in(
         &self,
         (index, sub): (u16, u8),
@@ -269,7 +271,7 @@ impl TalkingNode<'_> {
         }
     }
 
-    /// The name of a value where it is a state, a mode, a command or another of few that have names.
+    /// The name of a value if it is a state, a mode, a command or another one of few named values.
     pub(super) fn state(&self, (index, sub): (u16, u8), value: &Value) -> Option<String> {
         if let Some(command) = self.command(index, value) {
             return Some(command.to_owned());
@@ -280,7 +282,7 @@ impl TalkingNode<'_> {
         {
             return Some(name);
         }
-        // fields are those of the bits, of negative numbers too
+        // fields consist of bits, even in negative numbers
         let bits = (number & i128::from(u64::MAX)) as u64;
         let fields = profile::of_object(&self.device, index).filter(|(profile, _)| profile.group != "cia301");
         let mut fields = fields.filter_map(|(_, facts)| facts.entry(sub)).flat_map(|facts| facts.bits());
@@ -288,9 +290,9 @@ impl TalkingNode<'_> {
         field.meaning(bits).map(str::to_owned)
     }
 
-    /// The command that a word of the state machine of the device profile gives: `shutdown`.
+    /// The command in a word of the device profile's state machine: `shutdown`.
     fn command(&self, index: u16, value: &Value) -> Option<&'static str> {
-        // the state machines of documents take their commands from the profile area
+        // the state machines of documents receive their commands in the profile area
         let machine =
             (0x6000..0xA000).contains(&index).then(|| profile::of_device(&self.device)?.state_machine())?;
         let machine = machine.filter(|machine| machine.command == index)?;
@@ -321,7 +323,7 @@ impl TalkingNode<'_> {
         mapped.into_iter().filter(|object| !object.is_unused()).for_each(|object| self.learn(object.entry()));
     }
 
-    /// Adds an entry that was read or written, and the one that a mapping entry maps by it.
+    /// Adds an entry that was read or written, and the entry that it maps if it is a mapping entry.
     pub(super) fn learn_written(&mut self, entry: (u16, u8), bytes: &[u8]) {
         self.learn(entry);
         if let ((index, 1..), &[bits, sub, low, high]) = (entry, bytes)
@@ -345,7 +347,7 @@ impl TalkingNode<'_> {
         let Some((name, object_type, facts)) = facts else { return };
         let described = self.device.object(index);
         if described.is_some_and(|object| object.object_type().has_subs() != object_type.has_subs()) {
-            // what the description has would become something else
+            // content of the description would change its meaning
             return;
         }
         self.learnt.insert((index, sub));
@@ -366,7 +368,7 @@ impl TalkingNode<'_> {
         }
     }
 
-    /// Takes a value that the node has now; whether it is new.
+    /// Records a current value of the node; returns whether it is new.
     pub(super) fn take(&mut self, entry: (u16, u8), bytes: &[u8]) -> bool {
         let (index, sub) = entry;
         let Some(value) = self.value_of(entry, bytes) else { return false };
@@ -394,37 +396,38 @@ impl TalkingNode<'_> {
         }
     }
 
-    /// Forgets kept values and those of the configuration: after the next reset the values are the defaults (1011h).
+    /// Discards stored values and those of the configuration: after the next reset the values are the
+    /// defaults (1011h).
     pub(super) fn restore(&mut self) {
         if self.is_described {
             self.start = Cow::Owned(self.described.unconfigured().into_owned());
             self.changed.insert(Stale::All);
-            // so that a reset finds other values, also where none was written
+            // so that a reset finds different values, even if none was written
             self.device.to_mut();
         }
     }
 
-    /// Goes back to the values that it has after a reset; what that changes, if there are any others.
+    /// Restores the values after a reset; returns the resulting changes, if there are any.
     pub(super) fn reset(&mut self) -> Option<BTreeSet<Stale>> {
         if !self.is_described || matches!(self.device, Cow::Borrowed(_)) {
             return None;
         }
         let running = std::mem::replace(&mut self.device, self.start.clone());
         let mut kept = std::mem::take(&mut self.learnt);
-        // what the device is, no reset changes
+        // a reset does not change the device type
         kept.insert((0x1000, 0));
         self.take_seen(&running, &kept);
         Some(std::mem::take(&mut self.changed))
     }
 
-    /// Takes what was seen of a node before its description was known.
+    /// Takes over the observations of a node from before its description was known.
     fn take_over(&mut self, former: &Self) {
         if !former.is_described {
             self.take_seen(&former.device, &former.learnt);
         }
     }
 
-    /// Takes entries with the values that they have in a device.
+    /// Copies the values of entries from a device.
     fn take_seen(&mut self, from: &Device, entries: &BTreeSet<(u16, u8)>) {
         for &(index, sub) in entries {
             self.learn((index, sub));

@@ -89,7 +89,7 @@ fn values_are_written_and_read() {
     assert_eq!(words, expected);
 }
 
-/// As `cansend` is used by hand: nodes answer them.
+/// As with manual use of `cansend`: nodes respond to them.
 #[test]
 fn requests_without_the_bytes_at_the_end() {
     let said = read(&[
@@ -170,7 +170,7 @@ fn frames_of_any_content_are_read() {
     }
 }
 
-/// The words for frames on a bus of which only the drive is described.
+/// The text for frames on a bus on which only the drive is described.
 fn read_bus(frames: &[(u16, &[u8])]) -> Vec<String> {
     let device = drive();
     let mut reader = FrameReader::of_bus(vec![Talker {
@@ -209,7 +209,7 @@ fn a_mapping_that_is_written_counts() {
     reader.read(0x585, &[0x60, 0, 0x18, 1, 0, 0, 0, 0], false);
     let text = "drive TPDO 1: 6061:00 Modes of operation display = 8";
     assert_eq!(reader.read(0x190, &[8], false).text, text);
-    // a reset gives back what the description says
+    // a reset restores the values of the description
     reader.read(0x705, &[0], false);
     let text = "drive TPDO 1: 6041:00 Statusword = 7, 6061:00 Modes of operation display = 8";
     assert_eq!(reader.read(0x185, &[7, 0, 8], false).text, text);

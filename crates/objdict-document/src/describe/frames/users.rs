@@ -1,4 +1,4 @@
-//! Who uses which CAN-ID, by the dictionaries of the nodes.
+//! The users of each CAN-ID, from the dictionaries of the nodes.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use super::stale::Stale;
 use super::talker::TalkingNode;
 use crate::model::{CobId, PdoKind, SdoChannel, predefined};
 
-/// A CAN-ID as a number: bit 31 says that it has 29 bits.
+/// A CAN-ID as a number: bit 31 marks 29 bits.
 pub(super) type IdKey = u32;
 
 pub(super) const fn key(can_id: u32, is_extended: bool) -> IdKey {
@@ -24,12 +24,12 @@ pub(super) struct CanIdUser {
     pub(super) service: Service,
     /// The number of an SDO channel, from 2 on.
     pub(super) channel: u16,
-    /// What a PDO carries, once a frame of it was seen.
+    /// The content of a PDO, once one of its frames was seen.
     content: OnceCell<PdoContent>,
 }
 
 impl CanIdUser {
-    /// What a PDO of the node carries.
+    /// The content of a PDO of the node.
     pub(super) fn content(&self, node: &TalkingNode<'_>) -> &PdoContent {
         self.content.get_or_init(|| match self.service {
             Service::Pdo(pdo) => {
@@ -46,7 +46,7 @@ impl CanIdUser {
 pub(super) struct Users(BTreeMap<IdKey, Vec<CanIdUser>>);
 
 impl Users {
-    /// The users of a CAN-ID, and the one that sends: a TPDO before RPDOs.
+    /// The users of a CAN-ID, and the sender: a TPDO before RPDOs.
     pub(super) fn of(&self, key: IdKey) -> Option<(usize, &CanIdUser)> {
         let is_rpdo = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo);
         self.0.get(&key)?.iter().enumerate().min_by_key(|(_, user)| is_rpdo(user.service))
@@ -57,7 +57,7 @@ impl Users {
         self.0.get(&key).into_iter().flatten()
     }
 
-    /// Takes services of a node as they are now.
+    /// Updates services of a node to their current state.
     pub(super) fn update(&mut self, node: &TalkingNode<'_>, stale: Stale) {
         let is_stale = |user: &CanIdUser| user.node_id == node.node_id && stale.has(user.service);
         if let Stale::Content(kind, number) = stale {
@@ -87,7 +87,7 @@ impl Users {
     }
 
     fn add_pdo(&mut self, node: &TalkingNode<'_>, kind: PdoKind, number: u16, cob_id: Option<CobId>) {
-        // of a node without a description a log may show the mapping alone
+        // for a node without a description, a log may contain only the mapping
         let default = || {
             let base = kind.predefined_can_id(number).filter(|_| !node.is_described)?;
             node.device.pdo(kind, number)?.mapped_count.filter(|count| *count > 0)?;
@@ -106,7 +106,7 @@ impl Users {
         add(emcy.filter(|emcy| emcy.is_valid()), Service::Emcy, 0);
         let servers = services.sdo_servers.iter().filter(|server| server.number > 1);
         for SdoChannel { number, request, response, .. } in servers {
-            // a channel is off as soon as one of its COB-IDs is (CiA 301 §7.5.2.33)
+            // a channel is disabled as soon as one of its COB-IDs is (CiA 301 §7.5.2.33)
             if [request, response].iter().all(|cob_id| cob_id.is_some_and(CobId::is_valid)) {
                 add(*request, Service::SdoRequest, *number);
                 add(*response, Service::SdoResponse, *number);

@@ -1,4 +1,4 @@
-//! Decoded frames in words, those of LSS (CiA 305) too.
+//! Decoded frames as text, including those of LSS (CiA 305).
 
 use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, TransferStep};
 use super::signals::{self, Multiplexer, PdoSignal};
@@ -11,7 +11,7 @@ use objdict_model::diagnostic::plural;
 use objdict_network::Service;
 
 impl FrameReader<'_> {
-    /// What a frame says, after it was decoded.
+    /// The text of a decoded frame.
     pub fn words(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> String {
         let RawFrame { can_id, data, .. } = *frame;
         let name = || decoded.node_id.map_or_else(String::new, |node_id| self.nodes.name(node_id));
@@ -89,7 +89,7 @@ impl FrameReader<'_> {
         format!("{}{name} {service}{mark}{other}: {text}", if is_rpdo { "to " } else { "" })
     }
 
-    /// What is said of a message that the description of its node lacks.
+    /// The mark for a message that the description of its node lacks.
     fn missing_mark(&self, decoded: &DecodedFrame) -> &'static str {
         let is_described = decoded.node_id.is_some_and(|node_id| self.is_described(node_id));
         if is_described && decoded.is_predefined() { MISSING } else { "" }
@@ -152,7 +152,7 @@ fn signal_words(owner: Option<&TalkingNode<'_>>, signal: &PdoSignal<'_>) -> Stri
     format!("{}{mark} {value}", named(entry, &signal.name))
 }
 
-/// The request of a PDO, SYNC or another message by a remote frame.
+/// The request for a PDO, SYNC or another message by a remote frame.
 fn request(decoded: &DecodedFrame, name: &str) -> String {
     let service = decoded.service.map_or_else(String::new, |service| service.to_string());
     if name.is_empty() { format!("request of {service}") } else { format!("request of {service}, {name}") }
@@ -217,7 +217,7 @@ const PARTS: [&str; 4] = ["vendor-ID", "product code", "revision number", "seria
 /// Bit rates of table 0 in kbit/s.
 const BIT_RATES: [&str; 10] = ["1000", "800", "500", "250", "125", "100", "50", "20", "10", "automatic"];
 
-/// What a frame says.
+/// The text of a frame.
 pub(super) fn words(data: &[u8], is_request: bool) -> String {
     let Ok([command, first, second, third, fourth, bit, part, next]) = <[u8; 8]>::try_from(data) else {
         return format!("LSS of {}", bytes_of(data));
