@@ -61,7 +61,7 @@ impl ChannelKind {
     }
 }
 
-/// The kinds of channels that the device type of an I/O module states, and that it does not have.
+/// The kinds of channels that the device type of an I/O module states, but that it does not have.
 pub(crate) fn only_stated(device: &Device, block: u8) -> impl Iterator<Item = &'static ChannelKind> {
     let is_module = number_of(device, block) == Some(401);
     let value =
@@ -70,8 +70,8 @@ pub(crate) fn only_stated(device: &Device, block: u8) -> impl Iterator<Item = &'
     KINDS.iter().filter(move |kind| value >> kind.bit & 1 == 1 && !kind.may_be_in(device, block))
 }
 
-/// The PDOs of an EDS with a default mapping in the profile: none if bit 23 of the device type marks the
-/// mapping as manufacturer-specific, and none for a module of several logical devices.
+/// The PDOs of an EDS that have a default mapping in the profile: none if bit 23 of the device type
+/// marks the mapping as manufacturer-specific, and none for a module with several logical devices.
 pub(crate) fn default_pdos<'a>(
     facts: &'a Facts<'a>,
     applied: &Applied<'_>,

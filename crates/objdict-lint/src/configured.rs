@@ -1,4 +1,4 @@
-//! The configuration of a node beside the description of its type, from which it was made.
+//! The configuration of a node together with the description of its type, from which it was created.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ pub(crate) struct ConfiguredDevice<'a> {
     pub device: &'a Device,
     /// The description of the type, with the PDOs that it implies.
     pub origin: &'a Device,
-    /// The description of the type as it is written, which labels point into.
+    /// The type description as written, into which labels point.
     pub written: &'a Device,
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct EntryPair<'a> {
 }
 
 impl<'a> ConfiguredDevice<'a> {
-    /// The sections of the configuration that hold values, each with its object.
+    /// The sections of the configuration that contain values, each with its object.
     pub(crate) fn sections(&self) -> impl Iterator<Item = (u16, &'a Object, Option<u8>, &'a Entry)> {
         self.device.objects.iter().flat_map(|(&index, object)| {
             let holds_value = !object.object_type().has_subs() || object.compact.is_some();
@@ -68,7 +68,7 @@ impl<'a> ConfiguredDevice<'a> {
         }
     }
 
-    /// A finding about a field of an entry, with the field of the type beside it.
+    /// A finding about a field of an entry, with a label at the same field of the type.
     pub(crate) fn finding(
         &self,
         rule: &'static RuleInfo,

@@ -19,7 +19,7 @@ pub(crate) struct Facts<'a> {
     pub options: &'a Options,
     /// The PDOs, first RPDOs, then TPDOs, by number; without those that `CompactPDO` implies.
     pub pdos: Vec<PdoFacts<'a>>,
-    /// Every COB-ID that an object states, those of PDOs last; without those of SRDOs.
+    /// Every COB-ID that an object states, PDOs last; without those of SRDOs.
     pub cob_ids: Vec<CobIdUse>,
     /// The SRDOs, by number.
     #[cfg(feature = "catalogue")]
@@ -47,7 +47,7 @@ pub(crate) struct MappingFact<'a> {
 pub(crate) enum MappedTo<'a> {
     /// A data type: a dummy entry.
     Dummy,
-    /// The object is described, the sub-index is not.
+    /// The object is described, but the sub-index is not.
     NoEntry,
     /// The object is not described.
     NoObject,
@@ -73,9 +73,9 @@ pub(crate) enum CobIdService {
     Sync,
     Time,
     Emcy,
-    /// EMCY of another node.
+    /// EMCY of a different node.
     EmcyConsumer,
-    /// From client to server, of a server of this device.
+    /// From client to server, for a server of this device.
     ServerRequest(u16),
     /// From server to client.
     ServerResponse(u16),
@@ -98,7 +98,7 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// The node-IDs that the description applies to: that of the options or of a DCF, otherwise all.
+    /// The node-IDs to which the description applies: the one in the options or in a DCF, otherwise all.
     pub(crate) fn node_ids(&self) -> RangeInclusive<u8> {
         match self.options.node_id.or(self.device.node_id()) {
             Some(node_id) => node_id..=node_id,
@@ -106,8 +106,8 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// The configured number of a sub-index; a formula is evaluated for the first node-ID that the
-    /// description applies to.
+    /// The configured number of a sub-index; a formula is evaluated for the first applicable
+    /// node-ID.
     pub(crate) fn number(&self, index: u16, sub: u8) -> Option<i128> {
         self.device.value(index, sub)?.integer_for(*self.node_ids().start())
     }
@@ -160,7 +160,7 @@ impl Facts<'_> {
 
 impl Facts<'_> {
     /// The other service that owns the CAN-ID of an active service on a node, if there is one. SDO channels
-    /// may use the identifiers of the default SDOs of other nodes, and the default SDO owns them.
+    /// may use the identifiers of other nodes' default SDOs, which then own them.
     pub(crate) fn owner(&self, cob_id: &CobIdUse, node: u8) -> Option<&'static str> {
         let is_readable = cob_id.is_in_use() && !cob_id.cob_id.is_extended() && cob_id.wrong_bits() == 0;
         let can_id = cob_id.cob_id.can_id(node);
@@ -248,7 +248,7 @@ impl<'a> PdoFacts<'a> {
         self.pdo.cob_id.map(|cob_id| CobIdUse { index, sub: 1, service, cob_id })
     }
 
-    /// Whether all mapped objects are described and have the length of the mapping, so that their sum is
+    /// Whether all mapped objects are described and have the mapped length, so that their total is
     /// meaningful.
     pub(crate) fn lengths_are_right(&self) -> bool {
         self.mapped.iter().all(|mapped| mapped.wrong_length().is_none() && !mapped.target.is_missing())
@@ -256,7 +256,7 @@ impl<'a> PdoFacts<'a> {
 }
 
 impl MappingFact<'_> {
-    /// The correct length, if the mapping states another.
+    /// The correct length, if the mapped one differs.
     pub(crate) fn wrong_length(&self) -> Option<u8> {
         let MappedTo::Entry(entry) = &self.target else { return None };
         entry.data_type?.bit_length().filter(|&bits| bits != self.object.bits)

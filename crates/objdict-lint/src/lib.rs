@@ -54,15 +54,17 @@ pub(crate) use srdo::Srdo;
 /// The group of the rules about other tools.
 pub const PORTABILITY: &str = "portability";
 
-/// What does not apply to a device of EtherCAT: the communication of CANopen, what an EDS says about CAN, and the sections that it must have.
+/// Rule groups that do not apply to an EtherCAT device: CANopen communication, EDS information about CAN, and
+/// mandatory EDS sections.
 const OF_CANOPEN: &str = " cia301 cia302 cia304 cia305 cia306/reserved-index cia306/no-baud-rate cia306/command-without-flag cia306/missing-section cia402/cyclic-mode-without-sync ";
 
-/// Applies all rules to one device. Objects that are disabled are no part of it.
+/// Applies all rules to one device, without disabled objects.
 pub fn check(described: &Device, options: &Options) -> Findings {
     check_some(described, options, &|_| true, &|_| true)
 }
 
-/// As [`check`], with some of the rules; those about single objects and entries look at some of the objects.
+/// Like [`check`], with some of the rules; those about single objects and entries check only some of the
+/// objects.
 pub fn check_some(
     described: &Device,
     options: &Options,
@@ -72,14 +74,14 @@ pub fn check_some(
     check_with(described, options, is_wanted, is_asked, None)
 }
 
-/// As [`check`], without a look at objects that are known from a check before an edit; what is known now takes their place.
+/// Like [`check`], reusing results for unchanged objects from before an edit, which are then updated.
 #[doc(hidden)] // for the language server
 pub fn check_after(described: &Device, options: &Options, known: &mut KnownObjects) -> Findings {
     let findings = check_with(described, options, &|_| true, &|_| true, Some(known));
     if findings.len() < MAX_PER_RULE as usize {
         return findings;
     }
-    // with more findings, checks look less closely
+    // with more findings, checks are less thorough
     *known = KnownObjects::default();
     check(described, options)
 }
@@ -118,8 +120,8 @@ fn check_with(
     }
 }
 
-/// Applies the rules about a configuration to the device of a node and the description of its type, which the labels at
-/// [`At::Node`](crate::diagnostic::At::Node) point into.
+/// Applies the rules about a configuration to the device of a node and its type description, into which the labels at
+/// [`At::Node`](crate::diagnostic::At::Node) point.
 pub fn check_configured(device: &Device, origin: &Device) -> Findings {
     let mut findings = Findings::new();
     let configured = ConfiguredDevice { device, origin: &origin.with_implicit_pdos(), written: origin };
@@ -140,7 +142,7 @@ fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> + use<> {
     rules_of(move |group| for_tools || group != PORTABILITY)
 }
 
-/// One walk over the documents that apply, for all rules of their groups.
+/// One walk over the applicable documents, for all rules of their groups.
 fn check_demands(
     facts: &Facts<'_>,
     is_wanted: &dyn Fn(&RuleInfo) -> bool,

@@ -1,4 +1,4 @@
-//! The rules that check one object or one entry at a time, and what they found in objects that did not change since.
+//! The rules that check one object or one entry at a time, and their cached findings in unchanged objects.
 
 use std::collections::BTreeMap;
 
@@ -6,8 +6,8 @@ use crate::diagnostic::{Diagnostic, Findings};
 use crate::model::{Device, Object, Objects};
 use crate::{Check, EntryAt, EntryOwner, Rule};
 
-/// The objects of a device with the findings of the rules that look at nothing but the object. They are found again without a check
-/// while a device shares the object.
+/// The objects of a device with the findings of the rules that depend only on the object. The findings are reused while
+/// a device shares the object.
 #[derive(Clone, Debug, Default)]
 pub struct KnownObjects {
     /// The ids of these rules.
@@ -19,16 +19,16 @@ pub struct KnownObjects {
 }
 
 impl KnownObjects {
-    /// How many objects the last check had to look at.
+    /// The number of objects that the last check examined.
     pub fn checked(&self) -> usize {
         self.checked
     }
 }
 
-/// The checks of objects and entries, by what they look at.
+/// The checks of objects and entries, by their dependencies.
 #[derive(Default)]
 struct ObjectChecks {
-    /// The ids of the rules that look at the object alone.
+    /// The ids of the rules that depend only on the object.
     alone: Vec<&'static str>,
     objects: Vec<fn(u16, &Object, &mut Findings)>,
     entries: Vec<fn(&EntryAt<'_>, &mut Findings)>,
@@ -79,7 +79,7 @@ impl ObjectChecks {
         }
     }
 
-    /// Checks the objects that are not known, finds again what was found in the others, and makes all of them known.
+    /// Checks the unknown objects, adds the cached findings of the others, and caches all of them.
     fn unknown(&self, device: &Device, known: &mut KnownObjects, findings: &mut Findings) {
         let before = std::mem::take(known);
         let is_same = before.rules == self.alone;
@@ -101,8 +101,8 @@ impl ObjectChecks {
     }
 }
 
-/// The walks over the objects: one for all rules that look at nothing else, one for those that also look at the device, and one over
-/// the objects of modules.
+/// The walks over the objects: one for all rules that depend only on the object, one for those that also depend on the
+/// device, and one over the objects of modules.
 pub(crate) fn check(
     device: &Device,
     rules: &[&'static Rule],

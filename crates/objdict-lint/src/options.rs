@@ -1,6 +1,6 @@
 //! The options of a check.
 //!
-//! The severities of rules are part of them; `Config::options` fills them for a path.
+//! They include the severities of rules; `Config::options` sets them for a path.
 
 use std::sync::Arc;
 
@@ -11,11 +11,11 @@ use crate::profile::Profile;
 /// The options of a check.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The node-ID for which formulas are evaluated; by default that of a DCF, otherwise every node-ID from
-    /// 1 to 127.
+    /// The node-ID for which formulas are evaluated; by default the one in a DCF, otherwise every node-ID
+    /// from 1 to 127.
     pub node_id: Option<u8>,
-    /// Profiles that apply in addition to that of the device type; see [`crate::profile::named`] and
-    /// [`Profile::from_toml`].
+    /// Profiles that apply in addition to the one of the device type; see [`crate::profile::named`]
+    /// and [`Profile::from_toml`].
     pub profiles: Vec<Arc<Profile>>,
     /// The tools that the description must be compatible with; rules of the group `portability` check this.
     pub tools: Vec<Tool>,

@@ -1,5 +1,5 @@
-//! Texts that are not valid values of their field, but whose intended value is clear, and parts that fixes add: missing members of
-//! object lists (CiA 306-1 §4.6.3.1) and sub-index 0.
+//! Fixes of invalid values with a clear intention, and of missing parts: members of object lists (CiA 306-1 §4.6.3.1)
+//! and sub-index 0.
 
 use crate::diagnostic::{Change, Fix, MAX_FIX_LINES, say};
 use crate::literal::{Intended, Spelling, iec_number, print, written};
@@ -28,7 +28,7 @@ pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place
         (_, Reason::NotOctal) => safe(without_zeros(text)?),
         (_, Reason::NotANumber) if is_hex(text) && data_type.is_none() => risky(format!("0x{text}")),
         (field, _) => match invalid.intended(data_type?)? {
-            // a BOOLEAN of 3 may be meant as a number
+            // a BOOLEAN of 3 may be intended as a number
             Intended::Value(value @ Value::Boolean(_)) => risky(print(&value, Spelling::default())),
             Intended::Value(value) => safe(print(&value, Spelling::default())),
             Intended::Nothing => return Some(Fix::risky(say!("remove `{}`", field)).remove(place)),
@@ -56,7 +56,7 @@ fn without_zeros(text: &str) -> Option<String> {
     is_decimal.then(|| format!("{sign}{}", digits.trim_start_matches('0')))
 }
 
-/// Whether a text is a hexadecimal number without `0x`.
+/// Whether a string is a hexadecimal number without `0x`.
 fn is_hex(text: &str) -> bool {
     (1..=8).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
@@ -85,8 +85,8 @@ pub(crate) fn sub_0(index: u16, object: &Object) -> Change {
     Change::Add(Part::Entry(index, 0), keys.to_vec())
 }
 
-/// The fixes of a rule that rewrite lists. Each fix changes as many lines as its list has, and a list in a
-/// hostile file is long, so their total is limited.
+/// The fixes of a rule that rewrite lists. Each fix changes as many lines as its list has, and a hostile
+/// file may contain a long list, so their total is limited.
 pub(crate) struct ListFixes {
     lines: usize,
 }

@@ -22,7 +22,7 @@ impl Rule {
         Diagnostic::new(&self.info, place, message)
     }
 
-    /// Reports the same at each of `places`.
+    /// Reports the same finding at each of `places`.
     #[cfg(feature = "catalogue")]
     pub(crate) fn report_each(
         &'static self,
@@ -42,16 +42,17 @@ impl Rule {
 pub(crate) enum Check {
     /// The device as a whole.
     Device(fn(&Device, &mut Findings)),
-    /// The same with the objects that are disabled, which no other rule sees.
+    /// Like `Device`, including disabled objects, which no other rule sees.
     Described(fn(&Device, &mut Findings)),
-    /// Each object with its index, including those without their own section ([`Object::orphan`]). It alone decides, so nothing is
-    /// checked again while it is the same.
+    /// Each object with its index, including those without their own section ([`Object::orphan`]). The result depends
+    /// only on the object, so it is reused while the object is unchanged.
     Object(fn(u16, &Object, &mut Findings)),
-    /// The same for a check that also looks at the device.
+    /// Each object, for a check that also depends on the device.
     ObjectOf(fn(&Device, u16, &Object, &mut Findings)),
-    /// Each described entry, also of modules: the section of an object, or a sub-index. Its object alone decides.
+    /// Each described entry, also of modules: the section of an object, or a sub-index. The result depends
+    /// only on its object.
     Entry(fn(&EntryAt<'_>, &mut Findings)),
-    /// The same for a check that also looks at the device.
+    /// Each described entry, for a check that also depends on the device.
     EntryOf(fn(&Device, &EntryAt<'_>, &mut Findings)),
     /// The communication as a whole.
     Facts(fn(&Facts<'_>, &mut Findings)),
@@ -59,7 +60,7 @@ pub(crate) enum Check {
     Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
     /// Each logical device that the document of the rule's group applies to.
     Applied(fn(&Facts<'_>, &Applied<'_>, &mut Findings)),
-    /// The same for a check that the rules of several groups share.
+    /// Each requirement, for a check that the rules of several groups share.
     #[cfg(feature = "catalogue")]
     Demand(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
     /// Each axis of a drive.
@@ -67,7 +68,7 @@ pub(crate) enum Check {
     Drive(fn(Drive<'_>, &mut Findings)),
     /// Each object that the document defines.
     Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
-    /// A configuration beside the description of its type.
+    /// A configuration together with its type description.
     Configured(fn(&ConfiguredDevice<'_>, &mut Findings)),
     /// Each described entry that the document defines, in objects with the structure of the document.
     Expected(fn(&'static RuleInfo, &Expected<'_>, &mut Findings)),
@@ -157,9 +158,9 @@ macro_rules! rule {
 }
 pub(crate) use rule;
 
-/// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for each.
-/// A check reports with `NAME.at(place, message)`. If every check gets its rule as an argument, the rows have no names. The source
-/// of most rules may be stated once before them.
+/// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for
+/// each. A check reports with `NAME.at(place, message)`. If every check gets its rule as an argument, the rows have no
+/// names. The default source may be stated once before them.
 macro_rules! rules {
     ($(source: $source:literal;)? $(
         $id:literal = $name:ident, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?

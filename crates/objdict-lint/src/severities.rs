@@ -1,4 +1,4 @@
-//! Severities that replace those of the rules.
+//! Severities that override those of the rules.
 
 use std::collections::BTreeMap;
 use std::str::FromStr;
@@ -46,7 +46,7 @@ objdict_model::error_messages! { UnknownLevel: {
     Self(name) => "`{name}` is not a valid severity: `off`, `note`, `warning` or `error`";
 } }
 
-/// Severities that replace those of the rules. A later setting takes precedence.
+/// Severities that override those of the rules. A later setting takes precedence.
 #[derive(Clone, Debug, Default)]
 pub struct Severities {
     rules: BTreeMap<&'static str, Level>,
@@ -69,8 +69,8 @@ impl Severities {
         }
     }
 
-    /// Turns off all rules that are not selected. Further calls select more rules; a rule that is off for
-    /// another reason stays off.
+    /// Disables all rules that are not selected. Further calls select more rules; a rule that is disabled
+    /// for another reason remains so.
     pub fn select(&mut self, rules: Selection) {
         self.only.push(rules);
     }

@@ -5,9 +5,9 @@ use std::cmp::Ordering;
 
 use crate::model::{Device, Entry, Field, Object, ObjectType, Place, TypeKind, Value};
 
-/// The object type, VAR if it is missing. `None` if the text of `ObjectType` or `CompactSubObj` is not a
-/// valid value, if the object has no own section, or if `ObjectType` is missing although the object has
-/// sub-indexes.
+/// The object type; VAR if it is missing. `None` if the text of `ObjectType` or `CompactSubObj` is not a
+/// valid value, if the object has no section of its own, or if `ObjectType` is missing although the
+/// object has sub-indexes.
 pub(crate) fn object_type(object: &Object) -> Option<ObjectType> {
     let invalid_values = &object.main.invalid_values;
     let unreadable = !invalid_values.is_empty()
@@ -38,12 +38,12 @@ pub(crate) fn is_invalid(entry: &Entry, field: &Field) -> bool {
     !entry.invalid_values.is_empty() && entry.invalid_values.get(field).is_some()
 }
 
-/// The number of described sub-indexes as `SubNumber` counts them: without FFh.
+/// The number of described sub-indexes according to `SubNumber`: without FFh.
 pub(crate) fn described_subs(object: &Object) -> usize {
     object.subs.len() - usize::from(object.subs.get(0xFF).is_some())
 }
 
-/// The node-IDs for which formulas are evaluated: that of the node, otherwise the lowest and the highest.
+/// The node-IDs for which formulas are evaluated: the node's, otherwise the lowest and the highest.
 pub(crate) fn node_ids(device: &Device) -> [u8; 2] {
     device.node_id().map_or([1, 127], |node_id| [node_id, node_id])
 }
@@ -60,8 +60,8 @@ pub(crate) fn compare(left: &Value, right: &Value, node_id: u8) -> Option<Orderi
     }
 }
 
-/// The first of the node-IDs for which comparing two numbers gives `order`; only formulas depend on the
-/// node-ID.
+/// The first of the node-IDs for which comparing two numbers results in `order`; only formulas depend
+/// on the node-ID.
 pub(crate) fn first_node(left: &Value, right: &Value, order: Ordering, node_ids: [u8; 2]) -> Option<u8> {
     let [first, last] = node_ids;
     let holds = |node_id| compare(left, right, node_id) == Some(order);

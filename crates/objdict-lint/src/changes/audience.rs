@@ -1,11 +1,11 @@
-//! Who is affected by a change, and how.
+//! The audiences of a change, and its effects on them.
 
 use objdict_model::named;
 
 use super::Side;
 use crate::model::{Access, Entry, Object};
 
-/// The title of an audience, for a text that is put together when the program is compiled.
+/// The title of an audience, for a text that is concatenated at compile time.
 macro_rules! title {
     (Configurations) => {
         "stored configurations"
@@ -26,27 +26,27 @@ macro_rules! title {
 pub(super) use title;
 
 named! {
-    /// What a change means, for an audience or as a whole.
+    /// The rating of a change, for an audience or as a whole.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub enum ChangeVerdict {
-        /// What worked still works.
+        /// Existing use still works.
         Compatible = "compatible",
-        /// Something may work differently and must be looked at.
+        /// Existing use may behave differently and must be reviewed.
         Risky = "risky",
-        /// Something that worked does not work any more.
+        /// Existing use no longer works.
         Breaking = "breaking",
     }
 }
 
 named! {
-    /// Who uses a device, and can be affected by a change.
+    /// The users of a device, who can be affected by a change.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub enum Audience {
         /// Stored configurations of nodes: DCF and concise DCF.
         Configurations = "configurations",
-        /// Those who receive or send the PDOs of the device.
+        /// Receivers and senders of the device's PDOs.
         PdoConsumers = "pdo-consumers",
-        /// Those who read and write entries.
+        /// Programs that read and write entries.
         SdoClients = "sdo-clients",
         /// Sources that use the names of generated C and Rust.
         Firmware = "firmware",
@@ -56,7 +56,7 @@ named! {
 }
 
 impl Audience {
-    /// The audience in words.
+    /// The audience as text.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Configurations => title!(Configurations),
@@ -88,8 +88,8 @@ impl Affected {
         Self(self.0 | other.0)
     }
 
-    /// Who uses an entry of a device: a configuration only what it may write, a PDO only what it can carry, and
-    /// non-volatile memory only what is stored.
+    /// The audiences of an entry: a configuration only if it may write the entry, PDO consumers only if a PDO
+    /// can carry it, and non-volatile memory only if it is stored.
     pub(super) fn by_entry(side: &Side<'_>, at: (u16, u8), object: &Object, entry: &Entry) -> Self {
         let is_written = is_writable(entry) || entry.configured_value().is_some();
         let is_carried = entry.is_mappable() || side.mapped.contains(&at);
@@ -111,7 +111,7 @@ impl Affected {
     }
 }
 
-/// Whether an SDO may write an entry, as far as the description says.
+/// Whether an SDO may write an entry, according to the description.
 pub(super) fn is_writable(entry: &Entry) -> bool {
     entry.implied_access().is_none_or(Access::is_writable)
 }

@@ -1,4 +1,4 @@
-//! The device as a whole: what it supports and what it is called.
+//! The device as a whole: its capabilities and names.
 
 use std::collections::BTreeSet;
 
@@ -6,7 +6,7 @@ use super::{DeviceComparison, Spot, rules};
 use crate::diagnostic::say;
 use crate::model::{DataType, Device, DeviceInfo, Field, Module, ModulePart, Part, Place};
 
-/// What a device can do, by field; missing means no.
+/// The capabilities of a device, by field; a missing one means no.
 fn features(device: &Device) -> Vec<(Place, String, bool)> {
     let info = device.device_info.as_ref();
     let flag = |field: Field, value: fn(&DeviceInfo) -> Option<bool>| {
@@ -42,7 +42,7 @@ fn bit_rates(device: &Device) -> Vec<(Field, String)> {
 
 impl DeviceComparison<'_> {
     pub(super) fn device(&mut self) {
-        // without a section nothing is stated
+        // without the section there is no information
         if self.old.device.device_info.is_some() && self.new.device.device_info.is_some() {
             self.bit_rates();
             self.features();
@@ -109,7 +109,7 @@ impl DeviceComparison<'_> {
         if old == new {
             return;
         }
-        // 0 is a fixed mapping, which is coarser than any
+        // 0 is a fixed mapping, which is coarser than any other
         let steps = |granularity: u8| if granularity == 0 { u8::MAX } else { granularity };
         let is_coarser = steps(new) > steps(old);
         let rule = if is_coarser { &rules::GRANULARITY_COARSER } else { &rules::GRANULARITY_FINER };

@@ -46,7 +46,7 @@ impl<'a> DeviceComparison<'a> {
         self.meaning(&spot, pair, (old_sub, new_sub));
     }
 
-    /// Compares the data types; whether they are the same.
+    /// Compares the data types; returns whether they are equal.
     fn data_type(&mut self, spot: &Spot, old: &Entry, new: &Entry) -> bool {
         let types = [old.implied_type(), new.implied_type()];
         let [old, new] = types;
@@ -95,7 +95,7 @@ impl<'a> DeviceComparison<'a> {
         self.mapping(spot, [old, new], is_wider);
     }
 
-    /// Compares which PDOs may carry an entry. A wider access type explains that more may.
+    /// Compares the PDOs that may carry an entry. A wider access type explains additional ones.
     fn mapping(&mut self, spot: &Spot, [old, new]: [&Entry; 2], is_wider: bool) {
         let rights = |entry: &Entry| {
             [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| entry.is_mappable() && entry.fits_pdo(kind))
@@ -129,7 +129,7 @@ impl<'a> DeviceComparison<'a> {
         self.report(rule, &spot.field(&Field::LowLimit), values, message);
     }
 
-    /// The node-ID that formulas are evaluated for: that of the node that both describe.
+    /// The node-ID for which formulas are evaluated: of the node that both describe.
     pub(super) fn node_id(&self) -> Option<u8> {
         let (old, new) = (self.old.device.node_id(), self.new.device.node_id());
         old.or(new).filter(|_| old.is_none() || new.is_none() || old == new)
@@ -143,7 +143,7 @@ impl<'a> DeviceComparison<'a> {
         }
         let node_id = self.node_id();
         let differs = |old: Option<&Value>, new: Option<&Value>| !is_same(old, new, node_id);
-        // a value that is missing or not understood follows from another type
+        // a missing or unreadable value is a consequence of a different type
         let is_understood =
             |value: Option<&Value>| value.is_some_and(|value| !matches!(value, Value::Raw(_)));
         let is_explained = |old: Option<&Value>, new: Option<&Value>| {
@@ -226,7 +226,7 @@ impl<'a> DeviceComparison<'a> {
         }
     }
 
-    /// What the application processes say of the values.
+    /// Compares the meanings of values in the application processes.
     fn meaning(&mut self, spot: &Spot, pair: ObjectPair<'a>, (old_sub, new_sub): (u8, u8)) {
         let described = |object: &'a Object, sub: u8| object.subs.get(sub).unwrap_or(&object.main);
         let (old, new) = (described(pair.old, old_sub), described(pair.new, new_sub));
@@ -272,7 +272,7 @@ impl<'a> DeviceComparison<'a> {
     }
 }
 
-/// Whether the new rights lack one of the old ones; `None` if they are the same.
+/// Whether the new rights lack one of the old ones; `None` if they are equal.
 fn is_narrower<const N: usize>(old: [bool; N], new: [bool; N]) -> Option<bool> {
     (old != new).then(|| old.iter().zip(new).any(|(&old, new)| old && !new))
 }
@@ -311,8 +311,8 @@ const fn is_cob_id(at: (u16, u8)) -> bool {
     matches!(at, (0x1005 | 0x1012 | 0x1014, 0) | (0x1200..=0x12FF, 1 | 2) | (0x1301..=0x1340, 5 | 6))
 }
 
-/// The rule about a value; `None` if it is about a version. What identifies the device or a service is another one only if
-/// both are known.
+/// The rule about a value; `None` if it is about a version. The identification of the device or a service has changed
+/// only if both values are known.
 fn rule_of_value(
     at: (u16, u8),
     is_known: bool,
@@ -349,7 +349,7 @@ fn scale(scaling: &Scaling<'_>) -> Option<[String; 4]> {
     Some([name.to_owned(), part("×", Some(factor)), part("multiplier ", multiplier), part("offset ", offset)])
 }
 
-/// The values of an entry that have a name; of two names the first.
+/// The named values of an entry; of two names, the first.
 fn named_values<'a>(meanings: &Meanings<'a>, index: u16, sub: u8) -> BTreeMap<i128, &'a str> {
     let Some(Meaning::Enumeration(found)) = meanings.of(index, sub) else { return BTreeMap::new() };
     let mut names = BTreeMap::new();

@@ -1,6 +1,6 @@
-//! What changes between two revisions of a device, by meaning, and what each change means for whom.
+//! The changes between two revisions of a device, by meaning, and their effect on each audience.
 //!
-//! Devices are compared as dictionaries of entries: neither order nor spelling nor the way that they are stored counts.
+//! Devices are compared as dictionaries of entries, regardless of order, spelling and storage.
 
 mod audience;
 mod device;
@@ -35,9 +35,9 @@ pub struct DeviceChange {
     pub index: Option<u16>,
     /// The sub-index of the entry; `None` for an object as a whole, or a PDO.
     pub sub: Option<u8>,
-    /// What was, in short; `None` for nothing.
+    /// The old value, in short; `None` if missing.
     pub old: Option<String>,
-    /// What is, in short; `None` for nothing.
+    /// The new value, in short; `None` if missing.
     pub new: Option<String>,
     /// The change as a sentence.
     pub message: Text,
@@ -49,7 +49,7 @@ pub struct DeviceChange {
 }
 
 impl DeviceChange {
-    /// What the change means for each audience that it affects.
+    /// The effect of the change on each affected audience.
     pub fn effects(&self) -> impl Iterator<Item = &'static ChangeImpact> + '_ {
         self.rule.effects.iter().filter(|effect| self.affected.has(effect.audience))
     }
@@ -64,7 +64,7 @@ impl DeviceChange {
         self.effects().filter(move |effect| effect.verdict == verdict).map(|effect| effect.audience)
     }
 
-    /// The change as a finding in one of the descriptions: at its place in the new one if it has one there.
+    /// The change as a finding in one of the descriptions: at its place in the new one, if it exists there.
     pub fn finding(&self) -> Diagnostic {
         let place = self.new_place.as_ref().or(self.old_place.as_ref()).cloned();
         let severity = match self.verdict() {
@@ -78,14 +78,14 @@ impl DeviceChange {
     }
 }
 
-/// The text of a page as the help of a finding: without capital and full stop.
+/// The text of a page as the help of a finding: without initial capital and full stop.
 fn as_help(remedy: &str) -> String {
     let mut characters = remedy.trim_end_matches('.').chars();
     let first = characters.next().map(|first| first.to_ascii_lowercase());
     first.into_iter().chain(characters).collect()
 }
 
-/// The changes from one device to another, in the order of the dictionary; those of the device as a whole come last.
+/// The changes from one device to another, in dictionary order; those of the device as a whole come last.
 pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     let (old, new) = (implied(old, new), implied(new, old));
     let (old, new) = (Side::new(&old), Side::new(&new));
@@ -98,8 +98,8 @@ pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     comparison.changes
 }
 
-/// A device with the PDOs that it implies. Whether the lists name an object that both imply is a datum of the description; where the
-/// other one describes the object, it is a form of it.
+/// A device with its implied PDOs. If both imply an object, its presence in the lists is compared like other values; if
+/// the other device describes the object, only the notation differs.
 fn implied<'a>(device: &'a Device, other: &Device) -> Cow<'a, Device> {
     let mut implied = device.with_implicit_pdos();
     if let Cow::Owned(implied) = &mut implied {
@@ -113,8 +113,8 @@ fn implied<'a>(device: &'a Device, other: &Device) -> Cow<'a, Device> {
     implied
 }
 
-/// The change of an identifier in generated code while the name of the entry stays. Which identifiers code has is known to the
-/// generators; `c` and `rust` are the old and the new one.
+/// The change of an identifier in generated code although the name of the entry is unchanged. The generators determine
+/// the identifiers; `c` and `rust` are the old and the new one.
 pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [&str; 2]) -> DeviceChange {
     let place = Some(Place::at(index, sub));
     DeviceChange {
@@ -130,8 +130,8 @@ pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [
     }
 }
 
-/// A download of a stored configuration that the new device refuses, with the reason. What a device refuses is known to those that
-/// verify configurations.
+/// A download of a stored configuration that the new device rejects, with the reason. The code that verifies
+/// configurations determines the rejections.
 pub fn configuration_refused(index: u16, sub: u8, reason: &str) -> DeviceChange {
     let place = Some(Place::entry(index, sub));
     DeviceChange {
@@ -171,7 +171,7 @@ struct DeviceComparison<'a> {
     changes: Vec<DeviceChange>,
 }
 
-/// Where a change is: for the place and for who is affected.
+/// The location of a change: its place and the affected audiences.
 #[derive(Clone)]
 struct Spot {
     index: Option<u16>,
@@ -182,7 +182,7 @@ struct Spot {
 }
 
 impl Spot {
-    /// A part of the device that is no object.
+    /// A part of the device that is not an object.
     fn part(place: &Place) -> Self {
         let place = Some(place.clone());
         Self { index: None, sub: None, old: place.clone(), new: place, affected: Affected::ALL }

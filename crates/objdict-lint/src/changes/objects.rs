@@ -1,4 +1,5 @@
-//! Objects and their sub-indexes: added, removed, renamed, moved; and which part of one device is which part of the other.
+//! Objects and their sub-indexes: added, removed, renamed and moved ones, and the matching of parts between
+//! devices.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +21,7 @@ pub(super) fn pdo_of(index: u16) -> Option<(PdoKind, u16)> {
     PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index))
 }
 
-/// What an object is, for the search of those that moved: the indexes below 2000h are fixed.
+/// The objects that may have moved: indexes below 2000h are fixed.
 fn parts(device: &Device) -> Vec<MatchedPart<u16>> {
     let part = |(&index, object): (&u16, &Object)| {
         let types = object.entries().map(|(sub, entry)| format!("{sub}{:?}", entry.implied_type()));
@@ -31,13 +32,14 @@ fn parts(device: &Device) -> Vec<MatchedPart<u16>> {
     device.objects.iter().map(part).collect()
 }
 
-/// The words of a name that says what its part is; of one that ends with a number, others of its kind may get the number.
+/// The words of a specific name; names that end with a number may move to similar parts.
 fn own_words(name: &str) -> String {
     let words = words(name);
     if words.ends_with(|c: char| c.is_ascii_digit()) { String::new() } else { words }
 }
 
-/// The same of the sub-indexes of an object; sub-index 0 of a structure does not move, and neither do parameters of PDOs.
+/// The sub-indexes of an object that may have moved; sub-index 0 of a structure and parameters of PDOs are
+/// fixed.
 fn subs(index: u16, object: &Object) -> Vec<MatchedPart<u8>> {
     let is_fixed = index < 0x2000 || object.object_type() == ObjectType::Array;
     let part = |(sub, entry): (u8, std::borrow::Cow<'_, crate::model::Entry>)| {
@@ -60,7 +62,7 @@ impl<'a> DeviceComparison<'a> {
         let has_pdo = |device: &Device, index| {
             pdo_of(index).is_none_or(|(kind, number)| device.pdo(kind, number).is_some())
         };
-        // a PDO that only one device has is one change
+        // a PDO that only one device has is a single change
         for index in removed.into_iter().filter(|&index| has_pdo(new, index)) {
             let Some(object) = old.object(index) else { continue };
             let affected = Affected::by_object(&self.old, index, object);
@@ -107,7 +109,7 @@ impl<'a> DeviceComparison<'a> {
         }
     }
 
-    /// Whether a parameter of an application process can say something else of equal objects.
+    /// Whether a parameter of an application process may give equal objects a different meaning.
     fn has_meanings(&self) -> bool {
         !self.old.device.application.is_empty() || !self.new.device.application.is_empty()
     }
@@ -193,12 +195,12 @@ pub(super) fn place(side: &Side<'_>, index: u16, sub: u8) -> Place {
     side.device.entry_place(index, sub)
 }
 
-/// A part that may have moved, known by its name.
+/// A part that may have moved, identified by its name.
 pub(super) struct MatchedPart<K> {
     pub(super) key: K,
-    /// The words of its name; empty for one that does not move.
+    /// The words of its name; empty if it cannot move.
     pub(super) words: String,
-    /// What a part of the same name must have alike to be the same one.
+    /// The properties that must match for parts of the same name.
     pub(super) shape: String,
 }
 
@@ -210,14 +212,14 @@ pub(super) struct Matched<K> {
     pub(super) added: Vec<K>,
 }
 
-/// The words of a name: lower-case letters and digits, joined by blanks.
+/// The words of a name: lower-case letters and digits, separated by spaces.
 pub(super) fn words(name: &str) -> String {
     let lower = name.to_lowercase();
     let words = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// The parts by their names, without names that occur twice.
+/// The parts by name, without names that occur twice.
 fn unique<K: Copy + Ord>(parts: &[MatchedPart<K>]) -> BTreeMap<&str, &MatchedPart<K>> {
     let mut found = BTreeMap::new();
     let mut repeated = BTreeSet::new();
@@ -230,8 +232,8 @@ fn unique<K: Copy + Ord>(parts: &[MatchedPart<K>]) -> BTreeMap<&str, &MatchedPar
     found
 }
 
-/// Finds the old parts in the new device: at their key, or at another key if what they are called is there alone, has the
-/// same shape, and has left its old place.
+/// Finds the old parts in the new device: at the same key, or at a different key if the name is unique there, has the
+/// same shape, and no longer exists at its old place.
 pub(super) fn matched<K: Copy + Ord>(old: &[MatchedPart<K>], new: &[MatchedPart<K>]) -> Matched<K> {
     let (old_names, new_names) = (unique(old), unique(new));
     let by_key = |parts: &[MatchedPart<K>]| -> BTreeMap<K, String> {

@@ -1,4 +1,4 @@
-//! PDOs as wholes: the mapping as the list of what a frame carries, the CAN-ID, and when the frame is sent.
+//! PDOs as a whole: the mapping as the content of a frame, the CAN-ID, and the transmission.
 
 use std::collections::BTreeSet;
 
@@ -56,7 +56,7 @@ impl DeviceComparison<'_> {
         old.is_multiplexed() != new.is_multiplexed() || !old.mapped().map(here).eq(new.mapped())
     }
 
-    /// The sub-indexes of a mapping parameter that are a part of a mapping which changes.
+    /// The sub-indexes of a mapping parameter that belong to a changed mapping.
     pub(super) fn slots_of_changed_mapping(&self, index: u16) -> BTreeSet<u8> {
         let changed = PdoKind::of_mapping(index).and_then(|(kind, number)| {
             let (old, new) = (self.old.device.pdo(kind, number)?, self.new.device.pdo(kind, number)?);
@@ -150,7 +150,7 @@ fn spot(pdo: &Pdo<'_>) -> Spot {
     Spot { index: Some(pdo.communication_index()), sub: None, old: place.clone(), new: place, affected }
 }
 
-/// A COB-ID of a PDO, with what its bits say.
+/// A COB-ID of a PDO, with the meaning of its bits.
 fn shown(cob_id: CobId) -> String {
     let number = cob_id.number() & 0x1FFF_FFFF;
     let id =
@@ -158,7 +158,7 @@ fn shown(cob_id: CobId) -> String {
     if cob_id.is_valid() { id } else { format!("{id} (not valid)") }
 }
 
-/// When a PDO is sent, part by part. A missing time is none.
+/// The transmission of a PDO, part by part. A missing time equals 0.
 fn timing(pdo: &Pdo<'_>) -> [String; 5] {
     let number = |value: Option<u16>| value.unwrap_or(0).to_string();
     let transmission_type =
@@ -178,7 +178,7 @@ fn timing(pdo: &Pdo<'_>) -> [String; 5] {
 }
 
 impl Side<'_> {
-    /// What a PDO carries: "Statusword, Position actual value (48 bits)".
+    /// The content of a PDO: "Statusword, Position actual value (48 bits)".
     fn content(&self, pdo: &Pdo<'_>) -> String {
         if pdo.is_multiplexed() {
             return "multiplexed".to_owned();

@@ -1,23 +1,24 @@
-//! What has to be raised before a new description is released: what the rules about versions find, with fixes.
+//! The versions to bump before a new description is released: findings of the rules about versions, with
+//! fixes.
 
 use super::rules::{self, ChangeRule};
 use super::{DeviceChange, compare, versions};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{ClockTime, Date, Device, DeviceInfo, Field, Identity, Part, Place};
 
-/// What a release cannot take from the descriptions.
+/// Information for a release that is not in the descriptions.
 #[derive(Clone, Copy, Debug)]
 pub struct ReleaseFacts {
     /// The date that the new description gets.
     pub date: Date,
     /// The time of that day.
     pub time: ClockTime,
-    /// The product code of the new device, should it need another one: only its vendor knows it.
+    /// The product code of the new device, if it needs a different one: only its vendor knows it.
     pub product_code: Option<u32>,
 }
 
-/// What of revision number, product code, version and date of the new description does not move as the changes between both demand,
-/// each with a fix where the new value is known.
+/// Revision number, product code, version and date of the new description that do not match the changes, each with a
+/// fix if the new value is known.
 pub fn release(old: &Device, new: &Device, facts: &ReleaseFacts) -> Findings {
     let changes = compare(old, new);
     let raise = |change: &DeviceChange| FIXES.iter().find(|(rule, _)| std::ptr::eq(*rule, change.rule));
@@ -40,7 +41,7 @@ pub fn release(old: &Device, new: &Device, facts: &ReleaseFacts) -> Findings {
 
 type Raise = fn(&Release<'_>) -> Option<Fix>;
 
-/// The rules about versions, and what is done about each.
+/// The rules about versions, with their fixes.
 static FIXES: [(&ChangeRule, Raise); 5] = [
     (&rules::REVISION_NOT_RAISED, |release| release.revision()),
     (&rules::REVISION_LOWERED, |release| release.revision()),
@@ -53,12 +54,12 @@ struct Release<'a> {
     old: &'a Device,
     new: &'a Device,
     facts: &'a ReleaseFacts,
-    /// Whether a change is one of what the device does on the bus.
+    /// Whether a change affects the behaviour on the bus.
     is_behaviour: bool,
 }
 
 impl Release<'_> {
-    /// The next major revision, or the revision that the device had.
+    /// The next major revision, or the current one of the device.
     fn revision(&self) -> Option<Fix> {
         let (major, _) = self.old.identity().revision()?;
         let wanted = match self.is_behaviour {
@@ -74,7 +75,7 @@ impl Release<'_> {
         self.identity(Fix::safe(say!("write the product code {}", code)), 2, code)
     }
 
-    /// Sets a number of the identity object, and where the device is described by it too.
+    /// Sets a number of the identity object, and of the device information if it is stated there.
     fn identity(&self, fix: Fix, sub: u8, number: u32) -> Option<Fix> {
         let stated = |of: fn(&DeviceInfo) -> Option<u32>| self.new.device_info.as_ref().and_then(of);
         let (field, stated) = match sub {
@@ -83,7 +84,7 @@ impl Release<'_> {
         };
         let text = format!("0x{number:08X}");
         let place = self.new.value_place(Identity::INDEX, sub);
-        // the default of a compact object is that of all its sub-indexes
+        // the default of a compact object applies to all its sub-indexes
         let fix = (place.part != Part::Object(Identity::INDEX)).then(|| fix.set(place, text.clone()))?;
         Some(match stated {
             Some(_) => fix.set(Place::of(Part::DeviceInfo).field(field), text),
@@ -91,7 +92,7 @@ impl Release<'_> {
         })
     }
 
-    /// The next revision of the file, or where it has none, the next version.
+    /// The next revision of the file, or the next version if it has no revision.
     fn file_version(&self) -> Option<Fix> {
         let info = self.old.file_info.as_ref()?;
         let (version, revision) = (info.file_version?, info.file_revision?);

@@ -1,5 +1,5 @@
-//! What no other rule is about: every other datum that differs. So what is generated and converted of two devices without a change
-//! is the same.
+//! Every other value that differs and has no rule of its own. So two devices without a change lead to the same
+//! generated and converted files.
 
 use std::mem;
 
@@ -11,15 +11,15 @@ use super::{DeviceChange, DeviceComparison, Spot, rules};
 use crate::diagnostic::say;
 use crate::model::{Compact, Device, Field, FileInfo, Identity, Modules, Object, ObjectList, Part, Place};
 
-/// A longer datum is not shown.
+/// Longer values are not displayed.
 const LONGEST: usize = 60;
 
 impl DeviceComparison<'_> {
-    /// Reports what differs and is in no change so far.
+    /// Reports differences that no change contains so far.
     pub(super) fn rest(&mut self) {
         let old = counted(self.old.device, self.new.device);
         let mut new = counted(self.new.device, self.old.device);
-        // where they were
+        // at their old places
         let moved = self.moved.iter().filter(|(from, to)| from.0 != to.0);
         let moved: Vec<_> =
             moved.filter_map(|(from, to)| Some((from.0, new.objects.remove(&to.0)?))).collect();
@@ -71,7 +71,7 @@ impl DeviceComparison<'_> {
         self.report(rule, &spot, values, message);
     }
 
-    /// Whether a datum follows from others, or rules see everything of it.
+    /// Whether a value follows from others, or rules cover it completely.
     fn follows(&self, place: &Place, told: &[DeviceChange]) -> bool {
         let [old, new] = [self.old.device, self.new.device].map(Device::identity);
         let is_raised =
@@ -92,19 +92,19 @@ impl DeviceComparison<'_> {
     }
 }
 
-/// A datum, of a value without its kind.
+/// A value, without its kind.
 fn shown(datum: &Datum) -> &str {
     let text = datum.text();
     let value = text.strip_prefix('{').and_then(|text| text.strip_suffix('}')?.split_once(':'));
     value.map_or(text, |(_, value)| value)
 }
 
-/// Whether a change of the same object, or of the device as a whole, is about a datum too.
+/// Whether a change of the same object, or of the device as a whole, also covers a value.
 fn is_about(change: &DeviceChange, place: &Place) -> bool {
     let rule = change.rule.info.name();
     let is_value = matches!(place.field, Some(Field::DefaultValue | Field::ParameterValue));
     let is_limit = matches!(place.field, Some(Field::LowLimit | Field::HighLimit));
-    // that of a compact object has the place of the object
+    // a compact object's value has the place of the object
     let is_entry = matches!(place.part, Part::Entry(index, sub) if (change.index, change.sub) == (Some(index), Some(sub)));
     let is_part = |told: &Place| is_entry || told.part == place.part;
     let mut places = [&change.old_place, &change.new_place].into_iter().flatten();
@@ -123,7 +123,7 @@ fn is_about(change: &DeviceChange, place: &Place) -> bool {
             (Some(Field::LowLimit), _) if is_limit => is_part(told),
             (Some(Field::AccessType), Some(Field::Named(path))) => is_part(told) && **path == *"misfits",
             (Some(Field::SrdoMapping), Some(Field::InvertedSrad)) => is_part(told),
-            // of which only one device has anything
+            // only one device has any of it
             (Some(Field::ParameterValue | Field::SrdoMapping), Some(Field::Named(path))) => {
                 is_part(told) && ["configured", "safety"].contains(&&**path)
             }
@@ -136,14 +136,14 @@ const fn order(change: &DeviceChange) -> (bool, Option<u16>) {
     (change.index.is_none(), change.index)
 }
 
-/// The changes of an object, or of the device as a whole, of all in order.
+/// The changes of an object, or of the device as a whole, in an ordered list.
 fn changes_of(index: Option<u16>, all: &[DeviceChange]) -> impl Iterator<Item = &DeviceChange> {
     let from = all.partition_point(|change| order(change) < (index.is_none(), index));
     all[from..].iter().take_while(move |change| change.index == index)
 }
 
-/// A device without what does not count: who wrote it when, comments, the form of what it states, and what other rules see
-/// everything of.
+/// A device without irrelevant content: authors and dates, comments, notation, and content that other rules cover
+/// completely.
 fn counted(device: &Device, other: &Device) -> Device {
     let stated = &device.objects;
     let mut device = Device { comments: None, ..device.expanded().into_owned() };
@@ -173,15 +173,15 @@ fn counted(device: &Device, other: &Device) -> Device {
     device
 }
 
-/// A `SubNumber` that does not follow from the sub-indexes; compact ones need not be counted.
+/// A `SubNumber` that does not match the sub-indexes; it need not count compact ones.
 fn odd_sub_number(object: &Object) -> Option<u8> {
     let described = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
     let is_uncounted = |number: u8| number == 0 && object.compact.is_some();
     object.sub_number.filter(|&number| usize::from(number) != described && !is_uncounted(number))
 }
 
-/// Gives an expanded object what it states for all its entries, or for one of them, and what no entry has: those described one by
-/// one have their own values.
+/// Transfers to an expanded object properties that are stated for all its entries, or for one of them, and properties
+/// that no entry has: individually described entries have their own values.
 fn keep_unused(object: &mut Object, stated: &Object, compact: &Compact) {
     let is_described = |sub: u8| stated.subs.get(sub).is_some();
     let mut unused = compact.clone();

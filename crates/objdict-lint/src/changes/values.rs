@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::model::{DataType, Entry, Value};
 
-/// The order of two numbers; `None` if one is not a number. A formula is ordered among formulas.
+/// The order of two numbers; `None` if one is not a number. Formulas are compared only with formulas.
 fn order(a: &Value, b: &Value) -> Option<Ordering> {
     match (a, b) {
         (Value::NodeId(a), Value::NodeId(b)) => return Some(a.cmp(b)),
@@ -17,7 +17,7 @@ fn order(a: &Value, b: &Value) -> Option<Ordering> {
     }
 }
 
-/// Whether two values are the same, with formulas evaluated for a node if it is known.
+/// Whether two values are equal, with formulas evaluated for a node if it is known.
 pub(super) fn is_same(a: Option<&Value>, b: Option<&Value>, node_id: Option<u8>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => {
@@ -31,7 +31,7 @@ pub(super) fn is_same(a: Option<&Value>, b: Option<&Value>, node_id: Option<u8>)
     }
 }
 
-/// Whether a value is what an entry has without one: 0 or nothing.
+/// Whether a value equals that of an entry without one: 0 or empty.
 pub(super) fn is_null(value: &Value) -> bool {
     match value {
         Value::Text(text) => text.is_empty(),
@@ -49,7 +49,7 @@ pub(super) fn shown(value: &Value) -> String {
     }
 }
 
-/// What an entry may be: from a lowest to a highest value.
+/// The allowed values of an entry: from a minimum to a maximum.
 pub(super) struct AllowedRange<'a> {
     low: RangeEnd<'a>,
     high: RangeEnd<'a>,
@@ -58,9 +58,9 @@ pub(super) struct AllowedRange<'a> {
 /// One end of a range.
 enum RangeEnd<'a> {
     Stated(&'a Value),
-    /// That of the data type.
+    /// From the data type.
     Implied(i128),
-    /// None is known.
+    /// Unknown.
     Open,
 }
 
@@ -100,13 +100,14 @@ impl<'a> AllowedRange<'a> {
         }
     }
 
-    /// Equal if it allows the same as another one, less if it lacks a value of the other, else greater.
+    /// Equal if it allows the same values as the other, less if it lacks one of the other's values, otherwise
+    /// greater.
     pub(super) fn against(&self, old: &Self) -> Ordering {
         let narrower = |end: Option<Ordering>, inwards: Ordering, is_open: bool| match end {
             Some(Ordering::Equal) => Ordering::Equal,
             Some(end) if end == inwards => Ordering::Less,
             Some(_) => Ordering::Greater,
-            // an end that cannot be compared may exclude anything, unless it is gone
+            // a limit that cannot be compared may exclude anything, unless it no longer exists
             None if is_open => Ordering::Greater,
             None => Ordering::Less,
         };

@@ -52,7 +52,7 @@ impl DeviceComparison<'_> {
             );
             self.report(&rules::REVISION_NOT_RAISED, &spot, values, message);
         } else if new > old {
-            // other behaviour needs another configuration anyway
+            // a different behaviour needs a different configuration anyway
             let affected = spot.affected.without(Audience::Configurations, reason.is_none());
             let message = say!("the revision number increases from {} to {}", shown(old), shown(new));
             self.report(&rules::REVISION_RAISED, &Spot { affected, ..spot }, values, message);
@@ -114,8 +114,7 @@ impl DeviceComparison<'_> {
     }
 }
 
-/// Whether a change is one of what the device does on the bus, and not of its names, of how the network uses it, or of
-/// initial values.
+/// Whether a change affects the behaviour on the bus, and not just names, the use by the network, or initial values.
 pub(super) fn is_behaviour(change: &DeviceChange) -> bool {
     let is_of = |rules: &[&rules::ChangeRule]| rules.iter().any(|rule| std::ptr::eq(*rule, change.rule));
     let is_on_the_bus = change.effects().any(|effect| {

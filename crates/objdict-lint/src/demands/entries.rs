@@ -9,7 +9,7 @@ use crate::profile::Mapping;
 /// A data type that the document does not allow. Sub-index 0 has its own rule.
 fn wrong_type(at: &Expected<'_>) -> Option<DataType> {
     let wrong = at.entry.data_type.filter(|&data_type| !at.counts() && !at.facts.accepts_type(data_type));
-    // a type that does not exist or that an entry cannot have is reported by another rule
+    // other rules report a type that does not exist or that an entry cannot have
     let exists = |data_type: &DataType| match data_type.kind() {
         TypeKind::Reserved | TypeKind::Structure => false,
         TypeKind::Defined => at.against.device.objects.contains_key(&data_type.0),
@@ -18,15 +18,15 @@ fn wrong_type(at: &Expected<'_>) -> Option<DataType> {
     wrong.filter(exists)
 }
 
-/// Whether both the data type and the name of an object show that it is not the one of a device profile, but a vendor's object
-/// at its index: `Digital input` with BOOLEANs at 6400h, the analogue inputs.
+/// Whether both the data type and the name of an object show that it is not the profile's, but a vendor's object at the
+/// same index: `Digital input` with BOOLEANs at 6400h, the analogue inputs.
 pub(super) fn is_other_object(at: &Expected<'_>) -> bool {
     if at.against.index < 0x6000 || wrong_type(at).is_none() {
         return false;
     }
     let (name, known) = (at.against.object.name().to_lowercase(), at.against.facts.name.to_lowercase());
     let words = name.split(|char: char| !char.is_alphabetic()).filter(|word| word.len() > 2);
-    // plurals, and words without blanks: `ReadAnalogInput16Bit`
+    // plurals, and words without spaces: `ReadAnalogInput16Bit`
     let is_known = |word: &str| {
         let mut parts = known.split(|char: char| !char.is_alphabetic()).filter(|part| part.len() > 2);
         known.contains(word) || parts.any(|part| word.contains(part))
@@ -54,7 +54,7 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
         true => say!("move the object to 2000h to 5FFFh, or {} if it is {}", help, at.against),
         false => help,
     });
-    // other rules refuse a number out of its range, and a VAR with the type DOMAIN
+    // other rules reject a number outside its range, and a VAR with the type DOMAIN
     let is_var =
         at.sub.is_none() && at.entry.object_type.is_none_or(|object_type| object_type == ObjectType::Var);
     let is_clear = !is_other && at.entry.fits_type(required) && !(is_var && required == DataType::DOMAIN);
@@ -62,10 +62,11 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
     findings.push(Diagnostic { fix, ..finding });
 }
 
-/// Reports a different access type. A vendor object in place of the profile object has one finding, about its data type.
+/// Reports a different access type. A vendor object at the index of a profile object has only one finding,
+/// about its data type.
 pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings: &mut Findings) {
     let wrong = at.entry.access.filter(|&access| !at.facts.accepts_access(access));
-    // the access type of a compactly stored object may be meant for sub-index 0
+    // the access type of a compactly stored object may be intended for sub-index 0
     let for_sub_0 = |access: &Access| {
         let facts = at.against.facts.entry(0);
         at.sub.is_none()
@@ -91,7 +92,7 @@ pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings:
     let marked = at.entries().filter(|at| at.entry.is_mappable() && at.facts.mapping == Some(Mapping::No));
     // sub-index 0 of an ARRAY or RECORD is harmless, because it is never mapped
     let marked = marked.filter(|at| !at.counts() && !is_other_object(at));
-    // another rule reports constants and texts, which are never mappable
+    // another rule reports constants and strings, which are never mappable
     let marked = marked.filter(|at| {
         let length = at.entry.data_type.and_then(DataType::bit_length);
         at.entry.access != Some(Access::Const) && length.is_some()

@@ -25,7 +25,7 @@ pub(crate) fn mapped_in_wrong_direction(
                 Some(Mapping::Rpdo) => PdoKind::Rpdo,
                 _ => continue,
             };
-            // another rule reports what the entry itself forbids
+            // another rule reports conflicts with the entry itself
             if right == pdo.pdo.kind || !entry.is_mappable() || !entry.fits_pdo(pdo.pdo.kind) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Descriptions, compared with documents: one walk for the rules of all documents. A rule compares the
+//! Compares descriptions with documents: one walk for the rules of all documents. A rule compares the
 //! device with the document of its own group (`cia401/…` with CiA 401, `custom/…` with custom profiles), so
 //! the groups contain only the pages of the rules, and the checks are here.
 //!
@@ -60,8 +60,8 @@ pub(crate) struct Expected<'a> {
     pub facts: EntryFacts<'a>,
 }
 
-/// The documents that apply to a device: those for all devices, that of its device type, and those of the
-/// options.
+/// The documents that apply to a device: those for all devices, the one of its device type, and those of
+/// the options.
 pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Applied<'a>> {
     let mut applied = Vec::new();
     let number = profile::number_of(device, 0);
@@ -91,13 +91,13 @@ pub(crate) fn applied<'a>(device: &'a Device, options: &'a Options) -> Vec<Appli
     applied
 }
 
-/// Whether the device has an object that the document defines for another logical device.
+/// Whether the device has an object that the document defines for a different logical device.
 fn has_block(device: &Device, profile: &Profile, block: u8) -> bool {
     let (first, last) = (profile::index_in(block, 0x6000), profile::index_in(block, 0x67FE));
     device.objects.range(first..=last).any(|(&index, _)| profile.object_in(block, index).is_some())
 }
 
-/// The severity of a demand at most: what a source of medium confidence demands is never an error.
+/// The maximum severity of a requirement: a source of medium confidence never leads to an error.
 pub(crate) fn highest_severity(confidence: Confidence) -> Severity {
     match confidence {
         Confidence::High => Severity::Error,
@@ -142,8 +142,8 @@ impl<'a> Against<'a> {
         })
     }
 
-    /// Whether the object has the structure of its definition: sub-indexes or a single value. Rules about
-    /// object types report the difference.
+    /// Whether the object matches the structure of its definition: sub-indexes or a single value. Rules
+    /// about object types report the difference.
     pub(crate) fn has_its_shape(&self) -> bool {
         let (object, facts) = (self.object, self.facts);
         let is_alike =
@@ -169,7 +169,7 @@ impl Expected<'_> {
         self.against.applied.document()
     }
 
-    /// The field that holds the value of the entry.
+    /// The field that contains the value of the entry.
     #[cfg(feature = "catalogue")]
     pub(crate) fn value_field(&self) -> crate::model::Field {
         match self.entry.configured_value() {
@@ -178,8 +178,8 @@ impl Expected<'_> {
         }
     }
 
-    /// Whether the entry is sub-index 0 of an object with sub-indexes: their number, which has its own
-    /// rules.
+    /// Whether the entry is sub-index 0 of an object with sub-indexes: their number, for which there
+    /// are separate rules.
     pub(crate) fn counts(&self) -> bool {
         self.sub == Some(0) && self.against.object.object_type().has_subs()
     }

@@ -114,14 +114,14 @@ fn sub_0_is_reported_elsewhere(at: &Against<'_>, value: i128) -> bool {
         && object.subs.get(0).and_then(|entry| entry.access).is_some_and(|access| !access.is_writable());
     let has_rule = matches!(facts.first, 0x1018 | 0x1200..=0x12FF | 0x1400..=0x19FF | 0x1F00..=0x1F9F);
     let missing = facts.entries().any(|entry| entry.is_mandatory() && !object.has(entry.first));
-    // compact storage cannot describe an entry for all nodes with another access type
+    // compact storage cannot describe an entry for all nodes with a different access type
     let is_whole = highest > 1
         && object.compact.is_some()
         && matches!((facts.entry(highest), facts.entry(highest + 1)), (Some(last), Some(next)) if last.first != next.first);
     differs || highest > facts.highest_sub() || (has_rule && missing) || is_whole
 }
 
-/// A fix that writes the value that the document requires. It may not match the device, so the user has to
+/// A fix that writes the value that the document requires. It may not match the device, so the user must
 /// check it.
 pub(super) fn set(place: Place, field: Field, value: String) -> Fix {
     Fix::risky(say!("write `{}`", Argument::setting(&field, &value))).set(place.field(field), value)

@@ -1,4 +1,4 @@
-//! Objects and sub-indexes that the device lacks, or has without being a device that they are defined for.
+//! Objects and sub-indexes that are missing, or that are defined only for other devices.
 
 use super::{Against, Applied};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, counted, say};
@@ -36,8 +36,8 @@ pub(crate) fn missing_object(
     }
 }
 
-/// The help for a missing object. CiA 401 requires the default PDOs only of a device without a mapping of its own, which bit 23
-/// of its device type states.
+/// The help for a missing object. CiA 401 requires the default PDOs only for a device without its own mapping, which
+/// bit 23 of its device type states.
 fn help_for_missing(device: &Device, need: Need<'_>, index: u16) -> Text {
     let is_mapping = matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF) && !is_there(device, index - 0x200);
     let add = match is_mapping {
@@ -54,13 +54,14 @@ fn help_for_missing(device: &Device, need: Need<'_>, index: u16) -> Text {
     }
 }
 
-/// Whether the requirement is about channels that the device type states alone, which a rule of their own reports.
+/// Whether the requirement is about channels that only the device type states, for which there is a separate
+/// rule.
 fn is_for_lacking_channels(need: Need<'_>, device: &Device, block: u8) -> bool {
     let Need::When(condition) = need else { return false };
     channels::only_stated(device, block).any(|kind| condition.tests_bit(0x1000, kind.bit))
 }
 
-/// Whether an object is described, reported as missing by another rule, or possibly provided by a module.
+/// Whether an object is described, reported as missing elsewhere, or possibly provided by a module.
 pub(crate) fn is_there(device: &Device, index: u16) -> bool {
     device.is_modular() || stated::is_there(device, index)
 }

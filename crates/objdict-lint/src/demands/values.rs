@@ -48,7 +48,7 @@ pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings
     findings.push(finding.fix(set(at.place(), Field::DefaultValue, text)));
 }
 
-/// Whether two values are the same number or text, independent of their types.
+/// Whether two values are the same number or string, independent of their types.
 fn is_equal(left: &Value, right: &Value) -> bool {
     match (left, right) {
         (Value::NodeId(left), Value::NodeId(right)) => left == right,

@@ -1,4 +1,5 @@
-//! The rules about recordings: what a device answered, and the traffic of a bus. What reads recordings raises them.
+//! The rules about recordings: the responses of a device, and bus traffic. The readers of recordings apply
+//! them.
 
 pub mod probe;
 pub mod traffic;

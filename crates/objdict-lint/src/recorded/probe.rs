@@ -1,4 +1,4 @@
-//! The rules about the answers of a device.
+//! The rules about the responses of a device.
 
 use objdict_model::diagnostic::text_rules;
 

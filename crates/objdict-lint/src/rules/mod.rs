@@ -17,7 +17,7 @@ macro_rules! groups {
             }
         )*
 
-        /// The groups by their names.
+        /// The groups by name.
         static RULES: &[(&str, &[&Rule])] = &[$($(#[$when])? (stringify!($group), &$group::RULES),)*];
     };
 }

@@ -1,4 +1,4 @@
-//! Changes of the device as a whole, and of what identifies it and its description.
+//! Changes of the device as a whole, and of the identification of the device and its description.
 
 use super::changes;
 

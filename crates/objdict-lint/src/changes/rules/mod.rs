@@ -1,4 +1,4 @@
-//! The kinds of changes as data: the page of each, and what it means for each audience, with the reason.
+//! The kinds of changes as data: the page of each, and the effect on each audience, with the reason.
 
 use super::{Audience, ChangeVerdict};
 use crate::diagnostic::{RuleInfo, Severity};
@@ -16,11 +16,11 @@ pub(super) use self::pdos::*;
 pub struct ChangeRule {
     /// The id, severity and page.
     pub info: RuleInfo,
-    /// What the change means for each audience that it can affect.
+    /// The effect of the change on each audience that it can affect.
     pub effects: &'static [ChangeImpact],
 }
 
-/// What a kind of change means for an audience.
+/// The effect of a kind of change on an audience.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChangeImpact {
     /// Who is affected.
@@ -69,8 +69,8 @@ macro_rules! word {
 }
 use word;
 
-/// Declares kinds of changes: what they mean for each audience, and the texts of the page; `RULES` is the list of them. The source of
-/// most of them is stated once before them.
+/// Declares kinds of changes: their effects on each audience, and the texts of the page; `RULES` is their list. The
+/// default source is stated once before them.
 macro_rules! changes {
     (source: $usual:literal; $(
         $id:literal = $NAME:ident {

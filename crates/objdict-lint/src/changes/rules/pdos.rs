@@ -1,4 +1,4 @@
-//! Changes of PDOs as wholes, and of other CAN-IDs.
+//! Changes of PDOs as a whole, and of other CAN-IDs.
 
 use super::changes;
 

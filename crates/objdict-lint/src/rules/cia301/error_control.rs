@@ -206,7 +206,7 @@ fn short_heartbeat_time(device: &Device, findings: &mut Findings) {
 }
 
 fn no_error_control(device: &Device, findings: &mut Findings) {
-    // another rule reports a fragment, a file without any communication object
+    // another rule reports a fragment: a file without any communication object
     if [0x1017, 0x100C, 0x100D].into_iter().any(|index| stated::is_there(device, index))
         || device.objects.range(0x1000..0x2000).next().is_none()
     {

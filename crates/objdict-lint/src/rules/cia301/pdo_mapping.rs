@@ -307,7 +307,7 @@ fn pdo_length_exceeded(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
 }
 
 fn same_mapping(facts: &Facts<'_>, findings: &mut Findings) {
-    // an encoder sends its position in two PDOs, and a rule of CiA 406 checks their transmission types
+    // an encoder sends its position in two PDOs, and a CiA 406 rule checks their transmission types
     if facts.device.profile() == Some(406) {
         return;
     }

@@ -137,7 +137,7 @@ fn gap_in_sdo_numbers(device: &Device, findings: &mut Findings) {
     }
 }
 
-/// An entry whose type shows that the object is not an SDO parameter, which has only numbers.
+/// An entry whose type shows that the object is not an SDO parameter, which only contains numbers.
 fn foreign_entry(object: &Object) -> Option<(u8, DataType)> {
     let is_number = |kind| matches!(kind, TypeKind::Unsigned(_) | TypeKind::Signed(_) | TypeKind::Structure);
     let typed = object.subs.iter().filter_map(|(sub, entry)| Some((sub, entry.data_type?)));

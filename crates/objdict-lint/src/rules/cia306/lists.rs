@@ -284,7 +284,7 @@ fn object_listed_twice(device: &Device, findings: &mut Findings) {
             } else {
                 say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
-            // the place of the edit
+            // the position of the edit
             let is_first_wrong = other != list && ObjectList::of(index) == Some(list);
             let (wrong, edited, kept) = match is_first_wrong {
                 true => (other, place(other, at), place(list, number)),
@@ -328,7 +328,7 @@ fn object_not_listed(device: &Device, findings: &mut Findings) {
     for list in ObjectList::ALL.into_iter().filter(|&list| lists.has(list)) {
         let others = unlisted.iter().copied().filter(|&index| ObjectList::of(index) == Some(list));
         let all = with_members(lists.get(list), others.clone());
-        // an entry that cannot be read may be the one that is missing
+        // an unreadable entry may be the missing one
         let has_unread = device.extra.iter().any(|section| {
             section.name() == list.name() && section.entries().any(|(key, _)| Field::item(key).is_some())
         });

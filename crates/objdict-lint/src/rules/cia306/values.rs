@@ -433,7 +433,7 @@ fn value_outside_limits(device: &Device, at: &EntryAt<'_>, findings: &mut Findin
     }
 }
 
-/// A limit that a value exceeds and the node-ID for which it does.
+/// A limit that a value exceeds, and the corresponding node-ID.
 struct ExceededLimit<'a> {
     field: Field,
     limit: &'a Value,
@@ -452,8 +452,8 @@ fn exceeded_limit<'a>(entry: &'a Entry, value: &Value, node_ids: [u8; 2]) -> Opt
     Some(ExceededLimit { field, limit, node_id })
 }
 
-/// Whether another rule reports the cause (contradictory limits, no value), or the limits are those of a
-/// signature.
+/// Whether another rule reports the cause (contradictory limits, invalid value), or the limits belong to
+/// a signature.
 fn is_reported_elsewhere(at: &EntryAt<'_>, node_ids: [u8; 2]) -> bool {
     let contradictory = match (&at.entry.low_limit, &at.entry.high_limit) {
         (Some(low), Some(high)) => stated::first_node(low, high, Ordering::Greater, node_ids).is_some(),

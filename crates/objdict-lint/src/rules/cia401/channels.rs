@@ -317,7 +317,7 @@ fn digital_events_off(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut F
     findings.push(finding.help(help));
 }
 
-/// The error values that belong to an error mode, of the first logical device.
+/// The error values for an error mode, of the first logical device.
 fn error_values(mode: u16) -> &'static [u16] {
     match mode {
         0x6206 => &[0x6207],

@@ -49,7 +49,7 @@ rules! {
 fn limit_min_above_max(drive: Drive<'_>, findings: &mut Findings) {
     for index in [0x607B, 0x607D, 0x6046] {
         let (Some(min), Some(max)) = (drive.value(index, 1), drive.value(index, 2)) else { continue };
-        // a speed may be fixed, and two limits of 0 are mostly disabled
+        // a speed may be fixed, and two limits of 0 usually mean that they are disabled
         let is_one_position = min == max && min != 0 && index != 0x6046;
         let (message, help, severity) = if min > max {
             let message =

@@ -115,7 +115,7 @@ fn zero_factor(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings
 /// The modes that follow a position: profile, interpolated and cyclic synchronous.
 const POSITION_MODES: u32 = 1 << 0 | 1 << 6 | 1 << 7;
 
-/// The objects in which 0 switches off a limit or the interpolation of some drives.
+/// The objects in which 0 disables a limit or the interpolation of some drives.
 const MAYBE_OFF: [u16; 3] = [0x6065, 0x607F, 0x60C2];
 
 /// The values that must not be 0, with the modes that need them as bits of 6502h; 0 for all modes.

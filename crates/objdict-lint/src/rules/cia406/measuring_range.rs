@@ -150,7 +150,7 @@ fn revolutions_of_single_turn(facts: &Facts<'_>, applied: &Applied<'_>, findings
     let value = |index: u16| device.object(index)?.value(0)?.as_integer();
     let (device_type, index) = (device_type_index(device, block), index_in(block, 0x6502));
     let (Some(kind), Some(revolutions)) = (value(device_type), value(index)) else { return };
-    // in a template without the values of a device, the resolution is 1 too
+    // in a template without the values of a device, the resolution is also 1
     let has_steps = value(index_in(block, 0x6501)) != Some(1);
     let (message, label, help) = match (kind >> 16, revolutions) {
         (1, 2..) => (

@@ -189,7 +189,7 @@ fn value_outside_limits(configured: &ConfiguredDevice<'_>, findings: &mut Findin
         let exceeded = sides
             .into_iter()
             .find(|(_, own, limit, order)| beyond(limit.as_ref(), *order) && !beyond(own.as_ref(), *order));
-        // the limits apply to the signature, not to the value that is read
+        // the limits apply to the signature, not to the value returned by reading
         let Some((field, _, Some(limit), _)) = exceeded.filter(|_| !matches!(pair.index, 0x1010 | 0x1011))
         else {
             continue;
@@ -232,8 +232,8 @@ pub(crate) fn is_same(device: &Device, origin: &Device) -> bool {
     IDENTITY.iter().all(|(field, _, number, sub)| difference(device, origin, field, *number, *sub).is_none())
 }
 
-/// Different numbers of two devices, in the device information or else in a sub-index of 1018h. The place and the number
-/// of each.
+/// Different numbers of two devices, in the device information or in a sub-index of 1018h: the place and the number of
+/// each.
 fn difference(
     device: &Device,
     origin: &Device,

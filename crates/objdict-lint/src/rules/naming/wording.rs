@@ -1,4 +1,4 @@
-//! Names that are placeholders, too long, used twice, or contradict their entry or the standard.
+//! Names that are placeholders, too long, duplicated, or contradict their entry or the standard.
 
 use std::collections::HashMap;
 
@@ -237,7 +237,7 @@ fn repeated_blanks(at: &EntryAt<'_>, findings: &mut Findings) {
 }
 
 fn type_in_name(at: &EntryAt<'_>, findings: &mut Findings) {
-    // some editors give sub-index 0 the name of the object, and a mapping has the names of its objects
+    // some editors give sub-index 0 the name of the object, and a mapping contains the names of its objects
     let is_own = at.sub != Some(0) && PdoKind::of_mapping(at.index).is_none();
     let Some(data_type) = at.entry.data_type.filter(|_| is_own) else { return };
     let Some((named, text)) = named_type(&at.entry.name) else { return };

@@ -120,7 +120,7 @@ rules! {
     source: "CANchkEDS 4.0",
 }
 
-/// The places of the compact objects that a rule is about.
+/// The places of the compact objects that a rule applies to.
 fn compact_objects(
     device: &Device,
     part: fn(u16) -> Part,
