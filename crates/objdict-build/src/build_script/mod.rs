@@ -24,7 +24,7 @@
 //! }
 //! ```
 //!
-//! The firmware includes the file with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/guides/building.md` shows
+//! The firmware includes the file with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/guides/cargo.md` shows
 //! a complete project, and `examples/firmware-rust` is one.
 //!
 //! A script can also write the EDS or XDD that ships with the firmware ([`Builder::convert_to`], with the feature
