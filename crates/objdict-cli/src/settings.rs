@@ -102,6 +102,19 @@ fn tool(name: &str) -> Result<Tool, String> {
     Tool::named(name).ok_or_else(|| format!("the tools are {}", series(Tool::ALL)))
 }
 
+impl SettingsArgs {
+    /// The number of the first device profile that is asked for.
+    ///
+    /// # Errors
+    /// When it has none, or is not known.
+    pub(super) fn device_profile(&self) -> Result<Option<u16>, Failure> {
+        let Some(profile) = self.profiles.load()?.into_iter().next() else { return Ok(None) };
+        let unnumbered =
+            || Failure::new(format_args!("`{}` is for devices of any profile", profile.document));
+        profile.number.map(Some).ok_or_else(|| unnumbered().help("name a device profile, such as 402"))
+    }
+}
+
 impl ConfigFileArgs {
     /// The patches that the configuration of a file names.
     ///

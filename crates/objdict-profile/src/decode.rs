@@ -13,7 +13,16 @@ impl EntryFacts<'_> {
     pub fn meaning(&self, number: i128) -> Option<String> {
         // there are no fields beyond 64 bits
         let value = (number & i128::from(u64::MAX)) as u64;
-        let parts: Vec<String> = self.bits().filter_map(|field| part(field, value)).collect();
+        // a bit that decides the meaning of a wider field is said by it
+        let decides = |bit: BitFieldFacts<'_>, field: BitFieldFacts<'_>| {
+            let (own, other) = (field.meaning(value), value ^ 1 << bit.first);
+            let is_within = field.first <= bit.first && bit.last <= field.last;
+            field.first < field.last && is_within && own.is_some() && own != field.meaning(other)
+        };
+        let is_said =
+            |bit: BitFieldFacts<'_>| bit.first == bit.last && self.bits().any(|field| decides(bit, field));
+        let parts = self.bits().filter_map(|field| part(field, value).filter(|_| !is_said(field)));
+        let parts: Vec<String> = parts.collect();
         match parts.is_empty() {
             true if self.bits().len() == 0 => None,
             true => Some("no bit is set".to_owned()),

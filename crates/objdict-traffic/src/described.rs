@@ -40,6 +40,8 @@ pub struct Descriptions {
     pub bit_rate: Option<u16>,
     /// Whether they are the nodes of a network, which has no others.
     pub is_network: bool,
+    /// The device profile of nodes without a description that do not state one.
+    pub profile: Option<u16>,
 }
 
 impl Descriptions {

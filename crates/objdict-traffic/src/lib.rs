@@ -53,7 +53,10 @@ pub struct Bus<'d> {
 impl<'d> Bus<'d> {
     fn new(channel: &str, descriptions: &'d Descriptions) -> Self {
         let talkers = descriptions.nodes.iter().filter_map(|node| Some(node.talker(node.node_id?)));
-        let reader = FrameReader::of_bus(talkers.collect());
+        let mut reader = FrameReader::of_bus(talkers.collect());
+        if let Some(profile) = descriptions.profile {
+            reader.assume_profile(profile);
+        }
         let (candidates, found) = (Candidates::new(descriptions), Vec::new());
         Self { channel: channel.to_owned(), reader, descriptions, candidates, found }
     }

@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead};
 
-use crate::log::{LogOptions, LogReader, LoggedFrame};
+use crate::log::{LogForm, LogOptions, LogReader, LoggedFrame};
 use objdict_model::diagnostic::plural;
 
 /// A log with its name.
@@ -27,8 +27,12 @@ impl<R: BufRead> NamedLog<R> {
     pub fn problem(&self) -> Option<String> {
         let is_log = self.reader.frame_count() > 0 || self.reader.bad_count() == 0;
         (!is_log).then(|| {
-            let name = &self.name;
-            format!("`{name}` is not a log of a CAN bus\n  help: candump, ASC, TRC, CSV of python-can, pcap and pcapng are read")
+            let (name, bad) = (&self.name, self.reader.bad_lines().first());
+            let is_capture = matches!(self.reader.form(), Some(LogForm::Pcap | LogForm::Pcapng | LogForm::Blf));
+            let reason = bad.filter(|_| is_capture).map_or_else(String::new, |bad| format!(": {}", bad.reason));
+            format!(
+                "`{name}` is not a log of a CAN bus{reason}\n  help: candump, ASC, BLF, TRC, BUSMASTER, CSV of python-can and SavvyCAN, pcap and pcapng are read"
+            )
         })
     }
 

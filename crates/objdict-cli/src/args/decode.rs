@@ -15,8 +15,8 @@ use objdict_traffic::PlotChoice;
 use objdict_traffic::log::LogTime;
 
 #[derive(Debug, clap::Args)]
-#[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("profiles", |profiles| profiles.hide(true)))] // descriptions are not checked
-#[command(mut_arg("node_id", |node| node.hide(true)))]
+#[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("node_id", |node| node.hide(true)))] // descriptions are not checked
+#[command(mut_arg("profiles", |profiles| profiles.help("The device profile of nodes that no description covers and that do not state one (1000h), such as 402")))]
 #[command(mut_args(|arg| if ["all", "statistics", "deny"].contains(&arg.get_id().as_str()) { arg.requires("check") } else { arg }))]
 pub(crate) struct DecodeArgs {
     /// Logs, merged by time; `-` is standard input, as in `candump -L can0 | objdict decode -`

@@ -227,7 +227,8 @@ pub(super) fn descriptions<'a>(
     files: impl Iterator<Item = &'a WithFile>,
     input: &NetworkInputArgs,
 ) -> Result<Descriptions, Failure> {
-    let mut found = Descriptions::default();
+    let (mut found, input) = (Descriptions::default(), args.input());
+    found.profile = args.settings.device_profile()?;
     for WithFile { node_id, path } in files {
         keep(path);
         let is_network = node_id.is_none() && NetworkFile::is_network(path).map_err(Failure::new)?;

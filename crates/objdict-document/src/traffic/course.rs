@@ -12,6 +12,7 @@ pub struct Curve {
     room: u64,
     count: u64,
     sum: f64,
+    is_digital: bool,
 }
 
 /// Consecutive values.
@@ -36,7 +37,7 @@ impl Curve {
     pub fn new(capacity: usize) -> Self {
         // neighbours become one, so their number is even
         let capacity = capacity.max(2).next_multiple_of(2);
-        Self { buckets: Vec::new(), capacity, room: 1, count: 0, sum: 0.0 }
+        Self { buckets: Vec::new(), capacity, room: 1, count: 0, sum: 0.0, is_digital: true }
     }
 
     /// Adds a value at a time in nanoseconds. NaN is ignored.
@@ -46,6 +47,7 @@ impl Curve {
         }
         self.count += 1;
         self.sum += value;
+        self.is_digital &= is_byte(value);
         let own = CurveBucket { from: time, to: time, min: value, max: value, last: value, count: 1 };
         match self.buckets.last_mut() {
             Some(bucket) if bucket.count < self.room => *bucket = bucket.with(&own),
@@ -64,6 +66,7 @@ impl Curve {
         if value.is_finite() && self.buckets.is_empty() && count > 0 {
             self.count = count;
             self.sum = value * count as f64;
+            self.is_digital &= is_byte(value);
             self.buckets.push(CurveBucket { from, to, min: value, max: value, last: value, count });
         }
     }
@@ -78,7 +81,12 @@ impl Curve {
         self.count
     }
 
-    /// The minimum and maximum; `None` without values.
+    /// Whether all values are whole numbers of a byte, as those of digital inputs and outputs are.
+    pub const fn is_digital(&self) -> bool {
+        self.is_digital
+    }
+
+    /// The lowest and the highest value; `None` without one.
     pub fn range(&self) -> Option<(f64, f64)> {
         let ranges = self.buckets.iter().map(|bucket| (bucket.min, bucket.max));
         ranges.reduce(|(min, max), (low, high)| (min.min(low), max.max(high)))
@@ -88,6 +96,11 @@ impl Curve {
     pub fn mean(&self) -> Option<f64> {
         (self.count > 0).then(|| self.sum / self.count as f64)
     }
+}
+
+/// Whether a value is one of an unsigned byte.
+fn is_byte(value: f64) -> bool {
+    (0.0..=255.0).contains(&value) && value.fract() == 0.0
 }
 
 impl CurveBucket {

@@ -69,9 +69,9 @@ fn rectangle(path: &mut String, left: f64, top: f64, width: f64, height: f64) {
 }
 
 /// The words of a band as colours. A run with several words has a stripe for each.
-pub(super) fn band(bands: &Bands, top: f64, height: f64, scale: &TimeScale) -> Vec<Filled> {
+pub(super) fn band(bands: &Bands, top: f64, height: f64, scale: &TimeScale, end: Option<i64>) -> Vec<Filled> {
     let mut paths = vec![String::new(); bands.words().len()];
-    for (run, end) in runs(bands) {
+    for (run, end) in runs(bands, end) {
         let (left, stripe) = (scale.x(run.from), height / f64::from(run.words.count_ones().max(1)));
         let width = (scale.x(end) - left).max(0.0);
         let positions = (0..paths.len()).filter(|position| run.words >> position & 1 == 1);
@@ -93,15 +93,15 @@ pub(super) fn state_class(word: &str, position: usize) -> String {
     }
 }
 
-/// Each run and its end, which is the start of the next one, because a state lasts until then.
-fn runs(bands: &Bands) -> impl Iterator<Item = (&super::BandRun, i64)> {
+/// Each run and when it ends: with the next one, as a state lasts until then, the last one at `end` if that is stated.
+fn runs(bands: &Bands, last: Option<i64>) -> impl Iterator<Item = (&super::BandRun, i64)> {
     let ends = bands.runs().iter().skip(1).map(|next| Some(next.from)).chain([None]);
-    bands.runs().iter().zip(ends).map(|(run, end)| (run, end.unwrap_or(run.to)))
+    bands.runs().iter().zip(ends).map(move |(run, end)| (run, end.or(last).unwrap_or(run.to)))
 }
 
-/// The words with enough space to be displayed.
-pub(super) fn words(bands: &Bands, scale: &TimeScale) -> Vec<BandWord> {
-    let single = runs(bands).filter(|(run, _)| run.is_single()).take(MAX_WORDS);
+/// The words that have a place of their own.
+pub(super) fn words(bands: &Bands, scale: &TimeScale, end: Option<i64>) -> Vec<BandWord> {
+    let single = runs(bands, end).filter(|(run, _)| run.is_single()).take(MAX_WORDS);
     single
         .map(|(run, end)| {
             let text = bands.words()[run.last].clone();
@@ -118,10 +118,13 @@ pub(super) fn words(bands: &Bands, scale: &TimeScale) -> Vec<BandWord> {
         .collect()
 }
 
-/// The values as a connected line.
-pub(super) fn line(curve: &Curve, time: &TimeScale, value: &ValueScale) -> String {
+/// The values as a line from one to the next; a digital signal has its value until the next one, and the last one until `end`.
+pub(super) fn line(curve: &Curve, time: &TimeScale, value: &ValueScale, end: Option<i64>) -> String {
     let mut path = String::new();
     for bucket in curve.buckets() {
+        if curve.is_digital() && !path.is_empty() {
+            let _ = write!(path, "H{}", short(time.x(bucket.from)));
+        }
         let (from, to, y) = (time.x(bucket.from), short(time.x(bucket.to)), short(value.y(bucket.last)));
         // a constant value is a horizontal line
         if bucket.min == bucket.max && bucket.from < bucket.to {
@@ -129,7 +132,10 @@ pub(super) fn line(curve: &Curve, time: &TimeScale, value: &ValueScale) -> Strin
         }
         let _ = write!(path, "{}{to} {y}", if path.is_empty() { "M" } else { "L" });
     }
-    // a single value is a point, which is drawn as a short line
+    if let Some(end) = end.filter(|_| curve.is_digital() && !path.is_empty()) {
+        let _ = write!(path, "H{}", short(time.x(end)));
+    }
+    // a value alone is a point, which a line has to show
     if curve.buckets().len() == 1 { path + "h1" } else { path }
 }
 
@@ -162,4 +168,37 @@ pub(super) fn states(bands: &Bands, time: &TimeScale) -> String {
         positions(run.words).fold(time.seconds(run.from), |text, position| format!("{text} {position}"))
     };
     bands.runs().iter().map(run).collect::<Vec<_>>().join(";")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Digital signals have edges, other numbers a line from value to value.
+    #[test]
+    fn digital_signals_are_steps() {
+        let scale = TimeScale::new((0, 1000));
+        let drawn = |values: [f64; 3]| {
+            let mut curve = Curve::new(10);
+            (0..).zip(values).for_each(|(at, value)| curve.add(at * 250, value));
+            let value = ValueScale::new(curve.range().unwrap(), PLOT);
+            line(&curve, &scale, &value, Some(1000)).replace(|letter: char| !letter.is_ascii_uppercase(), "")
+        };
+        assert_eq!(drawn([0.0, 1.0, 0.0]), "MHLHLH");
+        assert_eq!(drawn([0.0, 1.5, 0.0]), "MLL");
+    }
+
+    /// A state of a signal lasts to the end of the log.
+    #[test]
+    fn a_state_lasts_to_the_end() {
+        let scale = TimeScale::new((0, 1_000_000));
+        let mut bands = Bands::new(10);
+        bands.add(0, "on");
+        bands.add(500_000, "off");
+        let ends = |end| words(&bands, &scale, end).into_iter().map(|word| word.to).collect::<Vec<_>>();
+        assert_eq!(
+            (ends(Some(1_000_000)), ends(None)),
+            (vec!["500".to_owned(), "990.196".to_owned()], vec!["500".to_owned(); 2])
+        );
+    }
 }

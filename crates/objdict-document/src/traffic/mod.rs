@@ -173,6 +173,7 @@ enum Drawing {
 impl TrafficPage<'_> {
     /// Writes the page as HTML without external files.
     pub fn html(&self) -> String {
+        let end = self.density.span().map(|(_, end)| end);
         let scale = TimeScale::new(self.density.span().unwrap_or_default());
         let mut next = 0;
         let buses: Vec<_> = self.buses.iter().map(|bus| self.bus(bus, &scale, &mut next)).collect();
@@ -184,7 +185,7 @@ impl TrafficPage<'_> {
         let template = TrafficTemplate {
             page: self,
             ticks: scale.ticks(),
-            plots: self.plots.iter().map(|plot| plot.drawn(&scale)).collect(),
+            plots: self.plots.iter().map(|plot| plot.drawn(&scale, end)).collect(),
             kinds,
             states: self.states(),
             buses,
@@ -223,7 +224,7 @@ impl TrafficPage<'_> {
                 paths: drawing::lane(self.density, lane.lane, highest, scale),
                 states: lane
                     .states
-                    .map(|states| drawing::band(states, LANE + 2.0, 6.0, scale))
+                    .map(|states| drawing::band(states, LANE + 2.0, 6.0, scale, None))
                     .unwrap_or_default(),
                 marks: marks.collect(),
             }
@@ -256,14 +257,14 @@ impl TrafficPage<'_> {
 }
 
 impl TrafficPlot<'_> {
-    fn drawn(&self, scale: &TimeScale) -> DrawnPlot<'_> {
+    fn drawn(&self, scale: &TimeScale, end: Option<i64>) -> DrawnPlot<'_> {
         match self.course {
-            TrafficCourse::Numbers(curve) => self.numbers(curve, scale),
-            TrafficCourse::States(bands) => self.bands(bands, scale),
+            TrafficCourse::Numbers(curve) => self.numbers(curve, scale, end),
+            TrafficCourse::States(bands) => self.bands(bands, scale, end),
         }
     }
 
-    fn numbers(&self, curve: &Curve, scale: &TimeScale) -> DrawnPlot<'_> {
+    fn numbers(&self, curve: &Curve, scale: &TimeScale, end: Option<i64>) -> DrawnPlot<'_> {
         let range = curve.range().unwrap_or_default();
         let (min, max, mean) =
             (rounded(range.0), rounded(range.1), rounded(curve.mean().unwrap_or_default()));
@@ -273,7 +274,7 @@ impl TrafficPlot<'_> {
             label: format!("{}: {} values from {min} to {max}, {mean} on average", self.name, curve.count()),
             cells: [curve.count().to_string(), min, mean, max],
             drawing: Drawing::Numbers {
-                line: drawing::line(curve, scale, &value),
+                line: drawing::line(curve, scale, &value, end),
                 extremes: drawing::extremes(curve, scale, &value),
                 ticks: value.ticks(),
                 points: drawing::points(curve, scale),
@@ -281,7 +282,7 @@ impl TrafficPlot<'_> {
         }
     }
 
-    fn bands(&self, bands: &Bands, scale: &TimeScale) -> DrawnPlot<'_> {
+    fn bands(&self, bands: &Bands, scale: &TimeScale, end: Option<i64>) -> DrawnPlot<'_> {
         let legend = bands.words().iter().enumerate();
         let legend: Vec<_> =
             legend.map(|(position, word)| (drawing::state_class(word, position), word.clone())).collect();
@@ -290,8 +291,8 @@ impl TrafficPlot<'_> {
             label: format!("{}: {} changes between {}", self.name, bands.changes(), bands.words().join(", ")),
             cells: [bands.count().to_string(), String::new(), String::new(), String::new()],
             drawing: Drawing::States {
-                paths: drawing::band(bands, 0.0, BAND, scale),
-                words: drawing::words(bands, scale),
+                paths: drawing::band(bands, 0.0, BAND, scale, end),
+                words: drawing::words(bands, scale, end),
                 legend,
                 points: drawing::states(bands, scale),
             },

@@ -2,6 +2,7 @@
 
 use memchr::memchr;
 
+use super::text::is_comment;
 use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
@@ -41,7 +42,7 @@ impl Candump {
 
     pub(super) fn line(&mut self, line: &[u8], state: &mut LogState) -> LogLine {
         // what `-e` prints behind an error frame
-        if line.starts_with(b"\t") || line.trim_ascii().is_empty() {
+        if line.starts_with(b"\t") || line.trim_ascii().is_empty() || is_comment(line) {
             return LogLine::Other;
         }
         self.frame(line.trim_ascii(), state).into()
@@ -63,6 +64,14 @@ impl Candump {
         // a word that is not a frame must not become a channel
         Ok(LoggedFrame { channel: state.channels.number(channel), ..frame })
     }
+}
+
+/// A frame without time and channel, as `cansend` takes it: `60C#40026500`.
+pub(super) fn alone(line: &[u8]) -> Result<LoggedFrame, &'static str> {
+    let mut words = Words(line);
+    let word = words.next().ok_or(NO_FRAME)?;
+    let at = memchr(b'#', word).ok_or(NO_FRAME)?;
+    logged(id_of(LogTime::default(), &word[..at])?, &word[at + 1..], words)
 }
 
 /// The time at the start of a line, and what is behind it.

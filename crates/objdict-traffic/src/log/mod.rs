@@ -3,6 +3,8 @@
 //! A log is read frame by frame in constant memory, so it may be a pipe that never ends. Its form is recognised by its content.
 
 mod asc;
+mod blf;
+mod busmaster;
 mod candump;
 mod csv;
 mod frame;
@@ -13,10 +15,12 @@ mod time;
 mod trc;
 mod words;
 
+use std::borrow::Cow;
 use std::io::{self, BufRead};
 
 use memchr::memchr;
 
+use self::blf::Blf;
 pub use self::frame::LoggedFrame;
 use self::pcap::Capture;
 use self::text::TextLog;
@@ -50,6 +54,10 @@ objdict_model::named! {
         Message = "messages of python-can",
         /// Time, CAN-ID and bytes.
         Words = "frames in words",
+        /// Logs of BUSMASTER.
+        Busmaster = "log of BUSMASTER",
+        /// BLF of Vector.
+        Blf = "BLF",
         /// pcap with frames of SocketCAN.
         Pcap = "pcap",
         /// pcapng with frames of SocketCAN.
@@ -64,13 +72,13 @@ pub struct LogOptions {
     pub has_distances: Option<bool>,
 }
 
-/// A line, or a record of a pcap file, that is not understood.
+/// A line, or a record of a capture, that is not understood.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BadLine {
     /// The number of the line or record, from 1.
     pub line: u64,
     /// Why it is not understood.
-    pub reason: &'static str,
+    pub reason: Cow<'static, str>,
 }
 
 /// What a line is.
@@ -99,6 +107,7 @@ enum LogContent {
     Unknown,
     Text(TextLog),
     Capture(Capture),
+    Blf(Blf),
 }
 
 /// What is known of a log.
@@ -138,10 +147,10 @@ impl ChannelNames {
 }
 
 impl LogState {
-    fn bad(&mut self, reason: &'static str) {
+    fn bad(&mut self, reason: impl Into<Cow<'static, str>>) {
         self.bad_count += 1;
         if self.bad.len() < MAX_BAD_LINES {
-            self.bad.push(BadLine { line: self.line, reason });
+            self.bad.push(BadLine { line: self.line, reason: reason.into() });
         }
     }
 }
@@ -170,12 +179,14 @@ impl<R: BufRead> LogReader<R> {
                     let start = self.source.fill_buf()?;
                     self.content = match Capture::of(start) {
                         Some(capture) => LogContent::Capture(capture),
+                        None if blf::begins(start) => LogContent::Blf(Blf::default()),
                         None => LogContent::Text(TextLog::default()),
                     };
                 }
                 LogContent::Capture(capture) => {
                     return capture.next_frame(&mut self.source, &mut self.state);
                 }
+                LogContent::Blf(blf) => return blf.next_frame(&mut self.source, &mut self.state),
                 LogContent::Text(_) => match self.next_line()? {
                     Some(LogLine::Frame(frame)) => return Ok(Some(frame)),
                     Some(LogLine::Bad(reason)) => self.state.bad(reason),
@@ -231,6 +242,7 @@ impl<R: BufRead> LogReader<R> {
             LogContent::Unknown => None,
             LogContent::Text(log) => log.form(),
             LogContent::Capture(capture) => Some(capture.form()),
+            LogContent::Blf(_) => Some(LogForm::Blf),
         }
     }
 

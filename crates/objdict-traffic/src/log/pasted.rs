@@ -1,20 +1,24 @@
-//! Frames as other programs show them: messages of python-can, `132.000074  60C  40 02 65 00` of many, also of `objdict decode`, and
-//! CSV of SavvyCAN.
+//! Frames as other programs show them: messages of python-can, `132.000074  60C  40 02 65 00` of many, also of `objdict decode`,
+//! `60C#40026500`, and CSV of SavvyCAN.
 
+use super::candump;
+use super::text::is_comment;
 use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 const HEADING: &[u8] = b"Time Stamp,ID,Extended,";
 const TIMESTAMP: &[u8] = b"Timestamp:";
 
-const BAD_TIME: &str = "the time is not a number";
-const BAD_LENGTH: &str = "the length is not a number";
+pub(super) const BAD_TIME: &str = "the time is not a number";
+pub(super) const BAD_LENGTH: &str = "the length is not a number";
 
 /// What the lines are.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pasted {
     Message,
     Words,
+    /// Frames alone, as `cansend` takes them.
+    Frames,
     /// Whether the direction is a column.
     Savvy(bool),
 }
@@ -28,13 +32,17 @@ impl Pasted {
         if line.starts_with(TIMESTAMP) {
             return Some(Self::Message);
         }
+        if candump::alone(line).is_ok() {
+            return Some(Self::Frames);
+        }
         words(line, &mut LogState::default()).is_ok().then_some(Self::Words)
     }
 
     pub(super) fn line(self, line: &[u8], state: &mut LogState) -> LogLine {
         let line = line.trim_ascii();
         match self {
-            _ if line.is_empty() || line.starts_with(HEADING) => LogLine::Other,
+            _ if line.is_empty() || is_comment(line) || line.starts_with(HEADING) => LogLine::Other,
+            Self::Frames => candump::alone(line).into(),
             Self::Message => message(line, state).into(),
             Self::Words => words(line, state).into(),
             Self::Savvy(has_direction) => row(line, has_direction, state).into(),

@@ -1,6 +1,7 @@
 //! pcap and pcapng with frames of SocketCAN (link type 227).
 
-use std::io::{self, BufRead, ErrorKind, Read};
+use std::borrow::Cow;
+use std::io::{self, BufRead, ErrorKind, Read as _};
 
 use super::words::fits;
 use super::{LogForm, LogState, LogTime, LoggedFrame};
@@ -14,7 +15,6 @@ const MAX_BLOCK: usize = 1 << 16;
 /// The most interfaces.
 const MAX_INTERFACES: usize = 256;
 
-const LINK_TYPE: &str = "the packet is not of SocketCAN (link type 227)";
 const TOO_SHORT: &str = "the packet is too short for a frame";
 const BAD_BLOCK: &str = "the block is malformed";
 
@@ -96,35 +96,11 @@ impl Capture {
         if self.is_big_endian { u32::from_be_bytes(bytes) } else { u32::from_le_bytes(bytes) }
     }
 
-    /// Reads so many bytes behind those of the block; keeps at most [`MAX_BLOCK`].
-    fn fill(&mut self, source: &mut impl BufRead, count: usize) -> io::Result<()> {
-        let kept = count.min(MAX_BLOCK);
-        let start = self.block.len();
-        self.block.resize(start + kept, 0);
-        let mut filled = start;
-        while filled < start + kept {
-            match source.read(&mut self.block[filled..]) {
-                Ok(0) => {
-                    self.block.truncate(filled);
-                    return Err(ErrorKind::UnexpectedEof.into());
-                }
-                Ok(read) => filled += read,
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
-            }
-        }
-        let rest = (count - kept) as u64;
-        match io::copy(&mut source.take(rest), &mut io::sink())? {
-            skipped if skipped < rest => Err(ErrorKind::UnexpectedEof.into()),
-            _ => Ok(()),
-        }
-    }
-
     /// A packet of pcap: seconds, fraction, length here, length on the bus.
     fn packet(&mut self, source: &mut impl BufRead, state: &mut LogState) -> io::Result<Option<LoggedFrame>> {
         self.block.clear();
         if !self.is_started {
-            self.fill(source, 24)?;
+            fill(&mut self.block, source, 24, MAX_BLOCK)?;
             let is_nano = self.block[..4].contains(&0x3C);
             let decimals = if is_nano { 9 } else { 6 };
             let link_type = self.u32_at(20) & 0xFFFF;
@@ -138,9 +114,9 @@ impl Capture {
             self.is_started = true;
             self.block.clear();
         }
-        self.fill(source, 16)?;
+        fill(&mut self.block, source, 16, MAX_BLOCK)?;
         let (seconds, fraction, length) = (self.u32_at(0), self.u32_at(4), self.u32_at(8));
-        self.fill(source, length as usize)?;
+        fill(&mut self.block, source, length as usize, MAX_BLOCK)?;
         state.line += 1;
         let interface = &self.interfaces[0];
         let units = u64::from(seconds) * interface.resolution + u64::from(fraction);
@@ -154,10 +130,10 @@ impl Capture {
         state: &mut LogState,
     ) -> io::Result<Option<LoggedFrame>> {
         self.block.clear();
-        self.fill(source, 8)?;
+        fill(&mut self.block, source, 8, MAX_BLOCK)?;
         let is_section = self.block.starts_with(&[0x0A, 0x0D, 0x0D, 0x0A]);
         if is_section {
-            self.fill(source, 4)?;
+            fill(&mut self.block, source, 4, MAX_BLOCK)?;
             self.is_big_endian = self.block[8..] == [0x1A, 0x2B, 0x3C, 0x4D];
             self.interfaces.clear();
         }
@@ -170,7 +146,7 @@ impl Capture {
             self.is_over = true;
             return Ok(None);
         };
-        self.fill(source, rest)?;
+        fill(&mut self.block, source, rest, MAX_BLOCK)?;
         match self.u32_at(0) {
             1 => self.interface(state),
             // enhanced, and the obsolete one
@@ -243,30 +219,58 @@ impl Capture {
     }
 }
 
+/// Reads so many bytes behind those of the block; keeps at most `most` of them.
+pub(super) fn fill(
+    block: &mut Vec<u8>,
+    source: &mut impl BufRead,
+    count: usize,
+    most: usize,
+) -> io::Result<()> {
+    let kept = count.min(most) as u64;
+    let rest = count as u64 - kept;
+    // what is read makes place, not what a file says of its length
+    let read = source.by_ref().take(kept).read_to_end(block)? as u64;
+    match io::copy(&mut source.take(rest), &mut io::sink())? {
+        skipped if read < kept || skipped < rest => Err(ErrorKind::UnexpectedEof.into()),
+        _ => Ok(()),
+    }
+}
+
 /// The frame in a packet: CAN-ID and flags in the order of the network, length, flags, two unused bytes, data.
 fn frame(interface: &Interface, units: u64, packet: &[u8], state: &mut LogState) -> Option<LoggedFrame> {
-    let mut bad = |reason| {
+    let mut bad = |reason: Cow<'static, str>| {
         state.bad(reason);
         None
     };
     if interface.link_type != SOCKETCAN {
-        return bad(LINK_TYPE);
+        return bad(other_link_type(interface.link_type).into());
     }
-    let &[a, b, c, d, length, flags, _, _, ref data @ ..] = packet else { return bad(TOO_SHORT) };
-    let Some(time) = interface.time(units) else { return bad("the time is out of range") };
+    let &[a, b, c, d, length, flags, _, _, ref data @ ..] = packet else { return bad(TOO_SHORT.into()) };
+    let Some(time) = interface.time(units) else { return bad("the time is out of range".into()) };
     let id = u32::from_be_bytes([a, b, c, d]);
     let [is_extended, is_remote, is_error] = [31, 30, 29].map(|bit| id >> bit & 1 == 1);
     let can_id = id & 0x1FFF_FFFF;
     let data = match usize::from(length) {
         _ if is_remote => &[],
         length if length <= 64 && length <= data.len() => &data[..length],
-        _ => return bad(TOO_SHORT),
+        _ => return bad(TOO_SHORT.into()),
     };
     if !is_error && !fits(can_id, is_extended) {
-        return bad(super::words::BAD_ID);
+        return bad(super::words::BAD_ID.into());
     }
     let frame = LoggedFrame::new(time, interface.channel, can_id, is_extended && !is_error).with_data(data);
     Some(LoggedFrame { is_remote, is_error, is_fd: data.len() > 8 || flags & 4 != 0, ..frame })
+}
+
+/// What packets of another link type are said to be.
+fn other_link_type(link_type: u32) -> String {
+    let name = match link_type {
+        1 => "Ethernet, ",
+        113 | 276 => "Linux, captured on any interface, ",
+        190 => "CAN 2.0b, ",
+        _ => "",
+    };
+    format!("the packet is of {name}link type {link_type}, not of SocketCAN (link type 227)")
 }
 
 impl Interface {

@@ -75,6 +75,81 @@ fn what_people_paste() {
     assert_eq!(read(former), ["0.000005 0 701 00"]);
 }
 
+/// python-can wrote it with containers of 100 bytes, which objects span.
+#[test]
+fn what_blf_has() {
+    let log = std::fs::read("../../fixtures/logs/short.blf").unwrap();
+    let expected = [
+        "0.000712871 1 705 received 00",
+        "0.001812934 1 605 sent 4017100000000000",
+        "0.002712965 1 585 received 4B17100064000000",
+        "0.005812883 1 185 received 370201",
+        "0.102812767 1 705 received 05",
+        "0.200712919 2 18EFF105 received 0102",
+        "0.210712909 1 705 remote received ",
+        "0.220712900 1 000 error ",
+        "0.230712890 1 185 fd received 000102030405060708090A0B",
+    ];
+    assert_eq!(read(&log), expected);
+    for buffer in [8, 64] {
+        assert_eq!(read_in(&log, buffer), expected, "{buffer}");
+    }
+    // a file that is cut, and every change of a byte, is read without a panic
+    assert_eq!(read(&log[..log.len() - 40]).last().unwrap(), "line 9: the file ends in an object");
+    for at in 0..log.len() {
+        read(&log[..at]);
+        let mut other = log.clone();
+        other[at] ^= 0x81;
+        read(&other);
+    }
+}
+
+#[test]
+fn what_busmaster_logs() {
+    let log = b"***BUSMASTER Ver 2.4.0***\n***PROTOCOL CAN***\n***HEX***\n***SYSTEM MODE***\n\
+        ***<Time><Tx/Rx><Channel><CAN ID><Type><DLC><DataBytes>***\n\
+        10:48:41:6660 Rx 1 0x702 s 1 05 \n10:48:41:7660 Tx 1 0x602 s 8 40 18 10 01 00 00 00 00 \n\
+        10:48:41:7670 Rx 2 0x18EFF105 x 1 0A\n10:48:41:7680 Rx 1 0x702 sr 1\nnothing\n***[STOP LOGGING SESSION]***\n";
+    let expected = [
+        "38921.6660 1 702 received 05",
+        "38921.7660 1 602 sent 4018100100000000",
+        "38921.7670 2 18EFF105 received 0A",
+        "38921.7680 1 702 remote received ",
+        "line 10: the time is not a number",
+    ];
+    assert_eq!(read(log), expected);
+    let relative = b"***BUSMASTER Ver 3.2.2***\n***DEC***\n***RELATIVE MODE***\n\
+        00:00:00:1000 Rx 1 1794 s 1 127\n00:00:00:0500 Rx 1 1794 s 1 5\n";
+    assert_eq!(read(relative), ["0.1000 1 702 received 7F", "0.1500 1 702 received 05"]);
+}
+
+#[test]
+fn comments_and_frames_alone() {
+    let log = b"; written by hand\n# a comment\n// another\n(1.0) can0 702#05\n# in the middle\n(1.1) can0 702#05\n";
+    assert_eq!(read(log), ["1.0 can0 702 05", "1.1 can0 702 05"]);
+    let words = b"# a comment\n132.000074  60C  40 02\n; another\n";
+    assert_eq!(read(words), ["132.000074  60C 4002"]);
+    let alone = b"# for cansend\n602#4018100100000000\n582#R\n\n18EFF105#0102\n602#401\n";
+    let expected = [
+        "0  602 4018100100000000",
+        "0  582 remote ",
+        "0  18EFF105 0102",
+        "line 6: the data are not pairs of hexadecimal digits",
+    ];
+    assert_eq!(read(alone), expected);
+    // the heads of other forms
+    assert_eq!(read(b";$FILEVERSION=1.1\n;  1)  0.0  Rx\n"), [""; 0]);
+    assert_eq!(read(b"// version 9.0.0\n0.1 1  705  Rx  d 1 05\n"), ["0.1 1 705 received 05"]);
+}
+
+#[test]
+fn a_capture_of_another_bus_says_which() {
+    let head = [0xD4, 0xC3, 0xB2, 0xA1, 2, 0, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 1, 0, 0, 0];
+    let packet = [1, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 0, 0];
+    let text = "line 1: the packet is of Ethernet, link type 1, not of SocketCAN (link type 227)";
+    assert_eq!(read(&[&head[..], &packet].concat()), [text]);
+}
+
 #[test]
 fn what_candump_logs() {
     let log = b"(1436509052.249713) can0 18B#0102040811\n\
@@ -297,7 +372,7 @@ fn blocks() {
     .concat();
     let expected = [
         "1436509052.249713001 can0 18B 0102040811",
-        "line 6: the packet is not of SocketCAN (link type 227)",
+        "line 6: the packet is of Ethernet, link type 1, not of SocketCAN (link type 227)",
         "line 7: the block is malformed",
     ];
     assert_eq!(read(&log), expected);

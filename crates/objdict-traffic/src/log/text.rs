@@ -2,7 +2,7 @@
 
 use super::pasted::Pasted;
 use super::{LogForm, LogLine, LogState, LoggedFrame, MAX_LINE};
-use super::{asc, candump, csv, trc};
+use super::{asc, busmaster, candump, csv, trc};
 
 /// A log whose form its first lines say.
 #[derive(Debug, Default)]
@@ -14,6 +14,7 @@ pub(super) enum TextLog {
     Trc(trc::Trc),
     Csv(csv::Csv),
     Pasted(Pasted),
+    Busmaster(busmaster::Busmaster),
 }
 
 impl TextLog {
@@ -24,6 +25,8 @@ impl TextLog {
             Self::Asc(_) => Some(LogForm::Asc),
             Self::Trc(_) => Some(LogForm::Trc),
             Self::Csv(_) => Some(LogForm::Csv),
+            Self::Busmaster(_) => Some(LogForm::Busmaster),
+            Self::Pasted(Pasted::Frames) => Some(LogForm::Candump),
             Self::Pasted(Pasted::Message) => Some(LogForm::Message),
             Self::Pasted(Pasted::Words) => Some(LogForm::Words),
             Self::Pasted(Pasted::Savvy(_)) => Some(LogForm::Savvy),
@@ -42,6 +45,7 @@ impl TextLog {
             Self::Trc(log) => log.line(line, state),
             Self::Csv(log) => log.line(line, state),
             Self::Pasted(log) => log.line(line, state),
+            Self::Busmaster(log) => log.line(line, state),
             Self::Unknown => self.first(line, next, state),
         }
     }
@@ -49,7 +53,7 @@ impl TextLog {
     /// A line before the form is known.
     fn first(&mut self, line: &[u8], next: &[u8], state: &mut LogState) -> LogLine {
         let text = line.trim_ascii();
-        if text.is_empty() {
+        if text.is_empty() || is_comment(text) && is_before_frames(next) {
             return LogLine::Other;
         }
         *self = if let Some(log) = csv::Csv::of(text) {
@@ -60,6 +64,8 @@ impl TextLog {
             Self::Asc(asc::Asc::default())
         } else if candump::begins(text) {
             Self::Candump(candump::Candump::new(text, next, state.options.has_distances))
+        } else if busmaster::begins(text) {
+            Self::Busmaster(busmaster::Busmaster::default())
         } else if let Some(log) = Pasted::of(text) {
             Self::Pasted(log)
         } else {
@@ -67,6 +73,20 @@ impl TextLog {
         };
         self.line(line, next, state)
     }
+}
+
+/// Whether a line is a comment in forms that have none of their own.
+pub(super) fn is_comment(line: &[u8]) -> bool {
+    [&b"#"[..], b";", b"//"].iter().any(|mark| line.trim_ascii_start().starts_with(mark))
+}
+
+/// Whether the first line that is no comment has a frame: heads of TRC and ASC look like comments.
+fn is_before_frames(lines: &[u8]) -> bool {
+    let mut lines = lines.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    let first = lines.find(|line| !line.is_empty() && !is_comment(line));
+    first.is_some_and(|line| {
+        candump::begins(line) || csv::Csv::of(line).is_some() || Pasted::of(line).is_some()
+    })
 }
 
 impl From<Result<LoggedFrame, &'static str>> for LogLine {

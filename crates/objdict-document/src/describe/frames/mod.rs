@@ -85,6 +85,11 @@ impl<'a> FrameReader<'a> {
         Self { has_defaults: true, ..Self::new(talkers) }
     }
 
+    /// Nodes without a description that do not state a device profile have this one.
+    pub fn assume_profile(&mut self, number: u16) {
+        self.nodes.profile = Some(number);
+    }
+
     /// Describes a node from now on.
     pub fn describe(&mut self, talker: Talker<'a>) {
         self.nodes.describe(talker);
@@ -187,6 +192,20 @@ impl<'a> FrameReader<'a> {
         let (node, user) = self.user(decoded, frame)?;
         let Service::Pdo(pdo) = user.service else { return None };
         signals::mapped_bytes(&node.device.pdo(pdo.kind, pdo.number)?)
+    }
+
+    /// Other TPDOs whose CAN-ID is that of a TPDO: the node, and the service.
+    pub fn other_senders<'r>(
+        &'r self,
+        decoded: &DecodedFrame,
+        frame: &RawFrame<'_>,
+    ) -> impl Iterator<Item = (u8, Service)> + 'r {
+        let own = decoded.node_id.zip(decoded.service);
+        let is_sender = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Tpdo);
+        let has_others = own.is_some_and(|(_, service)| is_sender(service));
+        let users = self.users.all(users::key(frame.can_id, frame.is_extended)).filter(move |_| has_others);
+        let senders = users.filter(move |user| is_sender(user.service));
+        senders.map(|user| (user.node_id, user.service)).filter(move |user| Some(*user) != own)
     }
 
     /// The SDO transfer of a frame, after it.
@@ -308,7 +327,15 @@ impl<'a> FrameReader<'a> {
     fn sdo(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> DecodedFrame {
         let (node_id, _) = channel;
         let is_download = self.transfers.get(channel).is_some_and(SdoTransfer::is_download);
+        // of a log that has the requests alone, all writes but the last one are known to be without an answer
+        let unanswered = self.transfers.unanswered_write(channel).filter(|_| is_request && self.has_defaults);
+        if let Some(entry) = unanswered {
+            self.take_unanswered(channel, entry);
+        }
         let sdo = self.transfers.frame(channel, data, is_request);
+        if let (Some(_), TransferStep::Write, Some(entry)) = (unanswered, sdo.step, sdo.entry) {
+            self.take_unanswered(channel, entry);
+        }
         if self.has_defaults && sdo.entry.is_some() {
             self.nodes.add_unknown(node_id);
         }
@@ -317,6 +344,8 @@ impl<'a> FrameReader<'a> {
             let is_answer = !is_download && !is_request && sdo.step.has_value();
             if COMMUNICATION.contains(&entry.0) && (is_accepted || is_answer) {
                 self.take(channel, entry, is_accepted);
+            } else if self.has_defaults && (is_accepted || is_answer) {
+                self.note_use(node_id, entry);
             }
         }
         let service = if is_request { Service::SdoRequest } else { Service::SdoResponse };
@@ -324,7 +353,24 @@ impl<'a> FrameReader<'a> {
         DecodedFrame { sdo: Some(sdo), ..decoded }
     }
 
-    /// Records a value that a node has accepted or returned.
+    /// A node without a description uses an entry, which may show that it is a drive.
+    fn note_use(&mut self, node_id: u8, entry: (u16, u8)) {
+        if self.nodes.get_mut(node_id).is_some_and(|node| node.note_use(entry)) {
+            self.note_other_values(node_id, [Stale::All]);
+        }
+    }
+
+    /// Takes a mapping that was written and that no answer confirms.
+    fn take_unanswered(&mut self, channel: (u8, u16), entry: (u16, u8)) {
+        if (0x1400..0x1C00).contains(&entry.0) {
+            self.take(channel, entry, true);
+            if let Some(node) = self.nodes.get_mut(channel.0) {
+                node.is_unconfirmed = true;
+            }
+        }
+    }
+
+    /// Takes a value that a node has accepted, or has sent as an answer.
     fn take(&mut self, (node_id, channel): (u8, u16), entry: (u16, u8), is_accepted: bool) {
         let bytes = self.nodes.transferred(&self.transfers, (node_id, channel), entry);
         let Some(node) = self.nodes.get_mut(node_id) else { return };
@@ -332,11 +378,14 @@ impl<'a> FrameReader<'a> {
             (0x1010, 1 | 2) if is_accepted && bytes == b"save" => return node.store(),
             (0x1011, 1 | 2) if is_accepted && bytes == b"load" => return node.restore(),
             (0x1010 | 0x1011, _) => return,
-            _ if self.has_defaults => node.learn_written(entry, bytes),
             _ => {}
         }
+        let mapped = if self.has_defaults { node.learn_written(entry, bytes) } else { None };
         if node.take(entry, bytes) {
             self.note_change(node_id, entry);
+        }
+        if let Some(entry) = mapped {
+            self.note_use(node_id, entry);
         }
     }
 

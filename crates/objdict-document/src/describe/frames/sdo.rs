@@ -1,6 +1,6 @@
 //! SDO transfers: written and read values (CiA 301 §7.2.4.3).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::decoded::{SdoFrame, TransferStep};
 
@@ -19,6 +19,7 @@ pub struct SdoTransfer {
     data: Vec<u8>,
     is_padded: bool,
     is_complete: bool,
+    is_aborted: bool,
     /// Whether a download was asked for and has not ended.
     is_open: bool,
     /// The download that a late response to an earlier upload interrupted.
@@ -41,26 +42,39 @@ struct Blocks {
 
 /// The transfers by node-ID of the server and number of the channel.
 #[derive(Debug, Default)]
-pub(super) struct Transfers(BTreeMap<(u8, u16), SdoTransfer>);
+pub(super) struct Transfers {
+    all: BTreeMap<(u8, u16), SdoTransfer>,
+    /// The channels whose server has answered.
+    answered: BTreeSet<(u8, u16)>,
+}
 
 impl Transfers {
     pub(super) fn frame(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> SdoFrame {
-        let transfer = self.0.entry(channel).or_default();
+        if !is_request {
+            self.answered.insert(channel);
+        }
+        let transfer = self.all.entry(channel).or_default();
         let step = transfer.frame(data, is_request);
         SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
     }
 
     /// The known value of a transfer, with `length` bytes if the transfer does not state its length.
     pub(super) fn value(&self, channel: (u8, u16), length: impl FnOnce() -> Option<u8>) -> &[u8] {
-        let Some(transfer) = self.0.get(&channel) else { return &[] };
+        let Some(transfer) = self.all.get(&channel) else { return &[] };
         let length = if transfer.is_padded { length() } else { None };
         let shown = length.map_or(SHOWN, usize::from).min(transfer.data.len());
         &transfer.data[..shown]
     }
 
+    /// The entry that was written to a server of which the log has no answer at all.
+    pub(super) fn unanswered_write(&self, channel: (u8, u16)) -> Option<(u16, u8)> {
+        let transfer = self.all.get(&channel).filter(|_| !self.answered.contains(&channel))?;
+        transfer.entry.filter(|_| transfer.is_open && transfer.is_complete)
+    }
+
     /// The transfer of a channel.
     pub(super) fn get(&self, channel: (u8, u16)) -> Option<&SdoTransfer> {
-        self.0.get(&channel)
+        self.all.get(&channel)
     }
 }
 
@@ -151,6 +165,7 @@ impl SdoTransfer {
                 TransferStep::Read
             }
             0 => self.segment(bytes, true),
+            3 if self.is_aborted => TransferStep::Stray,
             3 => TransferStep::NextSegment,
             4 => self.abort(bytes),
             5 => self.block_upload(bytes),
@@ -218,7 +233,10 @@ impl SdoTransfer {
     fn abort(&mut self, bytes: [u8; 8]) -> TransferStep {
         let [_, _, _, _, code @ ..] = bytes;
         let (data, is_download) = (std::mem::take(&mut self.data), self.is_download);
-        *self = Self { entry: Some(entry_of(bytes)), is_download, data, ..Self::default() };
+        // a client that gives up may not name the entry again
+        let entry = Some(entry_of(bytes)).filter(|entry| *entry != (0, 0)).or(self.entry);
+        *self =
+            Self { entry: entry.or(Some((0, 0))), is_download, is_aborted: true, data, ..Self::default() };
         TransferStep::Abort(u32::from_le_bytes(code))
     }
 
@@ -230,7 +248,7 @@ impl SdoTransfer {
 
     /// A segment of a value; the last one completes the value.
     fn segment(&mut self, bytes: [u8; 8], is_download: bool) -> TransferStep {
-        if self.entry.is_none() || self.is_download != is_download || self.is_complete {
+        if self.entry.is_none() || self.is_download != is_download || self.is_complete || self.is_aborted {
             return TransferStep::Stray;
         }
         let [command, segment @ ..] = bytes;

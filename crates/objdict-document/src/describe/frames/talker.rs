@@ -35,6 +35,12 @@ pub(super) struct TalkingNode<'a> {
     pub(super) node_id: u8,
     pub(super) is_described: bool,
     pub(super) is_counterpart: bool,
+    /// Whether its mapping was written, and no answer confirms it.
+    pub(super) is_unconfirmed: bool,
+    /// Whether the profile of a node without a description is one that it does not state.
+    is_assumed: bool,
+    /// Whether a node without a description has used a word, and another object of a drive.
+    used: [bool; 2],
     /// The description, and the meanings of all values.
     described: Cow<'a, Device>,
     /// The values after a reset.
@@ -58,6 +64,9 @@ impl<'a> TalkingNode<'a> {
             node_id,
             is_described: true,
             is_counterpart: false,
+            is_unconfirmed: false,
+            is_assumed: false,
+            used: [false; 2],
             described: device.clone(),
             start: device.clone(),
             device,
@@ -73,11 +82,13 @@ pub(super) struct Nodes<'a> {
     all: Vec<TalkingNode<'a>>,
     /// Positions of node-IDs.
     by_id: [Option<u8>; 128],
+    /// The device profile of nodes without a description.
+    pub(super) profile: Option<u16>,
 }
 
 impl<'a> Nodes<'a> {
     pub(super) fn new(talkers: Vec<Talker<'a>>) -> Self {
-        let mut nodes = Self { all: Vec::new(), by_id: [None; 128] };
+        let mut nodes = Self { all: Vec::new(), by_id: [None; 128], profile: None };
         talkers.into_iter().for_each(|talker| nodes.add(TalkingNode::of_talker(talker)));
         nodes
     }
@@ -95,7 +106,11 @@ impl<'a> Nodes<'a> {
     pub(super) fn add_unknown(&mut self, node_id: u8) {
         if self.get(node_id).is_none() {
             let (name, node) = (format!("node {node_id}"), TalkingNode::of_device(node_id, Cow::default()));
-            self.add(TalkingNode { name: Cow::Owned(name), is_described: false, ..node });
+            let mut node = TalkingNode { name: Cow::Owned(name), is_described: false, ..node };
+            if let Some(profile) = self.profile {
+                node.assume(profile);
+            }
+            self.add(node);
         }
     }
 
@@ -323,8 +338,27 @@ impl TalkingNode<'_> {
         mapped.into_iter().filter(|object| !object.is_unused()).for_each(|object| self.learn(object.entry()));
     }
 
-    /// Adds an entry that was read or written, and the entry that it maps if it is a mapping entry.
-    pub(super) fn learn_written(&mut self, entry: (u16, u8), bytes: &[u8]) {
+    /// Has a device profile, as far as the node does not state one.
+    fn assume(&mut self, profile: u16) -> bool {
+        self.is_assumed = self.device.profile().is_none();
+        if self.is_assumed {
+            self.learn((0x1000, 0));
+            let value = Value::Unsigned(profile.into());
+            self.device.to_mut().assign(&[Assignment { index: 0x1000, sub: 0, value }]);
+        }
+        self.is_assumed
+    }
+
+    /// A node without a description that uses controlword or statusword, and modes, positions or velocities, is a drive
+    /// (CiA 402); whether this shows it.
+    pub(super) fn note_use(&mut self, (index, _): (u16, u8)) -> bool {
+        self.used[0] |= matches!(index, 0x6040 | 0x6041);
+        self.used[1] |= matches!(index, 0x6060 | 0x6061 | 0x6064 | 0x606C | 0x607A | 0x60FF);
+        self.used == [true; 2] && !self.is_described && !self.is_assumed && self.assume(402)
+    }
+
+    /// Adds an entry that was read or written, and the one that a mapping entry maps by it; which one that is.
+    pub(super) fn learn_written(&mut self, entry: (u16, u8), bytes: &[u8]) -> Option<(u16, u8)> {
         self.learn(entry);
         if let ((index, 1..), &[bits, sub, low, high]) = (entry, bytes)
             && PdoKind::of_mapping(index).is_some()
@@ -332,8 +366,10 @@ impl TalkingNode<'_> {
             let mapped = MappedObject::from_number(u32::from_le_bytes([bits, sub, low, high]));
             if !mapped.is_unused() {
                 self.learn(mapped.entry());
+                return Some(mapped.entry());
             }
         }
+        None
     }
 
     /// Adds an entry that no description has, as the documents define it, so that it can have a value.
@@ -372,6 +408,7 @@ impl TalkingNode<'_> {
     pub(super) fn take(&mut self, entry: (u16, u8), bytes: &[u8]) -> bool {
         let (index, sub) = entry;
         let Some(value) = self.value_of(entry, bytes) else { return false };
+        self.is_assumed &= entry != (0x1000, 0);
         let is_known = self.device.object(index).and_then(|object| object.value(sub)).is_some_and(|known| {
             let data_type = self.data_type(entry);
             let known = ValueReader { index, node_id: Some(self.node_id) }.resolve(&known, data_type);
@@ -423,7 +460,8 @@ impl TalkingNode<'_> {
     /// Takes over the observations of a node from before its description was known.
     fn take_over(&mut self, former: &Self) {
         if !former.is_described {
-            self.take_seen(&former.device, &former.learnt);
+            let is_seen = |entry: &&(u16, u8)| !former.is_assumed || **entry != (0x1000, 0);
+            self.take_seen(&former.device, &former.learnt.iter().filter(is_seen).copied().collect());
         }
     }
 

@@ -368,3 +368,85 @@ fn a_transfer_that_does_not_state_its_size_has_that_of_the_entry() {
     assert_eq!(words[0], "drive: write 1017:00 Producer heartbeat time = 1000 (1000 ms)");
     assert_eq!(words[3], "drive: 1017:00 Producer heartbeat time = 1000 (1000 ms)");
 }
+
+/// A frame that is not an answer to anything that the log has.
+#[test]
+fn transfers_that_are_not_whole() {
+    let words = read_bus(&[
+        (0x585, &[1, 0x53, 0x65, 0x72, 0x76, 0x65, 0x72, 0]),
+        (0x605, &[0xA2, 2, 2, 0, 0, 0, 0, 0]),
+        (0x605, &[0x40, 8, 0x10, 0, 0, 0, 0, 0]),
+        (0x585, &[0x41, 8, 0x10, 0, 9, 0, 0, 0]),
+        (0x605, &[0x80, 0, 0, 0, 0, 0, 4, 5]),
+        (0x585, &[0x1B, 0x33, 0x34, 0, 0, 0, 0, 0]),
+        (0x605, &[0x60, 0, 0, 0, 0, 0, 0, 0]),
+    ]);
+    let expected = [
+        "drive: segment or end of segments, in a transfer that began before the log",
+        "drive: segments up to 2 are accepted, in a transfer that began before the log",
+        "drive: read 1008:00 Device name",
+        "drive: 1008:00 Device name, 9 bytes",
+        "drive: 1008:00 Device name: SDO abort 05040000h: the transfer timed out",
+        "drive: segment without a transfer",
+        "drive: segment without a transfer",
+    ];
+    assert_eq!(words, expected);
+    let words = read(&[(0x7E5, &[4, 2, 0, 0, 0, 0, 0, 0]), (0x7E5, &[4, 1, 0, 0, 0, 0, 0, 0])]);
+    assert_eq!(
+        words,
+        ["LSS master: all nodes to 02h, which is no mode", "LSS master: all nodes to configuration"]
+    );
+}
+
+/// The frames of a node without a description, and whether its profile is assumed.
+fn read_unknown(profile: Option<u16>, frames: &[(u16, &[u8])]) -> Vec<String> {
+    let mut reader = FrameReader::of_bus(Vec::new());
+    profile.into_iter().for_each(|number| reader.assume_profile(number));
+    frames.iter().map(|(can_id, data)| reader.read(*can_id, data, false).text).collect()
+}
+
+/// A mapping counts that a log has without answers, which is said; so are two TPDOs with one CAN-ID.
+#[test]
+fn mappings_without_answers_and_shared_can_ids() {
+    let mapping: [(u16, &[u8]); 4] = [
+        (0x602, &[0x2F, 0, 0x1A, 0, 0, 0, 0, 0]),
+        (0x602, &[0x23, 0, 0x1A, 1, 0x10, 0, 0x41, 0x60]),
+        (0x602, &[0x2F, 0, 0x1A, 0, 1, 0, 0, 0]),
+        (0x182, &[0x37, 2]),
+    ];
+    let words = read_unknown(None, &mapping);
+    assert_eq!(words[3], "node 2 TPDO 1 (its mapping was written, without an answer): 6041:00 = 237h");
+    // a node that refuses it keeps its own
+    let refusal: (u16, &[u8]) = (0x582, &[0x80, 0, 0x1A, 0, 0x22, 0, 0, 8]);
+    let refused = [mapping[0], refusal, mapping[1], refusal, mapping[2], refusal, mapping[3]];
+    assert_eq!(read_unknown(None, &refused)[6], "node 2 TPDO 1: 37h 02h");
+    let shared = read_unknown(
+        None,
+        &[
+            (0x602, &[0x23, 0, 0x18, 1, 0x85, 1, 0, 0]),
+            (0x582, &[0x60, 0, 0x18, 1, 0, 0, 0, 0]),
+            (0x602, &[0x23, 1, 0x18, 1, 0x85, 1, 0, 0]),
+            (0x582, &[0x60, 1, 0x18, 1, 0, 0, 0, 0]),
+            (0x185, &[1]),
+        ],
+    );
+    assert_eq!(shared[4], "node 2 TPDO 1 (or node 2 TPDO 2, with the same CAN-ID): 01h, nothing is mapped");
+}
+
+/// A node that never states its profile is a drive if it is said so, or if it uses the words and the modes of one.
+#[test]
+fn a_drive_that_was_never_asked_for_its_type() {
+    let status: (u16, &[u8]) = (0x582, &[0x4B, 0x41, 0x60, 0, 0x37, 2, 0, 0]);
+    let (word, mode): ([(u16, &[u8]); 2], [(u16, &[u8]); 2]) = (
+        [(0x602, &[0x40, 0x41, 0x60, 0, 0, 0, 0, 0]), status],
+        [(0x602, &[0x40, 0x61, 0x60, 0, 0, 0, 0, 0]), (0x582, &[0x4F, 0x61, 0x60, 0, 1, 0, 0, 0])],
+    );
+    let named = "node 2: 6041:00 Statusword = 567 (state: operation enabled, voltage enabled, remote)";
+    assert_eq!(read_unknown(None, &word)[1], "node 2: 6041:00 = 37h 02h");
+    assert_eq!(read_unknown(Some(402), &word)[1], named);
+    assert_eq!(read_unknown(None, &[word, mode, word].concat())[5], named);
+    // what the node says counts more: a device of CiA 401
+    let kind: [(u16, &[u8]); 2] =
+        [(0x602, &[0x40, 0, 0x10, 0, 0, 0, 0, 0]), (0x582, &[0x43, 0, 0x10, 0, 0x91, 1, 0xF, 0])];
+    assert_eq!(read_unknown(Some(402), &[kind, word].concat())[3], "node 2: 6041:00 = 37h 02h");
+}

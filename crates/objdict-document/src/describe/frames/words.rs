@@ -85,7 +85,18 @@ impl FrameReader<'_> {
         let expected = self.mapped_bytes(decoded, frame);
         let other =
             expected.and_then(|expected| other_length(frame.data.len(), expected)).unwrap_or_default();
-        let mark = self.missing_mark(decoded);
+        let mut mark = self.missing_mark(decoded).to_owned();
+        if decoded.node_id.and_then(|id| self.nodes.get(id)).is_some_and(|node| node.is_unconfirmed) {
+            mark += " (its mapping was written, without an answer)";
+        }
+        let others: Vec<String> = self
+            .other_senders(decoded, frame)
+            .map(|(id, pdo)| format!("{} {pdo}", self.nodes.name(id)))
+            .collect();
+        // a multiplexed PDO names its node
+        if !others.is_empty() && !is_multiplexed {
+            mark += &format!(" (or {}, with the same CAN-ID)", others.join(", "));
+        }
         format!("{}{name} {service}{mark}{other}: {text}", if is_rpdo { "to " } else { "" })
     }
 
@@ -122,6 +133,7 @@ impl FrameReader<'_> {
             TransferStep::Segment(used) => format!("segment of {}", plural(used.into(), "byte")),
             TransferStep::LastSegment => format!("last segment, {}", value()),
             TransferStep::Accepted => "segment is accepted".to_owned(),
+            TransferStep::Stray if sdo.entry.is_none() => "segment or end of segments".to_owned(),
             TransferStep::Stray => "segment without a transfer".to_owned(),
             TransferStep::Abort(code) => format!("{}: {}", entry(), Abort::from(code)),
             TransferStep::BlockStart => "start of the blocks".to_owned(),
@@ -136,6 +148,8 @@ impl FrameReader<'_> {
             TransferStep::Malformed => return format!("SDO of {} from {name}", bytes_of(data)),
             TransferStep::Unknown(command) => format!("unknown SDO command {command:02X}h"),
         };
+        let is_known = sdo.entry.is_some() || matches!(sdo.step, TransferStep::Unknown(_));
+        let said = if is_known { said } else { said + ", in a transfer that began before the log" };
         let short = if data.len() < 8 { format!(" (in {})", bytes_of(data)) } else { String::new() };
         match sdo.channel {
             1 => format!("{name}: {said}{short}"),
@@ -225,7 +239,8 @@ pub(super) fn words(data: &[u8], is_request: bool) -> String {
     let number = u32::from_le_bytes([first, second, third, fourth]);
     let said = match (command, is_request) {
         (0x04, _) if first == 0 => "all nodes to waiting".to_owned(),
-        (0x04, _) => "all nodes to configuration".to_owned(),
+        (0x04, _) if first == 1 => "all nodes to configuration".to_owned(),
+        (0x04, _) => format!("all nodes to {first:02X}h, which is no mode"),
         (0x40..=0x43, _) => format!("select {} {number:08X}h", PARTS[usize::from(command - 0x40)]),
         (0x44, _) => "the selected node is in configuration".to_owned(),
         (0x11, true) if first == 0xFF => "configure no node-ID".to_owned(),
