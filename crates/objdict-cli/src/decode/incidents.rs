@@ -44,7 +44,7 @@ pub(super) fn write(verdict: &str, incidents: &[Incident], out: &mut Output) -> 
 /// Writes one incident: its frames, causes, and what to check.
 pub(super) fn write_one(number: usize, incidents: &[Incident], out: &mut Output) -> Result<(), Failure> {
     let incident = one(number, incidents)?;
-    let Incident { state, text, fingerprint, kind, frames, causes, checks, why, .. } = incident;
+    let Incident { state, text, fingerprint, kind, frames, causes, checks, why, needs, .. } = incident;
     writeln!(out, "{number}  {}: {}{text}", state.name(), channel(incident))?;
     writeln!(out, "   {}, fingerprint {fingerprint}\n\n   Frames:", kind.rule.id)?;
     for event in frames {
@@ -57,7 +57,7 @@ pub(super) fn write_one(number: usize, incidents: &[Incident], out: &mut Output)
             writeln!(out, "     {at}. {line}")?;
         }
     }
-    writeln!(out, "\n   Why it matters: {why}")?;
+    writeln!(out, "\n   Why it matters: {why}\n   What the rule needs: {needs}")?;
     Ok(())
 }
 

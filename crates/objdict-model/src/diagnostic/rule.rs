@@ -26,6 +26,8 @@ pub struct RuleInfo {
     pub summary: &'static str,
     /// The checked condition.
     pub checks: &'static str,
+    /// What it needs, without which it reports nothing; empty if that is what it checks.
+    pub needs: &'static str,
     /// Why it matters.
     pub why: &'static str,
     /// An example of the defect.
@@ -104,13 +106,14 @@ pub enum Reach {
 impl RuleInfo {
     /// A rule without fixes and page, for findings of callers.
     pub const fn bare(id: &'static str, severity: Severity) -> Self {
-        let [summary, checks, why, example, remedy, source] = [""; 6];
+        let [summary, checks, needs, why, example, remedy, source] = [""; 7];
         Self {
             id,
             severity,
             fix: None,
             summary,
             checks,
+            needs,
             why,
             example,
             remedy,
@@ -145,14 +148,15 @@ impl RuleInfo {
     pub fn page(&self) -> String {
         let parts = [
             ("What it checks", self.checks),
+            ("What it needs", self.needs),
             ("Why it matters", self.why),
             ("Example", self.example),
             ("How to fix", self.remedy),
             ("Source", self.source),
         ];
         let page = format!("{}\n", self.summary);
-        let page =
-            parts.iter().fold(page, |page, (heading, text)| page + &format!("\n## {heading}\n{text}\n"));
+        let parts = parts.iter().filter(|(_, text)| !text.is_empty());
+        let page = parts.fold(page, |page, (heading, text)| page + &format!("\n## {heading}\n{text}\n"));
         match &*self.stops.iter().map(Stop::to_string).collect::<Vec<_>>().join(" ") {
             "" => page,
             stops => page + &format!("\n## Effect on `objdict generate`\n{stops}\n"),
@@ -160,9 +164,9 @@ impl RuleInfo {
     }
 }
 
-/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the page; a rule
-/// without fixes omits `fix`, and one without a `source` uses the `SOURCE` of its file. Then optionally the explained
-/// findings, `, explains File ["name", …]`, and the tables it stops: `, stops "canopennode" at [DataType]`, or
+/// A [`RuleInfo`]: `rule_info! { "cia306/name", Error, fix Safe; summary: "…", … }` with all texts of the
+/// page; a rule that needs nothing more omits `needs`, one without fixes omits the part `fix`, and one without a `source` has the `SOURCE` of its file. What its findings
+/// explain follows, `, explains File ["name", …]`, and which tables they stop: `, stops "canopennode" at [DataType]`, or
 /// `, stops "*"` for all.
 #[macro_export]
 macro_rules! rule_info {
@@ -171,6 +175,7 @@ macro_rules! rule_info {
             $(, stops $target:literal $(at [$($field:ident),+])?)*;
         summary: $summary:literal,
         checks: $checks:literal,
+        $(needs: $needs:literal,)?
         why: $why:literal,
         example: $example:literal,
         remedy: $remedy:literal,
@@ -182,6 +187,7 @@ macro_rules! rule_info {
             fix: $crate::fix_of!($($safety)?),
             summary: $summary,
             checks: $checks,
+            needs: concat!($($needs)?),
             why: $why,
             example: $example,
             remedy: $remedy,

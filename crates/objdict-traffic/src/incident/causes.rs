@@ -30,7 +30,16 @@ impl Draft {
     }
 
     fn is_of_drive(&self) -> bool {
-        [&rules::DRIVE_FAULT, &rules::QUICK_STOP, &rules::REFUSED_TRANSITION].iter().any(|rule| self.is(rule))
+        let of_drives = [
+            &rules::DRIVE_FAULT,
+            &rules::QUICK_STOP,
+            &rules::REFUSED_TRANSITION,
+            &rules::LIMIT_SWITCH,
+            &rules::MOTION_ERROR,
+            &rules::SET_POINT,
+            &rules::INTERNAL_LIMIT,
+        ];
+        of_drives.iter().any(|rule| self.is(rule))
     }
 
     fn starts(&self) -> i64 {
@@ -87,6 +96,7 @@ impl Draft {
             causes: self.kind.causes,
             checks: self.kind.look,
             why: self.kind.rule.why,
+            needs: self.kind.rule.needs,
             about: self.about,
         }
     }

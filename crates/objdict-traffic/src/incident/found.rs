@@ -62,6 +62,8 @@ pub struct Incident {
     pub checks: &'static [&'static str],
     /// Why it matters.
     pub why: &'static str,
+    /// What the rule needs, without which it would not have found it.
+    pub needs: &'static str,
     #[serde(skip)]
     pub(super) about: u32,
 }

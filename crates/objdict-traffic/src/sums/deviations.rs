@@ -7,7 +7,7 @@ use crate::{Bus, raw};
 use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoTransfer, TransferStep};
 use objdict_lint::recorded::traffic as rules;
 use objdict_model::diagnostic::{RuleInfo, plural};
-use objdict_model::model::{Access, DataType, Entry, PdoKind};
+use objdict_model::model::{Access, DataType, Device, Entry, PdoKind};
 use objdict_network::Service;
 
 use super::milliseconds;
@@ -31,6 +31,10 @@ pub(super) struct ExpectedFrames {
     inhibit: Option<i64>,
     /// The event timer in nanoseconds.
     timer: Option<i64>,
+    /// The shortest deadline of the receivers in nanoseconds.
+    deadline: Option<i64>,
+    /// Whether another TPDO has the CAN-ID, which is not yet reported.
+    is_shared: bool,
     /// Whether SYNC triggers it.
     is_synchronous: bool,
     /// The synchronous window length in nanoseconds.
@@ -66,6 +70,14 @@ impl ExpectedFrames {
             _ => None,
         };
         let by_event = pdo.as_ref().filter(|pdo| pdo.transmission_type.is_some_and(|kind| kind >= 254));
+        let users = || bus.reader.users(&raw(frame));
+        let deadlines = users().filter_map(|(node_id, service)| match service {
+            Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo => {
+                bus.reader.device(node_id)?.pdo(pdo.kind, pdo.number)?.event_timer.filter(|time| *time != 0)
+            }
+            _ => None,
+        });
+        let deadline = deadlines.min().map(|time| i64::from(time) * 1_000_000);
         let inhibit = by_event.and_then(|pdo| pdo.inhibit_time).filter(|time| *time != 0);
         let timer = by_event.and_then(|pdo| pdo.event_timer).filter(|time| *time != 0);
         let is_synchronous = pdo.is_some_and(|pdo| matches!(pdo.transmission_type, Some(1..=240)));
@@ -76,6 +88,8 @@ impl ExpectedFrames {
             bytes,
             inhibit: inhibit.map(|time| i64::from(time) * 100_000),
             timer: timer.map(|time| i64::from(time) * 1_000_000),
+            deadline,
+            is_shared: bus.reader.other_senders(decoded, &raw(frame)).next().is_some(),
             is_synchronous,
             window: window.filter(|window| *window != 0).map(|window| i64::from(window) * 1000),
             has_words: !words_in(decoded, frame, bus).is_empty(),
@@ -113,9 +127,14 @@ impl ExpectedFrames {
         let last = before.frame.filter(|last| before.state.is_none_or(|state| state <= *last));
         let gap = self.timer.zip(last).map(|(timer, last)| (timer, now.saturating_sub(last)));
         let overdue = gap.filter(|(timer, gap)| *gap > timer / 2 * 3);
+        // 5 % are the tolerance of clocks
+        let missed = self.deadline.zip(last).map(|(deadline, last)| (deadline, now.saturating_sub(last)));
+        let missed = missed.filter(|(deadline, gap)| *gap > deadline / 100 * 105);
+        let is_shared = std::mem::take(&mut self.is_shared);
         let last = before.frame.zip(before.sync).filter(|_| self.is_synchronous);
         let is_again = last.is_some_and(|(last, sync)| last >= sync);
-        let is_none = length.is_none() && early.is_none() && late.is_none() && overdue.is_none() && !is_again;
+        let is_none = length.is_none() && early.is_none() && late.is_none() && overdue.is_none();
+        let is_none = is_none && missed.is_none() && !is_shared && !is_again;
         let name = if is_none { String::new() } else { name(decoded, bus) };
         let texts = [
             length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes, {bytes} are mapped"))),
@@ -137,6 +156,20 @@ impl ExpectedFrames {
                 let text =
                     format!("{name} comes {gap} ms after the one before, its event timer is {timer} ms");
                 (&rules::EVENT_TIMER, text)
+            }),
+            missed.map(|(deadline, gap)| {
+                let [gap, deadline] = [gap, deadline].map(milliseconds);
+                let text = format!(
+                    "{name} comes {gap} ms after the one before, the deadline of its receiver is {deadline} ms"
+                );
+                (&rules::RPDO_DEADLINE, text)
+            }),
+            is_shared.then(|| {
+                let others = bus.reader.other_senders(decoded, &raw(frame));
+                let others: Vec<String> =
+                    others.map(|(id, pdo)| format!("{} {pdo}", bus.reader.name(id))).collect();
+                let text = format!("{name} has the CAN-ID of {} too: both send it, probably", others.join(", "));
+                (&rules::SHARED_CAN_ID, text)
             }),
             is_again
                 .then(|| (&rules::REPEATED_PDO, format!("{name} comes a second time after the same SYNC"))),
@@ -171,6 +204,9 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
         }
         _ => {}
     }
+    if let Some(text) = other_identity(&described.device, (index, sub), bytes).filter(|_| is_answer) {
+        return Some((&rules::OTHER_IDENTITY, format!("{}: {text}", bus.reader.name(node_id))));
+    }
     let length = entry.data_type.and_then(DataType::byte_length).map(usize::from);
     if let Some(length) = length.filter(|length| *length != bytes.len()) {
         let text = format!("{} has {} bytes, described are {length}", name(), bytes.len());
@@ -184,6 +220,21 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
         let [low, high] = limits.map(bound);
         (&rules::SDO_LIMITS, format!("{} = {number} is outside of the limits {low} to {high}", name()))
     })
+}
+
+/// How an answer shows another device than the described one; of the revision the upper half says how the device behaves.
+fn other_identity(device: &Device, (index, sub): (u16, u8), bytes: &[u8]) -> Option<String> {
+    let (what, shift) = match (index, sub) {
+        (0x1000, 0) => ("the device type", 0),
+        (0x1018, 1) => ("the vendor-ID", 0),
+        (0x1018, 2) => ("the product code", 0),
+        (0x1018, 3) => ("the upper half of the revision", 16),
+        _ => return None,
+    };
+    let is = u32::from_le_bytes(bytes.try_into().ok()?) >> shift;
+    let described = u32::try_from(device.value(index, sub)?.as_integer()?).ok()? >> shift;
+    (described != 0 && is != described)
+        .then(|| format!("{what} is {is:X}h, the description is of {described:X}h: another device"))
 }
 
 /// The rule that an abort is against: of reads only those that break off are, as a client may ask for what a node does not have.

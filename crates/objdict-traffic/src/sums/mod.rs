@@ -41,6 +41,15 @@ const MAX_ERRORS: usize = 8;
 /// So many requests of guarding without an answer are too many: the usual life time factor.
 const GUARDINGS: u32 = 3;
 
+/// The time over which the load is a peak, in nanoseconds, and the percent from which on it is one.
+const LOAD_TIME: i64 = 100_000_000;
+const PEAK: u64 = 90;
+
+const SECOND: i64 = 1_000_000_000;
+
+/// So many heartbeats that come twice in their period show two producers.
+const DOUBLES: u32 = 4;
+
 /// The most entries whose last written values are kept.
 const MAX_WRITTEN: usize = 10_000;
 
@@ -62,8 +71,13 @@ struct MessageSums {
     node_id: Option<u8>,
     cycle: Cycle,
     expected: ExpectedFrames,
-    /// The last data of a PDO with words of a drive.
+    /// The data of the last PDO, and how often they were those of the one before.
     data: u64,
+    repeats: u64,
+    /// The distances since the PDO was silent.
+    steady: Cycle,
+    /// The last frame of a PDO that may be silent from then on.
+    last: Option<LastFrame>,
 }
 
 /// A frame that may turn out to be the last one.
@@ -101,6 +115,10 @@ struct NodeSums {
     last_heartbeat: Option<Seen>,
     /// The longest time between heartbeats in nanoseconds; `None` if no description says it.
     limit: Option<i64>,
+    /// The time of its heartbeat in nanoseconds, how long the last one was after the one before, and how many came twice in it.
+    period: Option<i64>,
+    distance: i64,
+    doubles: u32,
     /// Whether the node has said that it sends no heartbeats.
     is_off: bool,
     heartbeats: Cycle,
@@ -122,6 +140,8 @@ pub struct BusSums {
     frames: u64,
     error_frames: u64,
     bits: u64,
+    /// When the present part of time began, in which peaks of the load are found, and its bits.
+    part: (i64, u64),
     span: Option<(LogTime, LogTime)>,
     kinds: [u64; FrameKind::ALL.len()],
     /// Positions of CAN-IDs of 11 bits, from 1 on.
@@ -139,6 +159,8 @@ pub struct BusSums {
     bus_errors: History,
     conduct: Conduct,
     last_sync: Option<LastFrame>,
+    /// When SYNC came again after a second, in nanoseconds.
+    sync_pause: Option<i64>,
     syncs: Cycle,
     is_bus_off: bool,
     /// The period of SYNC in nanoseconds, where a description states it.
@@ -156,6 +178,7 @@ impl BusSums {
             frames: 0,
             error_frames: 0,
             bits: 0,
+            part: (0, 0),
             span: None,
             kinds: Default::default(),
             base: vec![0; 0x800],
@@ -171,6 +194,7 @@ impl BusSums {
             bus_errors: History::default(),
             conduct: Conduct::default(),
             last_sync: None,
+            sync_pause: None,
             syncs: Cycle::default(),
             is_bus_off: false,
             sync_period: None,
@@ -199,6 +223,7 @@ impl BusSums {
             _ => 0,
         };
         self.bits += bits;
+        self.load_part(bits, sight);
         self.kinds[decoded.kind as usize] += 1;
         let changes = Some(bus.reader.changes().cycles);
         if self.changes != changes {
@@ -230,8 +255,29 @@ impl BusSums {
         self.event(sight);
     }
 
+    /// Finds peaks of the load in parts of time. More than all of it shows times that are not those of the bus.
+    fn load_part(&mut self, bits: u64, sight: Sight<'_>) {
+        let (start, sum) = self.part;
+        let passed = sight.now().saturating_sub(start);
+        if (0..LOAD_TIME).contains(&passed) {
+            self.part.1 += bits;
+            return;
+        }
+        self.part = (sight.now(), bits);
+        let Some(rate) = self.bit_rate.filter(|_| sum > 0) else { return };
+        // kbit/s are bits in a millisecond
+        let percent = sum * 100 / (u64::from(rate) * (LOAD_TIME / 1_000_000) as u64);
+        let subject = Subject::new(&rules::LOAD_PEAK, 0, 0);
+        if (PEAK..=100).contains(&percent) {
+            let text = || format!("the load was {percent} % for 100 ms");
+            self.book.against(subject, sight.seen(), text);
+        } else {
+            self.book.end(subject, || sight.seen(), "the load is lower");
+        }
+    }
+
     fn message(&mut self, sight: Sight<'_>) {
-        let Sight { decoded, frame, bus, .. } = sight;
+        let Sight { decoded, frame, bus, origin } = sight;
         let LoggedFrame { can_id, is_extended, .. } = *frame;
         let known = match is_extended {
             false => usize::from(self.base[can_id as usize & 0x7FF]).checked_sub(1),
@@ -249,7 +295,7 @@ impl BusSums {
             }
             let DecodedFrame { kind, service, node_id, .. } = *decoded;
             let is_described = !decoded.is_predefined();
-            let (cycle, expected, data) = Default::default();
+            let (cycle, expected, data, repeats, steady, last) = Default::default();
             let message = MessageSums {
                 can_id,
                 is_extended,
@@ -260,6 +306,9 @@ impl BusSums {
                 cycle,
                 expected,
                 data,
+                repeats,
+                steady,
+                last,
             };
             self.messages.push(message);
             at
@@ -284,11 +333,27 @@ impl BusSums {
                 self.book.end(subject, || sight.seen(), "the length is right again");
             }
             // most frames repeat the words of the frame before
-            let data = if message.expected.has_words { first_bytes(frame) } else { message.data };
+            let data = first_bytes(frame);
             let is_news = std::mem::replace(&mut message.data, data) != data;
-            if is_news || message.expected.has_words && self.drives.is_waiting {
+            message.repeats += u64::from(!is_news);
+            if message.expected.has_words && (is_news || self.drives.is_waiting) {
                 self.drives.frame(sight, &mut self.book);
             }
+            let last = message.steady.last.unwrap_or(0);
+            let has_reason =
+                [self.sync_pause, self.nodes[usize::from(node_id) % NODES].stopped, before.state]
+                    .iter()
+                    .any(|reason| reason.is_some_and(|reason| reason >= last.saturating_sub(SECOND)));
+            if let Some(text) = message.silence(sight.now(), bus) {
+                message.steady = Cycle::default();
+                if !has_reason {
+                    let subject = Subject::new(&rules::SILENT_NODE, node_id, about);
+                    self.book.against(subject, sight.seen(), || text);
+                    self.book.end(subject, || sight.seen(), "it comes again");
+                }
+            }
+            message.steady.add(frame.time, true);
+            message.last = message.is_cyclic().then(|| LastFrame::of(frame, origin));
         }
         // a boot-up is not a part of the cycle of heartbeats
         message.cycle.add(frame.time, decoded.kind != FrameKind::BootUp && !frame.is_remote);
@@ -309,6 +374,9 @@ impl BusSums {
         // the period may be another one from now on
         self.syncs = Cycle::default();
         self.syncs.add(frame.time, true);
+        if gap > SECOND {
+            self.sync_pause = Some(now);
+        }
         let is_early = gap < period / 2;
         let [gap, period] = [gap, period].map(milliseconds);
         let subject = Subject::new(&rules::SYNC_CYCLE, node_id, is_early.into());
@@ -418,6 +486,17 @@ impl BusSums {
             node.heartbeats = Cycle::default();
         }
         node.heartbeats.add(sight.frame.time, true);
+        if node.is_doubled(gap) {
+            let subject = Subject::new(&rules::SHARED_CAN_ID, node_id, 0);
+            let text = || {
+                format!(
+                    "{}: heartbeats come twice in their time, probably of two nodes: a frame has no sender",
+                    sight.name(node_id)
+                )
+            };
+            self.book.against(subject, sight.seen(), text);
+        }
+        let node = &mut self.nodes[usize::from(node_id) % NODES];
         if let Some((last, limit)) = late {
             node.lost += 1;
             let subject = Subject::new(&rules::LATE_HEARTBEAT, node_id, 0);
@@ -474,13 +553,14 @@ impl BusSums {
             .filter_map(|node_id| Some((node_id, bus.reader.device(node_id)?.services())))
             .collect();
         for node in &mut self.nodes {
-            (node.limit, node.is_off) = (None, false);
+            (node.limit, node.is_off, node.period) = (None, false, None);
         }
         for (node_id, own) in &services {
-            self.nodes[usize::from(*node_id) % NODES].is_off = own.heartbeat_time == Some(0);
+            let node = &mut self.nodes[usize::from(*node_id) % NODES];
+            node.is_off = own.heartbeat_time == Some(0);
             let produced = own.heartbeat_time.filter(|time| *time != 0);
-            self.nodes[usize::from(*node_id) % NODES].limit =
-                produced.map(|time| i64::from(time) * MILLISECOND * 3 / 2);
+            node.period = produced.map(|time| i64::from(time) * MILLISECOND);
+            node.limit = node.period.map(|period| period * 3 / 2);
         }
         let consumed = services.iter().flat_map(|(_, services)| &services.heartbeat_consumers);
         for consumer in consumed.filter(|consumer| consumer.time != 0) {
@@ -493,10 +573,40 @@ impl BusSums {
 }
 
 impl NodeSums {
+    /// Whether heartbeats have come twice in their period, so many times in a row.
+    fn is_doubled(&mut self, gap: i64) -> bool {
+        let former = std::mem::replace(&mut self.distance, gap);
+        let is_double = self.period.is_some_and(|period| {
+            let sum = gap.saturating_add(former);
+            former.max(gap) < period / 100 * 85 && (period / 10 * 8..=period / 10 * 12).contains(&sum)
+        });
+        self.doubles = if is_double { self.doubles + 1 } else { 0 };
+        self.doubles == DOUBLES
+    }
+
     /// How long the node may be without a heartbeat, in nanoseconds. One that was regular has its own limit, with much room.
     fn heartbeat_limit(&self) -> Option<i64> {
         let own = || self.heartbeats.regular(HEARTBEATS).filter(|_| !self.is_off);
         self.limit.or_else(|| Some(own()?.saturating_mul(3)))
+    }
+}
+
+impl MessageSums {
+    /// Whether it is a PDO that its node sends again and again. One that is sent on changes alone does not repeat its data.
+    fn is_cyclic(&self) -> bool {
+        self.is_sent_pdo() && self.repeats >= SYNCS
+    }
+
+    /// What is said of a cyclic PDO that is silent until a time.
+    fn silence(&self, until: i64, bus: &Bus<'_>) -> Option<String> {
+        let period = self.steady.regular(SYNCS).filter(|_| self.is_cyclic())?;
+        let gap = until.saturating_sub(self.steady.last?);
+        (gap > SECOND.max(period.saturating_mul(10))).then(|| {
+            let [gap, period] = [gap, period].map(milliseconds);
+            let (name, service) = (bus.reader.name(self.node_id.unwrap_or(0)), self.service);
+            let service = service.map_or_else(String::new, |service| service.to_string());
+            format!("{name} {service}: nothing for {gap} ms, it came every {period} ms")
+        })
     }
 }
 

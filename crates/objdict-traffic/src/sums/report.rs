@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{BusSums, LastFrame, MessageSums, NODES, SYNCS, kept, lost, milliseconds};
+use super::{BusSums, LastFrame, MessageSums, NODES, SECOND, SYNCS, kept, lost, milliseconds};
 use crate::incident::{Subject, numbered, with_consequences};
 use crate::{Bus, DescribedNode, Incident, NodeEvent};
 use objdict_document::describe::frames::{FrameKind, nmt_state, raw_bytes};
@@ -226,10 +226,30 @@ impl BusSums {
                 node.lost += 1;
                 let name = bus.reader.name(node_id);
                 self.book.against(subject, last, || lost(&name, gap, limit) + ", until the end of the log");
+            } else {
+                self.close_pdos(node_id, end, bus);
             }
         }
         self.conduct.close(end, bus, &mut self.book);
         self.close_sync(end);
+    }
+
+    /// Cyclic PDOs of a node that goes on end.
+    fn close_pdos(&mut self, node_id: u8, end: i64, bus: &Bus<'_>) {
+        let changed = self.nodes[usize::from(node_id)].stopped.max(self.conduct.changed(node_id));
+        let own = self.messages.iter().filter(|message| message.node_id == Some(node_id));
+        let silent = own.filter_map(|message| {
+            let last = message.last.clone()?;
+            let at = last.nanoseconds();
+            let has_reason = changed.is_some_and(|changed| changed >= at.saturating_sub(SECOND))
+                || self.is_without_sync(at, end);
+            Some((message.silence(end, bus).filter(|_| !has_reason)?, last, message.can_id))
+        });
+        let silent: Vec<_> = silent.collect();
+        for (text, last, about) in silent {
+            let subject = Subject::new(&rules::SILENT_NODE, node_id, about);
+            self.book.against(subject, last.seen(), || text + ", until the end of the log");
+        }
     }
 
     /// A node without heartbeats whose regular PDOs end.
@@ -242,8 +262,8 @@ impl BusSums {
             || self.is_without_sync(at, end);
         let own = self.messages.iter().filter(|message| message.node_id == Some(node_id));
         let period = own
-            .filter(|message| message.is_sent_pdo())
-            .filter_map(|message| message.cycle.regular(SYNCS))
+            .filter(|message| message.is_cyclic())
+            .filter_map(|message| message.steady.regular(SYNCS))
             .max();
         let gap = end.saturating_sub(at);
         if let Some(period) =
@@ -363,10 +383,8 @@ impl BusSums {
 /// The most entries of a list.
 const MAX_LISTED: usize = 100;
 
-const SECOND: i64 = 1_000_000_000;
-
 impl MessageSums {
-    fn is_sent_pdo(&self) -> bool {
+    pub(super) fn is_sent_pdo(&self) -> bool {
         matches!(self.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Tpdo)
     }
 

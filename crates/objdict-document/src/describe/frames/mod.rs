@@ -194,18 +194,24 @@ impl<'a> FrameReader<'a> {
         signals::mapped_bytes(&node.device.pdo(pdo.kind, pdo.number)?)
     }
 
-    /// Other TPDOs whose CAN-ID is that of a TPDO: the node, and the service.
+    /// The services of nodes that use the CAN-ID of a frame.
+    pub fn users<'r>(&'r self, frame: &RawFrame<'_>) -> impl Iterator<Item = (u8, Service)> + use<'r, 'a> {
+        let users = self.users.all(users::key(frame.can_id, frame.is_extended));
+        users.map(|user| (user.node_id, user.service))
+    }
+
+    /// Other TPDOs whose CAN-ID is that of a TPDO. A multiplexed one names its node, so several may share it.
     pub fn other_senders<'r>(
         &'r self,
         decoded: &DecodedFrame,
         frame: &RawFrame<'_>,
-    ) -> impl Iterator<Item = (u8, Service)> + 'r {
+    ) -> impl Iterator<Item = (u8, Service)> + use<'r, 'a> {
         let own = decoded.node_id.zip(decoded.service);
         let is_sender = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Tpdo);
-        let has_others = own.is_some_and(|(_, service)| is_sender(service));
-        let users = self.users.all(users::key(frame.can_id, frame.is_extended)).filter(move |_| has_others);
-        let senders = users.filter(move |user| is_sender(user.service));
-        senders.map(|user| (user.node_id, user.service)).filter(move |user| Some(*user) != own)
+        let is_named = self.content(decoded, frame).is_none_or(|(_, content)| content.is_multiplexed);
+        let has_others = !is_named && own.is_some_and(|(_, service)| is_sender(service));
+        let senders = self.users(frame).filter(move |user| has_others && is_sender(user.1));
+        senders.filter(move |user| Some(*user) != own)
     }
 
     /// The SDO transfer of a frame, after it.

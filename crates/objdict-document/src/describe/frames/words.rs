@@ -93,8 +93,7 @@ impl FrameReader<'_> {
             .other_senders(decoded, frame)
             .map(|(id, pdo)| format!("{} {pdo}", self.nodes.name(id)))
             .collect();
-        // a multiplexed PDO names its node
-        if !others.is_empty() && !is_multiplexed {
+        if !others.is_empty() {
             mark += &format!(" (or {}, with the same CAN-ID)", others.join(", "));
         }
         format!("{}{name} {service}{mark}{other}: {text}", if is_rpdo { "to " } else { "" })
