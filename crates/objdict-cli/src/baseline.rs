@@ -12,7 +12,8 @@ use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{Findings, counted};
 use objdict_model::source::read_text;
 use objdict_project::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
-use objdict_project::report::Subject;
+use objdict_project::report::{Fingerprint, Subject};
+use objdict_traffic::Incident;
 
 // Findings that are known.
 #[derive(Debug, Default, Args)]
@@ -66,6 +67,38 @@ impl KnownFindings {
                 findings.suppress(|_| true);
             }
         }
+    }
+
+    /// Takes the incidents of logs away that are known, from whichever log; says how many.
+    pub(super) fn sift_incidents(&mut self, log: &str, incidents: &mut Vec<Incident>) -> usize {
+        let before = incidents.len();
+        let print = |incident: &Incident| incident.fingerprint.parse::<Fingerprint>().ok();
+        match self {
+            Self::Nothing => {}
+            Self::Read(_, baseline, matched) => {
+                // the logs that it is of are others
+                matched.extend(baseline.files().map(|(file, _)| (file.to_owned(), 0)));
+                incidents.retain(|incident| {
+                    let file =
+                        print(incident).and_then(|print| baseline.file_of(incident.kind.rule.id, print));
+                    file.into_iter().for_each(|file| *matched.entry(file.to_owned()).or_default() += 1);
+                    file.is_none()
+                });
+            }
+            Self::Write(path, baseline) => {
+                for incident in incidents.drain(..) {
+                    if let Some(print) = print(&incident) {
+                        baseline.insert(&name_in(path, log), incident.kind.rule.id, print, incident.text);
+                    }
+                }
+            }
+        }
+        before - incidents.len()
+    }
+
+    /// Whether the findings become a baseline, instead of being reported.
+    pub(super) const fn is_written(&self) -> bool {
+        matches!(self, Self::Write(..))
     }
 
     /// Writes the baseline, or reports the entries that are no longer found.

@@ -121,8 +121,20 @@ impl Baseline {
         self.files.entry(file.to_owned()).or_default().extend(known);
     }
 
-    /// Removes the known findings of a file, and returns their number. A file that is not in the baseline and has the
-    /// same findings as one that `is_gone` is treated as that file, moved.
+    /// Takes a finding that has a fingerprint of its own, such as an incident of a log.
+    pub fn insert(&mut self, file: &str, rule: &str, fingerprint: Fingerprint, message: String) {
+        let known = Known { rule: rule.to_owned(), fingerprint, message };
+        self.files.entry(file.to_owned()).or_default().insert(known);
+    }
+
+    /// The file of such a finding that is known; it may be found in another one now.
+    pub fn file_of(&self, rule: &str, fingerprint: Fingerprint) -> Option<&str> {
+        let is_it = |known: &Known| known.rule == rule && known.fingerprint == fingerprint;
+        self.files.iter().find(|(_, known)| known.iter().any(is_it)).map(|(file, _)| &**file)
+    }
+
+    /// Takes the findings of a file away that are known, and says how many that are. A file that is not in the baseline and has all the
+    /// findings of one that `is_gone` is that file, moved.
     pub fn suppress<'a>(
         &self,
         file: &str,

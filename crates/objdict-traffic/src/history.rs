@@ -73,7 +73,7 @@ fn id<S: Serializer>(rule: &Option<&'static RuleInfo>, serializer: S) -> Result<
 }
 
 /// Events in their order.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct History {
     events: Vec<NodeEvent>,
     /// How many there were of a node, by the id of their rule.

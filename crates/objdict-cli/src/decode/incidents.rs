@@ -14,7 +14,7 @@ pub(super) const LINE: usize = 200;
 const LISTED: usize = 100;
 
 /// Writes the verdict and the list.
-pub(super) fn write(verdict: &str, incidents: &[Incident], out: &mut Output) -> io::Result<()> {
+pub(super) fn write(verdict: &str, incidents: &[Incident], out: &mut dyn Write) -> io::Result<()> {
     let mut letters = verdict.chars();
     let first = letters.next().map(|first| first.to_ascii_uppercase());
     writeln!(out, "{}", first.into_iter().chain(letters).collect::<String>())?;

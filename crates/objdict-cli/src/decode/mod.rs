@@ -4,6 +4,7 @@ mod check;
 mod csv;
 mod html;
 mod incidents;
+pub(super) mod screen;
 mod summary;
 mod text;
 
@@ -15,7 +16,8 @@ use self::csv::{LongCsv, WideCsv};
 #[cfg(feature = "schema")]
 pub(super) use self::summary::TrafficSummaryJson as SummaryDocument;
 use self::text::{JsonLines, TextLines};
-use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, NetworkInputArgs, WithFile};
+use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
+use super::baseline::KnownFindings;
 use super::ending::{Failure, Outcome, note, tell};
 use super::input::{Input, name_of, source_name};
 use super::network;
@@ -83,7 +85,11 @@ fn sums(
     // what cannot be written should not be read for
     args.html.as_deref().map_or(Ok(()), require_other)?;
     let mut recording = args.html.as_ref().map(|_| Recording::new(&args.plot, args.points));
+    let mut known = KnownFindings::new(&args.baseline)?;
     let mut document = summary::gather(args, buses, logs, recording.as_mut())?;
+    document.sift(&mut known);
+    let is_written = known.is_written();
+    known.finish()?;
     if let Some((path, recording)) = args.html.as_deref().zip(recording) {
         html::write(path, &recording, &document, buses)?;
     }
@@ -94,6 +100,7 @@ fn sums(
             document.only(number)?.write(args.format, out)?;
         }
         Some(number) => incidents::write_one(number, document.incidents(), out)?,
+        None if args.summary && is_written => {}
         None if args.summary => document.write(args.format, out)?,
         None if args.check => return check::run(args, document.buses(), out),
         None => {}

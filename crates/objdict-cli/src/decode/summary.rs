@@ -10,7 +10,8 @@ use super::super::input::source_name;
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
 use super::incidents::{self, LINE};
-use super::{Logs, each_frame};
+use super::screen::Screen;
+use super::{KnownFindings, Logs, each_frame, is_file};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_traffic as traffic;
@@ -36,8 +37,15 @@ pub(crate) struct TrafficSummaryJson {
     verdict: String,
     /// What went wrong: first what is unresolved, then what is over, then warnings.
     incidents: Vec<Incident>,
+    /// How many incidents a baseline has, which are not listed; absent for none.
+    #[serde(skip_serializing_if = "is_none")]
+    known: usize,
     /// The buses, by the channels of the logs.
     buses: Vec<BusReport>,
+}
+
+const fn is_none(count: &usize) -> bool {
+    *count == 0
 }
 
 /// The sums over all frames that pass the filters, which are also recorded if a page is wanted.
@@ -48,6 +56,9 @@ pub(super) fn gather(
     mut recording: Option<&mut Recording>,
 ) -> Result<TrafficSummaryJson, Failure> {
     let mut sums: Vec<BusSums> = Vec::new();
+    let is_live =
+        args.summary && args.format == DecodeFormat::Text && !args.logs.iter().all(|path| is_file(path));
+    let mut screen = if is_live { Screen::of_terminal() } else { None };
     each_frame(args, buses, logs, |shown| {
         while sums.len() <= shown.at {
             sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
@@ -56,8 +67,12 @@ pub(super) fn gather(
         if let Some(recording) = &mut recording {
             recording.add(&shown.decoded, shown.frame, shown.at, shown.bus);
         }
+        if let Some(screen) = screen.as_mut().and_then(|screen| screen.when_due(shown.at)) {
+            screen.show(sums[shown.at].clone().report(shown.bus));
+        }
         Ok(())
     })?;
+    drop(screen);
     let mut reports: Vec<BusReport> =
         sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
     let incidents = traffic::incidents(&mut reports);
@@ -67,11 +82,19 @@ pub(super) fn gather(
         bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
         verdict: traffic::verdict(&incidents),
         incidents,
+        known: 0,
         buses: reports,
     })
 }
 
 impl TrafficSummaryJson {
+    /// Leaves out the incidents that are known.
+    pub(super) fn sift(&mut self, known: &mut KnownFindings) {
+        let log = self.logs.first().map_or("", String::as_str);
+        self.known = known.sift_incidents(log, &mut self.incidents);
+        self.verdict = traffic::verdict(&self.incidents);
+    }
+
     /// The logs as they were given.
     pub(super) fn logs(&self) -> &[String] {
         &self.logs
@@ -105,6 +128,9 @@ impl TrafficSummaryJson {
             return Ok(());
         }
         incidents::write(&self.verdict, &self.incidents, out)?;
+        if self.known > 0 {
+            writeln!(out, "\n{} of the baseline", plural(self.known, "known incident"))?;
+        }
         for bus in &self.buses {
             writeln!(out)?;
             write_bus(bus, out)?;

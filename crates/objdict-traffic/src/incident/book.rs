@@ -35,7 +35,7 @@ impl Subject {
 }
 
 /// An incident that may still go on.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Draft {
     pub(super) kind: &'static IncidentKind,
     pub(super) nodes: Vec<u8>,
@@ -50,7 +50,7 @@ pub(super) struct Draft {
 }
 
 /// The first and the last frames of an incident.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct KeptFrames {
     first: Vec<NodeEvent>,
     last: VecDeque<NodeEvent>,
@@ -81,7 +81,7 @@ impl KeptFrames {
 }
 
 /// The incidents of a bus.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct IncidentBook {
     drafts: Vec<Draft>,
     /// The last incident about a subject.

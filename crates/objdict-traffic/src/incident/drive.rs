@@ -98,7 +98,7 @@ struct Axis {
 }
 
 /// The drives of a bus.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Drives {
     axes: BTreeMap<(u8, u8), Axis>,
     /// Whether time decides what a word says.

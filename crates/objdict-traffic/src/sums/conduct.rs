@@ -79,7 +79,7 @@ struct ChannelConduct {
 }
 
 /// What was seen of the order of frames.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Conduct {
     nodes: Vec<NodeConduct>,
     channels: BTreeMap<(u8, u16), ChannelConduct>,

@@ -133,7 +133,7 @@ struct NodeSums {
 }
 
 /// The sums of a bus.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct BusSums {
     /// The bit rate in kbit/s.
     bit_rate: Option<u16>,
