@@ -247,8 +247,8 @@ fn each_rule_has_a_log_that_is_against_it() {
         ),
         (
             "traffic/unexpected-boot-up",
-            "(1.0) can0 000#0100\n(1.2) can0 705#00\n",
-            "(1.0) can0 000#0100\n(1.1) can0 000#8105\n(1.2) can0 705#00\n",
+            "(0.9) can0 705#7F\n(1.0) can0 000#0100\n(1.2) can0 705#00\n",
+            "(0.9) can0 705#7F\n(1.0) can0 000#0100\n(1.1) can0 000#8105\n(1.2) can0 705#00\n",
         ),
         (
             "traffic/unanswered-request",
@@ -452,6 +452,31 @@ fn incidents_are_those_of_the_fixture() {
     assert_eq!(verdict(&found), "needs attention: 3 unresolved, 2 recovered");
 }
 
+/// Each fault that was planted in two logs is an incident, or the consequence of one.
+#[test]
+fn planted_faults_are_found() {
+    use objdict_network_file::NetworkFile;
+    let network = Path::new("../../fixtures/logs/planted.toml");
+    let mut descriptions = Descriptions::default();
+    descriptions.add_network(&NetworkFile::open(network, &Default::default()).unwrap());
+    let lists = ["planted.log", "late.log"].map(|name| {
+        let mut found = incidents(&mut [report(&descriptions, fixture(name).leak())]);
+        // what is the same for each incident of a kind is in the other list
+        let known =
+            |incident: &mut Incident| (incident.state.name(), incident.kind.rule.id, incident.text.clone());
+        found.iter_mut().map(known).collect::<Vec<_>>()
+    });
+    let text = serde_json::to_string_pretty(&lists).unwrap() + "\n";
+    assert_eq!(text, fixture("planted.json"), "{text}");
+    // the request without an answer, and the PDO directly after the boot-up, are consequences of the reset
+    let found = report(&descriptions, fixture("planted.log").leak()).findings;
+    let has = |rule: &str, line| {
+        let mut own = found.iter().filter(|event| event.moment.line == line);
+        own.any(|event| event.rule.is_some_and(|of| of.id == rule))
+    };
+    assert!(has("traffic/unanswered-request", 33) && has("traffic/not-operational", 38));
+}
+
 /// Numbers and fingerprints are the same in a log of another day, and of another length.
 #[test]
 fn incidents_are_known_again() {
@@ -532,6 +557,8 @@ fn a_healthy_log_has_no_incidents() {
         []
     );
     assert_eq!(said(&fixture("worked.log")), []);
+    // a node that is switched on after all were started
+    assert_eq!(said("(1.0) can0 000#0100\n(1.1) can0 706#05\n(1.2) can0 705#00\n"), []);
 }
 
 /// Many warnings hide no error: the first incident of each kind and node is kept.

@@ -73,7 +73,7 @@ incident_kinds! {
         look: ["measure the supply of the node when loads switch", "read 1003h and the reset cause of the node", "let the manager configure the node again"],
         summary: "a node boots up in operation",
         checks: "Whether a node that is operational sends a boot-up message only after an NMT command that resets it.",
-        needs: "NMT commands in the log.",
+        needs: "NMT commands in the log, and a frame of the node before.",
         why: "The node was reset by a watchdog or its supply, and has lost its configuration.",
         example: "a boot-up message between two PDOs of a node",
         remedy: "Look at the supply and the watchdog of the node, and let the manager configure it again.",

@@ -117,9 +117,10 @@ impl Conduct {
             return self.command(sight, book);
         }
         let Some(node_id) = decoded.node_id else { return };
+        let was_seen = self.nodes[usize::from(node_id) % super::NODES].is_seen;
         self.unknown(node_id, sight, book);
         match decoded.kind {
-            FrameKind::BootUp => self.boot_up(node_id, sight, book),
+            FrameKind::BootUp => self.boot_up(node_id, was_seen, sight, book),
             FrameKind::Heartbeat => self.heartbeat(node_id, sight, book),
             FrameKind::Pdo => {
                 if let Some((rule, text)) = self.pdo(node_id, decoded, sight.bus) {
@@ -150,9 +151,11 @@ impl Conduct {
         }
     }
 
-    fn boot_up(&mut self, node_id: u8, sight: Sight<'_>, book: &mut IncidentBook) {
+    fn boot_up(&mut self, node_id: u8, was_seen: bool, sight: Sight<'_>, book: &mut IncidentBook) {
         let node = &mut self.nodes[usize::from(node_id) % super::NODES];
-        let is_unexpected = node.state.replace(PRE_OPERATIONAL) == Some(OPERATIONAL) && self.has_commands;
+        let was_operational = node.state.replace(PRE_OPERATIONAL) == Some(OPERATIONAL);
+        // one that was started and never seen may be switched on now
+        let is_unexpected = was_operational && was_seen && self.has_commands;
         // 1F80h bit 2: the node does not start by itself (CiA 302-2)
         let startup = sight.bus.reader.device(node_id).map(|device| device.value(0x1F80, 0));
         let waits = startup.is_some_and(|startup| {
