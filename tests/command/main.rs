@@ -16,6 +16,8 @@ mod fixing;
 mod flags;
 mod hostile;
 mod limits;
+#[cfg(unix)]
+mod live;
 mod lsp;
 mod neovim;
 mod networks;

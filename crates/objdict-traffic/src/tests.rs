@@ -411,8 +411,9 @@ fn a_node_is_another_device_than_its_description() {
 #[test]
 fn cyclic_pdos_that_stop() {
     let log = |pdo_end: u32, more: &str| {
-        let beats =
-            |at: u32| if at % 10 == 0 { format!("(1{at:03}.5) can0 707#05\n") } else { String::new() };
+        let beats = |at: u32| {
+            if at.is_multiple_of(10) { format!("(1{at:03}.5) can0 707#05\n") } else { String::new() }
+        };
         let pdo = |at: u32| if at < pdo_end { format!("(1{at:03}.6) can0 187#01\n") } else { String::new() };
         (0..90).map(|at| beats(at) + &pdo(at) + if at == pdo_end { more } else { "" }).collect::<String>()
     };

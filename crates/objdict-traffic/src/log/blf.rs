@@ -142,6 +142,7 @@ impl Blf {
 }
 
 /// Numbers in bytes, the lowest byte first.
+#[derive(Clone, Copy)]
 struct Bytes<'a>(&'a [u8]);
 
 impl Bytes<'_> {

@@ -3,6 +3,7 @@
 mod conduct;
 mod cycle;
 mod deviations;
+mod message;
 mod report;
 
 use std::collections::BTreeMap;
@@ -10,7 +11,8 @@ use std::collections::BTreeMap;
 use self::conduct::Conduct;
 use self::conduct::about;
 use self::cycle::Cycle;
-use self::deviations::{ExpectedFrames, Preceding, malformed, of_abort, of_transfer, refused};
+use self::deviations::{Preceding, malformed, of_abort, of_transfer, refused};
+use self::message::{MessageSums, first_bytes};
 use self::report::sync_period;
 pub use self::report::{BusReport, incidents};
 use super::{Bus, Origin, PRE_OPERATIONAL};
@@ -58,27 +60,6 @@ const MAX_VALUE: usize = 256;
 
 /// The node-IDs, and 0 for frames of no node.
 const NODES: usize = 128;
-
-/// What was seen of a CAN-ID.
-#[derive(Clone, Debug)]
-struct MessageSums {
-    can_id: u32,
-    is_extended: bool,
-    kind: FrameKind,
-    service: Option<Service>,
-    /// Whether a description or the node itself gives the service this CAN-ID.
-    is_described: bool,
-    node_id: Option<u8>,
-    cycle: Cycle,
-    expected: ExpectedFrames,
-    /// The data of the last PDO, and how often they were those of the one before.
-    data: u64,
-    repeats: u64,
-    /// The distances since the PDO was silent.
-    steady: Cycle,
-    /// The last frame of a PDO that may be silent from then on.
-    last: Option<LastFrame>,
-}
 
 /// A frame that may turn out to be the last one.
 #[derive(Clone, Debug)]
@@ -277,7 +258,7 @@ impl BusSums {
     }
 
     fn message(&mut self, sight: Sight<'_>) {
-        let Sight { decoded, frame, bus, origin } = sight;
+        let Sight { decoded, frame, .. } = sight;
         let LoggedFrame { can_id, is_extended, .. } = *frame;
         let known = match is_extended {
             false => usize::from(self.base[can_id as usize & 0x7FF]).checked_sub(1),
@@ -293,24 +274,7 @@ impl BusSums {
             } else {
                 self.base[can_id as usize & 0x7FF] = at as u16 + 1;
             }
-            let DecodedFrame { kind, service, node_id, .. } = *decoded;
-            let is_described = !decoded.is_predefined();
-            let (cycle, expected, data, repeats, steady, last) = Default::default();
-            let message = MessageSums {
-                can_id,
-                is_extended,
-                kind,
-                service,
-                is_described,
-                node_id,
-                cycle,
-                expected,
-                data,
-                repeats,
-                steady,
-                last,
-            };
-            self.messages.push(message);
+            self.messages.push(MessageSums::new(decoded, frame));
             at
         });
         let Some(message) = self.messages.get_mut(at) else { return };
@@ -318,45 +282,52 @@ impl BusSums {
             message.kind = decoded.kind;
         }
         if decoded.kind == FrameKind::Pdo && !frame.is_remote {
-            let node_id = decoded.node_id.unwrap_or(0);
-            let before = Preceding {
-                frame: message.cycle.last,
-                sync: self.last_sync.as_ref().map(LastFrame::nanoseconds),
-                state: self.conduct.changed(node_id),
-            };
-            let about = frame.can_id;
-            for (rule, text) in message.expected.deviations(decoded, frame, bus, before) {
-                self.book.against(Subject::new(rule, node_id, about), sight.seen(), || text);
-            }
-            if message.expected.is_right_again(frame) {
-                let subject = Subject::new(&rules::PDO_LENGTH, node_id, about);
-                self.book.end(subject, || sight.seen(), "the length is right again");
-            }
-            // most frames repeat the words of the frame before
-            let data = first_bytes(frame);
-            let is_news = std::mem::replace(&mut message.data, data) != data;
-            message.repeats += u64::from(!is_news);
-            if message.expected.has_words && (is_news || self.drives.is_waiting) {
-                self.drives.frame(sight, &mut self.book);
-            }
-            let last = message.steady.last.unwrap_or(0);
-            let has_reason =
-                [self.sync_pause, self.nodes[usize::from(node_id) % NODES].stopped, before.state]
-                    .iter()
-                    .any(|reason| reason.is_some_and(|reason| reason >= last.saturating_sub(SECOND)));
-            if let Some(text) = message.silence(sight.now(), bus) {
-                message.steady = Cycle::default();
-                if !has_reason {
-                    let subject = Subject::new(&rules::SILENT_NODE, node_id, about);
-                    self.book.against(subject, sight.seen(), || text);
-                    self.book.end(subject, || sight.seen(), "it comes again");
-                }
-            }
-            message.steady.add(frame.time, true);
-            message.last = message.is_cyclic().then(|| LastFrame::of(frame, origin));
+            self.pdo(at, sight);
         }
         // a boot-up is not a part of the cycle of heartbeats
-        message.cycle.add(frame.time, decoded.kind != FrameKind::BootUp && !frame.is_remote);
+        let is_cyclic = decoded.kind != FrameKind::BootUp && !frame.is_remote;
+        self.messages[at].cycle.add(frame.time, is_cyclic);
+    }
+
+    /// What the descriptions, and the PDOs before, say against a PDO.
+    fn pdo(&mut self, at: usize, sight: Sight<'_>) {
+        let Sight { decoded, frame, bus, origin } = sight;
+        let Some(message) = self.messages.get_mut(at) else { return };
+        let node_id = decoded.node_id.unwrap_or(0);
+        let before = Preceding {
+            frame: message.cycle.last,
+            sync: self.last_sync.as_ref().map(LastFrame::nanoseconds),
+            state: self.conduct.changed(node_id),
+        };
+        let about = frame.can_id;
+        for (rule, text) in message.expected.deviations(decoded, frame, bus, before) {
+            self.book.against(Subject::new(rule, node_id, about), sight.seen(), || text);
+        }
+        if message.expected.is_right_again(frame) {
+            let subject = Subject::new(&rules::PDO_LENGTH, node_id, about);
+            self.book.end(subject, || sight.seen(), "the length is right again");
+        }
+        // most frames repeat the words of the frame before
+        let data = first_bytes(frame);
+        let is_news = std::mem::replace(&mut message.data, data) != data;
+        message.repeats += u64::from(!is_news);
+        if message.expected.has_words && (is_news || self.drives.is_waiting) {
+            self.drives.frame(sight, &mut self.book);
+        }
+        let last = message.steady.last.unwrap_or(0);
+        let has_reason = [self.sync_pause, self.nodes[usize::from(node_id) % NODES].stopped, before.state]
+            .iter()
+            .any(|reason| reason.is_some_and(|reason| reason >= last.saturating_sub(SECOND)));
+        if let Some(text) = message.silence(sight.now(), bus) {
+            message.steady = Cycle::default();
+            if !has_reason {
+                let subject = Subject::new(&rules::SILENT_NODE, node_id, about);
+                self.book.against(subject, sight.seen(), || text);
+                self.book.end(subject, || sight.seen(), "it comes again");
+            }
+        }
+        message.steady.add(frame.time, true);
+        message.last = message.is_cyclic().then(|| LastFrame::of(frame, origin));
     }
 
     /// SYNC out of its cycle: half a period more or less is more than a busy bus explains. Without a described period a
@@ -589,30 +560,6 @@ impl NodeSums {
         let own = || self.heartbeats.regular(HEARTBEATS).filter(|_| !self.is_off);
         self.limit.or_else(|| Some(own()?.saturating_mul(3)))
     }
-}
-
-impl MessageSums {
-    /// Whether it is a PDO that its node sends again and again. One that is sent on changes alone does not repeat its data.
-    fn is_cyclic(&self) -> bool {
-        self.is_sent_pdo() && self.repeats >= SYNCS
-    }
-
-    /// What is said of a cyclic PDO that is silent until a time.
-    fn silence(&self, until: i64, bus: &Bus<'_>) -> Option<String> {
-        let period = self.steady.regular(SYNCS).filter(|_| self.is_cyclic())?;
-        let gap = until.saturating_sub(self.steady.last?);
-        (gap > SECOND.max(period.saturating_mul(10))).then(|| {
-            let [gap, period] = [gap, period].map(milliseconds);
-            let (name, service) = (bus.reader.name(self.node_id.unwrap_or(0)), self.service);
-            let service = service.map_or_else(String::new, |service| service.to_string());
-            format!("{name} {service}: nothing for {gap} ms, it came every {period} ms")
-        })
-    }
-}
-
-/// The first eight bytes as a number.
-fn first_bytes(frame: &LoggedFrame) -> u64 {
-    frame.data().iter().take(8).fold(frame.data().len() as u64, |number, byte| number << 8 | u64::from(*byte))
 }
 
 /// What is kept of a value to compare it.

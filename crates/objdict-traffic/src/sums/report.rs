@@ -384,10 +384,6 @@ impl BusSums {
 const MAX_LISTED: usize = 100;
 
 impl MessageSums {
-    pub(super) fn is_sent_pdo(&self) -> bool {
-        matches!(self.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Tpdo)
-    }
-
     fn report(&self, bus: &Bus<'_>, sync: Option<u32>) -> MessageReport {
         let has_cycle =
             matches!(self.kind, FrameKind::Sync | FrameKind::Time | FrameKind::Pdo | FrameKind::Heartbeat);

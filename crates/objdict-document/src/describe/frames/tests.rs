@@ -437,10 +437,9 @@ fn mappings_without_answers_and_shared_can_ids() {
 #[test]
 fn a_drive_that_was_never_asked_for_its_type() {
     let status: (u16, &[u8]) = (0x582, &[0x4B, 0x41, 0x60, 0, 0x37, 2, 0, 0]);
-    let (word, mode): ([(u16, &[u8]); 2], [(u16, &[u8]); 2]) = (
-        [(0x602, &[0x40, 0x41, 0x60, 0, 0, 0, 0, 0]), status],
-        [(0x602, &[0x40, 0x61, 0x60, 0, 0, 0, 0, 0]), (0x582, &[0x4F, 0x61, 0x60, 0, 1, 0, 0, 0])],
-    );
+    let word: [(u16, &[u8]); 2] = [(0x602, &[0x40, 0x41, 0x60, 0, 0, 0, 0, 0]), status];
+    let mode: [(u16, &[u8]); 2] =
+        [(0x602, &[0x40, 0x61, 0x60, 0, 0, 0, 0, 0]), (0x582, &[0x4F, 0x61, 0x60, 0, 1, 0, 0, 0])];
     let named = "node 2: 6041:00 Statusword = 567 (state: operation enabled, voltage enabled, remote)";
     assert_eq!(read_unknown(None, &word)[1], "node 2: 6041:00 = 37h 02h");
     assert_eq!(read_unknown(Some(402), &word)[1], named);
