@@ -16,7 +16,7 @@ use self::csv::{LongCsv, WideCsv};
 #[cfg(feature = "schema")]
 pub(super) use self::summary::TrafficSummaryJson as SummaryDocument;
 use self::text::{JsonLines, TextLines};
-use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
+use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, NetworkInputArgs, WithFile};
 use super::baseline::KnownFindings;
 use super::ending::{Failure, Outcome, note, tell};
 use super::input::{Input, name_of, source_name};
@@ -39,14 +39,17 @@ type Logs = MergedLogs<Box<dyn BufRead>>;
 
 pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failure> {
     require_format(args)?;
-    let input = args.input();
-    let others = descriptions(args.with.iter(), &input)?;
+    let (input, profile) = (args.input(), args.settings.device_profile()?);
+    let described = |files: &mut dyn Iterator<Item = &WithFile>| {
+        Ok::<_, Failure>(Descriptions { profile, ..descriptions(files, &input)? })
+    };
+    let others = described(&mut args.with.iter())?;
     let mut by_channel: Vec<(String, Descriptions)> = Vec::new();
     for channel in args.channel.iter().map(|given| &given.channel) {
         if by_channel.iter().all(|(known, _)| known != channel) {
-            let files =
+            let mut files =
                 args.channel.iter().filter(|given| given.channel == *channel).map(|given| &given.file);
-            by_channel.push((channel.clone(), descriptions(files, &input)?));
+            by_channel.push((channel.clone(), described(&mut files)?));
         }
     }
     let mut buses = Buses::new(&by_channel, &others);
@@ -234,8 +237,7 @@ pub(super) fn descriptions<'a>(
     files: impl Iterator<Item = &'a WithFile>,
     input: &NetworkInputArgs,
 ) -> Result<Descriptions, Failure> {
-    let (mut found, input) = (Descriptions::default(), args.input());
-    found.profile = args.settings.device_profile()?;
+    let mut found = Descriptions::default();
     for WithFile { node_id, path } in files {
         keep(path);
         let is_network = node_id.is_none() && NetworkFile::is_network(path).map_err(Failure::new)?;
