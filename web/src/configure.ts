@@ -2,9 +2,9 @@
 
 import { ask } from "./engine";
 import { Dialog } from "./dialog";
-import { h } from "./dom";
+import { h, hex } from "./dom";
 import { BIT_RATES } from "./output";
-import type { Modules, Opened } from "./protocol";
+import type { Modules, Opened, Setting } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
 export function configureDialog(store: Store): Dialog<OpenDocument> {
@@ -13,6 +13,24 @@ export function configureDialog(store: Store): Dialog<OpenDocument> {
   const bitRate = h("select", { id: "configure-bit-rate" }, ...BIT_RATES.map((rate) => h("option", { value: rate }, `${rate} kbit/s`)));
   const nodeName = h("input", { id: "configure-node-name", autocomplete: "off" });
   const settings = h("textarea", { id: "configure-settings", rows: 4, spellcheck: "false", placeholder: "1017=1000\n1800:5=100" });
+  const filter = h("input", { type: "search", placeholder: "Name or address", "aria-label": "Search entries to set", oninput: () => offer() });
+  const entries = h("ul", { class: "candidates", "aria-label": "Entries to set" });
+  let offered: Setting[] = [];
+  const addressOf = ({ index, sub }: Setting) => `${hex(index, 4)}${sub === 0 ? "" : `:${hex(sub, 1)}`}`;
+  const offer = () => {
+    const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const shown = offered.filter((entry) => words.every((word) => `${addressOf(entry)} ${entry.name} ${entry.data_type ?? ""}`.toLowerCase().includes(word)));
+    const row = (entry: Setting) =>
+      h("li", {}, h("button", { type: "button", class: "mappable", onclick: () => choose(entry) }, h("span", { class: "address" }, addressOf(entry)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, [entry.data_type, entry.low != null || entry.high != null ? `${entry.low ?? ""} … ${entry.high ?? ""}` : ""].filter(Boolean).join(", "))));
+    entries.replaceChildren(...shown.slice(0, 100).map(row));
+  };
+  /** A line with the value as it is, which is chosen to be typed over. */
+  const choose = (entry: Setting) => {
+    const start = `${settings.value.trim()}${settings.value.trim() ? "\n" : ""}${addressOf(entry)}=`;
+    settings.value = start + (entry.value ?? "");
+    settings.focus();
+    settings.setSelectionRange(start.length, settings.value.length);
+  };
   const choice = h("select", { "aria-label": "Module" });
   const rack = h("ol", { class: "rack", "aria-label": "Modules in their order" });
   const modules = h("fieldset", {}, h("legend", {}, "Modules"), choice, " ", h("button", { type: "button", onclick: () => plug(Number(choice.value)) }, "Plug in"), rack);
@@ -40,6 +58,9 @@ export function configureDialog(store: Store): Dialog<OpenDocument> {
     bitRate.value = "250";
     const isXml = /^xd/i.test(state.format);
     name.value = `${state.name.split("/").at(-1)!.replace(/\.[^.]*$/, "")}-node.${isXml ? "xdc" : state.format.toLowerCase().includes("toml") ? "toml" : "dcf"}`;
+    settings.value = filter.value = "";
+    offered = await ask<Setting[]>({ do: "settings", document: id }).catch(() => []);
+    offer();
     const known = await ask<Modules>({ do: "modules", document: id }).catch(() => ({ supported: [], connected: [] }));
     supported = known.supported;
     plugged = [...known.connected];
@@ -53,7 +74,7 @@ export function configureDialog(store: Store): Dialog<OpenDocument> {
     h("label", {}, "Bit rate ", bitRate),
     h("label", {}, "Name of the node ", nodeName),
     modules,
-    h("label", { class: "above" }, "Values, one a line ", settings),
+    h("fieldset", {}, h("legend", {}, "Values"), filter, entries, h("label", { class: "above" }, "Chosen values, one a line ", settings)),
     h("label", {}, "File name ", name),
   ];
   return new Dialog(store, "configure", { title: "Configure a node", form: { fields, label: "Configure", make }, prepare });

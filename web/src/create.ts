@@ -3,8 +3,8 @@
 import { ask } from "./engine";
 import { Dialog } from "./dialog";
 import { h, hex, numberIn } from "./dom";
-import { patchOf } from "./form";
-import type { Feature, NewDevice, Opened, ProfileObject, ProfileRow } from "./protocol";
+import { ACCESS, TYPES } from "./form";
+import type { Feature, NewDevice, NewObject, Opened, ProfileObject, ProfileRow } from "./protocol";
 import { textBytes, type OpenDocument, type Store } from "./store";
 
 /** A feature as a field; what is left empty is as the profile has it. */
@@ -94,17 +94,18 @@ export function newDialog(store: Store): Dialog {
   return new Dialog(store, "new", { title: "New device", form: { fields, label: "Create", make }, prepare });
 }
 
-const TYPES: [word: string, label: string][] = [
-  ["u8", "UNSIGNED8"],
-  ["u16", "UNSIGNED16"],
-  ["u32", "UNSIGNED32"],
-  ["i8", "INTEGER8"],
-  ["i16", "INTEGER16"],
-  ["i32", "INTEGER32"],
-  ["f32", "REAL32"],
-  ["bool", "BOOLEAN"],
-  ["string", "VISIBLE_STRING"],
-];
+/** The size and the start value of the entries of an object of the vendor. */
+const KINDS: [value: string, label: string][] = [["VAR", "VAR: one value"], ["ARRAY", "ARRAY: values of one type"], ["RECORD", "RECORD: values of any types"]];
+
+/** A new object as JSON of the model: of an ARRAY or RECORD with so many entries, the first sub-index says how many there are. */
+function objectOf(name: string, kind: string, entry: Pick<NewObject, "data_type" | "access" | "pdo_mapping">, count: number): NewObject {
+  const zero = ["UNSIGNED8", "UNSIGNED16", "UNSIGNED24", "UNSIGNED32"].includes(entry.data_type!) ? { unsigned: 0 } : undefined;
+  const of = (name: string): NewObject => ({ name, object_type: "VAR", ...entry, default: zero });
+  if (kind === "VAR") return of(name);
+  const highest: NewObject = { name: "Highest sub-index supported", object_type: "VAR", data_type: "UNSIGNED8", access: "const", pdo_mapping: "no", default: { unsigned: count } };
+  const subs = Array.from({ length: count }, (_, at): [string, NewObject] => [`0x${hex(at + 1, 2)}`, of(`${name} ${at + 1}`)]);
+  return { name, object_type: kind, sub_number: count + 1, subs: { "0x00": highest, ...Object.fromEntries(subs) } };
+}
 
 export function addDialog(store: Store): Dialog<OpenDocument> {
   const profile = h("select", { "aria-label": "Document" });
@@ -138,12 +139,15 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
 
   const index = h("input", { placeholder: "0x2000", required: true, pattern: "(0x)?[0-9A-Fa-f]{4}h?", autocomplete: "off" });
   const name = h("input", { required: true, autocomplete: "off" });
-  const type = h("select", {}, ...TYPES.map(([word, label]) => h("option", { value: word }, label)));
-  const access = h("select", {}, ...["rw", "ro", "wo", "const"].map((word) => h("option", {}, word)));
+  const kind = h("select", { id: "own-kind", onchange: () => (count.disabled = kind.value === "VAR") }, ...KINDS.map(([value, label]) => h("option", { value }, label)));
+  const count = h("input", { type: "number", min: 1, max: 254, value: 3, disabled: true });
+  const type = h("select", {}, ...TYPES.map(([, label]) => h("option", { value: label, selected: label === "UNSIGNED16" }, label)));
+  const access = h("select", {}, ...ACCESS.map(([word, label]) => h("option", { value: word, selected: word === "rw" }, label)));
+  const mapping = h("input", { type: "checkbox" });
   const make = async (of: OpenDocument) => {
     const digits = index.value.replace(/^0x|h$/gi, "").toUpperCase();
-    const patch = patchOf({ at: digits, add: { name: name.value, "object-type": "var", type: type.value, access: access.value } });
-    await store.edit({ do: "patch", document: of.id, patch });
+    const object = objectOf(name.value, kind.value, { data_type: type.value, access: access.value, pdo_mapping: mapping.checked ? "optional" : "no" }, Number(count.value));
+    await store.edit({ do: "insert", document: of.id, objects: [[parseInt(digits, 16), object]] });
     select(of, parseInt(digits, 16));
   };
   const prepare = async (of: OpenDocument) => {
@@ -151,6 +155,10 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
       const profiles = await ask<ProfileRow[]>({ do: "profiles" });
       profile.replaceChildren(...profiles.map(profileOption));
     }
+    const used = new Set(of.outline.objects.map((object) => object.index));
+    let free = 0x2000;
+    while (used.has(free)) free++;
+    index.value = `0x${hex(free, 4)}`;
     const own = String(of.outline.profile ?? 301);
     if ([...profile.options].some((option) => option.value === own)) profile.value = own;
     await load(of);
@@ -159,8 +167,11 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
     h("h3", {}, "Of your own"),
     h("label", {}, "Index ", index),
     h("label", {}, "Name ", name),
+    h("label", {}, "Object type ", kind),
+    h("label", {}, "Number of entries ", count),
     h("label", {}, "Data type ", type),
     h("label", {}, "Access ", access),
+    h("label", { class: "choice" }, mapping, " PDOs may carry it"),
   ];
   const choices = [h("section", {}, h("h3", {}, "Of a document"), profile, filter, list)];
   const dialog = new Dialog<OpenDocument>(store, "add", { title: "Add an object", choices, form: { fields, label: "Add", make }, prepare });

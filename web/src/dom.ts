@@ -18,9 +18,16 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A text of the engine: what is between backticks is code. */
+export const prose = (text: string): Child[] => text.split("`").map((part, at) => (at % 2 === 1 ? h("code", {}, part) : part));
+
+/** A button that only shows an icon of `style.css`. */
+export const iconButton = (icon: string, label: string, onclick: () => void, attributes: Attributes = {}): HTMLButtonElement =>
+  h("button", { type: "button", class: "icon-button", "aria-label": label, title: label, onclick, ...attributes }, h("span", { class: `icon ${icon}`, "aria-hidden": "true" }));
+
 /** Locks the fields of an element until it is redrawn. */
 export function disable(element: HTMLElement): void {
-  for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement>("input, button")) field.disabled = true;
+  for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement | HTMLSelectElement>("input, button, select")) field.disabled = true;
 }
 
 /** Chromium sends `blur` to a field that is replaced. */
@@ -79,6 +86,24 @@ export function arrange(parent: HTMLElement, children: [key: string, make: () =>
     if (child === at) at = at.nextElementSibling;
     else parent.insertBefore(child, at);
   }
+}
+
+/** A number in the other base, as its type has it; other texts stay. */
+export function inBase(text: string, base: "text" | "hex" | "dec"): string {
+  if (base === "text" || !/^(0x[0-9a-f]+|\d+)$/i.test(text)) return text;
+  const number = BigInt(text);
+  return base === "dec" ? number.toString() : `0x${number.toString(16).toUpperCase()}`;
+}
+
+const SHORT: Record<string, string> = { UNSIGNED: "u", INTEGER: "i", REAL: "f", BOOLEAN: "bool", VISIBLE_STRING: "string", OCTET_STRING: "bytes", UNICODE_STRING: "unicode" };
+
+/** A type as engineers write it: `u32` for UNSIGNED32. */
+export const shortType = (type: string): string => type.replace(/^[A-Z_]+/, (name) => SHORT[name] ?? name);
+
+/** An address in any usual spelling: `6040`, `0x6040`, `6040h:00`, `1018sub1`. */
+export function addressIn(text: string): { index: number; sub?: number } | undefined {
+  const [, index, sub] = /^(?:0x)?([0-9a-f]{4})h?(?:(?::|\/|\.|sub)(?:0x)?([0-9a-f]{1,2})h?)?$/i.exec(text.trim()) ?? [];
+  return index === undefined ? undefined : { index: parseInt(index, 16), sub: sub === undefined ? undefined : parseInt(sub, 16) };
 }
 
 export const hex = (number: number, digits: number): string => number.toString(16).toUpperCase().padStart(digits, "0");

@@ -1,12 +1,28 @@
-// Right: what was found, with fixes.
+// Right: what was found, the worst first, with fixes. A click leads to the field, or to the line.
 
 import { ask } from "./engine";
-import { arrange, h, indexOf } from "./dom";
+import { arrange, h, prose } from "./dom";
 import type { Finding } from "./protocol";
-import type { Store } from "./store";
+import type { OpenDocument, Store } from "./store";
 
 /** So many are drawn; a file may have tens of thousands. */
 const MAX_SHOWN = 400;
+
+/** From so many on, the findings of one rule are a group. */
+const GROUP = 4;
+
+export const SEVERITIES = ["error", "warning", "note"] as const;
+
+export const count = (number: number, word: string): string => `${number} ${word}${number === 1 ? "" : "s"}`;
+
+/** Shows the place of a finding. */
+export function goTo(store: Store, finding: Finding): void {
+  const { kind } = store.current!.state;
+  if (kind === "device" && store.view !== "text" && finding.place && store.selectPlace(finding.place)) return;
+  store.view = kind === "log" ? "log" : "text";
+  store.draw();
+  requestAnimationFrame(() => requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("go-to-line", { detail: finding.line }))));
+}
 
 function fixButton(store: Store, finding: Finding): HTMLElement | false {
   const { fix } = finding;
@@ -18,28 +34,36 @@ function fixButton(store: Store, finding: Finding): HTMLElement | false {
         ? { do: "encode", document: document.id, encoding: fix.encoding }
         : { do: "edit", document: document.id, revision: document.checked, edits: fix.edits },
     );
-  const title = fix.safety === "safe" ? "keeps the meaning" : "needs your review";
-  return h("button", { class: `fix ${fix.safety}`, title, onclick: make, "data-key": `fix-${finding.fingerprint}` }, fix.title);
+  const [word, title] = fix.safety === "safe" ? ["safe", "keeps the meaning"] : ["review", "may change the meaning: review it"];
+  return h("button", { class: `fix ${fix.safety}`, title, onclick: make, "data-key": `fix-${finding.fingerprint}` }, ...prose(fix.title), h("span", { class: "word" }, word));
 }
 
-function item(store: Store, finding: Finding, objects: Set<number>): HTMLElement {
-  const index = indexOf(finding.place);
-  const has = index !== undefined && objects.has(index);
-  const go = () => {
-    const { kind } = store.current!.state;
-    store.index = has ? index : store.index;
-    store.view = kind === "log" ? "log" : has && store.view !== "text" ? "form" : "text";
-    store.draw();
-    if (store.view !== "form") requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("go-to-line", { detail: finding.line })));
-  };
+function item(store: Store, finding: Finding): HTMLElement {
+  const { network } = store.current!;
+  // on a page, there is no folder to look for a file in
+  const missing = finding.rule === "network/unreadable-node" ? network?.missing?.find(([node]) => finding.message.includes(`\`${node}\``)) : undefined;
+  const help = missing ? `drop \`${missing[1]}\` on the page` : finding.help;
+  const isSaid = help !== undefined && help.replaceAll(/\W/g, "").toLowerCase() === finding.fix?.title.replaceAll(/\W/g, "").toLowerCase();
   return h(
     "li",
     { class: `finding ${finding.severity}` },
-    h("button", { class: "where", onclick: go }, h("span", { class: "severity" }, finding.severity), ` line ${finding.line}`, finding.place ? ` · ${finding.place}` : ""),
-    h("p", {}, finding.message),
-    finding.help && h("p", { class: "help" }, finding.help),
+    h("button", { class: "where", onclick: () => goTo(store, finding) }, h("span", { class: "severity" }, finding.severity), ` line ${finding.line}`, finding.place ? ` · ${finding.place}` : ""),
+    h("p", {}, ...prose(finding.message)),
+    help && !isSaid && h("p", { class: "help" }, ...prose(help)),
     h("div", { class: "actions" }, fixButton(store, finding), h("code", {}, finding.rule)),
   );
+}
+
+/** The findings in the order in which they are shown: the worst first, those of one rule together where they are many. */
+function grouped(findings: Finding[]): Finding[][] {
+  const rules = new Map<string, Finding[]>();
+  for (const finding of findings) {
+    const key = `${finding.severity} ${finding.rule}`;
+    rules.set(key, [...(rules.get(key) ?? []), finding]);
+  }
+  const groups = [...rules.values()].flatMap((group) => (group.length < GROUP ? group.map((finding) => [finding]) : [group]));
+  const order = ([first]: Finding[]) => SEVERITIES.indexOf(first!.severity);
+  return groups.sort((one, other) => order(one) - order(other) || one[0]!.line - other[0]!.line);
 }
 
 /** The tools whose reactions are shown. */
@@ -60,25 +84,53 @@ function toolChoice(store: Store): HTMLElement {
   return element;
 }
 
+/** How many findings there are, in words. */
+export function summaryOf({ check, report }: OpenDocument): string {
+  const { errors, warnings, notes } = report.summary;
+  return { running: "Checking …", done: [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", "), failed: "The check failed" }[check];
+}
+
+export const hasSafeFix = ({ report }: OpenDocument): boolean => report.findings.some((finding) => finding.fix?.safety === "safe");
+
+export function fixAllButton(store: Store): HTMLButtonElement {
+  return h("button", { onclick: () => void store.change({ do: "fix-all", document: store.current!.id, tools: store.tools }) }, "Make all safe fixes");
+}
+
 export function findingsPanel(store: Store): HTMLElement {
   const list = h("ul", { class: "scroll", "aria-label": "Findings", tabindex: 0 });
   const summary = h("p", { role: "status", class: "summary" });
-  const safe = h("button", { onclick: () => void store.change({ do: "fix-all", document: store.current!.id, tools: store.tools }) }, "Make all safe fixes");
+  const safe = fixAllButton(store);
+  const hidden = new Set<string>();
+  const open = new Set<string>();
+  const filters = SEVERITIES.map((severity) => h("button", { class: `filter ${severity}`, onclick: () => (hidden.delete(severity) || hidden.add(severity), store.draw()) }));
+  const filter = h("div", { class: "group", role: "group", "aria-label": "Findings that are shown" }, ...filters);
+  const group = (findings: Finding[]): HTMLElement => {
+    const { rule, severity } = findings[0]!;
+    const element = h("details", { open: open.has(rule), ontoggle: () => void (element.open ? open.add(rule) : open.delete(rule)) }, h("summary", { class: severity }, h("span", { class: "severity" }, `${findings.length} ${severity}s`), " ", h("code", {}, rule)), h("ul", {}, ...findings.map((finding) => item(store, finding))));
+    return h("li", { class: "finding-group" }, element);
+  };
   store.onDraw(() => {
     const document = store.current;
-    const findings = document?.report.findings ?? [];
-    const { errors = 0, warnings = 0, notes = 0 } = document?.report.summary ?? {};
-    const count = (number: number, word: string) => `${number} ${word}${number === 1 ? "" : "s"}`;
-    const counts = [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", ");
-    summary.textContent = document ? { running: "Checking …", done: counts, failed: "The check failed" }[document.check] : "";
-    safe.hidden = !findings.some((finding) => finding.fix?.safety === "safe");
-    const objects = new Set(document?.outline.objects.map((object) => object.index));
-    const key = (finding: Finding, at: number) => JSON.stringify([document?.id, document?.checked, at, finding, document?.outline.objects.length]);
-    const shown = findings.slice(0, MAX_SHOWN).map((finding, at): [string, () => HTMLElement] => [key(finding, at), () => item(store, finding, objects)]);
+    const all = document?.report.findings ?? [];
+    summary.textContent = document ? summaryOf(document) : "";
+    safe.hidden = !document || !hasSafeFix(document);
+    const kinds = SEVERITIES.filter((severity) => all.some((finding) => finding.severity === severity));
+    // the filter says how many there are too
+    filter.hidden = kinds.length < 2;
+    summary.classList.toggle("aside", !filter.hidden);
+    for (const [at, severity] of SEVERITIES.entries()) {
+      const number = all.filter((finding) => finding.severity === severity).length;
+      filters[at]!.textContent = count(number, severity);
+      filters[at]!.hidden = number === 0;
+      filters[at]!.setAttribute("aria-pressed", String(!hidden.has(severity)));
+    }
+    const findings = kinds.length < 2 ? all : all.filter(({ severity }) => !hidden.has(severity));
+    const key = (group: Finding[], at: number) => JSON.stringify([document?.id, document?.checked, at, group, document?.network?.missing]);
+    const shown = grouped(findings.slice(0, MAX_SHOWN)).map((findings, at): [string, () => HTMLElement] => [key(findings, at), () => (findings.length > 1 ? group(findings) : item(store, findings[0]!))]);
     if (findings.length > MAX_SHOWN) shown.push([`${findings.length}`, () => h("li", {}, `and ${findings.length - MAX_SHOWN} more`)]);
-    if (document?.check === "done" && findings.length === 0) shown.push(["none", () => h("li", { class: "nothing" }, "No findings.")]);
+    if (document?.check === "done" && all.length === 0) shown.push(["none", () => h("li", { class: "nothing" }, "No findings.")]);
     arrange(list, shown);
     list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
   });
-  return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, safe), toolChoice(store), list);
+  return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, filter, safe), toolChoice(store), list);
 }

@@ -1,102 +1,112 @@
-// Middle: an object as a form. Each field is the text that the file has, with its meaning and what was found about it.
+// Middle: an object as a table that is edited in place. Each field is the text that the file has; a select has the names of its values.
 
 import { ask } from "./engine";
-import { committing, disable, h, indexText, redraw } from "./dom";
-import type { FieldForm, Finding, ObjectForm, PartForm } from "./protocol";
-import type { Store } from "./store";
+import { committing, disable, h, hex, iconButton, inBase, indexText, numberIn, placeOf, prose, redraw } from "./dom";
+import type { FieldChange, FieldForm, Finding, ObjectForm, PartForm } from "./protocol";
+import type { OpenDocument, Store } from "./store";
 
-/** What a field means (CiA 306-1, in short). */
-const MEANINGS: Record<string, [label: string, meaning: string]> = {
-  ParameterName: ["Name", "The name of the object or entry, up to 241 characters."],
-  ObjectType: ["Object type", "0x7 VAR: one value. 0x8 ARRAY: values of one type. 0x9 RECORD: values of any types. 0x2 DOMAIN: a block of data."],
-  DataType: ["Data type", "The index of the data type: 0x0001 BOOLEAN, 0x0005 UNSIGNED8, 0x0006 UNSIGNED16, 0x0007 UNSIGNED32, 0x0003 INTEGER16, 0x0004 INTEGER32, 0x0008 REAL32, 0x0009 VISIBLE_STRING."],
-  AccessType: ["Access", "ro: read only. wo: write only. rw: both. rwr: both, in a TPDO. rww: both, in an RPDO. const: read only, never changes."],
-  DefaultValue: ["Default value", "The value after power-on without stored parameters. $NODEID+n adds the node-ID."],
-  ParameterValue: ["Configured value", "The value that this node is configured to have."],
-  LowLimit: ["Lowest value", "Smaller values are refused."],
-  HighLimit: ["Highest value", "Greater values are refused."],
-  PDOMapping: ["PDO mapping", "1: PDOs may carry the entry. 0: they may not."],
-  ObjFlags: ["Flags", "Bit 0: configuration tools do not write the entry. Bit 1: they do not read it."],
-};
+const NAMES = "BOOLEAN INTEGER8 INTEGER16 INTEGER32 UNSIGNED8 UNSIGNED16 UNSIGNED32 REAL32 VISIBLE_STRING OCTET_STRING UNICODE_STRING TIME_OF_DAY TIME_DIFFERENCE - DOMAIN INTEGER24 REAL64 INTEGER40 INTEGER48 INTEGER56 INTEGER64 UNSIGNED24 - UNSIGNED40 UNSIGNED48 UNSIGNED56 UNSIGNED64 - - - - PDO_COMMUNICATION_PARAMETER PDO_MAPPING SDO_PARAMETER IDENTITY";
 
-const CHOICES: Record<string, string[]> = {
-  AccessType: ["ro", "wo", "rw", "rwr", "rww", "const"],
-  PDOMapping: ["0", "1"],
-  ObjectType: ["0x7", "0x8", "0x9", "0x2"],
-  DataType: ["0x0001", "0x0002", "0x0003", "0x0004", "0x0005", "0x0006", "0x0007", "0x0008", "0x0009", "0x000A", "0x000F", "0x0011", "0x0015", "0x001B"],
-};
+/** The data types of CiA 301 with their indexes as an EDS spells them. */
+export const TYPES: [value: string, name: string][] = NAMES.split(" ").map((name, at): [string, string] => [`0x${hex(at + 1, 4)}`, name]).filter(([, name]) => name !== "-");
 
-function placeOfField(part: PartForm, field: FieldForm): string {
-  return `${part.place} / ${field.name}`;
+export const ACCESS: [value: string, name: string][] = [["ro", "ro: read only"], ["wo", "wo: write only"], ["rw", "rw: read, write"], ["rwr", "rwr: both, in TPDOs"], ["rww", "rww: both, in RPDOs"], ["const", "const: never changes"]];
+const OBJECT_TYPES: [string, string][] = [["0x7", "VAR: one value"], ["0x8", "ARRAY: values of one type"], ["0x9", "RECORD: values of any types"], ["0x2", "DOMAIN: a block of data"]];
+const FLAGS: [string, string][] = [["0", "none"], ["1", "not written"], ["2", "not read"], ["3", "neither"]];
+const MAPPING: [string, string][] = [["0", "no"], ["1", "yes"]];
+const XML_MAPPING: [string, string][] = ["no", "optional", "default", "TPDO", "RPDO"].map((word) => [word, word]);
+
+interface Column {
+  field: string;
+  label: string;
+  /** For a screen reader, and where there is no head. */
+  full: string;
+  meaning: string;
+  choices?: [string, string][];
 }
 
-/** What was found at a place, also as one of several places of a finding. */
-function foundAt(findings: Finding[], place: string): Finding[] {
-  return findings.filter((finding) => finding.place === place || finding.places?.some((other) => other.place === place));
+const COLUMNS: Column[] = [
+  { field: "ParameterName", label: "Name", full: "Name", meaning: "The name of the object or entry, up to 241 characters." },
+  { field: "DataType", label: "Type", full: "Data type", meaning: "The data type of CiA 301.", choices: TYPES },
+  { field: "AccessType", label: "Access", full: "Access", meaning: "What SDO may do; `rwr` and `rww` also say which PDOs may carry the entry.", choices: ACCESS },
+  { field: "DefaultValue", label: "Default", full: "Default value", meaning: "The value after power-on without stored parameters. `$NODEID+n` adds the node-ID." },
+  { field: "ParameterValue", label: "Configured", full: "Configured value", meaning: "The value that this node is configured to have." },
+  { field: "LowLimit", label: "Lowest", full: "Lowest value", meaning: "Smaller values are refused." },
+  { field: "HighLimit", label: "Highest", full: "Highest value", meaning: "Greater values are refused." },
+  { field: "PDOMapping", label: "PDO", full: "PDO mapping", meaning: "Whether PDOs may carry the entry.", choices: MAPPING },
+  { field: "ObjFlags", label: "Flags", full: "Flags", meaning: "What configuration tools leave out: `not written` for entries that change when they are written, `not read` for entries that cannot be compared.", choices: FLAGS },
+];
+
+type Found = Map<string, Finding[]>;
+
+/** The findings by their places, also as one of several places of a finding. */
+export function foundBy(findings: Finding[]): Found {
+  const found: Found = new Map();
+  for (const finding of findings) {
+    const places = new Set([finding.place, ...(finding.places ?? []).map(({ place }) => place)]);
+    for (const place of places) if (place) found.set(place, [...(found.get(place) ?? []), finding]);
+  }
+  return found;
 }
 
-function remarks(findings: Finding[], id: string): HTMLElement | false {
-  if (findings.length === 0) return false;
-  return h("div", { id }, ...findings.map((finding) => h("p", { class: `remark ${finding.severity}` }, finding.message)));
+export const remark = ({ severity, message }: Finding): HTMLElement => h("p", { class: `remark ${severity}` }, ...prose(message));
+
+/** A select that has the value of the file, whatever it is. */
+export function choice(value: string, options: [string, string][], set: (value: string) => void, attributes: Parameters<typeof h>[1] = {}): HTMLSelectElement {
+  const all: [string, string][] = [["", "–"], ...options];
+  if (!all.some(([known]) => known === value)) all.push([value, value]);
+  const select: HTMLSelectElement = h("select", { onchange: () => set(select.value), ...attributes }, ...all.map(([each, name]) => h("option", { value: each, selected: each === value }, name)));
+  return select;
 }
 
-function fieldRow(store: Store, part: PartForm, field: FieldForm): HTMLElement {
-  const document = store.current!;
-  const place = placeOfField(part, field);
-  const [label, meaning] = MEANINGS[field.name] ?? [field.name, ""];
-  const id = `field-${place.replace(/\W+/g, "-")}`;
-  const found = foundAt(document.report.findings, place);
-  const set = (value: string) => {
-    const change = value === "" ? ({ change: "remove", at: place } as const) : ({ change: "set", at: place, value } as const);
-    return store.change({ do: "change", document: document.id, changes: [change] });
+/** A field of the file as an element; `attributes` are those of the element that takes input. */
+export function fieldOf(store: Store, document: OpenDocument, place: string, field: FieldForm, found: Found, label: string, choices?: [string, string][]): HTMLElement {
+  const at = `${place} / ${field.name}`;
+  const own = found.get(at) ?? [];
+  const set = (value: string) => store.change({ do: "change", document: document.id, changes: [value === "" ? { change: "remove", at } : { change: "set", at, value }] });
+  const attributes = {
+    "aria-label": label,
+    "aria-invalid": own.some(({ severity }) => severity === "error") ? "true" : undefined,
+    title: own.length > 0 ? own.map(({ message }) => message).join("\n") : undefined,
+    class: [field.text == null ? "implied" : "", own[0]?.severity ?? ""].join(" ").trim(),
+    "data-key": at,
   };
-  const input = h("input", {
-    id,
-    value: field.text ?? "",
-    placeholder: field.text == null ? "not stated" : "",
-    readonly: document.state.is_read_only,
-    list: CHOICES[field.name] ? `choices-${field.name}` : undefined,
-    spellcheck: "false",
-    autocomplete: "off",
-    "aria-describedby": found.length > 0 ? `${id}-found ${id}-means` : `${id}-means`,
-    "aria-invalid": found.some((finding) => finding.severity === "error") ? "true" : undefined,
-    "data-key": place,
-    ...committing(field.text ?? "", set),
-  });
-  const isValue = field.name === "DefaultValue" || field.name === "ParameterValue";
-  return h(
-    "div",
-    { class: "field" },
-    h("label", { for: id }, label),
-    h("div", {}, input, isValue && field.text != null && part.words && h("span", { class: "words" }, part.words), remarks(found, `${id}-found`), h("p", { class: "meaning", id: `${id}-means` }, meaning)),
-  );
+  const value = (choices === MAPPING && /^xd/i.test(document.state.format) ? field.text : field.value) ?? field.text ?? "";
+  if (choices) return choice(value, choices === MAPPING && /^xd/i.test(document.state.format) ? XML_MAPPING : choices, (value) => void set(value), { ...attributes, disabled: document.state.is_read_only });
+  const shown = inBase(field.text ?? "", store.base);
+  return h("input", { ...attributes, value: shown, placeholder: field.value ?? "", readonly: document.state.is_read_only, spellcheck: "false", autocomplete: "off", ...committing(shown, set) });
 }
 
-function partSection(store: Store, form: ObjectForm, part: PartForm): HTMLElement {
-  const document = store.current!;
-  const title = part.sub == null ? "" : `sub-index ${part.sub.toString(16).toUpperCase().padStart(2, "0")} · ${part.name}`;
-  const remove = () => void store.change({ do: "patch", document: document.id, patch: patchOf({ at: address(form, part), remove: true }) });
-  return h(
-    "section",
-    { class: part.sub == null ? "part" : "part sub", "aria-label": title || `${indexText(form.index)} ${form.name}` },
-    title && h("h3", {}, title, part.data_type ? h("span", { class: "type" }, part.data_type) : null),
-    remarks(foundAt(document.report.findings, part.place), `part-${part.place}`),
-    ...part.fields.map((field) => fieldRow(store, part, field)),
-    !document.state.is_read_only && h("button", { class: "quiet", onclick: remove }, part.sub == null ? "Remove the object" : "Remove this sub-index"),
-  );
-}
-
-const address = (form: ObjectForm, part: PartForm): string =>
-  form.index.toString(16).toUpperCase() + (part.sub == null ? "" : `:${part.sub.toString(16).toUpperCase()}`);
-
-/** A patch of one change (docs/guides/patches.md). */
-export function patchOf(change: Record<string, string | boolean | Record<string, string | number>>): string {
+/** A patch of changes (docs/patches.md). */
+export function patchOf(...changes: Record<string, string | boolean | string[] | Record<string, string | number>>[]): string {
   const value = (value: unknown): string =>
-    typeof value === "object" && value !== null
+    typeof value === "object" && value !== null && !Array.isArray(value)
       ? `{ ${Object.entries(value).map(([key, inner]) => `${key} = ${JSON.stringify(inner)}`).join(", ")} }`
       : JSON.stringify(value);
-  const lines = Object.entries(change).map(([key, inner]) => `${key} = ${value(inner)}`);
-  return `format = "objdict-patch/1"\n\n[[change]]\n${lines.join("\n")}\n`;
+  const tables = changes.map((change) => `\n[[change]]\n${Object.entries(change).map(([key, inner]) => `${key} = ${value(inner)}\n`).join("")}`);
+  return `format = "objdict-patch/1"\n${tables.join("")}`;
+}
+
+const addressOf = (index: number, sub?: number | null): string => (sub == null ? hex(index, 4) : `${hex(index, 4)}:${hex(sub, 1)}`);
+
+/** The changes that add entries like these, behind the last one. */
+export function entriesLike(form: ObjectForm, rows: PartForm[], isNumbered: boolean): FieldChange[] {
+  const subs = form.parts.filter(({ sub }) => sub != null);
+  const first = (subs.at(-1)?.sub ?? 0) + 1;
+  const changes = rows.map((row, at): FieldChange => {
+    const fields = row.fields.map(({ name, text, value }): [string, string] => [name, text ?? value ?? ""]).filter(([, value]) => value !== "");
+    const named = fields.map(([name, value]): [string, string] => [name, name === "ParameterName" && isNumbered ? `${value.replace(/ ?\d+$/, "")} ${first + at}` : value]);
+    return { change: "add", at: placeOf(form.index, first + at), fields: named };
+  });
+  return [...changes, ...counts(form, subs.length + rows.length, first + rows.length - 1)];
+}
+
+/** The changes of what says how many entries there are, and which is the highest. */
+function counts(form: ObjectForm, count: number, highest: number): FieldChange[] {
+  const zero = form.parts.find(({ sub }) => sub === 0);
+  const changes: FieldChange[] = [{ change: "set", at: `${placeOf(form.index)} / SubNumber`, value: String(count) }];
+  if (zero && numberIn(zero.fields.find(({ name }) => name === "DefaultValue")?.text ?? "") !== highest) changes.push({ change: "set", at: `${zero.place} / DefaultValue`, value: String(highest) });
+  return changes;
 }
 
 export function formView(store: Store): HTMLElement {
@@ -105,10 +115,96 @@ export function formView(store: Store): HTMLElement {
   // asked for between two drawings, it would have the page laid out once more
   let top = 0;
   view.addEventListener("scroll", () => (top = view.scrollTop));
-  const choices = Object.entries(CHOICES).map(([name, values]) => h("datalist", { id: `choices-${name}` }, ...values.map((value) => h("option", { value }))));
+  /** The chosen sub-indexes, and the one that was chosen last. */
+  let chosen = new Set<number>();
+  let last: number | undefined;
   const wanted = () => `${store.current?.id}-${store.index}`;
   const leave = () => view.dataset.shown !== wanted() && disable(view);
   store.onLeave(leave);
+
+  const choose = (form: ObjectForm, sub: number, event: MouseEvent) => {
+    const between = (each: number) => last !== undefined && each >= Math.min(last, sub) && each <= Math.max(last, sub);
+    if (event.shiftKey && last !== undefined) chosen = new Set(form.parts.map((part) => part.sub ?? -1).filter((each) => each >= 0 && between(each)));
+    else if (!chosen.delete(sub)) chosen.add(sub);
+    last = sub;
+    store.draw();
+  };
+
+  const row = (form: ObjectForm, part: PartForm, found: Found, columns: Column[]): HTMLElement[] => {
+    const document = store.current!;
+    const { sub } = part;
+    const suffix = sub == null ? "" : `, sub-index ${hex(sub, 2)}`;
+    const cell = ({ field: name, full, choices }: Column) => {
+      const field = part.fields.find((field) => field.name === name);
+      return h("td", { class: `${name} ${choices ? "choice" : name === "ParameterName" ? "name" : "value"}` }, field && fieldOf(store, document, part.place, field, found, full + suffix, choices));
+    };
+    const head = sub == null ? h("th", { scope: "row", class: "address" }, indexText(form.index)) : h("th", { scope: "row" }, h("button", { class: "address", type: "button", "aria-label": `Choose sub-index ${hex(sub, 2)}`, "aria-pressed": String(chosen.has(sub)), "data-key": `choose-${sub}`, onclick: (event: MouseEvent) => choose(form, sub, event) }, hex(sub, 2)));
+    const unit = part.unit ?? "";
+    const setUnit = (value: string) => store.change({ do: "patch", document: document.id, patch: patchOf(value ? { at: addressOf(form.index, sub), set: { unit: value } } : { at: addressOf(form.index, sub), unset: ["unit"] }) });
+    const hasValue = sub != null || !form.has_subs;
+    const meaning = h("td", { class: "unit" }, hasValue && h("input", { value: unit, "aria-label": `Unit${suffix}`, "data-key": `unit-${part.place}`, readonly: document.state.is_read_only, ...committing(unit, setUnit) }));
+    const remarks = [part.place, ...part.fields.map(({ name }) => `${part.place} / ${name}`)].flatMap((place) => found.get(place) ?? []);
+    const notes = [hasValue && part.words && h("span", { class: "words" }, part.words), ...new Set(remarks)].filter(Boolean);
+    const below = notes.length > 0 && h("tr", { class: "below" }, h("td", {}), h("td", { colspan: columns.length + 1 }, ...notes.map((note) => (note instanceof Node ? note : remark(note as Finding)))));
+    return [h("tr", { "data-place": part.place, class: sub != null && chosen.has(sub) ? "chosen" : undefined }, head, ...columns.map(cell), meaning), ...(below ? [below] : [])];
+  };
+
+  const actions = (form: ObjectForm): HTMLElement | false => {
+    const document = store.current!;
+    if (document.state.is_read_only) return false;
+    const subs = form.parts.filter((part) => part.sub != null);
+    const rows = subs.filter(({ sub }) => chosen.has(sub!));
+    const change = (changes: FieldChange[]) => void store.change({ do: "change", document: document.id, changes });
+    const patch = (...changes: Parameters<typeof patchOf>) => store.change({ do: "patch", document: document.id, patch: patchOf(...changes) });
+    const count = h("input", { type: "number", min: 1, max: 254, value: 1, "aria-label": "How many sub-indexes to add", "data-key": "add-count", class: "count" });
+    const model = rows.at(-1) ?? subs.at(-1);
+    const add = () => model && change(entriesLike(form, Array.from({ length: Math.max(1, Number(count.value)) }, () => model), true));
+    const remove = () => {
+      const left = subs.filter((part) => !rows.includes(part));
+      chosen.clear();
+      change([...rows.map(({ place }): FieldChange => ({ change: "remove", at: place })), ...counts(form, left.length, left.at(-1)?.sub ?? 0)]);
+    };
+    /** The chosen entries trade places with the one before or behind them. */
+    const move = async (by: -1 | 1) => {
+      const order = by < 0 ? rows : rows.toReversed();
+      const moved = new Set<number>();
+      const swaps = order.flatMap(({ sub }) => {
+        const other = subs[subs.findIndex((part) => part.sub === sub) + by]?.sub;
+        if (other == null || other === 0) return [];
+        moved.add(other);
+        const [from, to, spare] = [sub!, other, 0xfe].map((each) => addressOf(form.index, each)) as [string, string, string];
+        return [{ at: from, rename: spare }, { at: to, rename: from }, { at: spare, rename: to }];
+      });
+      if (moved.size === rows.length && (await patch(...swaps))) [chosen, last] = [moved, undefined];
+      store.draw();
+    };
+    const others = store.documents.filter((other) => other !== document && other.state.kind === "device" && !other.state.is_read_only);
+    const copy = (id: number) => void store.change({ do: "copy", document: id, from: document.id, indexes: [form.index] });
+    const target: HTMLSelectElement = h("select", { "aria-label": "Copy the object to another file", class: "copy-to", onchange: () => copy(Number(target.value)) }, h("option", { value: "" }, "Copy to …"), ...others.map(({ id, state }) => h("option", { value: id }, state.name)));
+    const canMove = rows.length > 0 && !chosen.has(0);
+    return h(
+      "div",
+      { class: "bar row-actions" },
+      ...(form.has_subs
+        ? [
+            h("button", { type: "button", onclick: add, "data-key": "add-subs" }, "Add sub-indexes"),
+            count,
+            h("button", { type: "button", disabled: rows.length === 0, onclick: () => change(entriesLike(form, rows, false)), "data-key": "copy-subs" }, "Copy"),
+            iconButton("up", "Move up", () => void move(-1), { disabled: !canMove, "data-key": "move-up" }),
+            iconButton("down", "Move down", () => void move(1), { disabled: !canMove, "data-key": "move-down" }),
+            h("button", { type: "button", disabled: !canMove, onclick: remove, "data-key": "remove-subs" }, "Remove"),
+            h("span", { class: "meaning" }, rows.length > 0 ? `${rows.length} chosen` : "Choose entries by their numbers, ranges with Shift."),
+          ]
+        : []),
+      h("span", { class: "push" }),
+      others.length > 0 && target,
+      h("button", { type: "button", class: "quiet", onclick: () => void patch({ at: addressOf(form.index), remove: true }) }, "Remove the object"),
+    );
+  };
+
+  const bases = () =>
+    h("span", { class: "group", role: "group", "aria-label": "Numbers" }, ...(["text", "hex", "dec"] as const).map((base) => h("button", { type: "button", "aria-pressed": String(store.base === base), title: { text: "Numbers as the file has them", hex: "Numbers in hexadecimal", dec: "Numbers in decimal" }[base], "data-key": `base-${base}`, onclick: () => ((store.base = base), store.draw()) }, base === "text" ? "as in the file" : base)));
+
   store.onDraw(async () => {
     const { current, index } = store;
     view.hidden = store.view !== "form";
@@ -116,6 +212,7 @@ export function formView(store: Store): HTMLElement {
     const number = ++asked;
     const shown = wanted();
     const same = view.dataset.shown === shown;
+    if (!same) [chosen, last] = [new Set(), undefined];
     const form = await ask<ObjectForm>({ do: "form", document: current.id, index }).catch(() => undefined);
     if (number !== asked) return;
     if (!form) {
@@ -123,9 +220,32 @@ export function formView(store: Store): HTMLElement {
       return;
     }
     view.dataset.shown = shown;
-    redraw(view, h("h2", {}, h("span", { class: "address" }, indexText(form.index)), ` ${form.name} `, h("span", { class: "type" }, form.kind)), ...form.parts.map((part) => partSection(store, form, part)), ...choices);
+    const found = foundBy(current.report.findings);
+    const named = new Set(form.parts.flatMap((part) => part.fields.map(({ name }) => name)));
+    const columns = COLUMNS.filter(({ field }) => named.has(field) && (field !== "ObjFlags" || form.parts.some((part) => part.fields.some(({ name, text }) => name === field && text != null))));
+    const help = ({ field, label, meaning }: Column) => h("th", { scope: "col" }, h("button", { type: "button", class: "quiet help-button", popovertarget: `help-${field}` }, label), h("div", { popover: "auto", id: `help-${field}` }, ...prose(meaning)));
+    const kind = form.parts[0]!.fields.find(({ name }) => name === "ObjectType");
+    redraw(
+      view,
+      h("div", { class: "title" }, h("h2", {}, `${form.name} `, h("span", { class: "address" }, indexText(form.index))), kind ? fieldOf(store, current, form.parts[0]!.place, kind, found, "Object type", OBJECT_TYPES) : "", bases()),
+      h("div", { class: "wide" }, h("table", { class: "entries" }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, form.has_subs ? "Sub" : "Index"), ...columns.map(help), h("th", { scope: "col" }, "Unit"))), h("tbody", {}, ...form.parts.flatMap((part) => row(form, part, found, columns))))),
+      ...[actions(form) || []].flat(),
+    );
     if (!same && top > 0) view.scrollTop = 0;
     leave();
+    focusWanted(store, view);
   });
   return view;
+}
+
+/** Gives the focus to the field that was asked for. */
+export function focusWanted(store: Store, view: HTMLElement): void {
+  const place = store.wanted;
+  if (!place) return;
+  const part = view.querySelector<HTMLElement>(`[data-place="${CSS.escape(place.split(" / ")[0]!)}"]`);
+  const field = view.querySelector<HTMLElement>(`[data-key="${CSS.escape(place)}"]`) ?? part?.querySelector<HTMLElement>("input, select");
+  if (!field && !part) return;
+  store.wanted = undefined;
+  (part ?? field)!.scrollIntoView({ block: "center" });
+  field?.focus({ preventScroll: true });
 }

@@ -3,7 +3,7 @@
 import { ask } from "./engine";
 import { h, hex } from "./dom";
 import { table } from "./network";
-import type { BusReport, FrameFilter, Frames, Incident, LogSummary } from "./protocol";
+import type { BusReport, FrameFilter, Frames, Incident, LogSummary, Plot } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
 const ROW = 24;
@@ -49,6 +49,27 @@ function incidentList(log: LogSummary, go: (line: number) => void): HTMLElement 
   return h("section", { class: "incidents", "aria-label": "Incidents" }, h("h3", {}, `${first?.toUpperCase()}${rest.join("")}`), ...log.incidents.slice(0, MAX_INCIDENTS).map(each));
 }
 
+function svg(tag: string, attributes: Record<string, string | number>, ...children: (Node | string)[]): SVGElement {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
+const [WIDTH, HEIGHT] = [1000, 60];
+
+/** A signal over time: numbers as a line with their extremes, words as bands. */
+function plotted({ name, unit, points, runs, words }: Plot, end: number): HTMLElement {
+  const x = (seconds: number) => +((WIDTH * seconds) / Math.max(end, 1e-9)).toFixed(2);
+  const [least, greatest] = [Math.min(...points.map((point) => point[2])), Math.max(...points.map((point) => point[3]))];
+  const y = (value: number) => +(HEIGHT - 4 - ((HEIGHT - 8) * (value - least)) / (greatest - least || 1)).toFixed(2);
+  const path = points.map(([from, to, low, high, last], at) => `${at === 0 ? "M" : "L"}${x(from)} ${y(high)}L${x(from)} ${y(low)}L${x(to)} ${y(last)}`).join("");
+  const bands = runs.map(([from, , word], at) => svg("rect", { class: `colour-${word % 8}`, x: x(from), y: 12, width: Math.max(1, x(runs[at + 1]?.[0] ?? end) - x(from)), height: 36 }, svg("title", {}, words[word] ?? "")));
+  const label = points.length > 0 ? `${least} … ${greatest} ${unit}` : words.join(", ");
+  const drawing = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", role: "img", "aria-label": `${name}: ${label}` }, ...(points.length > 0 ? [svg("path", { d: path })] : bands));
+  return h("div", { class: "plot" }, h("p", {}, h("strong", {}, name), " ", h("span", { class: "meaning" }, points.length > 0 ? label : "", ...words.map((word, at) => h("span", { class: `key colour-${at % 8}` }, word)))), drawing as unknown as HTMLElement, h("p", { class: "axis meaning", "aria-hidden": "true" }, h("span", {}, "0 s"), h("span", {}, `${+(end / 2).toFixed(3)} s`), h("span", {}, `${+end.toFixed(3)} s`)));
+}
+
 function remarks(log: LogSummary): string[] {
   const undescribed = [...new Set(log.buses.flatMap((bus) => bus.undescribed))];
   const frames = log.buses.reduce((sum, bus) => sum + bus.frames, 0);
@@ -71,7 +92,12 @@ export function logView(store: Store): HTMLElement {
   const scroll = h("div", { class: "scroll frames", tabindex: 0, role: "region", "aria-label": "Frames" }, list);
   const others = h("fieldset", { class: "others" });
   const sums = h("div", { class: "sums" });
-  const view = h("div", { class: "log" }, others, h("div", { class: "bar" }, node, kind, search, total), scroll, sums);
+  const time = h("select", { "aria-label": "Time", onchange: () => void show() }, ...[["log", "Time as logged"], ["start", "Since the start"], ["before", "Since the frame before"]].map(([value, label]) => h("option", { value }, label!)));
+  const signals = h("input", { placeholder: "6064, 5.6041 …", "aria-label": "Signals to draw", onchange: () => of && ((of.plots = signals.value.split(",").map((text) => text.trim()).filter(Boolean)), store.changed()) });
+  const plots = h("div", {});
+  const drawn = h("details", { class: "plots" }, h("summary", {}, "Signals over time"), h("label", {}, "Signals ", signals), plots);
+  const head = h("div", { class: "frame-head", "aria-hidden": "true" }, ...["Time", "Bus", "CAN-ID", "Data", "Meaning"].map((title) => h("span", {}, title)));
+  const view = h("div", { class: "log" }, others, h("div", { class: "bar" }, node, kind, search, time, total), head, scroll, drawn, sums);
   let shown: LogSummary | undefined;
   let of: OpenDocument | undefined;
   let asked = 0;
@@ -106,9 +132,11 @@ export function logView(store: Store): HTMLElement {
     }
     const top = (at: number) => (scale === 1 ? (frames.first + at) * ROW : scroll.scrollTop + (frames.first + at - first()) * ROW);
     list.replaceChildren(
-      ...frames.rows.map(({ line, kind, cells: [time, channel, id, data, words] }, at) =>
-        h("div", { class: `row frame ${kind}${line === marked ? " marked" : ""}`, style: `top:${top(at)}px`, title: `line ${line}: ${words}` }, h("span", { class: "address" }, time), channel && h("span", { class: "type" }, channel), h("span", { class: "address id" }, id), h("span", { class: "address data" }, data), h("span", { class: "name" }, words)),
-      ),
+      ...frames.rows.map(({ seconds, line, kind, cells: [logged, channel, id, data, words] }, at) => {
+        const before = frames.rows[at - 1]?.seconds ?? seconds;
+        const shown = { log: logged, start: seconds.toFixed(6), before: `+${(seconds - before).toFixed(6)}` }[time.value];
+        return h("div", { class: `row frame ${kind}${line === marked ? " marked" : ""}`, style: `top:${top(at)}px`, title: `line ${line}: ${words}` }, h("span", { class: "address" }, shown), h("span", { class: "type" }, channel), h("span", { class: "address id" }, id), h("span", { class: "address data" }, data), h("span", { class: "name" }, words));
+      }),
     );
   };
   scroll.addEventListener("scroll", () => requestAnimationFrame(() => void show()));
@@ -152,6 +180,9 @@ export function logView(store: Store): HTMLElement {
     if (of !== current) scroll.scrollTop = 0;
     [shown, of] = [current.log, current];
     choices(current.log);
+    signals.value = (current.plots ?? []).join(", ");
+    const end = Math.max(0, ...current.log.plots.flatMap(({ points, runs }) => [...points, ...runs].map((each) => each[1])));
+    plots.replaceChildren(...(current.log.plots.length > 0 ? current.log.plots.map((plot) => plotted(plot, end)) : [h("p", { class: "meaning" }, "No value of a PDO changes. Name entries to draw others.")]));
     sums.replaceChildren(incidentList(current.log, (line) => void show(line)), ...remarks(current.log).map((text) => h("p", { class: "meaning" }, text)), ...current.log.buses.map(busTables));
     void show();
   });

@@ -5,19 +5,22 @@ import { configureDialog } from "./configure";
 import { addDialog, newDialog, pasteDialog } from "./create";
 import { Drafts } from "./drafts";
 import { ask, startEngine } from "./engine";
-import { arrange, h } from "./dom";
+import { arrange, h, iconButton, prose } from "./dom";
 import { EXAMPLES } from "./examples";
+import { factsView } from "./facts";
 import { Files } from "./files";
 import { findingsPanel } from "./findings";
 import { formView } from "./form";
 import { logView } from "./log";
 import { networkView } from "./network";
 import { objectsPanel } from "./objects";
+import { overview, type Doing } from "./overview";
 import { productsDialog, saveDialog } from "./output";
 import { pdoView } from "./pdo";
 import type { Opened } from "./protocol";
 import { Store, VIEWS, textBytes, type OpenDocument, type View } from "./store";
 import { diffView, textView } from "./text";
+import { welcome } from "./welcome";
 
 const store = new Store();
 
@@ -103,12 +106,11 @@ function examplesMenu(): HTMLElement {
 }
 
 function topBar(): HTMLElement {
-  const [back, again] = [button("Undo", undo, { title: "Ctrl+Z" }), button("Redo", redo, { title: "Ctrl+Shift+Z" })];
-  const save = button("Save as …", () => dialogs.save.show(store.current!), { title: "Ctrl+S" });
-  const products = button("Download …", () => dialogs.products.show(store.current!));
+  const [back, again] = [iconButton("undo", "Undo", undo, { title: "Undo, Ctrl+Z" }), iconButton("redo", "Redo", redo, { title: "Redo, Ctrl+Shift+Z" })];
+  const save = button("Save as …", () => dialogs.save.show(store.current!), { title: "Ctrl+S", class: "main" });
+  const products = button("Download …", () => dialogs.products.show(store.current!), { title: "Code, documentation, DBC" });
   const add = button("Add object …", () => dialogs.add.show(store.current!));
   const configure = button("Configure …", () => dialogs.configure.show(store.current!));
-  const theme = button("Dark or light", switchTheme, { class: "quiet" });
   store.onDraw(() => {
     const state = store.current?.state;
     const isDevice = state?.kind === "device";
@@ -118,22 +120,29 @@ function topBar(): HTMLElement {
     for (const each of [products, configure]) each.disabled = !isDevice;
     add.disabled = !isDevice || state.is_read_only;
   });
+  const group = (...children: HTMLElement[]) => h("div", { class: "group" }, ...children);
+  // in a narrow window, a menu has these
+  const more = h("div", { class: "more", id: "more" }, button("Paste …", () => dialogs.paste.show()), button("New …", () => dialogs.create.show()), examplesMenu(), h("span", { class: "gap" }), add, configure, products);
+  const menu = iconButton("menu", "Menu", () => open(!more.classList.contains("open")), { class: "icon-button menu-button", "aria-expanded": "false", "aria-controls": "more" });
+  const open = (isOpen: boolean) => {
+    more.classList.toggle("open", isOpen);
+    menu.setAttribute("aria-expanded", String(isOpen));
+  };
+  addEventListener("click", ({ target }) => {
+    if (!menu.contains(target as Node) && !(target as HTMLElement).closest?.("summary")) open(false);
+  });
+  addEventListener("keydown", ({ key }) => key === "Escape" && open(false));
   return h(
     "header",
     {},
     h("h1", {}, "objdict ", h("span", {}, "workbench")),
     button("Open …", () => chooser.click(), { title: "Ctrl+O" }),
-    button("Paste …", () => dialogs.paste.show()),
-    examplesMenu(),
-    button("New …", () => dialogs.create.show()),
-    back,
-    again,
-    add,
-    configure,
+    menu,
+    more,
+    group(back, again),
     ...files.buttons,
     save,
-    products,
-    theme,
+    iconButton("theme", "Dark or light", switchTheme),
     chooser,
   );
 }
@@ -175,11 +184,19 @@ function documentTabs(): HTMLElement {
 const LABELS: [View, string][] = [
   ["network", "Network"],
   ["log", "Log"],
+  ["overview", "Overview"],
   ["form", "Object"],
-  ["text", "Text"],
   ["pdo", "PDOs"],
+  ["facts", "Device"],
+  ["text", "Text"],
   ["diff", "Changes"],
   ["compare", "Compare"],
+];
+
+const doing: Doing[] = [
+  { label: "Configure a node …", meaning: "node-ID, bit rate and values, as DCF or XDC", what: (document) => dialogs.configure.show(document) },
+  { label: "Save or convert …", meaning: "EDS, DCF, XDD, XDC, device.toml", what: (document) => dialogs.save.show(document) },
+  { label: "Generate …", meaning: "C, Rust, CANopenNode, documentation, DBC", what: (document) => dialogs.products.show(document) },
 ];
 
 function middle(): HTMLElement {
@@ -197,10 +214,10 @@ function middle(): HTMLElement {
       tab.hidden = !VIEWS[store.current?.state.kind ?? "device"].includes(view);
     }
     const { state, outline } = store.current ?? {};
-    const parts = [outline?.vendor, outline?.product, outline?.profile ? `CiA ${outline.profile}` : null, outline?.node_id ? `node ${outline.node_id}` : null, state?.format, state?.encoding];
+    const parts = [outline?.product, outline?.node_id ? `node ${outline.node_id}` : null, state?.format, state?.encoding];
     facts.textContent = parts.filter(Boolean).join(" · ");
   });
-  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab), facts), networkView(store), logView(store), formView(store), textView(store), pdoView(store), diffView(store), compareView(store));
+  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab), facts), networkView(store), logView(store), overview(store, doing), formView(store), factsView(store), textView(store), pdoView(store), diffView(store), compareView(store));
 }
 
 function notice(): HTMLElement {
@@ -214,20 +231,8 @@ function notice(): HTMLElement {
     };
     const { kind, message, help, actions = [] } = store.notice;
     element.className = `notice ${kind}`;
-    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", ...actions.map(({ label, make }) => button(label, () => (close(), make()))), button("Close", close, { class: "quiet" }));
+    element.replaceChildren(h("p", {}, ...prose(message)), help ? h("p", { class: "help" }, ...prose(help)) : "", ...actions.map(({ label, make }) => button(label, () => (close(), make()))), button("Close", close, { class: "quiet" }));
   });
-  return element;
-}
-
-function welcome(): HTMLElement {
-  const element = h(
-    "section",
-    { class: "welcome" },
-    h("h2", {}, "Drop device descriptions, a network or a log here"),
-    h("p", {}, "EDS, DCF, XDD, XDC, device.toml; network.toml, bus.yml or a node list with its descriptions; candump, ASC, TRC, CSV or pcap. The files stay in this browser: nothing is uploaded."),
-    h("div", { class: "actions" }, button("Choose files …", () => chooser.click(), { class: "main" }), ...EXAMPLES.map(([label, name, text]) => button(label, () => void store.open(name, textBytes(text))))),
-  );
-  store.onDraw(() => (element.hidden = store.current !== undefined));
   return element;
 }
 
@@ -268,7 +273,9 @@ async function start(): Promise<void> {
     panels.hidden = !store.current;
     panels.dataset.kind = store.current?.state.kind;
   });
-  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels);
+  const first = welcome(() => chooser.click(), (name, text) => void store.open(name, textBytes(text)));
+  store.onDraw(() => (first.hidden = store.current !== undefined));
+  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), first, panels);
   listen();
   await startEngine(() => void store.reopen());
   keepForOffline();

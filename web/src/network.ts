@@ -23,9 +23,10 @@ export function table(titles: string[], rows: (string | HTMLElement)[][], captio
   return h("div", { class: "wide", tabindex: 0, role: "region", "aria-label": caption }, h("table", {}, h("caption", {}, caption), h("thead", {}, head), h("tbody", {}, ...body)));
 }
 
-function facts(overview: Overview, timing: Timing | undefined): HTMLElement {
-  const count = overview.nodes.length;
-  const parts = [`${count} node${count === 1 ? "" : "s"}`, overview.bit_rate ? `${overview.bit_rate} kbit/s` : "no bit rate, so no load"];
+function facts({ nodes, bit_rate }: Overview, timing: Timing | undefined, missing: [string, string][]): HTMLElement {
+  const count = nodes.length + missing.length;
+  const parts = [`${count} node${count === 1 ? "" : "s"}`, bit_rate ? `${bit_rate} kbit/s` : "no bit rate, so no load"];
+  if (missing.length > 0) parts.push(`no verdict about load and times: ${missing.length === 1 ? "one node was" : `${missing.length} nodes were`} not read`);
   if (timing) parts.push(`load ${percent(timing.average)} on average, ${percent(timing.worst)} at worst`, timing.is_met ? "all messages are in time" : "some messages may be late");
   return h("p", { class: "facts load" }, parts.join(" · "));
 }
@@ -53,6 +54,13 @@ function tables(overview: Overview, timing: Timing | undefined): HTMLElement[] {
     ...(rates.length > 0 ? [h("details", {}, h("summary", {}, "Load at other bit rates"), table(["Bit rate", "Load at worst", ""], rates, "Load at other bit rates"))] : []),
     ...(boot.length > 0 ? [h("details", {}, h("summary", {}, `How ${overview.boot!.manager} boots the nodes`), table(["Node", "Name", "Steps"], boot, "Boot plan"))] : []),
   ];
+}
+
+/** Each node as a card; those that were not read say which file to drop. */
+function nodeCards({ nodes }: Overview, missing: [string, string][]): HTMLElement {
+  const read = nodes.map((node, at) => h("li", { class: `card node colour-${at % 8}` }, h("strong", {}, node.name), ` ${node.node_id ?? "?"}`, h("p", { class: "meaning" }, node.is_manager ? "manager" : node.description)));
+  const unread = missing.map(([node, file]) => h("li", { class: "card node missing" }, h("strong", {}, node), h("p", { class: "remark warning" }, "drop ", h("code", {}, file), " here")));
+  return h("ul", { class: "plain nodes", "aria-label": "Nodes" }, ...read, ...unread);
 }
 
 /** The picture as an image: nothing in it can run. */
@@ -174,14 +182,14 @@ export function networkView(store: Store): HTMLElement {
     view.hidden = store.view !== "network" || !network;
     if (view.hidden || !network || network === shown) return;
     shown = network;
-    const { overview, timing } = network;
+    const { overview, timing, missing = [] } = network;
     rest.hidden = !overview;
     if (!overview) {
       links.element.hidden = true;
       head.replaceChildren(h("p", { class: "nothing" }, "The text is not a network that can be read; the findings say why."));
       return;
     }
-    head.replaceChildren(h("div", { class: "bar" }, h("h2", {}, overview.name ?? "Network"), h("button", { class: "main", onclick: build }, "Build and download")), facts(overview, timing), picture(network.picture ?? ""));
+    head.replaceChildren(h("div", { class: "bar" }, h("h2", {}, overview.name ?? "Network"), h("button", { class: "main", onclick: build, disabled: missing.length > 0 }, "Build and download")), facts(overview, timing, missing), nodeCards(overview, missing), picture(network.picture ?? ""));
     links.draw(network);
     rest.replaceChildren(...tables(overview, timing));
   });

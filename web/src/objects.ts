@@ -1,6 +1,6 @@
 // Left: the objects and PDOs of the device, with a search. Only the rows that are in sight are in the page.
 
-import { arrange, h, indexOf, indexText } from "./dom";
+import { addressIn, arrange, h, indexOf, indexText, placeOf, shortType } from "./dom";
 import type { ObjectRow, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
@@ -20,10 +20,16 @@ type Row =
   | { kind: "pdo"; pdo: PdoRow; position: number }
   | { kind: "object"; object: ObjectRow };
 
+/** Whether each word is in the object, or is its address; a type is found as `UNSIGNED32` and as `u32`. */
 function matches(object: ObjectRow, words: string[]): boolean {
-  const subs = object.subs.map((sub) => `${sub.name} ${sub.data_type ?? ""}`).join(" ");
-  const text = `${indexText(object.index)} 0x${indexText(object.index)} ${object.name} ${object.kind} ${object.data_type ?? ""} ${subs}`.toLowerCase();
-  return words.every((word) => text.includes(word));
+  const types = [object.data_type, ...object.subs.map((sub) => sub.data_type)].filter((type) => type !== undefined && type !== null);
+  const short = new Set(types.map(shortType));
+  const text = `${indexText(object.index)} 0x${indexText(object.index)} ${object.name} ${object.kind} ${types.join(" ")} ${object.subs.map((sub) => sub.name).join(" ")}`.toLowerCase();
+  return words.every((word) => {
+    const { index, sub } = addressIn(word) ?? {};
+    const isHere = index === object.index && (object.subs.some((row) => row.sub === sub) || (sub === 0 && object.subs.length === 0));
+    return sub === undefined ? short.has(word) || (!/^[uif](8|16|24|32|64)$/.test(word) && text.includes(word)) : isHere;
+  });
 }
 
 function rowsOf(store: Store): Row[] {
@@ -64,7 +70,7 @@ function severities(store: Store): Map<number, string> {
 export function objectsPanel(store: Store): HTMLElement {
   const search = h("input", {
     type: "search",
-    placeholder: "Index, name or type",
+    placeholder: "Name, 6040:0, u32 …",
     "aria-label": "Search objects",
     "data-key": "search",
     oninput: () => {
@@ -79,11 +85,16 @@ export function objectsPanel(store: Store): HTMLElement {
 
   const isSelected = (row: Row): boolean =>
     row.kind === "object"
-      ? store.view !== "pdo" && store.view !== "compare" && row.object.index === store.index
+      ? ["form", "text"].includes(store.view) && row.object.index === store.index
       : row.kind === "pdo" && store.view === "pdo" && row.position === store.pdo;
 
   const choose = (row: Row): void => {
-    if (row.kind === "object") store.select(row.object.index, store.view === "text" ? "text" : "form");
+    if (row.kind === "object") {
+      const sub = store.search.split(/\s+/).map((word) => addressIn(word)?.sub).find((sub) => sub !== undefined);
+      // the keyboard stays in the list where it is
+      if (sub !== undefined && document.activeElement !== list) store.wanted = placeOf(row.object.index, row.object.subs.length > 0 ? sub : undefined);
+      store.select(row.object.index, store.view === "text" ? "text" : "form");
+    }
     else if (row.kind === "pdo") store.selectPdo(row.position);
   };
 
@@ -95,17 +106,17 @@ export function objectsPanel(store: Store): HTMLElement {
       const { pdo } = row;
       const bits = pdo.mapped.reduce((sum, mapped) => sum + mapped.bits, 0);
       const note = pdo.is_valid === false ? "not valid" : `${bits} bits`;
-      return h("div", { ...attributes, class: "row" }, h("span", { class: "address" }, pdo.kind), h("span", { class: "name" }, `${pdo.number}`), h("span", { class: "type" }, note));
+      return h("div", { ...attributes, class: "row" }, h("span", { class: "address" }, pdo.kind), h("span", { class: "name" }, `${pdo.number}`), h("span", { class: bits > 64 ? "type remark error" : "type" }, note));
     }
     const { object } = row;
     const mark = marks.get(object.index);
     return h(
       "div",
-      { ...attributes, class: "row" },
+      { ...attributes, class: "row", "data-index": object.index },
       h("span", { class: "address" }, indexText(object.index)),
       h("span", { class: "name", title: object.name }, object.name),
       mark && h("span", { class: `dot ${mark}`, title: mark, role: "img", "aria-label": mark }),
-      h("span", { class: "type" }, object.data_type ?? object.kind),
+      h("span", { class: "type", title: object.data_type ?? object.kind }, object.kind === "VAR" && object.data_type ? shortType(object.data_type) : object.kind),
     );
   };
 

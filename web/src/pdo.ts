@@ -1,8 +1,8 @@
 // Middle: a PDO as eight bytes, with what it carries. Objects are added, moved and removed by mouse and by keyboard; each step changes
 // the mapping entries in the file.
 
-import { addressText, committing, disable, h, hex, numberIn, placeOf, redraw } from "./dom";
-import type { FieldChange, Mappable, Mapped, PdoRow } from "./protocol";
+import { addressText, committing, disable, h, hex, numberIn, placeOf, prose, redraw } from "./dom";
+import type { FieldChange, Mappable, Mapped, Outline, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
 const BITS = 64;
@@ -27,7 +27,35 @@ const TRANSMISSION: [number, string][] = [
   [255, "255: event of the device profile"],
 ];
 
-const bitsOf = (mapped: { bits: number }[]): number => mapped.reduce((sum, { bits }) => sum + bits, 0);
+export const bitsOf = (mapped: { bits: number }[]): number => mapped.reduce((sum, { bits }) => sum + bits, 0);
+
+/** The colours of objects: each has its own in all PDOs that carry it. */
+export function coloursOf({ pdos }: Outline): (mapped: Mapped) => string {
+  const known = new Map<number, number>();
+  const key = ({ index, sub }: Mapped) => index * 256 + sub;
+  for (const mapped of pdos.flatMap((pdo) => pdo.mapped)) if (!known.has(key(mapped))) known.set(key(mapped), known.size % COLOURS);
+  return (mapped) => `colour-${known.get(key(mapped)) ?? 0}`;
+}
+
+export const labelOf = (mapped: Mapped): string => mapped.name?.split(" / ").at(-1) ?? (mapped.index < 0x20 ? "gap" : "not described");
+
+/** How many bits are drawn: those of a PDO, or all that are mapped if these are more. */
+const drawnBits = (pdo: PdoRow): number => Math.max(BITS, bitsOf(pdo.mapped));
+const share = (pdo: PdoRow, bits: number): string => `flex: 0 0 ${(100 * bits) / drawnBits(pdo)}%`;
+
+/** Whether an object ends behind the last bit that a PDO can carry. */
+const isBeyond = (pdo: PdoRow, at: number): boolean => bitsOf(pdo.mapped.slice(0, at + 1)) > BITS;
+
+/** The bytes of a PDO to scale, with these blocks in them. */
+export function bytesOf(pdo: PdoRow, blocks: HTMLElement[], attributes: Parameters<typeof h>[1] = {}): HTMLElement {
+  const isOver = bitsOf(pdo.mapped) > BITS;
+  const limit = isOver && h("div", { class: "limit", style: `left: ${(100 * BITS) / drawnBits(pdo)}%`, "aria-hidden": "true" });
+  return h("div", { class: isOver ? "bytes over" : "bytes", style: `--byte: ${800 / drawnBits(pdo)}%`, ...attributes }, ...blocks, limit);
+}
+
+/** The same for a reader. */
+export const picture = (pdo: PdoRow, colour: (mapped: Mapped) => string): HTMLElement =>
+  bytesOf(pdo, pdo.mapped.map((mapped, at) => h("span", { class: `mapped ${colour(mapped)}${isBeyond(pdo, at) ? " beyond" : ""}`, style: share(pdo, mapped.bits), title: `${addressText(mapped.index, mapped.sub)} ${labelOf(mapped)}, ${mapped.bits} bits` }, h("span", { class: "name" }, labelOf(mapped)))), { class: `bytes small${bitsOf(pdo.mapped) > BITS ? " over" : ""}` });
 
 /** The changes of the mapping entries that give a list of objects. */
 export function mappingChanges(pdo: PdoRow, mapped: Mapped[], field: string): FieldChange[] {
@@ -95,14 +123,13 @@ export function pdoView(store: Store): HTMLElement {
   });
   const over = (event: DragEvent) => event.preventDefault();
 
-  const width = (pdo: PdoRow, bits: number) => `flex: 0 0 ${(100 * bits) / Math.max(BITS, bitsOf(pdo.mapped))}%`;
   const block = (pdo: PdoRow, mapped: Mapped, at: number): HTMLElement => {
-    const label = mapped.name ?? (mapped.index < 0x20 ? "gap" : "not described");
+    const label = mapped.name ?? labelOf(mapped);
     return h(
       "div",
       {
-        class: `mapped colour-${at % COLOURS}`,
-        style: width(pdo, mapped.bits),
+        class: `mapped ${coloursOf(store.current!.outline)(mapped)}${isBeyond(pdo, at) ? " beyond" : ""}`,
+        style: share(pdo, mapped.bits),
         role: "listitem",
         tabindex: 0,
         draggable: "true",
@@ -134,13 +161,8 @@ export function pdoView(store: Store): HTMLElement {
     return h(
       "section",
       { "aria-label": "Content" },
-      h("div", { class: "scale", "aria-hidden": "true" }, ...Array.from({ length: 8 }, (_, byte) => h("span", {}, `byte ${byte}`))),
-      h(
-        "div",
-        { class: left < 0 ? "bytes over" : "bytes", role: "list", "aria-label": "Mapped objects", ondragover: over, ondrop: drop(pdo, pdo.mapped.length) },
-        ...pdo.mapped.map((mapped, at) => block(pdo, mapped, at)),
-        left > 0 && h("div", { class: "free", style: width(pdo, left), "aria-hidden": "true" }),
-      ),
+      h("div", { class: "scale", "aria-hidden": "true" }, ...Array.from({ length: Math.ceil(drawnBits(pdo) / 8) }, (_, byte) => h("span", { style: share(pdo, 8), class: byte < 8 ? undefined : "remark error" }, left < 0 ? `${byte}` : `byte ${byte}`))),
+      bytesOf(pdo, pdo.mapped.map((mapped, at) => block(pdo, mapped, at)), { role: "list", "aria-label": "Mapped objects", ondragover: over, ondrop: drop(pdo, pdo.mapped.length) }),
       h("p", { role: "status", class: left < 0 ? "remark error" : "meaning" }, words),
     );
   };
@@ -197,11 +219,12 @@ export function pdoView(store: Store): HTMLElement {
         store.draw();
       },
     });
+    const left = BITS - bitsOf(pdo.mapped);
     const row = (entry: Mappable) =>
       h(
         "li",
         { draggable: "true", ondragstart: () => (dragged = { mappable: entry }) },
-        h("button", { class: "mappable", onclick: () => add(pdo, entry), "data-key": `mappable-${entry.index}-${entry.sub}` }, h("span", { class: "address" }, addressText(entry.index, entry.sub)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, `${entry.bits} bits`)),
+        h("button", { class: entry.bits > left ? "mappable misfit" : "mappable", onclick: () => add(pdo, entry), "data-key": `mappable-${entry.index}-${entry.sub}` }, h("span", { class: "address" }, addressText(entry.index, entry.sub)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, entry.bits > left ? `${entry.bits} bits: does not fit` : `${entry.bits} bits`)),
       );
     return h("section", { "aria-label": "Objects that can be mapped" }, h("h3", {}, "Objects that can be mapped"), h("p", { class: "meaning" }, "Enter or a click adds the object; drag it to another place."), input, h("ul", { class: "candidates" }, ...shown.slice(0, MAX_SHOWN).map(row)));
   };
@@ -209,7 +232,7 @@ export function pdoView(store: Store): HTMLElement {
   const found = (pdo: PdoRow): HTMLElement | false => {
     const objects = [placeOf(pdo.communication), placeOf(pdo.mapping)];
     const about = store.current!.report.findings.filter((finding) => [finding, ...(finding.places ?? [])].some((at) => objects.some((object) => at.place?.startsWith(object))));
-    return about.length > 0 && h("section", { "aria-label": "Findings about this PDO" }, ...about.map((finding) => h("p", { class: `remark ${finding.severity}` }, finding.message)));
+    return about.length > 0 && h("section", { "aria-label": "Findings about this PDO" }, ...about.map((finding) => h("p", { class: `remark ${finding.severity}` }, ...prose(finding.message))));
   };
 
   const wanted = () => `${store.current?.id}-${store.pdo}`;
@@ -230,8 +253,8 @@ export function pdoView(store: Store): HTMLElement {
       h("h2", {}, `${pdo.kind} ${pdo.number} `, h("span", { class: "type" }, `${hex(pdo.communication, 4)}h, ${hex(pdo.mapping, 4)}h`)),
       bytes(pdo),
       ...[found(pdo) || []].flat(),
-      settings(pdo),
       candidates(pdo),
+      settings(pdo),
     );
     view.scrollTop = top;
   });

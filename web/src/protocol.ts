@@ -49,6 +49,10 @@ export type Request =
   | { do: "open"; name: string }
   | { do: "close" | "state" | "original" | "bytes" | "outline" | "undo" | "redo" | "modules" | "network" | "build"; document: number }
   | { do: "form"; document: number; index: number }
+  | { do: "facts" | "settings"; document: number }
+  | { do: "insert"; document: number; objects: [index: number, object: NewObject][] }
+  | { do: "copy"; document: number; from: number; indexes: number[] }
+  | { do: "language"; document: number; about: { ask: "hover" | "completion"; line: number; character: number } | { ask: "tokens" } }
   | { do: "check"; document: number; fixes?: boolean; places?: boolean; tools?: string[] }
   | { do: "edit"; document: number; revision: number; edits: TextEdit[] }
   | { do: "encode"; document: number; encoding: string }
@@ -67,7 +71,7 @@ export type Request =
   | ({ do: "new" } & NewDevice)
   | { do: "configure"; document: number; node: NewNode }
   | { do: "link"; document: number; link: LinkChange }
-  | { do: "decode"; document: number; with: number[] }
+  | { do: "decode"; document: number; with: number[]; plots: string[] }
   | { do: "frames"; document: number; filter: FrameFilter; first?: number; count: number; line?: number };
 
 export interface State {
@@ -155,6 +159,8 @@ export interface Outline {
 export interface FieldForm {
   name: string;
   text?: string;
+  /** The value as CiA 306 spells it, where the text says it elsewhere or in other words. */
+  value?: string;
   line?: number;
 }
 
@@ -164,6 +170,7 @@ export interface PartForm {
   name: string;
   data_type?: string;
   words?: string;
+  unit?: string;
   line?: number;
   fields: FieldForm[];
 }
@@ -174,6 +181,45 @@ export interface ObjectForm {
   kind: string;
   has_subs: boolean;
   parts: PartForm[];
+}
+
+/** An object as JSON of the model (docs/json.md). */
+export interface NewObject {
+  name: string;
+  object_type: string;
+  data_type?: string;
+  access?: string;
+  pdo_mapping?: string;
+  default?: unknown;
+  sub_number?: number;
+  subs?: Record<string, Omit<NewObject, "subs">>;
+}
+
+/** An entry that a configuration may set. */
+export interface Setting {
+  index: number;
+  sub: number;
+  name: string;
+  data_type?: string;
+  value?: string;
+  words?: string;
+  low?: string;
+  high?: string;
+}
+
+/** What the language server says of a text. */
+export interface Hover {
+  contents: { value: string };
+}
+export interface Completion {
+  label: string;
+  detail?: string;
+  documentation?: { value: string };
+  textEdit?: { range: { start: { line: number; character: number }; end: { line: number; character: number } }; newText: string };
+}
+export interface Tokens {
+  kinds: string[];
+  tokens?: { data: number[] };
 }
 
 /** The document of `objdict check --format json`. */
@@ -287,6 +333,8 @@ export interface NetworkView {
   picture?: string;
   timing?: Timing;
   sides?: Side[];
+  /** Nodes whose descriptions were not read, with their files. */
+  missing?: [node: string, file: string][];
   links?: { from: string; to: string[]; line: number }[];
   can_link?: boolean;
 }
@@ -319,6 +367,15 @@ export interface Incident {
   why: string;
 }
 
+/** A signal over time, in seconds since the first frame. */
+export interface Plot {
+  name: string;
+  unit: string;
+  points: [from: number, to: number, least: number, greatest: number, last: number][];
+  runs: [from: number, to: number, word: number][];
+  words: string[];
+}
+
 /** A log that was read with descriptions. */
 export interface LogSummary {
   form: string;
@@ -327,6 +384,7 @@ export interface LogSummary {
   /** What the incidents say together. */
   verdict: string;
   incidents: Incident[];
+  plots: Plot[];
   buses: BusReport[];
   notes: string[];
   bad_lines: [line: number, reason: string][];
@@ -338,7 +396,7 @@ export interface Frames {
   total: number;
   first: number;
   /** Time, channel, CAN-ID, data and words. */
-  rows: { line: number; node?: number; kind: string; cells: [string, string, string, string, string] }[];
+  rows: { seconds: number; line: number; node?: number; kind: string; cells: [string, string, string, string, string] }[];
 }
 
 export interface ProfileObject {

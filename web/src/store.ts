@@ -1,15 +1,15 @@
 // What is open and what is shown, and how it changes: each change asks the engine and draws what came of it.
 
 import { ask, make, refusalOf } from "./engine";
-import { hex } from "./dom";
+import { hex, indexOf } from "./dom";
 import type { Home } from "./files";
 import type { LogSummary, MadeFile, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
 
-export type View = "form" | "text" | "diff" | "pdo" | "compare" | "network" | "log";
+export type View = "overview" | "form" | "facts" | "text" | "diff" | "pdo" | "compare" | "network" | "log";
 
 /** The views of each kind of document, the first one at first. */
 export const VIEWS: Record<State["kind"], View[]> = {
-  device: ["form", "text", "pdo", "diff", "compare"],
+  device: ["overview", "form", "pdo", "facts", "text", "diff", "compare"],
   network: ["network", "text", "diff"],
   log: ["log"],
 };
@@ -37,6 +37,8 @@ export interface OpenDocument {
   log?: LogSummary;
   /** What was opened; nothing if it was made here. */
   bytes?: Uint8Array;
+  /** The signals of a log that are drawn. */
+  plots?: string[];
   /** The documents that a log is read with; those that suit if nothing was chosen. */
   with?: number[];
   /** The state of all documents that network or log were read with. */
@@ -72,12 +74,16 @@ export type Drawing = (store: Store) => unknown;
 export class Store {
   documents: OpenDocument[] = [];
   current: OpenDocument | undefined;
-  view: View = "form";
+  view: View = "overview";
   /** The index of the shown object. */
   index: number | undefined;
   /** The position of the shown PDO. */
   pdo = 0;
   search = "";
+  /** The place whose field gets the focus when it is drawn. */
+  wanted: string | undefined;
+  /** How numbers are shown. */
+  base: "text" | "hex" | "dec" = "text";
   /** The document that the shown one is compared with. */
   compared: number | undefined;
   /** The tools whose reactions are shown. */
@@ -92,6 +98,8 @@ export class Store {
   private drawings: Drawing[] = [];
   private leavings: Drawing[] = [];
   private scheduled = false;
+  /** The part of the address that is of this page, not of a link. */
+  private own = "";
 
   onDraw(drawing: Drawing): void {
     this.drawings.push(drawing);
@@ -157,7 +165,7 @@ export class Store {
     this.revision++;
     this.notice = state.devices > 1 ? { kind: "note", message: `The file has ${state.devices} devices; the first is shown.` } : undefined;
     if (notes && notes.length > 0) this.notice = { kind: "note", message: notes.join("; ") };
-    if (this.view === "compare" || this.view === "diff") this.view = "form";
+    this.view = VIEWS[state.kind][0]!;
     this.show(opened);
     this.follow();
     // the document can be used while the engine checks
@@ -170,11 +178,12 @@ export class Store {
 
   /** Shows what the address of the page names: the object of `#6041`, the PDO of `#TPDO2`. */
   follow(): void {
+    if (location.hash === this.own) return this.draw();
     const { objects, pdos } = this.current?.outline ?? NO_OUTLINE;
     const index = /^#(?:0x)?([0-9a-f]{4})h?$/i.exec(location.hash)?.[1];
     const found = objects.find((object) => object.index === parseInt(index ?? "", 16));
-    if (found) this.index = found.index;
-    if (found && this.view === "pdo") this.view = "form";
+    if (found) [this.index, this.own] = [found.index, location.hash];
+    if (found && this.view !== "text") this.view = "form";
     const pdo = pdos.findIndex(({ kind, number }) => `#${kind}${number}`.toLowerCase() === location.hash.toLowerCase());
     if (pdo >= 0) [this.pdo, this.view] = [pdo, "pdo"];
     this.draw();
@@ -207,7 +216,7 @@ export class Store {
         of.network = await ask<NetworkView>({ do: "network", document: of.id });
         of.report = of.network.report;
       } else {
-        of.log = await ask<LogSummary>({ do: "decode", document: of.id, with: this.descriptionsFor(of) });
+        of.log = await ask<LogSummary>({ do: "decode", document: of.id, with: this.descriptionsFor(of), plots: of.plots ?? [] });
         of.report = of.log.report;
       }
     });
@@ -318,7 +327,24 @@ export class Store {
   select(index: number, view: View = "form"): void {
     this.index = index;
     this.view = view;
-    history.replaceState(null, "", `#${hex(index, 4)}`);
+    this.address(hex(index, 4));
+  }
+
+  /** Shows the field of a place, such as `0x1018sub1 / DefaultValue`; `false` if there is none. */
+  selectPlace(place: string): boolean {
+    const index = indexOf(place);
+    const isObject = this.current?.outline.objects.some((object) => object.index === index);
+    if (!isObject && !/^(FileInfo|DeviceInfo|DeviceComissioning)\b/.test(place)) return false;
+    this.wanted = place;
+    if (isObject) this.select(index!);
+    else this.view = "facts";
+    this.draw();
+    return true;
+  }
+
+  private address(own: string): void {
+    this.own = `#${own}`;
+    history.replaceState(null, "", this.own);
     this.draw();
   }
 
@@ -327,8 +353,7 @@ export class Store {
     const pdo = this.current!.outline.pdos[position]!;
     this.pdo = position;
     this.view = "pdo";
-    history.replaceState(null, "", `#${pdo.kind}${pdo.number}`);
-    this.draw();
+    this.address(`${pdo.kind}${pdo.number}`);
   }
 
   /** Opens a file as it was and changes it to what became of it; a file of the disk that is open already is changed. `false` if that was refused. */

@@ -9,6 +9,7 @@ import { Annotation, ChangeSet, EditorState, type Text } from "@codemirror/state
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { ask } from "./engine";
 import { h } from "./dom";
+import { colour, languageOf, type Asker } from "./language";
 import type { Position, State, TextEdit } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
@@ -84,6 +85,12 @@ class EditedText {
   private queued = 0;
   private sent: Promise<void> = Promise.resolve();
   private timer = 0;
+  /** The revision that has its colours. */
+  private coloured = -1;
+  private readonly asker: Asker = async (about) => {
+    await this.store.settled();
+    return ask({ do: "language", document: this.document.id, about });
+  };
 
   constructor(
     private readonly store: Store,
@@ -98,6 +105,7 @@ class EditedText {
         highlightActiveLine(),
         drawSelection(),
         search({ top: true }),
+        ...languageOf(this.asker),
         keymap.of([...defaultKeymap, ...searchKeymap]),
         EditorState.readOnly.of(is_read_only),
         EditorView.contentAttributes.of({ "aria-label": "Text of the file", spellcheck: "false", tabindex: "0" }),
@@ -193,7 +201,12 @@ class EditedText {
 
   draw(): void {
     this.follow();
-    if (this.steps.length === 0) this.view!.dispatch(setDiagnostics(this.view!.state, diagnosticsOf(this.document, this.view!.state.doc)));
+    const view = this.view!;
+    if (this.steps.length > 0) return;
+    view.dispatch(setDiagnostics(view.state, diagnosticsOf(this.document, view.state.doc)));
+    if (this.coloured === this.revision) return;
+    this.coloured = this.revision;
+    void colour(view, this.asker).catch(() => {});
   }
 }
 

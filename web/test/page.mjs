@@ -55,6 +55,16 @@ export async function open(page, ...files) {
   }, files.map(([name]) => name));
 }
 
+/** Clicks a button of the toolbar, which is in a menu in a narrow window. */
+export async function toolbar(page, name) {
+  const menu = page.getByRole("button", { name: "Menu", exact: true });
+  if (await menu.isVisible()) await menu.click();
+  await page.locator("header").getByRole("button", { name, exact: true }).click();
+}
+
+/** Shows a view of the document. */
+export const view = (page, name) => page.locator(".views").getByRole("button", { name, exact: true }).click();
+
 export const checked = (page) => page.waitForSelector('.findings ul[aria-busy="false"]');
 
 /** Of how many pages the browser keeps changes. */

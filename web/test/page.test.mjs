@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import axe from "axe-core";
-import { browser, changedLines, checked, download, open, saveAs, server, skip, withPage } from "./page.mjs";
+import { browser, changedLines, checked, download, open, saveAs, server, skip, toolbar, view, withPage } from "./page.mjs";
 import { dist, fixture, host, noCommand, objdict, root } from "./support.mjs";
 
 const single = join(dist, "objdict-workbench.html");
@@ -38,6 +38,7 @@ test("an edited default is one changed line, and undo takes it back", { skip }, 
 
 test("a form stays where it was scrolled to, and another one begins at its top", { skip }, () =>
   withPage(async (page) => {
+    await page.setViewportSize({ width: 1280, height: 420 });
     await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
     const choose = async (index) => {
       await page.getByLabel("Search objects", { exact: true }).fill(index);
@@ -46,14 +47,15 @@ test("a form stays where it was scrolled to, and another one begins at its top",
     };
     const top = () => page.locator(".form").evaluate((form) => form.scrollTop);
     await choose("1A00");
-    await page.locator(".form").evaluate((form) => (form.scrollTop = 300));
-    const field = page.getByLabel("Name", { exact: true }).nth(2);
+    await page.locator(".form").evaluate((form) => (form.scrollTop = 90));
+    const field = page.getByLabel("Name, sub-index 01");
     await field.evaluate((input) => {
       input.value = "Another name";
       input.dispatchEvent(new Event("change", { bubbles: true }));
     });
-    await page.waitForSelector('.form h3:has-text("Another name")');
-    assert.equal(await top(), 300);
+    await page.waitForSelector(".document.current:has-text('•')");
+    await checked(page);
+    assert.equal(await top(), 90);
     await choose("1018");
     assert.equal(await top(), 0);
   }));
@@ -117,6 +119,7 @@ test("nothing is typed into an object that was left", { skip }, () =>
   withPage(async (page) => {
     const original = fixture(`eds/${DRIVE}`);
     await open(page, [DRIVE, original]);
+    await view(page, "Object");
     await page.waitForSelector(".form h2:has-text('1000h')");
     // an engine that takes its time for the next form
     await page.evaluate(() => {
@@ -135,7 +138,7 @@ test("nothing is typed into an object that was left", { skip }, () =>
     await page.getByRole("option", { name: /1017h/ }).click();
     await page.waitForFunction(() => document.querySelector("[role=option][aria-selected=true] .address")?.textContent === "1017h");
     assert.equal(await page.locator(".form h2 .address").textContent(), "1000h");
-    assert.equal(await page.locator(".form :is(input, button):enabled").count(), 0);
+    assert.equal(await page.locator(".form :is(input, button, select):enabled").count(), 0);
     await page.evaluate(() => window.release());
     await page.getByLabel("Default value").first().fill("1234");
     await page.keyboard.press("Enter");
@@ -205,32 +208,32 @@ test("a conversion is that of the command", { skip: skip || noCommand }, () =>
     assert.match(dcf.bytes.toString(), /NodeID=8/);
   }));
 
-const mapped = (page) => page.locator(".mapped .address").allTextContents();
+const mapped = (page) => page.locator(".pdo .mapped .address").allTextContents();
 
 test("a PDO is made by keyboard and by mouse", { skip }, () =>
   withPage(async (page) => {
     await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
     await page.getByRole("option", { name: /^TPDO 2\b/ }).click();
-    await page.waitForSelector(".mapped");
+    await page.waitForSelector(".pdo .mapped");
     const start = await mapped(page);
-    await page.locator(".mapped").first().focus();
+    await page.locator(".pdo .mapped").first().focus();
     for (let left = start.length; left > 0; left--) {
       await page.keyboard.press("Delete");
-      await page.waitForFunction((left) => document.querySelectorAll(".mapped").length === left, left - 1);
-      if (left > 1) await page.locator(".mapped").first().focus();
+      await page.waitForFunction((left) => document.querySelectorAll(".pdo .mapped").length === left, left - 1);
+      if (left > 1) await page.locator(".pdo .mapped").first().focus();
     }
     await page.getByLabel("Search objects that can be mapped").fill("6041");
     await page.locator(".pdo .mappable", { hasText: "6041h:00" }).focus();
     await page.keyboard.press("Enter");
-    await page.waitForSelector(".mapped");
+    await page.waitForSelector(".pdo .mapped");
     await page.getByLabel("Search objects that can be mapped").fill("6064");
     await checked(page);
-    await page.locator(".pdo .mappable", { hasText: "6064h:00" }).dragTo(page.locator(".bytes"), { targetPosition: { x: 200, y: 40 } });
-    await page.waitForFunction(() => document.querySelectorAll(".mapped").length === 2);
+    await page.locator(".pdo .mappable", { hasText: "6064h:00" }).dragTo(page.locator(".pdo .bytes"), { targetPosition: { x: 200, y: 40 } });
+    await page.waitForFunction(() => document.querySelectorAll(".pdo .mapped").length === 2);
     assert.deepEqual(await mapped(page), ["6041h:00", "6064h:00"]);
-    await page.locator(".mapped").first().focus();
+    await page.locator(".pdo .mapped").first().focus();
     await page.keyboard.press("Alt+ArrowRight");
-    await page.waitForFunction(() => document.querySelector(".mapped .address").textContent === "6064h:00");
+    await page.waitForFunction(() => document.querySelector(".pdo .mapped .address").textContent === "6064h:00");
     assert.match(await page.locator(".pdo [role=status]").textContent(), /16 of 64 bits left/);
     const text = (await saveAs(page)).bytes.toString();
     const section = (name) => new RegExp(`\\[${name}\\][^[]*`, "i").exec(text)[0];
@@ -255,7 +258,7 @@ test("a network gets a link by mouse and by keyboard, and is built", { skip }, (
   withPage(async (page) => {
     const original = NETWORK[0][1].toString();
     await open(page, ...NETWORK);
-    await page.waitForSelector(".network .load:has-text('4 nodes')");
+    await page.waitForSelector(".network .load:has-text('on average')");
     assert.match(await page.locator(".network .load").textContent(), /4 nodes · 250 kbit\/s · load \d/);
     assert.equal(await page.locator(".links li").count(), 4);
     await page.getByLabel("Node that sends", { exact: true }).selectOption("left");
@@ -415,8 +418,8 @@ test("a hostile file does no harm", { skip }, () =>
     const script = "<script>alert(1)</script><img src=x onerror=alert(2)>";
     const text = fixture(`eds/${DRIVE}`).toString("latin1").replaceAll(/ParameterName=.*/g, `ParameterName=${script}`);
     await open(page, ["script.eds", text]);
-    for (const view of ["Object", "Text", "PDOs", "Changes"]) {
-      await page.getByRole("button", { name: view, exact: true }).click();
+    for (const name of ["Overview", "Object", "PDOs", "Device", "Text", "Changes"]) {
+      await view(page, name);
       await page.waitForTimeout(200);
     }
     assert.equal(await page.locator("#app script, #app img").count(), 0);
@@ -474,19 +477,19 @@ async function barriers(page) {
 async function eachView(page, see) {
   await open(page, [DRIVE, fixture(`eds/${DRIVE}`)], ["broken.eds", fixture("errata/a9-encoder-406.eds")]);
   await checked(page);
-  for (const view of ["Object", "Text", "PDOs", "Changes", "Compare"]) {
-    await page.getByRole("button", { name: view, exact: true }).click();
+  for (const name of ["Overview", "Object", "PDOs", "Device", "Text", "Changes", "Compare"]) {
+    await view(page, name);
     await page.waitForTimeout(200);
-    await see(view);
+    await see(name);
   }
   for (const dialog of ["Paste …", "New …", "Add object …", "Configure …", "Save as …", "Download …"]) {
-    await page.getByRole("button", { name: dialog, exact: true }).click();
+    await toolbar(page, dialog);
     await page.waitForTimeout(200);
     await see(dialog);
     await page.locator("dialog[open] button", { hasText: "Cancel" }).click();
   }
   await open(page, ...NETWORK);
-  await page.waitForSelector(".network .load:has-text('4 nodes')");
+  await page.waitForSelector(".network .load:has-text('on average')");
   await see("Network");
   await open(page, ["cell.log", fixture("logs/cell.log")]);
   await page.waitForSelector(".frame");
@@ -506,7 +509,7 @@ test("nothing serious is in the way of those who use a screen reader or a keyboa
 });
 
 test("no width is too small", { skip }, async () => {
-  for (const width of [400, 1280, 2560]) {
+  for (const width of [390, 768, 1280, 2560]) {
     await withPage(
       (page) =>
         eachView(page, async (view) => {
@@ -530,11 +533,11 @@ test("screenshots", { skip: skip || (!process.env.OBJDICT_SCREENSHOTS && "only w
       await page.screenshot({ path: join(folder, "workbench.png") });
       await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
       await page.getByRole("option", { name: /^TPDO 1\b/ }).click();
-      await page.waitForSelector(".mapped");
+      await page.waitForSelector(".pdo .mapped");
       await checked(page);
       await page.screenshot({ path: join(folder, "workbench-pdo.png") });
       await open(page, ...NETWORK);
-      await page.waitForSelector(".network .load:has-text('4 nodes')");
+      await page.waitForSelector(".network .load:has-text('on average')");
       await page.screenshot({ path: join(folder, "workbench-network.png") });
     },
     { size: { width: 1120, height: 640 } },

@@ -2,13 +2,11 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { browser, changedLines, download, kept, newPage, open, saveAs, server, skip, withPage } from "./page.mjs";
+import { browser, changedLines, download, kept, newPage, open, saveAs, server, skip, view, withPage } from "./page.mjs";
 import { fixture } from "./support.mjs";
 
 const DRIVE = "drive-402.eds";
 const original = fixture(`eds/${DRIVE}`);
-
-const view = (page, name) => page.locator(".views").getByRole("button", { name, exact: true }).click();
 
 /** Has the keyboard in the text, which is there with the next frame only. */
 async function focusText(page) {
@@ -45,17 +43,18 @@ async function setDefault(page, index, value) {
 test("a field that is left takes nothing, from the click on", { skip }, () =>
   withPage(async (page) => {
     await open(page, [DRIVE, original]);
+    await view(page, "Object");
     await page.waitForSelector(".form h2:has-text('1000h')");
     await page.getByLabel("Search objects", { exact: true }).fill("1017");
     const option = page.getByRole("option", { name: /1017h/ });
     await option.waitFor();
     const isLocked = await option.evaluate((row) => {
       row.click();
-      return [...document.querySelectorAll(".form input")].every((field) => field.disabled);
+      return [...document.querySelectorAll(".form :is(input, select)")].every((field) => field.disabled);
     });
     assert.ok(isLocked);
     await page.waitForSelector(".form h2:has-text('1017h')");
-    assert.equal(await page.locator(".form input:disabled").count(), 0);
+    assert.equal(await page.locator(".form :is(input, select):disabled").count(), 0);
   }));
 
 for (const pause of [0, 100, 400]) {
@@ -225,14 +224,14 @@ test("two objects mapped at once are both in the PDO", { skip }, () =>
   withPage(async (page) => {
     await open(page, [DRIVE, original]);
     await page.getByRole("option", { name: /^TPDO 1 / }).click();
-    const before = await page.locator(".mapped").count();
+    const before = await page.locator(".pdo .mapped").count();
     const candidates = page.locator("button.mappable");
     await candidates.first().waitFor();
     await candidates.first().evaluate((button) => {
       button.click();
       button.click();
     });
-    await page.waitForFunction((wanted) => document.querySelectorAll(".mapped").length === wanted, before + 2);
+    await page.waitForFunction((wanted) => document.querySelectorAll(".pdo .mapped").length === wanted, before + 2);
   }));
 
 /** A generator of numbers below a bound, the same for the same seed (xorshift). */

@@ -22,6 +22,7 @@ mod hover;
 mod keyed;
 mod mentions;
 mod navigation;
+mod page;
 mod position;
 mod protocol;
 mod rename;
@@ -34,4 +35,5 @@ mod values;
 mod words;
 mod workspace;
 
+pub use self::page::{LanguageQuestion, PageLanguage};
 pub use self::server::serve;

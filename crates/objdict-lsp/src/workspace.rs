@@ -101,6 +101,12 @@ impl EditorWorkspace {
         self.forget(&path);
     }
 
+    /// Whether a file is open with this text.
+    pub(super) fn has(&self, uri: &str, text: &str) -> bool {
+        path_of(uri)
+            .is_some_and(|path| self.texts.borrow().get(&path).is_some_and(|buffer| buffer.text == text))
+    }
+
     /// Makes changes of an open file, each in the text that the one before leaves.
     pub(super) fn change(&mut self, uri: &str, version: i32, changes: Vec<ContentChange>) {
         let Some(path) = path_of(uri) else { return };

@@ -87,7 +87,9 @@ pub struct NetworkFile {
     pub descriptions: BTreeMap<String, Rc<Description>>,
     /// The files of the descriptions.
     pub files: Vec<PathBuf>,
-    /// The problems of the text and of its network.
+    /// The nodes whose descriptions cannot be read, which the network lacks, with the files that they name.
+    pub missing: Vec<(String, String)>,
+    /// The problems of the text and of what follows from it.
     findings: Findings,
     /// The number of findings about the text, which are first.
     of_text: usize,
@@ -139,6 +141,7 @@ impl NetworkFile {
             patches: &options.patches,
             judge: options.judge,
             files: Vec::new(),
+            missing: Vec::new(),
         };
         let is_made = descriptions.folder.is_none();
         let mut findings = Findings::new();
@@ -161,6 +164,7 @@ impl NetworkFile {
             resolve(network, made_device, &mut findings)
         });
         let files = std::mem::take(&mut descriptions.files);
+        let missing = std::mem::take(&mut descriptions.missing);
         let descriptions = descriptions
             .read
             .into_iter()
@@ -169,7 +173,7 @@ impl NetworkFile {
                 ReadDescription::Device(_) => None,
             })
             .collect();
-        Self { source, is_made, resolved, descriptions, files, findings, of_text }
+        Self { source, is_made, resolved, descriptions, files, missing, findings, of_text }
     }
 
     /// The network in the file, with derived values; `None` if it cannot be read at all.
@@ -282,6 +286,8 @@ struct NodeDescriptions<'v> {
     patches: &'v [Arc<Patch>],
     judge: Option<SourceCheck>,
     files: Vec<PathBuf>,
+    /// The nodes without a description that can be read, and the files that they name.
+    missing: Vec<(String, String)>,
 }
 
 #[derive(Clone)]
@@ -311,7 +317,11 @@ impl NodeDescriptions<'_> {
             }
             self.read.insert(file.value.clone(), read.ok());
         }
-        self.read.get(&file.value)?.as_ref().map(|read| read.device().clone())
+        let read = self.read.get(&file.value)?.as_ref().map(|read| read.device().clone());
+        if read.is_none() {
+            self.missing.push((node.to_owned(), file.value.clone()));
+        }
+        read
     }
 
     /// The error and its help, if it cannot be read.

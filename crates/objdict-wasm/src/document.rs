@@ -9,7 +9,7 @@ use objdict::format::input::{FileKind, Input, Reading};
 use objdict::format::network::NetworkFile;
 use objdict::format::patch::{self, Patch};
 use objdict::lint::Options;
-use objdict::model::{Device, Field};
+use objdict::model::{Device, Field, Object};
 use objdict::report::{Json, Report as _, Subject, by_place, grouped};
 use objdict::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 use serde::{Deserialize, Serialize};
@@ -316,7 +316,25 @@ impl EditedDocument {
         }
         let mut complete = device.clone();
         objdict::scaffold::add_objects(&mut complete, profile, indexes);
-        let bytes = self.description()?.with_objects(&complete);
+        self.complete(&complete)
+    }
+
+    /// Adds objects that the device does not have.
+    pub(crate) fn insert(&mut self, objects: Vec<(u16, Object)>) -> Result<(), BadRequest> {
+        let mut complete = self.device()?.clone();
+        for (index, object) in objects {
+            if complete.objects.contains_key(&index) {
+                return Err(BadRequest::new(format_args!("the device has {index:04X}h already")));
+            }
+            complete.objects.insert(index, object);
+            complete.lists.add(index);
+        }
+        self.complete(&complete)
+    }
+
+    /// Adds the objects that a device has in addition.
+    fn complete(&mut self, complete: &Device) -> Result<(), BadRequest> {
+        let bytes = self.description()?.with_objects(complete);
         let bytes = bytes.ok_or_else(|| BadRequest::new("no objects can be added to this file"))?;
         self.replace(bytes)
     }

@@ -16,6 +16,7 @@ mod outline;
 mod place;
 mod request;
 
+use objdict_lsp::PageLanguage;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use self::document::EditedDocument;
@@ -35,6 +36,7 @@ enum Open {
 pub struct Workbench {
     /// By their numbers; `None` where one was closed.
     documents: Vec<Option<Open>>,
+    language: PageLanguage,
     /// What the last answer names.
     files: Vec<PageFile>,
 }

@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use objdict::describe::frames::FrameKind;
+use objdict::document::{TrafficCourse, TrafficPlot};
 use objdict::format::log::{LogForm, LogOptions, LogReader, LoggedFrame};
 use objdict::traffic::{
-    BusReport, BusSums, Buses, Descriptions, Incident, MergedLogs, NamedLog, findings, incidents, verdict,
+    BusReport, BusSums, Buses, Descriptions, Incident, MergedLogs, NamedLog, PlotChoice, Recording, findings,
+    incidents, verdict,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -15,6 +17,9 @@ use crate::document::text_report;
 
 /// So many frames are kept as rows; sums and findings are over all.
 const MAX_ROWS: usize = 500_000;
+
+/// So many points are kept of each plot; of more, neighbours become one.
+const MAX_POINTS: usize = 600;
 
 /// A log, and what was read of it last.
 #[derive(Debug)]
@@ -30,6 +35,8 @@ pub(crate) struct Log {
 /// A frame in words.
 #[derive(Debug)]
 struct LogRow {
+    /// Since the first frame.
+    seconds: f64,
     line: u64,
     node: Option<u8>,
     kind: FrameKind,
@@ -66,6 +73,7 @@ struct LogSummary {
     rows: usize,
     verdict: String,
     incidents: Vec<Incident>,
+    plots: Vec<Value>,
     buses: Vec<BusReport>,
     /// How descriptions without a node-ID found their nodes.
     notes: Vec<String>,
@@ -103,12 +111,15 @@ impl Log {
     }
 
     /// Reads all frames with descriptions of nodes.
-    pub(crate) fn decode(&mut self, descriptions: &Descriptions) -> Answer {
+    pub(crate) fn decode(&mut self, descriptions: &Descriptions, plots: &[String]) -> Answer {
         let failed = |error| BadRequest::new(format_args!("cannot read the log: {error}"));
         let mut buses = Buses::new(&[], descriptions);
         let notes =
             if buses.is_open() { buses.find(&mut self.reader()).map_err(failed)? } else { Vec::new() };
         let (mut rows, mut sums): (Vec<LogRow>, Vec<BusSums>) = (Vec::new(), Vec::new());
+        let choices: Vec<PlotChoice> = plots.iter().filter_map(|text| text.parse().ok()).collect();
+        let mut recording = Recording::new(&choices, MAX_POINTS);
+        let mut first = None;
         let mut logs = self.reader();
         while let Some((log, frame)) = logs.next_frame().map_err(failed)? {
             let at = buses.of(log, &frame, &logs);
@@ -119,11 +130,20 @@ impl Log {
             }
             let origin = logs.origin(log);
             sums[at].add(&decoded, &frame, origin, bus);
+            recording.add(&decoded, &frame, at, bus);
+            let seconds = seconds(frame.time.nanoseconds(), *first.get_or_insert(frame.time.nanoseconds()));
             if rows.len() < MAX_ROWS {
                 let text = text(&frame, &bus.channel, &bus.words(&decoded, &frame));
-                rows.push(LogRow { line: origin.line, node: decoded.node_id, kind: decoded.kind, text });
+                rows.push(LogRow {
+                    seconds,
+                    line: origin.line,
+                    node: decoded.node_id,
+                    kind: decoded.kind,
+                    text,
+                });
             }
         }
+        let plots = recording.plots(&buses).iter().map(|plot| plotted(plot, first.unwrap_or(0))).collect();
         let mut buses: Vec<BusReport> =
             sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
         let (lines, found) = findings(&buses, 0, self.name.clone());
@@ -135,6 +155,7 @@ impl Log {
             rows: rows.len(),
             verdict: verdict(&incidents),
             incidents,
+            plots,
             buses,
             notes,
             bad_lines: reader.bad_lines().iter().map(|bad| (bad.line, bad.reason)).collect(),
@@ -159,11 +180,42 @@ impl Log {
             None => first,
         };
         let shown = passing.iter().skip(first).take(count).map(|&at| {
-            let LogRow { line, node, kind, text } = &self.rows[at];
-            json!({ "line": line, "node": node, "kind": kind.name(), "cells": text.split('\t').collect::<Vec<_>>() })
+            let LogRow { seconds, line, node, kind, text } = &self.rows[at];
+            json!({ "seconds": seconds, "line": line, "node": node, "kind": kind.name(), "cells": text.split('\t').collect::<Vec<_>>() })
         });
         json!({ "total": passing.len(), "first": first, "rows": shown.collect::<Vec<_>>() })
     }
+}
+
+/// The seconds from one time to another, both in nanoseconds.
+fn seconds(time: i64, first: i64) -> f64 {
+    time.saturating_sub(first) as f64 / 1e9
+}
+
+/// A plot with times in seconds since the first frame: numbers as `[from, to, least, greatest, last]`, words as `[from, to, word]`.
+fn plotted(plot: &TrafficPlot<'_>, first: i64) -> Value {
+    let (points, runs, words) = match plot.course {
+        TrafficCourse::Numbers(curve) => {
+            let point = |bucket: &objdict::document::CurveBucket| {
+                json!([
+                    seconds(bucket.from, first),
+                    seconds(bucket.to, first),
+                    bucket.min,
+                    bucket.max,
+                    bucket.last
+                ])
+            };
+            (curve.buckets().iter().map(point).collect(), Vec::new(), &[][..])
+        }
+        TrafficCourse::States(bands) => {
+            let run = |run: &objdict::document::BandRun| {
+                json!([seconds(run.from, first), seconds(run.to, first), run.last])
+            };
+            (Vec::new(), bands.runs().iter().map(run).collect::<Vec<Value>>(), bands.words())
+        }
+    };
+    let points: Vec<Value> = points;
+    json!({ "name": plot.name, "unit": plot.unit, "points": points, "runs": runs, "words": words })
 }
 
 /// The cells of a frame, as `objdict decode` prints them.

@@ -78,12 +78,15 @@ pub(crate) fn view(file: &NetworkFile) -> Answer {
     let report = document::network_report(file)?;
     let Ok(build) = file.build(DcfgenMode::Corrected) else { return Ok(format!("{{\"report\":{report}}}")) };
     let overview = build.overview("en");
-    let timing = build.timing(&TimingOptions::default(), Language::English);
+    // without all nodes, the load and the times would be those of another network
+    let has_all = file.missing.is_empty();
+    let timing = build.timing(&TimingOptions::default(), Language::English).filter(|_| has_all);
     let shown = data(json!({
         "picture": graph::svg(&overview, |can_id| can_id.to_string()),
         "timing": timing.as_ref().map(timing_of),
         "sides": sides(file),
         "links": links(file),
+        "missing": file.missing,
         "can_link": file.link_edits(LinkEdit::Add { from: "", to: "" }).is_some(),
     }))?;
     let rest = shown.strip_prefix('{').unwrap_or_default();

@@ -160,7 +160,7 @@ fn pdo_row(device: &Device, decoder: &Decoder<'_>, pdo: &Pdo<'_>) -> PdoRow {
     }
 }
 
-fn name_of(device: &Device, index: u16, sub: u8) -> Option<String> {
+pub(crate) fn name_of(device: &Device, index: u16, sub: u8) -> Option<String> {
     let object = device.object(index)?;
     Some(match object.entry(sub).filter(|_| object.object_type().has_subs()) {
         Some(entry) => format!("{} / {}", object.name(), entry.name),

@@ -7,9 +7,10 @@ use objdict::format::identify::{ContentKind, identify};
 use objdict::format::network::NetworkFile;
 use objdict::format::{self, Format, WriteOptions};
 use objdict::lint::{Options, changes};
-use objdict::model::{ClockTime, Date};
+use objdict::model::{ClockTime, Date, Object};
 use objdict::scaffold::{FEATURES, Feature, FeatureKind, FeatureValue, Features, PROFILES, Wanted, scaffold};
 use objdict::traffic::Descriptions;
+use objdict_lsp::LanguageQuestion;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -48,6 +49,30 @@ enum PageRequest {
     Form {
         document: usize,
         index: u16,
+    },
+    /// The fields of the file, of the device and of the node that it is.
+    Facts {
+        document: usize,
+    },
+    /// The entries that a configuration may set.
+    Settings {
+        document: usize,
+    },
+    /// New objects, as JSON of the model (docs/json.md).
+    Insert {
+        document: usize,
+        objects: Vec<(u16, Object)>,
+    },
+    /// Objects of another document.
+    Copy {
+        document: usize,
+        from: usize,
+        indexes: Vec<u16>,
+    },
+    /// What the language server says of a text: `hover` and `completion` at a position, or `tokens`.
+    Language {
+        document: usize,
+        about: LanguageQuestion,
     },
     /// The findings, with the fixes that are sound if they are asked for.
     Check {
@@ -177,6 +202,9 @@ enum PageRequest {
     Decode {
         document: usize,
         with: Vec<usize>,
+        /// The signals that are drawn; the first ones that change if none is named.
+        #[serde(default)]
+        plots: Vec<String>,
     },
     /// Some of these frames.
     Frames {
@@ -270,6 +298,20 @@ impl Workbench {
                     })?,
                 )
             }
+            PageRequest::Facts { document } => data(form::facts(self.document(document)?.description()?)),
+            PageRequest::Settings { document } => {
+                data(form::settings(self.document(document)?.description()?))
+            }
+            PageRequest::Insert { document, objects } => {
+                self.change(document, |document| document.insert(objects))
+            }
+            PageRequest::Copy { document, from, indexes } => {
+                let objects = &self.document(from)?.device()?.objects;
+                let chosen = indexes.iter().filter_map(|index| Some((*index, objects.get(index)?.clone())));
+                let chosen: Vec<(u16, Object)> = chosen.collect();
+                self.change(document, |document| document.insert(chosen))
+            }
+            PageRequest::Language { document, about } => self.language(document, &about),
             PageRequest::Check { document, fixes, places, tools } => {
                 self.document(document)?.report(fixes, places, &options(&tools)?)
             }
@@ -369,7 +411,7 @@ impl Workbench {
                 let made = network::build(&self.network(document)?);
                 self.made(made)
             }
-            PageRequest::Decode { document, with } => {
+            PageRequest::Decode { document, with, plots } => {
                 let mut descriptions = Descriptions::default();
                 for number in with {
                     let other = self.document(number)?;
@@ -378,13 +420,22 @@ impl Workbench {
                         false => log::describe(&mut descriptions, other.device()?, other.name()),
                     }
                 }
-                self.log(document)?.decode(&descriptions)
+                self.log(document)?.decode(&descriptions, &plots)
             }
             PageRequest::Frames { document, filter, first, count, line } => {
                 data(self.log(document)?.rows(&filter, first, count, line))
             }
             _ => Err(BadRequest::new("the request is not known")),
         }
+    }
+
+    /// Answers as the language server does, with all texts that are open as its files.
+    fn language(&mut self, number: usize, question: &LanguageQuestion) -> Answer {
+        let name = self.document(number)?.name().to_owned();
+        let texts = self.texts().map(|document| (document.name(), document.source().text()));
+        let texts: Vec<(String, String)> =
+            texts.map(|(name, text)| (name.to_owned(), text.to_owned())).collect();
+        data(self.language.answer(&name, texts, question))
     }
 
     /// The texts that are open.

@@ -22,6 +22,11 @@ pub struct PageTexts {
 }
 
 impl Recording {
+    /// The signals that are drawn.
+    pub fn plots(&self, buses: &Buses<'_>) -> Vec<TrafficPlot<'_>> {
+        self.plots.iter().map(|plot| plot.drawn(buses)).collect()
+    }
+
     /// The page of what was recorded.
     pub fn html(
         &self,
@@ -43,7 +48,7 @@ impl Recording {
             summary: texts.summary,
             density: &self.density,
             buses: drawn.collect(),
-            plots: self.plots.iter().map(|plot| plot.drawn(buses)).collect(),
+            plots: self.plots(buses),
             left_out: self.left_out(),
         }
         .html()
