@@ -2,7 +2,7 @@
 
 import { ask } from "./engine";
 import { Dialog } from "./dialog";
-import { h, hex, numberIn } from "./dom";
+import { h, hex, numberIn, placeOf } from "./dom";
 import { ACCESS, TYPES } from "./form";
 import type { Feature, NewDevice, NewObject, Opened, ProfileObject, ProfileRow } from "./protocol";
 import { textBytes, type OpenDocument, type Store } from "./store";
@@ -126,7 +126,9 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
     show();
   };
   const select = (of: OpenDocument, index: number) => {
-    if (store.current === of) store.select(index);
+    if (store.current !== of) return;
+    store.wanted = `${placeOf(index, kind.value !== "VAR" ? 1 : undefined)} / ParameterName`;
+    store.select(index);
   };
   const add = (index: number) =>
     dialog.run(async () => {

@@ -46,7 +46,8 @@ export function redraw(view: HTMLElement, ...children: Node[]): void {
   again?.focus({ preventScroll: true });
   if (!(former instanceof HTMLInputElement && again instanceof HTMLInputElement)) return;
   if (former.value !== former.defaultValue) again.value = former.value;
-  again.setSelectionRange(former.selectionStart, former.selectionEnd);
+  // a checkbox or a number has no selection
+  if (former.selectionStart !== null) again.setSelectionRange(former.selectionStart, former.selectionEnd);
 }
 
 /** The events with which a field gives away its text: when it is left, and with Enter. Escape takes back what was typed. */

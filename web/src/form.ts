@@ -122,6 +122,20 @@ export function formView(store: Store): HTMLElement {
   const leave = () => view.dataset.shown !== wanted() && disable(view);
   store.onLeave(leave);
 
+  // up and down lead to the same field of the next entry
+  view.addEventListener("keydown", (event) => {
+    const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    const target = event.target as HTMLElement;
+    const name = target.dataset.key?.split(" / ")[1];
+    if (!by || event.altKey || !name || !(target instanceof HTMLInputElement)) return;
+    const column = [...view.querySelectorAll<HTMLInputElement>(`.entries input[data-key$="/ ${name}"]`)];
+    const next = column[column.indexOf(target) + by];
+    if (!next) return;
+    event.preventDefault();
+    next.focus();
+    next.select();
+  });
+
   const choose = (form: ObjectForm, sub: number, event: MouseEvent) => {
     const between = (each: number) => last !== undefined && each >= Math.min(last, sub) && each <= Math.max(last, sub);
     if (event.shiftKey && last !== undefined) chosen = new Set(form.parts.map((part) => part.sub ?? -1).filter((each) => each >= 0 && between(each)));
@@ -248,4 +262,5 @@ export function focusWanted(store: Store, view: HTMLElement): void {
   store.wanted = undefined;
   (part ?? field)!.scrollIntoView({ block: "center" });
   field?.focus({ preventScroll: true });
+  if (field instanceof HTMLInputElement) field.select();
 }

@@ -73,6 +73,14 @@ export function objectsPanel(store: Store): HTMLElement {
     placeholder: "Name, 6040:0, u32 …",
     "aria-label": "Search objects",
     "data-key": "search",
+    title: "Ctrl+K; Enter shows the first match",
+    onkeydown: (event: KeyboardEvent) => {
+      const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+      if (by) move(by);
+      const first = event.key === "Enter" ? (rows.find(isSelected) ?? rows.find(({ kind }) => kind !== "area")) : undefined;
+      if (first) enter(first);
+      if (by || first) event.preventDefault();
+    },
     oninput: () => {
       store.search = search.value;
       store.draw();
@@ -96,6 +104,13 @@ export function objectsPanel(store: Store): HTMLElement {
       store.select(row.object.index, store.view === "text" ? "text" : "form");
     }
     else if (row.kind === "pdo") store.selectPdo(row.position);
+  };
+
+  /** Chooses a row, and has the keyboard in its view. */
+  const enter = (row: Row): void => {
+    choose(row);
+    if (row.kind === "object") store.wanted ??= placeOf(row.object.index, row.object.subs.length > 0 ? (row.object.subs[1]?.sub ?? 0) : undefined);
+    if (row.kind === "pdo") store.wanted = "PDO";
   };
 
   const element = (row: Row, number: number): HTMLElement => {
@@ -147,6 +162,12 @@ export function objectsPanel(store: Store): HTMLElement {
     if (!by) return;
     event.preventDefault();
     move(by);
+  });
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key !== "k" || panel.hidden || document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    search.focus();
+    search.select();
   });
 
   store.onDraw(() => {

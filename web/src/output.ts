@@ -59,7 +59,7 @@ function say(store: Store, notes: string[]): void {
 }
 
 export function saveDialog(store: Store): Dialog<OpenDocument> {
-  const name = h("input", { id: "save-name", required: true, autocomplete: "off" });
+  const name = h("input", { id: "save-name", required: true, autofocus: true, autocomplete: "off" });
   const nodeId = h("input", { id: "save-node-id", type: "number", min: 1, max: 127 });
   const bitRate = h("input", { id: "save-bit-rate", list: "bit-rates", inputmode: "numeric" });
   const node = h("div", { class: "node" }, h("label", {}, "Node-ID ", nodeId), h("label", {}, "Bit rate in kbit/s ", bitRate));

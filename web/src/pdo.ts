@@ -95,8 +95,8 @@ export function pdoView(store: Store): HTMLElement {
       if (done && focus !== undefined) requestAnimationFrame(() => view.querySelector<HTMLElement>(`[data-key="mapped-${focus}"]`)?.focus());
     });
   };
-  const add = (pdo: PdoRow, { index, sub, bits, name }: Mappable, at?: number) =>
-    change(pdo, (mapped) => mapped.toSpliced(at ?? mapped.length, 0, { index, sub, bits, name }), at ?? pdo.mapped.length);
+  const add = (pdo: PdoRow, { index, sub, bits, name }: Mappable, at?: number, keepsFocus = false) =>
+    change(pdo, (mapped) => mapped.toSpliced(at ?? mapped.length, 0, { index, sub, bits, name }), keepsFocus ? undefined : (at ?? pdo.mapped.length));
   const move = (pdo: PdoRow, from: number, to: number) => {
     if (to < 0 || to >= pdo.mapped.length || from === to) return;
     change(pdo, (mapped) => mapped.toSpliced(from, 1).toSpliced(to, 0, ...mapped.slice(from, from + 1)), to);
@@ -206,6 +206,7 @@ export function pdoView(store: Store): HTMLElement {
 
   const candidates = (pdo: PdoRow): HTMLElement => {
     const all = [...store.current!.outline.mappable.filter((entry) => (pdo.kind === "RPDO" ? entry.rpdo : entry.tpdo)), ...(pdo.kind === "RPDO" ? DUMMIES : [])];
+    const left = BITS - bitsOf(pdo.mapped);
     const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
     const shown = all.filter((entry) => words.every((word) => `${addressText(entry.index, entry.sub)} ${entry.name}`.toLowerCase().includes(word)));
     const input = h("input", {
@@ -214,19 +215,23 @@ export function pdoView(store: Store): HTMLElement {
       placeholder: "Address or name",
       "aria-label": "Search objects that can be mapped",
       "data-key": "mappable-search",
+      onkeydown: (event: KeyboardEvent) => {
+        const isMapped = ({ index, sub }: Mappable) => pdo.mapped.some((mapped) => mapped.index === index && mapped.sub === sub);
+        const next = event.key === "Enter" ? shown.find((entry) => entry.bits <= left && !isMapped(entry)) : undefined;
+        if (next) add(pdo, next, undefined, true);
+      },
       oninput: () => {
         filter = input.value;
         store.draw();
       },
     });
-    const left = BITS - bitsOf(pdo.mapped);
     const row = (entry: Mappable) =>
       h(
         "li",
         { draggable: "true", ondragstart: () => (dragged = { mappable: entry }) },
         h("button", { class: entry.bits > left ? "mappable misfit" : "mappable", onclick: () => add(pdo, entry), "data-key": `mappable-${entry.index}-${entry.sub}` }, h("span", { class: "address" }, addressText(entry.index, entry.sub)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, entry.bits > left ? `${entry.bits} bits: does not fit` : `${entry.bits} bits`)),
       );
-    return h("section", { "aria-label": "Objects that can be mapped" }, h("h3", {}, "Objects that can be mapped"), h("p", { class: "meaning" }, "Enter or a click adds the object; drag it to another place."), input, h("ul", { class: "candidates" }, ...shown.slice(0, MAX_SHOWN).map(row)));
+    return h("section", { "aria-label": "Objects that can be mapped" }, h("h3", {}, "Objects that can be mapped"), h("p", { class: "meaning" }, "A click adds an object, Enter the first one that fits; drag it to another place."), input, h("ul", { class: "candidates" }, ...shown.slice(0, MAX_SHOWN).map(row)));
   };
 
   const found = (pdo: PdoRow): HTMLElement | false => {
@@ -257,6 +262,9 @@ export function pdoView(store: Store): HTMLElement {
       settings(pdo),
     );
     view.scrollTop = top;
+    if (store.wanted !== "PDO") return;
+    store.wanted = undefined;
+    view.querySelector<HTMLElement>('[data-key="mappable-search"]')?.focus();
   });
   return view;
 }
