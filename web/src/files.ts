@@ -51,7 +51,7 @@ export class Files {
   private turn: Promise<unknown> = Promise.resolve();
 
   constructor(private readonly store: Store) {
-    this.listed = new Dialog(store, "files", { title: "Files", choices: [this.search, this.entries], prepare: () => this.drawList() });
+    this.listed = new Dialog(store, "files", { title: "Files", choices: [this.search, this.entries], prepare: () => this.listAgain() });
     this.asked = questionDialog(store);
     const show = h("button", { onclick: () => this.listed.show() }, "Files …");
     const save = h("button", { title: "Ctrl+S", onclick: () => void this.save() }, "Save");
@@ -67,15 +67,24 @@ export class Files {
   /** Loads the list and opens what was named on the command line. */
   async start(): Promise<void> {
     if (this.place === undefined) return;
-    const isListed = await this.store.attempt(async () => {
-      this.list = ((await (await this.fetch("")).json()) as { files: Served[] }).files;
-    });
+    const isListed = await this.store.attempt(() => this.load());
     for (const number of this.list.keys()) if (this.list[number]!.is_open) await this.open(number);
     const { documents } = this.store;
     const named = documents.find(({ home }) => home && this.list[home.number]!.is_open) ?? documents[0];
     if (named) this.store.show(named);
     else if (isListed) this.listed.show();
     setInterval(() => void this.inTurn(() => this.look()), PERIOD);
+  }
+
+  private async load(): Promise<void> {
+    this.list = ((await (await this.fetch("")).json()) as { files: Served[] }).files;
+  }
+
+  /** The list with what is new in the folders. */
+  private async listAgain(): Promise<void> {
+    this.drawList();
+    await this.load();
+    this.drawList();
   }
 
   private inTurn(what: () => Promise<unknown>): Promise<unknown> {

@@ -9,7 +9,7 @@ import type { OpenDocument, Store } from "./store";
 const MAX_SHOWN = 400;
 
 /** From so many on, the findings of one rule are a group. */
-const GROUP = 4;
+const GROUP = 3;
 
 export const SEVERITIES = ["error", "warning", "note"] as const;
 

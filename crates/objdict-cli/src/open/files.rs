@@ -48,6 +48,9 @@ struct ServedFile {
 #[derive(Debug)]
 pub(super) struct ServedFiles {
     list: Vec<ServedFile>,
+    /// What the command was given.
+    arguments: Vec<PathBuf>,
+    settings: SettingsArgs,
     size: SizeArgs,
     /// A file is compared and written by one request at a time.
     writing: Mutex<()>,
@@ -57,12 +60,13 @@ impl ServedFiles {
     /// The files that the arguments name, and the descriptions of networks among them.
     pub(super) fn gather(args: &OpenArgs) -> Result<Self, Failure> {
         let settings = SettingsArgs::from(&args.config);
+        let arguments = args.files.clone();
         let (found, failures) =
-            gather_with(&args.files, &mut CommandSettings::new(&settings)?, may_be_network)?;
+            gather_with(&arguments, &mut CommandSettings::new(&settings)?, may_be_network)?;
         let mut failures = failures.into_iter();
         failures.next().map_or(Ok(()), Err)?;
         let size = SizeArgs { max_size: args.size.max_size };
-        let mut files = Self { list: Vec::new(), size, writing: Mutex::default() };
+        let mut files = Self { list: Vec::new(), arguments, settings, size, writing: Mutex::default() };
         for file in &found {
             match files.add(file) {
                 // one file of a folder keeps no other one closed
@@ -70,10 +74,7 @@ impl ServedFiles {
                 added => added?,
             }
         }
-        let networks = (0..files.list.len()).filter(|&number| files.list[number].kind == OpenKind::Network);
-        for number in networks.collect::<Vec<_>>() {
-            files.add_nodes(number)?;
-        }
+        files.add_all_nodes(0)?;
         if files.list.is_empty() {
             return Err(
                 Failure::new("there is nothing to open").help("name a description, a network or a folder")
@@ -82,6 +83,24 @@ impl ServedFiles {
         let open = files.list.iter_mut().filter(|file| file.is_open);
         open.skip(MAX_OPEN).for_each(|file| file.is_open = false);
         Ok(files)
+    }
+
+    /// Adds the files that are new in the folders; those of the list keep their numbers.
+    pub(super) fn look_again(&mut self) -> Result<(), Failure> {
+        let mut settings = CommandSettings::new(&self.settings)?;
+        let (found, _) = gather_with(&self.arguments, &mut settings, may_be_network)?;
+        let known = self.list.len();
+        for file in found.iter().filter(|file| !file.is_named) {
+            // one that cannot be read keeps no other one out
+            drop(self.add(file));
+        }
+        self.add_all_nodes(known)
+    }
+
+    /// Adds the descriptions of the nodes of all networks from a number on.
+    fn add_all_nodes(&mut self, first: usize) -> Result<(), Failure> {
+        let networks = (first..self.list.len()).filter(|&number| self.list[number].kind == OpenKind::Network);
+        networks.collect::<Vec<_>>().into_iter().try_for_each(|number| self.add_nodes(number))
     }
 
     /// The list as JSON.

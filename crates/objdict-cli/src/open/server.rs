@@ -11,7 +11,7 @@ use std::io::Write as _;
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, RwLock, RwLockReadGuard};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -34,7 +34,7 @@ const MAX_WAITING: usize = 64;
 const BROWSER_TIME: Duration = Duration::from_secs(60);
 
 struct PageServer {
-    files: ServedFiles,
+    files: RwLock<ServedFiles>,
     page: String,
     port: u16,
     token: String,
@@ -52,13 +52,15 @@ pub(crate) fn run(args: &OpenArgs, texts: &Texts, out: &mut Output) -> Result<Ou
         Failure::new(message).help("choose another one with `--port`, or leave it out")
     })?;
     let port = listener.local_addr()?.port();
+    let count = files.count();
+    let files = RwLock::new(files);
     let (page, token) = (page(texts)?, token()?);
     let (requests, waiting, is_open) = (AtomicUsize::new(0), Mutex::default(), AtomicBool::new(false));
     let server = Arc::new(PageServer { files, page, port, token, requests, waiting, is_open });
     let address = format!("http://127.0.0.1:{port}/{}/", server.token);
     writeln!(out, "{address}")?;
     out.finish()?;
-    note(&format!("serving {} to this computer until Ctrl-C\n", plural(server.files.count(), "file")));
+    note(&format!("serving {} to this computer until Ctrl-C\n", plural(count, "file")));
     if !args.no_browser {
         start_browser(address, &server);
     }
@@ -197,11 +199,13 @@ impl PageServer {
                 Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into()))
             }
             ("GET" | "HEAD", "files") => {
-                let list = self.files.list().map_err(|failure| HttpRefusal(500, failure))?;
+                // what is there already is listed, whatever the folders are now
+                drop(self.files.write().unwrap_or_else(PoisonError::into_inner).look_again());
+                let list = self.files().list().map_err(|failure| HttpRefusal(500, failure))?;
                 Ok(ok("application/json", None, list.into()))
             }
             ("GET" | "HEAD", path) => {
-                let (bytes, etag) = self.files.read(number(path)?)?;
+                let (bytes, etag) = self.files().read(number(path)?)?;
                 Ok(ok("application/octet-stream", Some(etag), bytes.into()))
             }
             ("PUT", path) => {
@@ -210,12 +214,16 @@ impl PageServer {
                     HttpRefusal::new(428, "the request does not say which version of the file it replaces")
                 };
                 let expected = request.header("if-match")?.ok_or_else(unstated)?.to_owned();
-                let body = request.body(self.files.max_size())?;
-                let etag = self.files.write(number, &expected, &body)?;
+                let body = request.body(self.files().max_size())?;
+                let etag = self.files().write(number, &expected, &body)?;
                 Ok(ok("text/plain", Some(etag), [].as_slice().into()))
             }
             _ => Err(HttpRefusal::new(405, "only `GET`, `HEAD` and `PUT` are answered")),
         }
+    }
+
+    fn files(&self) -> RwLockReadGuard<'_, ServedFiles> {
+        self.files.read().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The path of a request below the token. A page of another site has another `Origin`; and it has another `Host` if its name was made to
