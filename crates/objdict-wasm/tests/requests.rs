@@ -204,6 +204,8 @@ fn a_network_is_read_with_the_open_descriptions() {
     });
     // two nodes share one of the two descriptions
     assert_eq!(unread, 2, "{alone}");
+    assert_eq!(alone["missing"].as_array().map(Vec::len), Some(3), "{alone}");
+    assert_eq!(alone["timing"], Value::Null, "there is no verdict without all nodes");
     beside(&mut workbench, "network/island.eds");
     beside(&mut workbench, "network/servo.eds");
     let view = network(&mut workbench);
@@ -423,4 +425,66 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
             false => files.push(path),
         }
     }
+}
+
+#[test]
+fn objects_are_inserted_and_copied_into_the_text_and_its_list() {
+    let mut workbench = with("eds/drive-402.eds");
+    let entry = json!({ "name": "Lower", "object_type": "VAR", "data_type": "UNSIGNED8", "access": "rw", "pdo_mapping": "optional" });
+    let object =
+        json!({ "name": "Zone", "object_type": "RECORD", "sub_number": 1, "subs": { "0x01": entry } });
+    let insert = json!({ "do": "insert", "document": 0, "objects": [[0x2F00, object]] });
+    ok(&mut workbench, insert.clone());
+    let now = text(&mut workbench);
+    assert!(now.contains("SupportedObjects=19") && now.contains("=0x2F00"), "{now}");
+    assert!(!now.contains("objdict-embed"), "{now}");
+    assert_eq!(ask(&mut workbench, insert)["error"]["message"], "the device has 2F00h already");
+    for fixture in ["eds/io-401.eds", "xdd/io-401.xdd"] {
+        let other = beside(&mut workbench, fixture);
+        ok(&mut workbench, json!({ "do": "copy", "document": other, "from": 0, "indexes": [0x2F00] }));
+        let form = ok(&mut workbench, json!({ "do": "form", "document": other, "index": 0x2F00 }));
+        assert_eq!(form["parts"][1]["name"], "Lower", "{fixture}: {form}");
+    }
+}
+
+#[test]
+fn facts_and_settings_are_those_of_the_file() {
+    let mut workbench = with("dcf/drive-402-node8.dcf");
+    let facts = ok(&mut workbench, json!({ "do": "facts", "document": 0 }));
+    let field = |part: usize, name: &str| {
+        let fields = facts[part]["fields"].as_array().cloned().unwrap_or_default();
+        fields.into_iter().find(|field| field["name"] == name).map(|field| field["text"].clone())
+    };
+    assert_eq!(field(0, "FileName"), Some(json!("drive-402-node8.dcf")));
+    assert_eq!(field(1, "BaudRate_125"), Some(json!("1")));
+    assert_eq!(field(2, "NodeID"), Some(json!("8")));
+    let settings = ok(&mut workbench, json!({ "do": "settings", "document": 0 }));
+    let indexes = settings.as_array().into_iter().flatten().map(|row| row["index"].as_u64());
+    let indexes: Vec<Option<u64>> = indexes.collect();
+    assert!(indexes.contains(&Some(0x1017)) && !indexes.contains(&Some(0x1000)), "{settings}");
+}
+
+#[test]
+fn the_text_is_explained_as_by_the_language_server() {
+    let mut workbench = with("eds/drive-402.eds");
+    let at = text(&mut workbench).lines().position(|line| line.starts_with("AccessType="));
+    let about = |ask: &str| json!({ "do": "language", "document": 0, "about": { "ask": ask, "line": at, "character": 11 } });
+    let items = ok(&mut workbench, about("completion"));
+    let labels =
+        items.as_array().into_iter().flatten().map(|item| item["label"].as_str().unwrap_or_default());
+    assert!(labels.collect::<Vec<_>>().contains(&"const"), "{items}");
+    let hover = ok(&mut workbench, about("hover"));
+    assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.contains("1000h")), "{hover}");
+    let tokens = ok(&mut workbench, json!({ "do": "language", "document": 0, "about": { "ask": "tokens" } }));
+    assert!(tokens["tokens"]["data"].as_array().is_some_and(|data| data.len() > 1000));
+    // the text as it is now
+    ok(
+        &mut workbench,
+        json!({ "do": "change", "document": 0, "changes": [{ "change": "set", "at": "0x1000 / ParameterName", "value": "Kind of drive" }] }),
+    );
+    let hover = ok(&mut workbench, about("hover"));
+    assert!(
+        hover["contents"]["value"].as_str().is_some_and(|text| text.contains("Kind of drive")),
+        "{hover}"
+    );
 }

@@ -62,9 +62,29 @@ export function beside(path: string, to: string): string {
   return join(dirname(path), `${basename(path, extname(path))}.${to}`);
 }
 
+/** Whether a format is about one node, so that it needs a node-ID. */
+export const isOfNode = (to: string): boolean => ["dcf", "xdc", "dbc", "cdcf", "cdcf.txt"].includes(to);
+
+/** The node-ID that a DCF or XDC states. */
+export function nodeIdIn(text: string): string | undefined {
+  return /^\s*NodeID\s*=\s*(\S+)/im.exec(text)?.[1] ?? /\bnodeID="([^"]+)"/.exec(text)?.[1];
+}
+
+/** Why a text is no node-ID. */
+export function nodeIdProblem(text: string): string | undefined {
+  const number = /^(0x[0-9a-f]+|\d+)$/i.test(text.trim()) ? Number(text) : NaN;
+  return number >= 1 && number <= 127 ? undefined : "a node-ID is a number from 1 to 127";
+}
+
+/** The lines and columns (from zero) of characters that were lost when the file was read in another encoding than its own. */
+export function lostCharacters(text: string): [line: number, column: number][] {
+  return text.split(/\r\n|\r|\n/).flatMap((row, line) => [...row.matchAll(/\uFFFD/g)].map(({ index }): [number, number] => [line, index]));
+}
+
 /** Writes a description in another format, and returns what is lost. `target` is replaced, so ask before. */
-export async function convert(program: string, source: Source, to: string, target: string): Promise<string[]> {
-  const arguments_ = ["convert", "-", ...format(source), "--to", to, "-o", target];
+export async function convert(program: string, source: Source, to: string, target: string, nodeId?: string): Promise<string[]> {
+  const node = nodeId === undefined ? [] : ["--node-id", nodeId];
+  const arguments_ = ["convert", "-", ...format(source), "--to", to, ...node, "-o", target];
   const report = await output(program, arguments_, source.text, dirname(source.path));
   const lines = report.split("\n").map((line) => line.trim());
   return lines.filter((line) => line.startsWith("lost: ")).map((line) => line.slice("lost: ".length));

@@ -5,7 +5,7 @@ import { basename, dirname, extname } from "node:path";
 import * as vscode from "vscode";
 import { type DocumentFilter, LanguageClient } from "vscode-languageclient/node";
 
-import { beside, convert, documentation, drawing, generate, objectAt, pdoOf, sectionLine, type Source } from "./description";
+import { beside, convert, documentation, drawing, generate, isOfNode, lostCharacters, nodeIdIn, nodeIdProblem, objectAt, pdoOf, sectionLine, type Source } from "./description";
 import { findProgram, possibleValues, requireServer } from "./program";
 
 /** The command behind the links of a drawing. */
@@ -16,6 +16,8 @@ const FOLLOWS_AFTER = 300;
 const panels = new Map<string, vscode.WebviewPanel>();
 /** How the pages are drawn that follow their text, by their titles. */
 const drawings = new Map<string, { document: vscode.TextDocument; draw: (html: string) => string }>();
+/** The characters that saving destroys. */
+const encodings = vscode.languages.createDiagnosticCollection("objdict encoding");
 let waiting: NodeJS.Timeout | undefined;
 let client: LanguageClient | undefined;
 
@@ -36,12 +38,33 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       clearTimeout(waiting);
       waiting = setTimeout(() => void follow(document), FOLLOWS_AFTER);
     }),
+    encodings,
+    vscode.workspace.onDidOpenTextDocument((document) => void warnOfEncoding(document)),
+    vscode.workspace.onDidChangeTextDocument(({ document }) => encodings.has(document.uri) && showLost(document)),
     vscode.workspace.onDidChangeConfiguration((event) => {
       if (["objdict.server", "objdict.files"].some((name) => event.affectsConfiguration(name)))
         void reported(() => start(context));
     }),
   );
+  vscode.workspace.textDocuments.forEach((document) => void warnOfEncoding(document));
   await reported(() => start(context));
+}
+
+/** Marks the characters that are lost when the file is saved; how many they are. */
+function showLost(document: vscode.TextDocument): number {
+  const lost = lostCharacters(document.getText());
+  const message = "the file has another encoding than UTF-8, and saving destroys this character: reopen the file with its encoding";
+  encodings.set(document.uri, lost.map(([line, column]) => new vscode.Diagnostic(new vscode.Range(line, column, line, column + 1), message, vscode.DiagnosticSeverity.Warning)));
+  return lost.length;
+}
+
+/** Says that a file was read in another encoding than its own, before it is saved. */
+async function warnOfEncoding(document: vscode.TextDocument): Promise<void> {
+  if (document.languageId !== "eds" || showLost(document) === 0) return;
+  const reopen = "Reopen with encoding";
+  const message = `\`${basename(document.fileName)}\` is not UTF-8: saving it now destroys characters`;
+  if ((await vscode.window.showWarningMessage(message, reopen)) === reopen)
+    await vscode.commands.executeCommand("workbench.action.editor.changeEncoding");
 }
 
 export async function deactivate(): Promise<void> {
@@ -114,7 +137,7 @@ async function showDocumentation(program: string): Promise<void> {
   const { source, editor } = active();
   const html = await pageOf(program, editor.document);
   // The page has a policy of its own, which lets its one script and style run by their hashes and nothing else.
-  page(`Documentation of ${basename(source.path)}`, html, { enableScripts: true });
+  page(`Documentation of ${basename(source.path)}`, html, { enableScripts: true }, vscode.ViewColumn.Active);
 }
 
 async function showPdo(program: string): Promise<void> {
@@ -158,15 +181,20 @@ async function convertFile(program: string): Promise<void> {
   const { source } = active();
   const own = extname(source.path).slice(1).toLowerCase();
   const formats = (await possibleValues(program, "convert", "to")).filter((format) => format !== own);
-  const to = await vscode.window.showQuickPick(formats, { title: "Convert to" });
+  const stated = nodeIdIn(source.text);
+  const items = formats.map((label) => ({ label, description: isOfNode(label) ? `for one node${stated === undefined ? ", asks for its node-ID" : ""}` : "" }));
+  const to = (await vscode.window.showQuickPick(items, { title: "Convert to" }))?.label;
   if (to === undefined) return;
+  const asked = { title: "Node-ID", prompt: `A \`.${to}\` is for one node.`, value: stated ?? "", validateInput: nodeIdProblem };
+  const nodeId = isOfNode(to) ? await vscode.window.showInputBox(asked) : undefined;
+  if (isOfNode(to) && nodeId === undefined) return;
   const target = beside(source.path, to);
   if (existsSync(target)) {
     const replace = "Replace";
     const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists. Replace it?`, { modal: true }, replace);
     if (answer !== replace) return;
   }
-  const lost = await convert(program, source, to, target);
+  const lost = await convert(program, source, to, target, nodeId?.trim());
   if (lost.length > 0) void vscode.window.showWarningMessage(`\`${basename(target)}\` has no place for: ${lost.join("; ")}`);
   await vscode.commands.executeCommand("vscode.open", vscode.Uri.file(target));
 }
@@ -196,9 +224,9 @@ async function showNetwork(program: string): Promise<void> {
   page(`Network of ${basename(source.path)}`, await documentation(program, source.path), { enableScripts: true });
 }
 
-/** Shows a page beside the text, which keeps the focus: the next command is about the text again. */
-function page(title: string, html: string, options: vscode.WebviewOptions): void {
-  const place = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+/** Shows a page; beside the text, which keeps the focus: the next command is about the text again. */
+function page(title: string, html: string, options: vscode.WebviewOptions, viewColumn = vscode.ViewColumn.Beside): void {
+  const place = { viewColumn, preserveFocus: viewColumn === vscode.ViewColumn.Beside };
   let panel = panels.get(title);
   if (panel === undefined) {
     panel = vscode.window.createWebviewPanel("objdict", title, place, { enableFindWidget: true, localResourceRoots: [], ...options });

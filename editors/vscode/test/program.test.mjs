@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { beside, convert, documentation, drawing, generate, objectAt, pdoOf, sectionLine } from "../dist/description.mjs";
+import { beside, convert, documentation, drawing, generate, lostCharacters, nodeIdIn, nodeIdProblem, objectAt, pdoOf, sectionLine } from "../dist/description.mjs";
 import { findProgram, possibleValues, requireServer } from "../dist/program.mjs";
 import { fixture, objdict } from "./objdict.mjs";
 
@@ -48,6 +48,20 @@ test("the documentation of a network has its nodes, and the policy of its page",
   const html = await documentation(objdict, fixture("network/islands.toml"));
   assert.match(html, /<title>islands<\/title>[^]*node 12 right/);
   assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
+});
+
+test("a conversion to a node has the node-ID that was asked for", async () => {
+  const target = join(folder(), "node.dcf");
+  await assert.rejects(convert(objdict, source("eds/minimal.eds"), "dcf", target), /missing node-ID/);
+  await convert(objdict, source("eds/minimal.eds"), "dcf", target, "0x0B");
+  assert.equal(nodeIdIn(readFileSync(target, "utf8")), "11");
+  assert.deepEqual(["1", "0x7F", "0", "128", "a", ""].map((text) => nodeIdProblem(text) === undefined), [true, true, false, false, false, false]);
+});
+
+test("characters of another encoding are found before they are lost", () => {
+  const latin1 = new TextDecoder().decode(Buffer.from("[1000]\r\nParameterName=Ger\xe4t\xfc\r\n", "latin1"));
+  assert.deepEqual(lostCharacters(latin1), [[1, 17], [1, 19]]);
+  assert.deepEqual(lostCharacters("Ger\u00e4t"), []);
 });
 
 test("the object of a line, and its PDO", () => {
