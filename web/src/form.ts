@@ -260,7 +260,7 @@ export function focusWanted(store: Store, view: HTMLElement): void {
   const field = view.querySelector<HTMLElement>(`[data-key="${CSS.escape(place)}"]`) ?? part?.querySelector<HTMLElement>("input, select");
   if (!field && !part) return;
   store.wanted = undefined;
-  (part ?? field)!.scrollIntoView({ block: "center" });
+  (field ?? part)!.scrollIntoView({ block: "center", inline: "nearest" });
   field?.focus({ preventScroll: true });
   if (field instanceof HTMLInputElement) field.select();
 }

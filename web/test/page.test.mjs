@@ -540,5 +540,5 @@ test("screenshots", { skip: skip || (!process.env.OBJDICT_SCREENSHOTS && "only w
       await page.waitForSelector(".network .load:has-text('on average')");
       await page.screenshot({ path: join(folder, "workbench-network.png") });
     },
-    { size: { width: 1120, height: 640 } },
+    { size: { width: 1280, height: 720 } },
   ));
