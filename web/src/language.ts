@@ -4,7 +4,7 @@ import { autocompletion, completionKeymap, type CompletionContext, type Completi
 import { RangeSetBuilder, StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
 import { Decoration, EditorView, hoverTooltip, keymap, type DecorationSet } from "@codemirror/view";
 import { h, prose } from "./dom";
-import type { Completion, Hover, Tokens } from "./protocol";
+import type { Completion, Hover, LanguageQuestion, Place, Tokens } from "./protocol";
 
 /** Larger texts have no colours. */
 const MAX_COLOURED = 2_000_000;
@@ -18,7 +18,7 @@ const colours = StateField.define<DecorationSet>({
 });
 
 /** What asks about the document whose text is shown, once the engine has all of it. */
-export type Asker = <T>(about: { ask: "hover" | "completion"; line: number; character: number } | { ask: "tokens" }) => Promise<T>;
+export type Asker = <T>(about: LanguageQuestion) => Promise<T>;
 
 /** Markdown of the language server as elements: paragraphs, rules and code. */
 const markdown = (text: string): HTMLElement =>
@@ -44,12 +44,12 @@ export async function colour(view: EditorView, asker: Asker): Promise<void> {
   view.dispatch({ effects: setColours.of(builder.finish()) });
 }
 
-const positionOf = (doc: Text, at: number): { line: number; character: number } => {
+const positionOf = (doc: Text, at: number): Place => {
   const line = doc.lineAt(at);
   return { line: line.number - 1, character: at - line.from };
 };
 
-const offsetOf = (doc: Text, { line, character }: { line: number; character: number }): number => {
+const offsetOf = (doc: Text, { line, character }: Place): number => {
   const { from, to } = doc.line(Math.min(line + 1, doc.lines));
   return Math.min(to, from + character);
 };

@@ -173,6 +173,7 @@ function documentTabs(): HTMLElement {
       const element = tabs.children[at]!;
       element.className = isCurrent ? "document current" : "document";
       const name = element.firstElementChild!;
+      name.setAttribute("title", [document.state.format, document.state.encoding].filter(Boolean).join(", "));
       if (isCurrent) name.setAttribute("aria-current", "page");
       else name.removeAttribute("aria-current");
       name.textContent = `${document.state.name}${files.isChanged(document) ? " •" : ""}`;
@@ -207,17 +208,13 @@ function middle(): HTMLElement {
     });
     return { view, tab };
   });
-  const facts = h("p", { class: "facts" });
   store.onDraw(() => {
     for (const { view, tab } of tabs) {
       tab.setAttribute("aria-pressed", String(view === store.view));
       tab.hidden = !VIEWS[store.current?.state.kind ?? "device"].includes(view);
     }
-    const { state, outline } = store.current ?? {};
-    const parts = [outline?.product, outline?.node_id ? `node ${outline.node_id}` : null, state?.format, state?.encoding];
-    facts.textContent = parts.filter(Boolean).join(" · ");
   });
-  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab), facts), networkView(store), logView(store), overview(store, doing), formView(store), factsView(store), textView(store), pdoView(store), diffView(store), compareView(store));
+  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab)), networkView(store), logView(store), overview(store, doing), formView(store), factsView(store), textView(store), pdoView(store), diffView(store), compareView(store));
 }
 
 function notice(): HTMLElement {

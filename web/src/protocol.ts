@@ -52,7 +52,7 @@ export type Request =
   | { do: "facts" | "settings"; document: number }
   | { do: "insert"; document: number; objects: [index: number, object: NewObject][] }
   | { do: "copy"; document: number; from: number; indexes: number[] }
-  | { do: "language"; document: number; about: { ask: "hover" | "completion"; line: number; character: number } | { ask: "tokens" } }
+  | { do: "language"; document: number; about: LanguageQuestion }
   | { do: "check"; document: number; fixes?: boolean; places?: boolean; tools?: string[] }
   | { do: "edit"; document: number; revision: number; edits: TextEdit[] }
   | { do: "encode"; document: number; encoding: string }
@@ -207,20 +207,13 @@ export interface Setting {
   high?: string;
 }
 
+/** A place in a text, both counted from 0, the column in UTF-16. */
+export type Place = { line: number; character: number };
 /** What the language server says of a text. */
-export interface Hover {
-  contents: { value: string };
-}
-export interface Completion {
-  label: string;
-  detail?: string;
-  documentation?: { value: string };
-  textEdit?: { range: { start: { line: number; character: number }; end: { line: number; character: number } }; newText: string };
-}
-export interface Tokens {
-  kinds: string[];
-  tokens?: { data: number[] };
-}
+export type Hover = { contents: { value: string } };
+export type Completion = { label: string; detail?: string; documentation?: { value: string }; textEdit?: { range: { start: Place; end: Place }; newText: string } };
+export type Tokens = { kinds: string[]; tokens?: { data: number[] } };
+export type LanguageQuestion = ({ ask: "hover" | "completion" } & Place) | { ask: "tokens" };
 
 /** The document of `objdict check --format json`. */
 export interface Report {

@@ -116,7 +116,7 @@ test("what another program wrote stays", { skip }, async () => {
     await stop();
     await setDefault(page, "1017", "1235");
     await save(page);
-    await page.waitForSelector(".notice.error:has-text('`objdict open` does not answer')");
+    await page.waitForSelector(".notice.error:has-text('objdict open does not answer')");
   });
 });
 
@@ -185,7 +185,7 @@ test("changes survive a reload beside what another program did", { skip }, async
 test("a folder is a list, and a network has its descriptions", { skip }, async () => {
   const network = "[bus]\nbit-rate = 250\n\n[node.left]\nid = 11\nfile = \"io.eds\"\n";
   const files = { "drive.eds": fixture("eds/drive-402.eds"), "io.eds": fixture("eds/io-401.eds"), "network.toml": network };
-  await serving(files, [], async ({ page }) => {
+  await serving(files, [], async ({ page, folder }) => {
     const names = page.locator("dialog[open] .candidates > li > button .name");
     await names.first().waitFor();
     assert.deepEqual(await names.allTextContents(), ["drive.eds", "io.eds", "network.toml"]);
@@ -196,6 +196,16 @@ test("a folder is a list, and a network has its descriptions", { skip }, async (
     await isShown(page, "drive.eds");
     assert.equal(await page.locator("dialog[open]").count(), 0);
     assert.equal(await page.locator(".document").count(), 1);
+    // what is new in the folder is in the list, behind the others
+    writeFileSync(join(folder, "another.eds"), fixture("eds/io-401.eds"));
+    await page.getByRole("button", { name: "Files …" }).click();
+    await page.getByLabel("Search files").fill("");
+    await names.filter({ hasText: "another.eds" }).click();
+    await isShown(page, "another.eds");
+    await setDefault(page, "1017", "1234");
+    await save(page);
+    await page.waitForSelector(".notice:has-text('another.eds is saved')");
+    assert.match(readFileSync(join(folder, "another.eds"), "latin1"), /DefaultValue=1234\s/);
   });
   await serving(files, ["network.toml"], async ({ page }) => {
     await page.waitForSelector(".document:has-text('io.eds')");
