@@ -77,7 +77,7 @@ export function fieldOf(store: Store, document: OpenDocument, place: string, fie
   return h("input", { ...attributes, value: shown, placeholder: field.value ?? "", readonly: document.state.is_read_only, spellcheck: "false", autocomplete: "off", ...committing(shown, set) });
 }
 
-/** A patch of changes (docs/patches.md). */
+/** A patch of changes (docs/reference/patch.md). */
 export function patchOf(...changes: Record<string, string | boolean | string[] | Record<string, string | number>>[]): string {
   const value = (value: unknown): string =>
     typeof value === "object" && value !== null && !Array.isArray(value)

@@ -1,5 +1,6 @@
 //! Logs of buses, read with the open descriptions.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use objdict::describe::frames::FrameKind;
@@ -77,7 +78,7 @@ struct LogSummary {
     buses: Vec<BusReport>,
     /// How descriptions without a node-ID found their nodes.
     notes: Vec<String>,
-    bad_lines: Vec<(u64, &'static str)>,
+    bad_lines: Vec<(u64, Cow<'static, str>)>,
     bad_count: u64,
 }
 
@@ -158,7 +159,7 @@ impl Log {
             plots,
             buses,
             notes,
-            bad_lines: reader.bad_lines().iter().map(|bad| (bad.line, bad.reason)).collect(),
+            bad_lines: reader.bad_lines().iter().map(|bad| (bad.line, bad.reason.clone())).collect(),
             bad_count: reader.bad_count(),
         };
         (self.rows, self.passing) = (rows, None);
