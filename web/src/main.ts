@@ -38,7 +38,7 @@ async function openFiles(files: Iterable<{ name: string; bytes: () => Promise<Ar
 const chosen = (files: Iterable<File>) => [...files].map((file) => ({ name: file.name, bytes: () => file.arrayBuffer() }));
 
 /** What a folder may have beside descriptions is not opened. */
-const KNOWN = /\.(eds|dcf|xdd|xdc|nxdd|nxdc|toml|ya?ml|cpj|xpd|od|log|asc|trc|csv|pcap|pcapng|candump)$/i;
+const KNOWN = /\.(eds|dcf|xdd|xdc|nxdd|nxdc|toml|ya?ml|cpj|xpd|od|log|asc|blf|trc|csv|pcap|pcapng|candump)$/i;
 
 /** The files that are dropped; those of folders have their paths, by which a network names them. */
 async function dropped(items: DataTransferItemList): Promise<{ name: string; bytes: () => Promise<ArrayBuffer> }[]> {

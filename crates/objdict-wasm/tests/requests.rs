@@ -294,6 +294,7 @@ fn a_network_of_descriptions_is_built() {
 fn a_log_is_read_in_words() {
     for (log, frames) in [
         ("drive.asc", None),
+        ("short.blf", None),
         ("short.csv", None),
         ("short.pcap", None),
         ("short.trc", None),

@@ -13,6 +13,7 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use self::csv::{LongCsv, WideCsv};
+use self::screen::Screen;
 #[cfg(feature = "schema")]
 pub(super) use self::summary::TrafficSummaryJson as SummaryDocument;
 use self::text::{JsonLines, TextLines};
@@ -89,7 +90,15 @@ fn sums(
     args.html.as_deref().map_or(Ok(()), require_other)?;
     let mut recording = args.html.as_ref().map(|_| Recording::new(&args.plot, args.points));
     let mut known = KnownFindings::new(&args.baseline)?;
-    let mut document = summary::gather(args, buses, logs, recording.as_mut())?;
+    let is_live =
+        args.summary && args.format == DecodeFormat::Text && !args.logs.iter().all(|path| is_file(path));
+    let mut screen = if is_live { Screen::of_terminal() } else { None };
+    let mut document = summary::gather(args, buses, logs, recording.as_mut(), |at, sums, bus| {
+        if let Some(screen) = screen.as_mut().and_then(|screen| screen.when_due(at)) {
+            screen.show(sums.clone().report(bus));
+        }
+    })?;
+    drop(screen);
     document.sift(&mut known);
     let is_written = known.is_written();
     known.finish()?;

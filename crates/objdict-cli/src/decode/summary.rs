@@ -10,12 +10,11 @@ use super::super::input::source_name;
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
 use super::incidents::{self, LINE};
-use super::screen::Screen;
-use super::{KnownFindings, Logs, each_frame, is_file};
+use super::{KnownFindings, Logs, each_frame};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_traffic as traffic;
-use objdict_traffic::{BusReport, BusSums, Buses, Incident, NodeEvent, Recording};
+use objdict_traffic::{Bus, BusReport, BusSums, Buses, Incident, NodeEvent, Recording};
 
 /// The most characters of a cell.
 const CELL: usize = 60;
@@ -48,17 +47,16 @@ const fn is_none(count: &usize) -> bool {
     *count == 0
 }
 
-/// The sums over all frames that pass the filters, which are also recorded if a page is wanted.
+/// The sums over all frames that pass the filters, which are also recorded if a page is wanted. `watch` sees those of a bus, at its position,
+/// after each frame.
 pub(super) fn gather(
     args: &DecodeArgs,
     buses: &mut Buses<'_>,
     logs: &mut Logs,
     mut recording: Option<&mut Recording>,
+    mut watch: impl FnMut(usize, &BusSums, &Bus<'_>),
 ) -> Result<TrafficSummaryJson, Failure> {
     let mut sums: Vec<BusSums> = Vec::new();
-    let is_live =
-        args.summary && args.format == DecodeFormat::Text && !args.logs.iter().all(|path| is_file(path));
-    let mut screen = if is_live { Screen::of_terminal() } else { None };
     each_frame(args, buses, logs, |shown| {
         while sums.len() <= shown.at {
             sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
@@ -67,12 +65,9 @@ pub(super) fn gather(
         if let Some(recording) = &mut recording {
             recording.add(&shown.decoded, shown.frame, shown.at, shown.bus);
         }
-        if let Some(screen) = screen.as_mut().and_then(|screen| screen.when_due(shown.at)) {
-            screen.show(sums[shown.at].clone().report(shown.bus));
-        }
+        watch(shown.at, &sums[shown.at], shown.bus);
         Ok(())
     })?;
-    drop(screen);
     let mut reports: Vec<BusReport> =
         sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
     let incidents = traffic::incidents(&mut reports);

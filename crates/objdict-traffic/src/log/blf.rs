@@ -45,7 +45,7 @@ impl Blf {
     ) -> io::Result<Option<LoggedFrame>> {
         loop {
             while let Some([from, to]) = self.object(state) {
-                let frame = frame(Bytes(&self.unpacked[from..to]), state);
+                let frame = frame(ObjectBytes(&self.unpacked[from..to]), state);
                 state.line += u64::from(!matches!(frame, Ok(None)));
                 match frame {
                     Ok(None) => {}
@@ -85,7 +85,7 @@ impl Blf {
             return None;
         };
         let from = self.next + padding;
-        let size = Bytes(&self.unpacked[from..]).u32(8).ok()? as usize;
+        let size = ObjectBytes(&self.unpacked[from..]).u32(8).ok()? as usize;
         if !(HEAD..=MAX_CONTAINER).contains(&size) {
             state.bad(BAD_OBJECT);
             self.next = self.unpacked.len();
@@ -103,7 +103,7 @@ impl Blf {
         self.block.clear();
         if !std::mem::replace(&mut self.is_started, true) {
             fill(&mut self.block, source, 8, HEAD)?;
-            let size = Bytes(&self.block).u32(4).unwrap_or_default() as usize;
+            let size = ObjectBytes(&self.block).u32(4).unwrap_or_default() as usize;
             fill(&mut self.block, source, size.saturating_sub(8), 1024)?;
             self.block.clear();
         }
@@ -116,7 +116,7 @@ impl Blf {
             fill(&mut self.block, source, missing, HEAD)?;
         }
         fill(&mut self.block, source, HEAD - 4, HEAD)?;
-        let [size, kind] = [8, 12].map(|at| Bytes(&self.block).u32(at).unwrap_or_default());
+        let [size, kind] = [8, 12].map(|at| ObjectBytes(&self.block).u32(at).unwrap_or_default());
         let size = (size as usize).max(HEAD);
         if size > MAX_CONTAINER {
             state.bad("the object is too large");
@@ -127,7 +127,7 @@ impl Blf {
             self.unpacked.extend(&self.block);
             return Ok(());
         }
-        let method = Bytes(&self.block).u16(HEAD).unwrap_or_default();
+        let method = ObjectBytes(&self.block).u16(HEAD).unwrap_or_default();
         let content = self.block.get(CONTAINER_HEAD..).unwrap_or_default();
         match method {
             0 => self.unpacked.extend(content),
@@ -143,9 +143,9 @@ impl Blf {
 
 /// Numbers in bytes, the lowest byte first.
 #[derive(Clone, Copy)]
-struct Bytes<'a>(&'a [u8]);
+struct ObjectBytes<'a>(&'a [u8]);
 
-impl Bytes<'_> {
+impl ObjectBytes<'_> {
     fn array<const N: usize>(&self, at: usize) -> Result<[u8; N], &'static str> {
         self.0.get(at..).and_then(|bytes| bytes.first_chunk()).copied().ok_or(BAD_OBJECT)
     }
@@ -164,7 +164,7 @@ impl Bytes<'_> {
 }
 
 /// The frame in an object; most other objects are events of tools.
-fn frame(object: Bytes<'_>, state: &mut LogState) -> Result<Option<LoggedFrame>, &'static str> {
+fn frame(object: ObjectBytes<'_>, state: &mut LogState) -> Result<Option<LoggedFrame>, &'static str> {
     let kind = object.u32(12)?;
     if !matches!(kind, 1 | 2 | 73 | 86 | 100 | 101) {
         return Ok(None);
@@ -174,7 +174,7 @@ fn frame(object: Bytes<'_>, state: &mut LogState) -> Result<Option<LoggedFrame>,
     let time = u64::from_le_bytes(object.array(24)?).checked_mul(unit);
     let time = time.and_then(|time| i64::try_from(time).ok()).ok_or("the time is out of range")?;
     let head = usize::from(object.u16(4)?);
-    let body = Bytes(object.0.get(head..).ok_or(BAD_OBJECT)?);
+    let body = ObjectBytes(object.0.get(head..).ok_or(BAD_OBJECT)?);
     let channel = if kind == 101 { body.u8(0)?.into() } else { body.u16(0)? };
     let (time, channel) =
         (LogTime::new(time, decimals), state.channels.number(channel.to_string().as_bytes()));

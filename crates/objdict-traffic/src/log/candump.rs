@@ -2,8 +2,7 @@
 
 use memchr::memchr;
 
-use super::text::is_comment;
-use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
+use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex, is_comment};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 /// The flag of error frames in a CAN-ID of SocketCAN.

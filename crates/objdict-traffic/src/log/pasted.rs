@@ -2,8 +2,7 @@
 //! `60C#40026500`, and CSV of SavvyCAN.
 
 use super::candump;
-use super::text::is_comment;
-use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex};
+use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex, is_comment};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
 
 const HEADING: &[u8] = b"Time Stamp,ID,Extended,";
@@ -87,6 +86,8 @@ fn words(line: &[u8], state: &mut LogState) -> Result<LoggedFrame, &'static str>
     let can_id = hex(id).filter(|id| fits(*id, is_extended)).ok_or(BAD_ID)?;
     let mut frame = LoggedFrame::new(time, state.channels.number(channel), can_id, is_extended);
     let mut rest = words.0.trim_ascii_start();
+    // as `objdict decode` says it
+    (frame.is_remote, frame.is_error) = (rest.starts_with(b"remote"), rest.starts_with(b"error frame"));
     while !rest.is_empty() {
         let end = rest.iter().position(|byte| *byte == b' ').unwrap_or(rest.len());
         let byte = if let [high, low] = rest[..end] { digit(high).zip(digit(low)) } else { None };

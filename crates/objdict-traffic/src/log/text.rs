@@ -1,6 +1,7 @@
 //! Logs in lines of text: which form they have.
 
 use super::pasted::Pasted;
+use super::words::is_comment;
 use super::{LogForm, LogLine, LogState, LoggedFrame, MAX_LINE};
 use super::{asc, busmaster, candump, csv, trc};
 
@@ -53,7 +54,7 @@ impl TextLog {
     /// A line before the form is known.
     fn first(&mut self, line: &[u8], next: &[u8], state: &mut LogState) -> LogLine {
         let text = line.trim_ascii();
-        if text.is_empty() || is_comment(text) && is_before_frames(next) {
+        if text.is_empty() || text.starts_with(b"#") || is_comment(text) && is_before_frames(next) {
             return LogLine::Other;
         }
         *self = if let Some(log) = csv::Csv::of(text) {
@@ -75,12 +76,7 @@ impl TextLog {
     }
 }
 
-/// Whether a line is a comment in forms that have none of their own.
-pub(super) fn is_comment(line: &[u8]) -> bool {
-    [&b"#"[..], b";", b"//"].iter().any(|mark| line.trim_ascii_start().starts_with(mark))
-}
-
-/// Whether the first line that is no comment has a frame: heads of TRC and ASC look like comments.
+/// Whether the first line that is no comment has a frame: heads of TRC (`;`) and ASC (`//`) look like comments.
 fn is_before_frames(lines: &[u8]) -> bool {
     let mut lines = lines.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
     let first = lines.find(|line| !line.is_empty() && !is_comment(line));

@@ -69,3 +69,8 @@ pub(super) const BAD_ID: &str = "the CAN-ID is not valid";
 pub(super) const fn fits(can_id: u32, is_extended: bool) -> bool {
     can_id <= if is_extended { 0x1FFF_FFFF } else { 0x7FF }
 }
+
+/// Whether a line is a comment in forms that have none of their own.
+pub(super) fn is_comment(line: &[u8]) -> bool {
+    [&b"#"[..], b";", b"//"].iter().any(|mark| line.trim_ascii_start().starts_with(mark))
+}
