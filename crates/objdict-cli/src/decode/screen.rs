@@ -139,7 +139,7 @@ impl State {
             if at == 0 && silent > SILENCE {
                 text.push_str(&format!(" (no frame for {} s)", silent.as_secs()));
             }
-            text.push_str("\x1B[K\r\n");
+            text.push_str("\x1B[K\n");
         }
         // there is no other place to report an error of this
         let _ = out.write_all((text + "\x1B[J").as_bytes()).and_then(|()| out.flush());
@@ -205,7 +205,7 @@ mod tests {
             state.draw(&mut out);
             String::from_utf8(out).unwrap()
         };
-        let text = "\x1B[HNo incidents (no frame for 5 s)\x1B[K\r\ncan0\x1B[K\r\n\x1B[J";
+        let text = "\x1B[HNo incidents (no frame for 5 s)\x1B[K\ncan0\x1B[K\n\x1B[J";
         assert_eq!(drawn(state(frame)), text);
         assert_eq!(drawn(state(Instant::now())), text.replace(" (no frame for 5 s)", ""));
     }

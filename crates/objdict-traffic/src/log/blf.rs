@@ -15,6 +15,9 @@ const MAX_CONTAINER: usize = 1 << 24;
 /// The bytes that every object begins with: signature, size of the head, version of the head, size, type.
 const HEAD: usize = 16;
 
+/// So many bytes before an object are not padding.
+const PADDING: usize = 8;
+
 /// The type of a container, and the bytes before its content.
 const CONTAINER: u32 = 10;
 const CONTAINER_HEAD: usize = 32;
@@ -76,7 +79,7 @@ impl Blf {
     /// The place of the next object that was unpacked whole. Up to seven bytes before it are padding.
     fn object(&mut self, state: &mut LogState) -> Option<[usize; 2]> {
         let rest = self.unpacked.get(self.next..)?;
-        let padding = rest.windows(4).take(8).position(|start| start == b"LOBJ");
+        let padding = rest.windows(4).take(PADDING).position(|start| start == b"LOBJ");
         let Some(padding) = padding else {
             if rest.len() >= HEAD {
                 state.bad(BAD_OBJECT);
@@ -107,10 +110,16 @@ impl Blf {
             fill(&mut self.block, source, size.saturating_sub(8), 1024)?;
             self.block.clear();
         }
-        // what is between objects is padding
+        // a few bytes between objects are padding
+        let mut passed = 0;
         while !self.block.starts_with(b"LOBJ") {
             if self.block.len() >= 4 {
                 self.block.remove(0);
+                passed += 1;
+            }
+            if passed == PADDING {
+                state.line += 1;
+                state.bad(BAD_OBJECT);
             }
             let missing = 4 - self.block.len();
             fill(&mut self.block, source, missing, HEAD)?;

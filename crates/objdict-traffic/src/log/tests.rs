@@ -100,6 +100,8 @@ fn what_blf_has() {
     }
     // a file that is cut, and every change of a byte, is read without a panic
     assert_eq!(read(&log[..log.len() - 40]).last().unwrap(), "line 9: the file ends in an object");
+    let no_object = [&log[..144], &[b'x'; 40]].concat();
+    assert_eq!(read(&no_object), ["line 1: the object is malformed"]);
     for at in 0..log.len() {
         read(&log[..at]);
         let mut other = log.clone();
