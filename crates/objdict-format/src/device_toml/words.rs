@@ -141,7 +141,7 @@ pub(crate) fn map_word(map: PdoMapping) -> String {
     map.name().to_ascii_lowercase()
 }
 
-/// The mapping that a keyword stands for.
+/// The mapping that a keyword represents.
 pub(crate) fn mapping(word: &str) -> Option<PdoMapping> {
     PdoMapping::ALL.into_iter().find(|map| map_word(*map) == word)
 }

@@ -67,7 +67,7 @@ fn of_node_id(offset: &str, data_type: DataType) -> Option<Intended> {
     value(&formula, Some(data_type), &mut Quirks::default()).ok().map(Intended::Value)
 }
 
-/// Whether a text stands for an unset value.
+/// Whether a text represents an unset value.
 fn is_no_value(text: &str) -> bool {
     ["-", "no", "none", "n/a"].iter().any(|word| word.eq_ignore_ascii_case(text))
 }

@@ -79,7 +79,7 @@ impl Condition {
     }
 
     /// Whether the condition is true for a logical device, numbered from 0; `None` if the description does
-    /// not determine it. 1000h stands for the device type of the logical device.
+    /// not determine it. 1000h represents the device type of the logical device.
     pub fn holds(&self, device: &Device, block: u8) -> Option<bool> {
         Terms { rest: &self.terms, device, block }.next()
     }

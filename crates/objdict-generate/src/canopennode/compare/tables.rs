@@ -218,7 +218,7 @@ fn entry(descriptor: &Initialiser<'_>, [flags, length, value]: [&str; 3]) -> Lis
     ListedEntry { flags, length: descriptor.field(length).map(plain).unwrap_or_default(), has_value }
 }
 
-/// The flags that a flag name of the stack's header stands for.
+/// The flags that a flag name of the stack's header represents.
 fn single_flags(word: &str) -> Vec<String> {
     match word {
         "ODA_SDO_RW" => ["ODA_SDO_R", "ODA_SDO_W"].map(str::to_owned).to_vec(),
