@@ -45,7 +45,7 @@ pub struct LssSlave {
 /// A change of the bit rate. Before and after it the node is silent.
 #[derive(Clone, Copy, Debug)]
 struct Switch {
-    /// When the current delay ends.
+    /// The end of the current delay.
     at: u64,
     delay: u64,
     /// The bit rate to change to; `None` in the delay after the change.

@@ -25,7 +25,7 @@ pub trait Watchable<H>: Dictionary {
     /// Sets a value as an SDO does; access does not matter.
     ///
     /// # Errors
-    /// As [`Watchable::write_with`].
+    /// Like [`Watchable::write_with`].
     fn set_with<T: Typed + ?Sized, A: Variable>(
         &mut self,
         hooks: &mut H,

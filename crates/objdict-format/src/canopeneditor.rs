@@ -113,7 +113,7 @@ impl<'de, const KIND: usize> Deserialize<'de> for FormNumber<KIND> {
     }
 }
 
-/// An index or sub-index with so many hexadecimal digits: `1018`, also `0x1018`.
+/// An index or sub-index with this many hexadecimal digits: `1018`, also `0x1018`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct FormKey<const DIGITS: usize>(u16);
 

@@ -17,7 +17,7 @@ use objdict_model::model::{Device, Objects, Place};
 /// are kept.
 ///
 /// # Errors
-/// As [`write()`](super::write()).
+/// See [`write()`](super::write()).
 pub fn convert(
     mut device: Device,
     file: &Path,

@@ -18,7 +18,7 @@ const PREFIX: &str = "objdict:";
 /// The longest line with its line end: shorter than 255 characters (CiA 306-1 §4.2).
 const MAX_LINE: usize = 250;
 
-/// The shortest room for a value, behind a long path.
+/// The minimum length of a value after a long path.
 const MIN_VALUE: usize = 60;
 
 /// The storage for embedded content in a format.

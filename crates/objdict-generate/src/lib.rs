@@ -377,7 +377,7 @@ pub enum GenerateError {
         /// The name.
         word: String,
     },
-    /// The device has no entry that can be generated.
+    /// The device has no entry for which code can be generated.
     NoEntries {
         /// Why its entries cannot be used.
         notes: Vec<Note>,

@@ -356,8 +356,8 @@ fn values(named: &[NamedValue<'_>]) -> Vec<EnumConstant> {
     values
 }
 
-/// The named values of a bit field in a document: each name once. Of a whole signed number of so many bits the
-/// highest bit is a sign. A range of values has no name.
+/// The named values of a bit field in a document: each name once. The highest bit of a signed number of this
+/// many bits is its sign. A range of values has no name.
 fn documented_values(field: &objdict_profile::BitFieldFacts<'_>, signed: Option<u8>) -> Vec<EnumConstant> {
     let single = field.meanings().filter(|(range, _)| range.start() == range.end());
     let number = |(range, label): (std::ops::RangeInclusive<u64>, &str)| {

@@ -25,7 +25,7 @@ impl CType {
         Self { suffix: String::new(), extent: TypeExtent::of_c(&base), base }
     }
 
-    /// An array of so many bytes, each of the type `base`.
+    /// An array of this many bytes, each of the type `base`.
     pub(crate) fn bytes(base: impl Into<String>, room: usize) -> Self {
         Self { base: base.into(), suffix: format!("[{room}]"), extent: TypeExtent::BYTE.times(room) }
     }

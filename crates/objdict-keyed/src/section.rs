@@ -20,7 +20,7 @@ pub struct Key {
     pub meaning: &'static str,
     /// An earlier name in this kind of file, with the same meaning.
     pub former: Option<&'static str>,
-    /// Whether no map can do without it.
+    /// Whether every map needs it.
     pub is_required: bool,
 }
 

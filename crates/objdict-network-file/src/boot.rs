@@ -32,7 +32,7 @@ pub enum BootFiles {
     Lely,
 }
 
-/// A network that is ready to be switched on.
+/// A network ready for power-on.
 #[derive(Clone, Debug)]
 pub struct Installation {
     /// The network.

@@ -99,7 +99,7 @@ impl NetworkFile {
     /// Reads a network and the descriptions of its nodes.
     ///
     /// # Errors
-    /// When the file cannot be opened. Descriptions that cannot be opened are findings.
+    /// If the file cannot be opened. Descriptions that cannot be opened are findings.
     pub fn open(path: &Path, options: &PathOptions) -> Result<Self, SourceError> {
         let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
         Ok(Self::read(source, path.parent().unwrap_or(Path::new("")), options))
@@ -108,7 +108,7 @@ impl NetworkFile {
     /// Whether a file is read as a network: a node list, or a file that no other format recognises.
     ///
     /// # Errors
-    /// When it cannot be opened.
+    /// If it cannot be opened.
     pub fn is_network(path: &Path) -> Result<bool, SourceError> {
         let source = SourceFile::open(path, &SourceOptions::default())?;
         let kind = identify_source(&source).kind.file();

@@ -92,7 +92,7 @@ impl MentionFinder<'_> {
         }
     }
 
-    /// One end of a link: a node and its entries behind a point.
+    /// One end of a link: a node and its entries after a dot.
     fn end(&mut self, end: &KeyedTree) {
         let text = end.span.of(self.text);
         let Some((node, _)) = text.split_once('.') else { return };

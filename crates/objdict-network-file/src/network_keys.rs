@@ -3,7 +3,7 @@
 use objdict_keyed::notation::{ADDRESS, ADDRESSES, FACTOR, FACTOR_OR_TIME, LINK_END, TRANSMISSION_TYPE};
 use objdict_keyed::section::{Key, Shape, bits, key};
 
-/// A time in an object of so many bits and nanoseconds a unit.
+/// A time in an object of this many bits, with the unit in nanoseconds.
 const fn time(bits: u32, unit: u64) -> Shape {
     Shape::Time((1 << bits) - 1, unit)
 }

@@ -101,7 +101,7 @@ impl NetworkReader<'_, '_> {
                 manager.sync_window = window.unwrap_or_default();
                 manager.sync_overflow = overflow.unwrap_or_default();
             }
-            // a manager that cannot be read has its own finding
+            // an unreadable manager has its own finding
             (None, Some(period)) if !lacks_manager => {
                 let finding =
                     Diagnostic::new(&MISSING_KEY, period.at, "`sync` needs a manager, which sends it");

@@ -81,7 +81,7 @@ impl Slave {
     /// map them.
     ///
     /// # Errors
-    /// When the description of the node has configured values that cannot be sent.
+    /// If the description of the node has configured values that cannot be sent.
     pub fn arranged(&self) -> Result<&ConciseDcf, PlanError> {
         self.arranged.get_or_init(|| self.arrange(&self.described())).as_ref().map_err(PlanError::clone)
     }
@@ -94,7 +94,7 @@ impl Slave {
     /// The downloads that Lely's master makes.
     ///
     /// # Errors
-    /// When the description of the node has configured values that cannot be sent.
+    /// If the description of the node has configured values that cannot be sent.
     pub fn sent(&self, order: Order) -> Result<&ConciseDcf, PlanError> {
         match order {
             Order::Safe => self.arranged(),
@@ -105,7 +105,7 @@ impl Slave {
     /// Like [`arranged`](Self::arranged), for a device that has further values.
     ///
     /// # Errors
-    /// When the description of the node has configured values that cannot be sent.
+    /// If the description of the node has configured values that cannot be sent.
     pub fn arrange(&self, device: &Device) -> Result<ConciseDcf, PlanError> {
         let options = PlanOptions { node_id: Some(self.node_id), ..PlanOptions::default() };
         Ok(ConciseDcf::plan(device, &options)?.without_files())

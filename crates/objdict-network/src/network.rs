@@ -314,7 +314,7 @@ pub struct Manager {
     pub emcy_inhibit_time: u16,
     /// Inhibit time of NMT commands in multiples of 100 µs (102Ah).
     pub nmt_inhibit_time: u16,
-    /// Its heartbeat; it monitors the nodes unless that is switched off.
+    /// Its heartbeat; it monitors the nodes unless that is disabled.
     pub heartbeat: Heartbeat,
     /// Its reaction to an error of each class (1029h), by sub-index.
     pub error_behavior: BTreeMap<u8, u8>,

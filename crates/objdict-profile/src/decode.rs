@@ -1,4 +1,4 @@
-//! Meanings of bits in words, and several values of a bit field with one meaning as a mask.
+//! Meanings of bits as text, and masks for several values of a bit field with the same meaning.
 
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};

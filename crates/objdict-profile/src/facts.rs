@@ -32,7 +32,7 @@ pub struct ObjectFacts<'a> {
     pub source: Option<&'a str>,
     /// Its purpose in one original English sentence.
     pub about: Option<&'a str>,
-    /// How sure the source is: a demand of medium confidence is never an error.
+    /// The reliability of the source: a requirement of medium confidence never leads to an error.
     pub confidence: Confidence,
     entries: &'a [EntryRow],
     tables: &'a Tables,

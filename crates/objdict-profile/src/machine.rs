@@ -26,7 +26,7 @@ pub struct Transition<'a> {
     pub number: u8,
     /// The state before.
     pub from: &'a str,
-    /// The state behind it.
+    /// The state after it.
     pub to: &'a str,
     /// The commands or events that cause it.
     pub by: &'a str,

@@ -47,7 +47,7 @@ const LEFT_OPEN: [&str; 4] = [
     "cia306/no-baud-rate",
 ];
 
-/// A rule with so many fixes in a round that did harm gets no further trial.
+/// A rule with this many harmful fixes in a round gets no further trial.
 const MAX_HARM: usize = 8;
 
 /// A description with its findings fixed.
@@ -426,7 +426,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
         let number = self.description.number();
         let description = format::read(source, self.description.format()).select(number)?;
-        // rules may be switched off
+        // rules may be disabled
         description.is_as_valid_as(self.description).then_some((description, fixed))
     }
 }

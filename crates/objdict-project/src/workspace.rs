@@ -95,7 +95,7 @@ impl Workspace {
     /// Files with their configurations.
     ///
     /// # Errors
-    /// When the configuration for all files cannot be opened.
+    /// If the configuration for all files cannot be opened.
     pub fn new(config: ConfigSource, overrides: Overrides) -> Result<Self, SourceError> {
         let mut made = Self { config, overrides, by_folder: BTreeMap::new(), projects: Vec::new() };
         if let ConfigSource::At(path) = &made.config {
@@ -113,7 +113,7 @@ impl Workspace {
     /// The configuration for a file; the standard input is treated as a file in the current folder.
     ///
     /// # Errors
-    /// When it cannot be opened.
+    /// If it cannot be opened.
     pub fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, SourceError> {
         match &self.config {
             ConfigSource::Off => return Ok(None),

@@ -49,7 +49,7 @@ impl OutputFolder {
     /// The folder at `path`, which need not exist; `origin` is the program that writes the files.
     ///
     /// # Errors
-    /// When its list cannot be read.
+    /// If its list cannot be read.
     pub fn open(path: &Path, origin: &str, overwrite: bool) -> Result<Self, OutputError> {
         let manifest = Manifest::open(path).map_err(OutputError::unwritable(path.join(NAME)))?;
         Ok(Self {

@@ -172,7 +172,7 @@ fn write<D: Dictionary + ?Sized>(
     dictionary.write_at(place, bytes.get(..length).unwrap_or(&bytes))
 }
 
-/// A mask of so many bits, 1 to 64.
+/// A mask of this many bits, 1 to 64.
 // a shift of 64 bits is longer than a call
 #[inline(never)]
 const fn lowest(bits: u8) -> u64 {

@@ -9,7 +9,7 @@ pub(super) struct Rpdo {
     pub(super) parameters: PdoParameters,
     /// The data that wait for SYNC.
     held: Option<u64>,
-    /// When it came last, as long as its absence was not reported.
+    /// The time of its last arrival, until its absence is reported.
     came: Option<u64>,
 }
 
@@ -73,7 +73,7 @@ impl Rpdo {
         }
     }
 
-    /// When its absence is to be reported.
+    /// The time at which its absence must be reported.
     pub(super) fn deadline(&self) -> Option<u64> {
         let (came, period) = (self.came?, self.parameters.period()?);
         self.parameters.is_valid().then(|| came.saturating_add(period))

@@ -64,7 +64,7 @@ impl Tpdo {
         }
     }
 
-    /// When it is to be sent, as far as that is known without a SYNC or a request.
+    /// The time at which it must be sent, as far as that is known without a SYNC or a request.
     pub(super) fn next(&self, now: u64) -> Option<u64> {
         let parameters = &self.parameters;
         if !parameters.is_valid() {

@@ -32,7 +32,7 @@ impl Map {
         self
     }
 
-    /// A DOMAIN with room for so many bytes.
+    /// A DOMAIN with a capacity of this many bytes.
     pub(crate) fn domain(mut self, index: u16, size: usize, value: &[u8]) -> Self {
         self = self.number(index, 0, DOMAIN, 0);
         let (attributes, bytes) = self.entries.get_mut(&(index, 0)).unwrap();

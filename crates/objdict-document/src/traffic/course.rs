@@ -61,7 +61,7 @@ impl Curve {
         }
     }
 
-    /// Begins with one value that came so many times between two times.
+    /// Begins with one value that occurred this many times between two times.
     pub fn begin(&mut self, [from, to]: [i64; 2], value: f64, count: u64) {
         if value.is_finite() && self.buckets.is_empty() && count > 0 {
             self.count = count;
@@ -138,9 +138,9 @@ pub struct Bands {
 /// A time with one word, or with several if there were too many changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BandRun {
-    /// When it begins, in nanoseconds.
+    /// Its start, in nanoseconds.
     pub from: i64,
-    /// When it was seen last, in nanoseconds.
+    /// Its last occurrence, in nanoseconds.
     pub to: i64,
     /// The bit set of its words.
     pub words: u64,
@@ -178,7 +178,7 @@ impl Bands {
         }
     }
 
-    /// Begins with one word that came so many times between two times.
+    /// Begins with one word that occurred this many times between two times.
     pub fn begin(&mut self, [from, to]: [i64; 2], word: &str, count: u64) {
         self.add(from, word);
         self.add(to, word);
@@ -335,7 +335,7 @@ pub(super) fn total(counts: &[u32; DENSITY_KINDS]) -> u64 {
     counts.iter().copied().map(u64::from).sum()
 }
 
-/// Two bins each as one, behind `shift` empty ones.
+/// Merges pairs of bins, after `shift` empty ones.
 fn merged(bins: &[[u32; DENSITY_KINDS]], shift: usize) -> Vec<[u32; DENSITY_KINDS]> {
     let mut all = vec![[0_u32; DENSITY_KINDS]; (bins.len() + shift).div_ceil(2)];
     for (at, counts) in bins.iter().enumerate() {

@@ -19,7 +19,7 @@ pub struct TrafficPage<'a> {
     pub title: String,
     /// The number of frames, and their time span.
     pub summary: String,
-    /// When there were how many frames, by lanes.
+    /// The number of frames over time, by lane.
     pub density: &'a Density,
     /// The buses.
     pub buses: Vec<TrafficBus<'a>>,

@@ -121,7 +121,7 @@ fn label(number: f64, decimals: usize) -> String {
     if number.abs() >= 1e12 { format!("{number:.2e}") } else { format!("{:.decimals$}", number + 0.0) }
 }
 
-/// A coordinate with at most three digits behind the point.
+/// A coordinate with at most three decimal places.
 pub(super) fn short(number: f64) -> String {
     let text = format!("{number:.3}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -10,7 +10,7 @@ use crate::source::EditError;
 /// The keys that only a DCF has (CiA 306-1 §5.3.1).
 const DCF_KEYS: [&str; 5] = ["ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"];
 
-/// The section of the node, as other tools look for it.
+/// The section of the node, as other tools expect it.
 const COMMISSIONING: &str = "DeviceComissioning";
 
 /// Keys of that section that other tools expect in this spelling and read as decimal numbers.
@@ -20,7 +20,7 @@ const PLAIN_KEYS: [&str; 2] = ["NodeID", "Baudrate"];
 /// those of the document; `last_eds` is the source file.
 ///
 /// # Errors
-/// When the document cannot be written in its encoding.
+/// If the document cannot be written in its encoding.
 pub fn to_dcf(
     document: &Document,
     file_name: &str,
@@ -61,7 +61,7 @@ pub fn to_dcf(
 /// The bytes of `document` as an EDS with the name `file_name`: without the node and its configured values.
 ///
 /// # Errors
-/// When the document cannot be written in its encoding.
+/// If the document cannot be written in its encoding.
 pub fn to_eds(document: &Document, file_name: &str) -> Result<Vec<u8>, EditError> {
     let sections = HeadedSections::of(document);
     let mut editor = IniEditor::new(document);
@@ -129,7 +129,7 @@ fn set_plain(editor: &mut IniEditor<'_>, document: &Document, section: &Section,
         editor.replace(spellings[0].key, key);
     }
     for entry in spellings {
-        // these tools skip a comment behind the number
+        // these tools skip a comment after the number
         let number = entry.value.of(text).split_once(" ;").map_or(entry.value.of(text), |(number, _)| number);
         if number.trim_end() != value {
             editor.replace(entry.value, value);

@@ -18,7 +18,7 @@ pub(super) static FIXED: [(&str, Part); 12] = [
     ("Tools", Part::Tools),
 ];
 
-/// The sections of a module, behind `M` and its number.
+/// The sections of a module, after `M` and its number.
 pub(super) static OF_MODULE: [(&str, ModulePart); 4] = [
     ("ModuleInfo", ModulePart::Info),
     ("Comments", ModulePart::Comments),
@@ -29,7 +29,7 @@ pub(super) static OF_MODULE: [(&str, ModulePart); 4] = [
 /// The section of the object with an index.
 pub(super) type OfIndex = fn(u16) -> Part;
 
-/// The sections of an object behind its index.
+/// The sections of an object, after its index.
 pub(super) static OF_OBJECT: [(&str, OfIndex); 4] = [
     ("Name", Part::CompactNames),
     ("Value", Part::CompactValues),

@@ -257,7 +257,7 @@ fn read_lists(root: &KeyedTable<'_>, device: &Device, findings: &mut Findings) -
 /// The complete text of a device. Content without a key is detected and written as `[raw]`.
 ///
 /// # Errors
-/// When more values have no key than allowed.
+/// If more values have no key than allowed.
 pub(super) fn write(device: &Device, max_raw: usize) -> Result<String, EditError> {
     let profile = ProfileSaid::of(device);
     let with_profile = profile.as_ref().and_then(|profile| Some((profile, profile.base()?)));

@@ -61,7 +61,7 @@ impl ProfileSaid {
     }
 }
 
-/// Reads `profile` and `features` into the device that they demand; an empty one without a profile.
+/// Reads `profile` and `features` into the device that they require; an empty one without a profile.
 pub(super) fn read(root: &KeyedTable<'_>, findings: &mut Findings) -> Option<Device> {
     let said = root.text("profile", findings)?;
     let numbers = said

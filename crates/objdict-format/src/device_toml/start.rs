@@ -16,7 +16,7 @@ const PREDEFINED: std::ops::RangeInclusive<u16> = 1..=4;
 /// object and a PDO in comments.
 ///
 /// # Errors
-/// As [`crate::scaffold::base()`].
+/// See [`crate::scaffold::base()`].
 pub fn new_device_toml(wanted: &Wanted) -> Result<String, BaseError> {
     let (profile, features, device) = (wanted.profile, &wanted.features, &scaffold::scaffold(wanted)?);
     let version = scaffold::newest_version(profile).ok_or(BaseError::Profile(profile))?;

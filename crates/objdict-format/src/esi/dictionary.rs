@@ -286,7 +286,7 @@ fn value(element: Element<'_>, data_type: Option<DataType>) -> Result<Value, Rea
     if matches!(data_type, DataType::VISIBLE_STRING | DataType::UNICODE_STRING) {
         return Ok(Value::Text(element.text().into()));
     }
-    // zeros in front make no number octal
+    // leading zeros do not make a number octal
     let decimal = text.parse::<i128>().map(|number| number.to_string());
     read(&decimal.unwrap_or_else(|_| text.replacen("#x", "0x", 1)), data_type)
 }

@@ -80,7 +80,7 @@ fn line_starts<'a>(bytes: &'a [u8], text: &'a str) -> impl Iterator<Item = usize
 
 /// The node section after the first objects: it may be the last in the file.
 fn commissioning_behind<'a>(content: &'a ExaminedContent<'_>) -> Option<Cow<'a, str>> {
-    // both spellings start with this, so one look at a large file is enough
+    // both spellings start with this, so searching a large file once is enough
     let start = line_starts(content.bytes, "[DeviceCom").find(|&at| {
         let rest = &content.bytes[at..];
         rest.starts_with(b"[DeviceComissioning]") || rest.starts_with(b"[DeviceCommissioning]")

@@ -160,7 +160,7 @@ impl fmt::Display for Identification {
     }
 }
 
-/// A content as it is looked at.
+/// The content to examine.
 struct ExaminedContent<'a> {
     /// The name of the file, without its folders.
     name: &'a str,

@@ -28,7 +28,7 @@ pub(super) fn toml(text: &str) -> Option<Identification> {
     Some(Identification::new(kind, format!("its first key is `format`, with `{format}1`")))
 }
 
-/// A JSON document of objdict or of an editor. Names may be in any order, so every `kind` is looked at.
+/// A JSON document of objdict or of an editor. Names may be in any order, so every `kind` is checked.
 fn json(text: &str) -> Option<Identification> {
     if text.contains("\"od data\"") {
         let reason = "it is JSON with the `$id` `od data`";

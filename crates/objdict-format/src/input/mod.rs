@@ -124,7 +124,7 @@ impl Reading {
     /// Reads a file; returns its format and content.
     ///
     /// # Errors
-    /// When it cannot be read at all, see [`ReadError`]. Problems in a description are among its findings.
+    /// If it cannot be read at all; see [`ReadError`]. Problems in a description are among its findings.
     pub fn open(&self, path: &Path) -> Result<(FileKind, Input), ReadError> {
         self.read(&source::shown(path), source::read(path, self.max_size)?)
     }
@@ -132,7 +132,7 @@ impl Reading {
     /// Reads the bytes of a file of this name; returns its format and content.
     ///
     /// # Errors
-    /// As [`open`](Self::open).
+    /// See [`open`](Self::open).
     pub fn read(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
         let (kind, source) = self.recognised(name, bytes)?;
         let bytes = source.text().len();
@@ -266,7 +266,7 @@ impl Reading {
         Ok(selected)
     }
 
-    /// The position of the device that was asked for, in a file of so many.
+    /// The position of the requested device, in a file of this many.
     pub fn number(&self, name: &str, count: usize) -> Result<usize, ReadError> {
         let name = name.to_owned();
         match self.device {

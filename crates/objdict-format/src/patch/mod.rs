@@ -111,7 +111,7 @@ impl Patch {
     /// Reads the file at `path`.
     ///
     /// # Errors
-    /// When it cannot be opened. Mistakes in it are [findings](Self::findings).
+    /// If it cannot be opened. Errors in it are [findings](Self::findings).
     pub fn open(path: &Path) -> Result<Self, SourceError> {
         let options = SourceOptions { encoding: None, max_size: MAX_SIZE };
         Ok(Self::read(SourceFile::open(path, &options)?))

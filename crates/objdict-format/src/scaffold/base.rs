@@ -1,4 +1,4 @@
-//! The device that a profile demands for a set of features.
+//! The device that a profile requires for a set of features.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 

@@ -45,7 +45,7 @@ pub struct Wanted {
     pub revision: u32,
     /// `CreatedBy` and `ModifiedBy`.
     pub author: String,
-    /// When the description is made.
+    /// The date of the description.
     pub date: Date,
     /// The corresponding time.
     pub time: ClockTime,
@@ -54,7 +54,7 @@ pub struct Wanted {
 /// The description of a new device, for the newest version of its profile.
 ///
 /// # Errors
-/// As [`base()`].
+/// See [`base()`].
 pub fn scaffold(wanted: &Wanted) -> Result<Device, BaseError> {
     let version = newest_version(wanted.profile).ok_or(BaseError::Profile(wanted.profile))?;
     let mut device = base(wanted.profile, version, &wanted.features)?;

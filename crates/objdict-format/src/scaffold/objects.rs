@@ -11,7 +11,7 @@ use objdict_profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 pub struct ObjectMaker<'a> {
     /// The profile and the features.
     pub plan: Demanded,
-    /// The documents that demand objects.
+    /// The documents that require objects.
     pub documents: &'a [&'a Profile],
 }
 
@@ -225,5 +225,5 @@ fn first_value(data_type: DataType, facts: &[EntryFacts<'_>]) -> Option<Value> {
     Value::from_integer(number, data_type)
 }
 
-/// Communication objects lie below; no PDO carries one by default.
+/// Communication objects have lower indexes; no PDO carries one by default.
 const FIRST_OF_MANUFACTURER: u16 = 0x2000;

@@ -129,7 +129,7 @@ fn row_view(row: &Row, ram: usize) -> RowView<'_> {
     RowView { row, type_, flags, ram }
 }
 
-/// Offsets in rows have 19 bits.
+/// The limit of offsets in rows, which have 19 bits.
 const LARGEST: usize = 1 << 19;
 
 /// The locations of all values.

@@ -15,7 +15,7 @@ const EXTENDED: u64 = 1 << 29;
 
 /// How a stack reads a mapping.
 pub(super) struct StackMapping {
-    /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
+    /// Whether it also reads the slots after the number of mapped objects, up to the eighth.
     pub(super) reads_all: bool,
     /// The minimum number of objects that it maps to a TPDO: the first slot may be read even if their number
     /// is 0.

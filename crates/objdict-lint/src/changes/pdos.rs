@@ -75,7 +75,7 @@ impl DeviceComparison<'_> {
             None => (cob_id.number(), cob_id.depends_on_node_id()),
         };
         let is_valid = |pdo: &Pdo<'_>| pdo.cob_id.is_some_and(CobId::is_valid);
-        // the CAN-ID and whether it is extended, without the permission of RTR
+        // the CAN-ID and whether it is extended, without the RTR permission
         let frame =
             |pdo: &Pdo<'_>| pdo.cob_id.map(number).map(|(number, depends)| (number & 0x3FFF_FFFF, depends));
         let shown = |pdo: &Pdo<'_>| pdo.cob_id.map(shown);

@@ -1,4 +1,4 @@
-//! Whether the versions of device and description move as the changes demand.
+//! Whether the versions of device and description match the changes.
 
 use std::cmp::Ordering;
 

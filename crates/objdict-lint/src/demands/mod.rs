@@ -130,7 +130,7 @@ impl<'a> Against<'a> {
     }
 
     /// The described entries that the document defines; the shared attributes of a compactly stored object
-    /// count as one entry. There are none if the structure of the object differs from the document.
+    /// are treated as one entry. There are none if the structure of the object differs from the document.
     pub(crate) fn entries(self) -> impl Iterator<Item = Expected<'a>> {
         let object = self.object;
         let has_header = object.object_type().has_subs() && object.compact.is_none();

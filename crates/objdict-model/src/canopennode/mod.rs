@@ -90,7 +90,8 @@ const RANGES: [(&str, u16); 8] = [
 /// or SRDOs.
 const MOST_CONSUMERS: usize = 127;
 
-/// What becomes of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC or SRDOs.
+/// The effect of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC
+/// or SRDOs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum EntryNeed {
     /// The stack does not start without it.
@@ -388,7 +389,7 @@ impl Counters {
         self.of(label).len()
     }
 
-    /// Labels and their counts.
+    /// Labels with their counts.
     pub fn iter(&self) -> impl Iterator<Item = (&str, usize)> {
         self.labels.iter().map(|label| (label.as_str(), self.count(label)))
     }

@@ -101,7 +101,7 @@ impl Fix {
         self.with(Change::Remove(place))
     }
 
-    /// Also makes another change.
+    /// Also applies `change`.
     #[must_use]
     pub fn with(mut self, change: Change) -> Self {
         self.changes.push(change);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::model::{Field, ModulePart, Part};
 
-/// Maps a CiA 306 term to its name in another syntax; `None` if both names are equal.
+/// Maps a CiA 306 term to its name in a different syntax; `None` if both names are equal.
 pub type Vocabulary = fn(&Notion<'_>) -> Option<String>;
 
 /// A term with a different name in each syntax.

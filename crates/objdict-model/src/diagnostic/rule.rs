@@ -279,8 +279,8 @@ impl Selection {
 crate::messages! { Selection: { selection => "{}", selection.name(); } }
 
 named! {
-    /// A tool that descriptions can be checked against. Rules of the group `portability` report what it does not
-    /// support.
+    /// A tool against which descriptions can be checked. Rules of the group `portability` report content that it
+    /// does not support.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
     #[non_exhaustive]
     pub enum Tool {

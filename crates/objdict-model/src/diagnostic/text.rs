@@ -268,7 +268,7 @@ pub fn series_or<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
     Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [", ", " or "])
 }
 
-/// "`a`, `b` or `c`", for example behind a negation.
+/// "`a`, `b` or `c`", for example after a negation.
 pub fn listing_or<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
     series_or(items.into_iter().map(|item| say!("`{}`", item)))
 }

@@ -53,7 +53,7 @@ pub struct ExplicitDownload {
     pub value: Value,
 }
 
-/// When a download is made.
+/// When a download is performed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

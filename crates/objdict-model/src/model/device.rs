@@ -48,7 +48,7 @@ part! {
         pub manager: Option<Box<DeviceManager>>,
         /// Descriptions of the device's functions (CiA 311).
         pub functions: Vec<DeviceFunction>,
-        /// Data types, functions and the parameters that belong to no entry (CiA 311).
+        /// Data types, functions and parameters without an entry (CiA 311).
         pub application: Vec<ApplicationProcess>,
         /// The address ranges for the objects of modules (CiA 311).
         pub module_objects: Option<Box<ModuleObjects>>,

@@ -152,7 +152,7 @@ impl Entry {
     }
 
     /// Whether a DCF configures a value other than the default. Formulas are evaluated for the node
-    /// `node_id`; without it they count as changed.
+    /// `node_id`; without it they are considered changed.
     pub fn is_changed(&self, node_id: Option<u8>) -> bool {
         let Some(configured) = self.configured_value() else { return false };
         let Some(default) = &self.default else { return true };

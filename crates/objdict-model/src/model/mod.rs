@@ -1,7 +1,7 @@
 //! The typed object dictionary. The model is independent of files, spans and text formats; all later stages
 //! use a [`Device`].
 //!
-//! Typed fields therefore hold valid values only, and no later stage has to check one.
+//! Typed fields therefore contain only valid values, and no later stage needs to check one.
 //!
 //! Names follow CANopen: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an
 //! entry has a *data type*, an *access* type and *values*. If a text of a description is not valid in its

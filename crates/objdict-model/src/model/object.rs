@@ -36,7 +36,7 @@ part! {
 pub struct Subs(Vec<(u8, Entry)>);
 
 impl Subs {
-    /// Whether no entry is described.
+    /// Whether there are no described entries.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

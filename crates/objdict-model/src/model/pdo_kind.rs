@@ -12,7 +12,7 @@ named! {
 }
 
 impl PdoKind {
-    /// The direction of the other side.
+    /// The opposite direction.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {

@@ -101,7 +101,7 @@ impl<'a> Edits<'a> {
     /// The changes in the order of the text; changes at one offset are merged.
     ///
     /// # Errors
-    /// When two changes overlap.
+    /// If two changes overlap.
     pub fn into_list(mut self) -> Result<Vec<(Span, String)>, EditError> {
         self.changes.sort_by_key(|change| (change.span.start, change.span.end));
         let mut list: Vec<(Span, String)> = Vec::with_capacity(self.changes.len());
@@ -120,7 +120,7 @@ impl<'a> Edits<'a> {
     /// The edited text.
     ///
     /// # Errors
-    /// When two changes overlap.
+    /// If two changes overlap.
     pub fn text(&self) -> Result<String, EditError> {
         let text = self.source.text();
         let mut changes: Vec<&SpanEdit> = self.changes.iter().collect();

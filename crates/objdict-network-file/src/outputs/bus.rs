@@ -20,7 +20,7 @@ impl Build<'_> {
     /// other formats are converted.
     ///
     /// # Errors
-    /// When a description cannot be written.
+    /// If a description cannot be written.
     pub fn bus_yml(&self) -> Result<Vec<BuiltFile>, BuildError> {
         let mut files: Vec<BuiltFile> = Vec::new();
         let mut copied = BTreeMap::new();

@@ -164,7 +164,7 @@ impl Build<'_> {
     /// One concise DCF a node, in an order that nodes accept.
     ///
     /// # Errors
-    /// When the configuration of a node cannot be sent.
+    /// If the configuration of a node cannot be sent.
     pub fn concise(&self) -> Result<Vec<BuiltFile>, BuildError> {
         let stream = |slave: &Slave| {
             let name = format!("{}.cdcf", self.stems[slave.node]);
@@ -176,7 +176,7 @@ impl Build<'_> {
     /// The DCFs of the nodes and the manager.
     ///
     /// # Errors
-    /// When a DCF cannot be written.
+    /// If a DCF cannot be written.
     pub fn dcfs(&self) -> Result<Vec<BuiltFile>, BuildError> {
         self.each_dcf().map(|(_, dcf)| dcf).collect()
     }
@@ -191,7 +191,7 @@ impl Build<'_> {
     /// The nodes as their DCFs describe them, the manager last.
     ///
     /// # Errors
-    /// When the configuration of a node cannot be sent.
+    /// If the configuration of a node cannot be sent.
     pub fn configured_nodes(&self) -> Result<Vec<ConfiguredNode>, BuildError> {
         let configured = |slave: &Slave, mut device: Device, is_manager| {
             let (name, node_id) = (self.name(slave), slave.node_id);
@@ -219,7 +219,7 @@ impl Build<'_> {
     /// The node list (CiA 306-3) with its DCFs.
     ///
     /// # Errors
-    /// When a DCF cannot be written.
+    /// If a DCF cannot be written.
     pub fn node_list(&self) -> Result<Vec<BuiltFile>, BuildError> {
         let mut files = self.dcfs()?;
         let nodes = self.compiled.nodes().zip(&files);

@@ -123,7 +123,7 @@ impl Build<'_> {
         Some(ConciseDcf::parse(&file.bytes).map(|stream| stream.0).map_err(|error| error.to_string()))
     }
 
-    /// A node that was switched on and not configured yet.
+    /// A node at power-on, before its configuration.
     fn start(&self, slave: &Slave) -> Device {
         let node = &self.network.nodes[slave.node];
         switched_on(self.network, node, slave.node_id).switched_on()

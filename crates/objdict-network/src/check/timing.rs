@@ -82,7 +82,7 @@ impl<'n> NetworkCheck<'n, '_> {
                 .push(finding.help("lengthen periods, map entries together, or increase the bit rate"));
         }
     }
-    /// Messages that other ones delay beyond their deadlines.
+    /// Messages that others delay beyond their deadlines.
     pub(super) fn deadlines(&mut self) {
         let Some(rate) = self.network.bit_rate else { return };
         // that the synchronous PDOs do not fit into their time is reported once

@@ -98,7 +98,7 @@ pub(super) fn configure(
         None => {}
     }
     let off = state.cob_id | CobId::BIT_31;
-    // a PDO that cannot be switched off can have other times
+    // a PDO that cannot be disabled can have different times
     let stays = state.cob_id == before && request.enabled && request.mapping.is_none();
     let stays = stays && compiler.mode == DcfgenMode::Corrected && compiler.is_constant(cob_id_at);
     if before != off && !stays {

@@ -20,7 +20,7 @@ pub(super) enum User {
 #[derive(Default)]
 pub(super) struct CanIds {
     users: HashMap<u32, Vec<User>>,
-    /// CAN-IDs that links demand.
+    /// CAN-IDs that links require.
     demanded: HashSet<u32>,
     /// CAN-IDs that PDOs of the network had in an earlier build.
     locked: HashSet<u32>,

@@ -53,7 +53,7 @@ pub(super) fn explained(
     finding.help(format!("{advice} ({})", reasons.collect::<Vec<_>>().join("; ")))
 }
 
-/// PDOs that no link uses and that cannot be switched off.
+/// PDOs that no link uses and that cannot be disabled.
 pub(super) fn stay_valid(pdos: &[&CandidatePdo], (position, node): (usize, &Node), at: Span) -> Diagnostic {
     let names = pdos.iter().take(MAX_NAMES).map(|pdo| format!("{} {}", pdo.name.kind, pdo.name.number));
     let rest = if pdos.len() > MAX_NAMES { ", …" } else { "" };

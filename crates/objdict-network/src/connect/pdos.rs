@@ -51,11 +51,11 @@ pub(super) type NewMapping = Option<Vec<Address>>;
 pub(super) enum Obstacle {
     /// The mapping is constant and differs.
     Mapping,
-    /// The COB-ID is constant, so the PDO cannot be switched off while it changes.
+    /// The COB-ID is constant, so the PDO cannot be disabled during a change.
     Locked,
     /// The maximum number of mapped entries, and the larger number needed.
     Slots(usize, usize),
-    /// No data type that the device allows as a dummy fills a gap of so many bits.
+    /// No data type that the device allows as a dummy fills a gap of this many bits.
     Gap(u32),
     /// The COB-ID is constant and not valid.
     Invalid,
@@ -132,7 +132,7 @@ impl NodePdos {
         self.fill(bits).filter(|dummies| dummies.len() <= slots)
     }
 
-    /// Whether dummies of so many bits can be mapped behind the entries of an RPDO.
+    /// Whether dummies of this many bits can be mapped after the entries of an RPDO.
     pub(crate) fn has_room(&self, pdo: PdoName, bits: u32) -> bool {
         let candidate = self.pdos.iter().find(|candidate| candidate.name == pdo);
         candidate.is_some_and(|candidate| {
@@ -141,7 +141,7 @@ impl NodePdos {
         })
     }
 
-    /// The fewest dummies of so many bits, of at most a frame.
+    /// The minimum number of dummies that fill this many bits, at most one frame.
     fn fill(&self, gap: u32) -> Option<Vec<MappedObject>> {
         if gap > Pdo::FRAME_BITS {
             return None;

@@ -1,7 +1,7 @@
 //! Worst-case response times on CAN, after Davis, Burns, Bril and Lukkien, "Controller Area Network (CAN) schedulability analysis: Refuted, revisited and
 //! revised" (2007): blocking, busy periods, and every instance in them. Times are in nanoseconds.
 
-/// The longest busy period that is looked at. A message that waits so long is as good as lost.
+/// The longest busy period that is examined. A message that waits longer is considered lost.
 const LONGEST: u64 = 10_000_000_000;
 
 /// The maximum number of examined instances of a message; more occur only close to full load.
@@ -299,7 +299,7 @@ impl PriorityLevel<'_> {
         }
     }
 
-    /// The bus time demanded before `until`, plus `work`; `None` if that exceeds the limit.
+    /// The bus time required before `until`, plus `work`; `None` if that exceeds the limit.
     fn work(&self, work: u64, until: u64) -> Option<u64> {
         let work = work + self.higher.before(until);
         let work = match self.background {

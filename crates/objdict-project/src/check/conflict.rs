@@ -27,7 +27,7 @@ pub(super) fn alone(description: &Description, findings: Findings) -> Findings {
         };
         marks.iter().any(|mark| text.get(start as usize..).is_some_and(|rest| rest.starts_with(mark)))
     };
-    // rules may be switched off
+    // rules may be disabled
     if findings.iter().any(|finding| is_mark(finding) && finding.severity == Severity::Error) {
         findings.remove_rules(|rule| !["cia306/junk-line", "xml/lone-less-than"].contains(&rule));
         let help = "resolve the merge conflict: keep one of the two versions and remove the markers";

@@ -28,7 +28,7 @@ pub fn check(description: &Description) -> Findings {
     check_with(description, &Options::default())
 }
 
-/// As [`check`], with options.
+/// Like [`check`], with options.
 pub fn check_with(description: &Description, options: &Options) -> Findings {
     in_order(description, unordered(description, options, None))
 }

@@ -26,7 +26,7 @@ impl Config {
     /// Reads the file at `path`; paths in it are relative to its folder.
     ///
     /// # Errors
-    /// When the file cannot be opened.
+    /// If the file cannot be opened.
     pub fn open(path: &Path) -> Result<Self, SourceError> {
         let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
         let path = absolute(path);

@@ -31,7 +31,7 @@ impl Project {
     ///
     /// # Errors
     ///
-    /// When the file cannot be read. Errors in it are in `findings`.
+    /// If the file cannot be read. Errors in it are in `findings`.
     pub fn open(path: &Path) -> Result<Self, SourceError> {
         Ok(Self::of(Config::open(&called(path))?))
     }
@@ -40,7 +40,7 @@ impl Project {
     pub fn of(config: Config) -> Self {
         let mut findings = config.findings().clone();
         let (mut profiles, mut failures) = (Vec::new(), Vec::new());
-        // paths of files are relative as the configuration's own
+        // paths of files are relative, like the configuration's own
         let path = PathBuf::from(config.source().name());
         let folder = path.parent().unwrap_or(Path::new(""));
         for wanted in config.profiles() {

@@ -241,7 +241,7 @@ impl<'a> Places<'a> {
 /// The start of the tag of an object in an XDD.
 const OBJECT_START: &str = "CANopenObject ";
 
-/// The end of the tag behind an object in an XDD.
+/// The end of the tag after an object in an XDD.
 const OBJECT_END: &str = "CANopenObject>";
 
 /// The number at the end of a line.
@@ -335,7 +335,7 @@ mod tests {
         }
     }
 
-    /// A cause is looked at once, not for each finding that it may explain.
+    /// A cause is examined once, not for each finding that it may explain.
     #[test]
     fn many_conflicts_do_not_take_long() {
         let conflicts: String =

@@ -64,14 +64,14 @@ pub trait Report {
     /// Writes the findings of the next file, in the order of the report.
     ///
     /// # Errors
-    /// When the output cannot be written.
+    /// If the output cannot be written.
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()>;
 
     /// Records a file that could not be read, which the message names. Most formats do not support this, so the
     /// caller also reports it elsewhere.
     ///
     /// # Errors
-    /// When the output cannot be written.
+    /// If the output cannot be written.
     fn unread(&mut self, message: &str) -> io::Result<()> {
         let _ = message;
         Ok(())
@@ -96,7 +96,7 @@ pub trait Report {
     /// Ends the report, after the last file.
     ///
     /// # Errors
-    /// When the output cannot be written.
+    /// If the output cannot be written.
     fn finish(&mut self) -> io::Result<()>;
 }
 

@@ -166,7 +166,7 @@ fn outdented(xml: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The elements with a prefix; no value contains a `<`.
+/// The elements with a prefix; values must not contain `<`.
 fn with_prefix(xml: &str, prefix: &str) -> String {
     if prefix.is_empty() {
         return xml.to_owned();

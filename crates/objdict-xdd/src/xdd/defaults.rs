@@ -135,8 +135,8 @@ pub(crate) fn default_rate_field() -> Field {
     Field::Named("defaultBaudRate".into())
 }
 
-/// How many of the given indexes `CANopenObjectList` counts in a list. Definitions of data types are
-/// counted as optional objects, because they have no separate count.
+/// The number of the given indexes in `CANopenObjectList` that belong to a list. Definitions of data
+/// types are counted as optional objects, because they have no separate count.
 pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
     indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
 }

@@ -74,7 +74,7 @@ impl<'a> XddRewriter<'a> {
     /// Sets a value about the file, which both profiles contain.
     fn set_fact(&mut self, field: &Field, value: &str) -> Option<()> {
         let known = match field {
-            // behind the version, in one attribute
+            // after the version, in the same attribute
             Field::FileRevision => DEVICE_BODY.attribute_of(&Field::FileVersion)?,
             Field::FileVersion => return None,
             field => DEVICE_BODY.attribute_of(field).filter(|_| !matches!(field, Field::Named(_)))?,

@@ -60,7 +60,7 @@ pub fn words(notion: &Notion<'_>) -> Option<String> {
     }
 }
 
-/// The same for an entry whose parameter states the access.
+/// Like `words`, for an entry whose parameter states the access.
 fn words_of_parameter(notion: &Notion<'_>) -> Option<String> {
     let access = |value: &str| Access::from_name(value).map(|access| written_access(access).name());
     match *notion {
@@ -80,7 +80,7 @@ fn range(notion: &Notion<'_>) -> Option<String> {
     }
 }
 
-/// The same for an entry whose parameter has an element for the data type.
+/// Like `words`, for an entry whose parameter has an element for the data type.
 fn words_of_element(notion: &Notion<'_>) -> Option<String> {
     match *notion {
         Notion::Setting("DataType", value) => {

@@ -282,7 +282,7 @@ impl SdoTransfer {
         TransferStep::BlockSegment(number, is_end)
     }
 
-    /// The receiver has so many segments of a block.
+    /// The receiver has this many segments of a block.
     fn block_accepted(&mut self, number: u8) -> TransferStep {
         if let Some(blocks) = &mut self.blocks {
             let is_whole = number >= blocks.last;

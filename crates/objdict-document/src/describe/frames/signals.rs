@@ -37,7 +37,7 @@ pub struct PdoSignal<'r> {
 pub struct SignalReading {
     /// The number in its unit; `None` for a string.
     pub number: Option<f64>,
-    /// The name of the value, if it is a state, a mode, a command or another one of few named values.
+    /// The name of the value, if it is a state, a mode, a command or similar.
     pub word: Option<String>,
     /// The unit; empty if there is none.
     pub unit: String,

@@ -286,7 +286,7 @@ impl TalkingNode<'_> {
         }
     }
 
-    /// The name of a value if it is a state, a mode, a command or another one of few named values.
+    /// The name of a value if it is a state, a mode, a command or similar.
     pub(super) fn state(&self, (index, sub): (u16, u8), value: &Value) -> Option<String> {
         if let Some(command) = self.command(index, value) {
             return Some(command.to_owned());

@@ -298,7 +298,7 @@ mod tests {
         Some(edits.text().unwrap())
     }
 
-    /// Asserts what `fix` replaces in the text, as pairs of old and new text.
+    /// Asserts the replacements of `fix`, as pairs of old and new text.
     fn assert_fixes(fix: &Fix, replacements: &[(&str, &str)]) {
         let mut expected = TEXT.to_owned();
         for (old, new) in replacements {

@@ -124,7 +124,7 @@ fn emergency_disabled(facts: &Facts<'_>, findings: &mut Findings) {
     let place = device.value_place(0x1014, 0);
     let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
     let finding = EMERGENCY_DISABLED.at(place, message);
-    // a node without a valid node-ID has no value for the formula
+    // without a valid node-ID, the formula has no value on the node
     let commissioning = device.commissioning.as_ref();
     let has_value = commissioning.is_none_or(|node| matches!(node.node_id, Some(1..=127)));
     let finding = if has_value { finding.fix(fix) } else { finding };

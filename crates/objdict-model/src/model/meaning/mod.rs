@@ -182,7 +182,7 @@ impl<'a> Meanings<'a> {
         )
     }
 
-    /// The definition behind a reference, with aliases resolved.
+    /// The definition that a reference resolves to, through aliases.
     fn definition(&self, reference: &DataTypeRef) -> Option<&'a TypeDefinition> {
         let mut id = match reference {
             DataTypeRef::Defined(id) => &**id,

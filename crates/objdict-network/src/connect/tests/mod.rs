@@ -335,7 +335,7 @@ fn fixed_cob_ids_are_respected() {
     );
 }
 
-/// A PDO that cannot be switched off keeps its mapping and its inhibit time.
+/// A PDO that cannot be disabled keeps its mapping and its inhibit time.
 #[test]
 fn a_constant_cob_id_keeps_the_mapping() {
     let fixed = |index| Kit { fixed: vec![index], tpdos: 1, rpdos: 1, ..Kit::default() };

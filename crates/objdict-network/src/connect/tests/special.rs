@@ -38,7 +38,7 @@ fn findings_say_what_is_against_each_pdo() {
     let four = || link("a.6000:1-4", &["b.6200:1-4"]);
     let one = || link("a.6000:1", &["b.6200:1"]);
     let linked = |change| Link { parameters: parameters(change), ..one() };
-    // links of different types share no PDO
+    // links of different types do not share a PDO
     let taking = |count: u8| -> Vec<Link> {
         let one = |number| Link {
             parameters: LinkParameters { transmission: Some(number), ..LinkParameters::default() },

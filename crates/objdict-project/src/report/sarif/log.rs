@@ -253,7 +253,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Writes the properties behind `results`.
+    /// Writes the properties after `results`.
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(b",\n\"tool\":{\"driver\":")?;
         objdict_model::json::write(&mut *out, &self.driver)?;

@@ -204,7 +204,7 @@ fn dangling(reference: &IdReference<'_>, ids: &Ids<'_>, findings: &mut Findings)
 /// Whether a reference may refer to an element of this name.
 fn accepts(reference: &IdReference<'_>, name: Name) -> bool {
     match reference.target {
-        // these describe no value
+        // these do not describe values
         ReferenceTarget::Application => !matches!(
             name,
             n::LEDstate | n::interface | n::functionType | n::parameterGroup | n::allowedValuesTemplate

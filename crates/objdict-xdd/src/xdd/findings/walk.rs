@@ -20,7 +20,7 @@ pub(super) struct Walk<'a, 'f> {
     pub(super) object_lists: Vec<Element<'a>>,
 }
 
-/// Elements that further rules look at, in the order of the file.
+/// Elements that further rules check, in file order.
 #[derive(Default)]
 pub(super) struct SeenElements<'a>(Vec<Element<'a>>);
 

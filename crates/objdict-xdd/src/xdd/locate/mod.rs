@@ -25,7 +25,8 @@ pub struct ElementLocator {
     state: RandomState,
     /// The hash of each id with its element, sorted by hash.
     ids: Vec<(u32, ElementId)>,
-    /// The hashes of the parameters that several objects or sub-objects refer to, sorted; not looked for until a parameter is changed.
+    /// The hashes of the parameters that several objects or sub-objects refer to, sorted; determined only
+    /// when a parameter is changed.
     shared: OnceLock<Vec<u32>>,
 }
 

@@ -99,7 +99,7 @@ impl<'a> Parameters<'a> {
         self.named.contains(id)
     }
 
-    /// Moves the parameters that belong to no entry to their application processes.
+    /// Moves the parameters without an entry to their application processes.
     pub(crate) fn give_rest(self, application: &mut [ApplicationProcess], leftovers: &mut Leftovers<'a>) {
         for slot in self.slots.into_iter().filter(|slot| !slot.is_own) {
             if let Some(process) = application.get_mut(slot.process) {

@@ -59,7 +59,7 @@ impl Writer<'_> {
             rest,
         };
         if version == XddVersion::V1_0 {
-            // CANopenEditor reads no file without them
+            // CANopenEditor cannot read a file without them
             for id in [&mut identity.vendor_id, &mut identity.product_id] {
                 id.get_or_insert_with(|| defaults::ID.into());
             }
