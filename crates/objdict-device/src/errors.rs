@@ -119,7 +119,7 @@ impl Errors {
         true
     }
 
-    /// Reports that an error is gone. Returns whether it was active.
+    /// Reports that an error no longer exists. Returns whether it was active.
     pub fn resolve<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, code: u16, name: [u8; 2]) -> bool {
         let Some(active) = self.active.iter_mut().find(|active| **active == Some((code, name))) else {
             return false;

@@ -246,7 +246,7 @@ impl<
         }
     }
 
-    /// Reports that an error is gone, by its code and its first two bytes.
+    /// Reports that an error no longer exists, by its code and its first two bytes.
     pub fn resolve(&mut self, code: u16, name: [u8; 2]) {
         self.errors.resolve(&mut self.dictionary, code, name);
     }

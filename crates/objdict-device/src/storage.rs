@@ -10,7 +10,8 @@ pub trait Grouped: Table {
     const GROUPS: &'static [AnyGroup<Self>];
 }
 
-/// Memory that keeps the images of storage groups without power. Groups are numbered from 0 on in the order of [`Grouped::GROUPS`].
+/// Non-volatile memory for the images of storage groups. Groups are numbered from 0 in the order of
+/// [`Grouped::GROUPS`].
 pub trait Storage {
     /// Stores the image of a group, replacing the previous one.
     ///

@@ -54,7 +54,7 @@ impl SyncProducer {
         self.restart();
     }
 
-    /// The counter begins with 1 again: the node was stopped.
+    /// Restarts the counter at 1, because the node was stopped.
     pub const fn restart(&mut self) {
         self.counter = 0;
     }

@@ -320,7 +320,7 @@ pub(super) fn lost(device: &Device, read: &Device, limit: usize) -> Result<Vec<L
 /// The losses of a text in a format. Only the encoding and the limit of the options are used.
 ///
 /// # Errors
-/// [`EditError::TooMuchLost`] where that is more than the limit.
+/// [`EditError::TooMuchLost`] if the losses exceed the limit.
 pub fn losses(
     device: &Device,
     bytes: &[u8],

@@ -481,8 +481,8 @@ pub struct Identifier {
     pub c: String,
 }
 
-/// The identifiers of objects and entries in the targets `rust` and `c`, where no option changes them. An object with one
-/// value has only its index.
+/// The identifiers of objects and entries in the targets `rust` and `c`, without options that change them. An object
+/// with a single value has only its index.
 ///
 /// # Errors
 /// Same as [`generate`].

@@ -26,7 +26,7 @@ pub struct LiveEntry {
     pub fits_tpdo: bool,
     /// Whether RPDOs may map it.
     pub fits_rpdo: bool,
-    /// The value at power-on: the configured one, else the default, as an SDO transfers it.
+    /// The value at power-on: the configured one, otherwise the default, as an SDO transfers it.
     pub value: Vec<u8>,
     /// The minimum value: two's complement with sign, or the bits of a REAL.
     pub low: Option<u64>,

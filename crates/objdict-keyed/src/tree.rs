@@ -101,7 +101,7 @@ impl KeyedTree {
         }
     }
 
-    /// The value as it is spelled in messages.
+    /// The value as spelled in messages.
     pub fn spelled(&self) -> String {
         match &*self.kind {
             Kind::Bool(flag) => flag.to_string(),

@@ -42,7 +42,7 @@ pub fn named(word: &str) -> Option<DataType> {
     TYPES.iter().find(|(known, _)| *known == word).map(|(_, data_type)| *data_type)
 }
 
-/// The word for a data type, where it has one.
+/// The keyword for a data type, if there is one.
 pub fn word_of(data_type: DataType) -> Option<&'static str> {
     TYPES.iter().find(|(_, known)| *known == data_type).map(|(word, _)| *word)
 }

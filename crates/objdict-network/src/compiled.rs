@@ -44,9 +44,10 @@ pub struct Slave {
     pub heartbeat: u16,
     /// COB-ID of EMCY; `None` if the node does not send EMCY, or the description does not state the COB-ID.
     pub emcy: Option<u32>,
-    /// Guard time in milliseconds, if the node is guarded; else 0.
+    /// Guard time in milliseconds, if the node is guarded; otherwise 0.
     pub guard_time: u16,
-    /// Device type (1000h), vendor-ID, product code, revision number and serial number (1018h); 0 where not stated.
+    /// Device type (1000h), vendor-ID, product code, revision number and serial number (1018h); 0 if not
+    /// stated.
     pub identity: [u32; 5],
 }
 

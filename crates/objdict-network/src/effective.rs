@@ -91,7 +91,7 @@ impl Slave {
         self.arranged().unwrap_or(&self.downloads)
     }
 
-    /// The downloads that Lely's master makes.
+    /// The downloads that Lely's master sends.
     ///
     /// # Errors
     /// If the description of the node has configured values that cannot be sent.

@@ -28,7 +28,7 @@ objdict_model::named! {
     }
 }
 
-/// How sure a source is.
+/// The reliability of a source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Confidence {
     /// The document itself, or two sources that agree.

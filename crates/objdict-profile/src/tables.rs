@@ -81,7 +81,7 @@ pub struct ObjectRow {
     pub source: SubList,
     /// In the texts; empty if not stated.
     pub about: SubList,
-    /// How sure the source is.
+    /// The reliability of the source.
     pub confidence: Confidence,
 }
 

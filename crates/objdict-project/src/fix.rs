@@ -54,11 +54,11 @@ const MAX_HARM: usize = 8;
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Fixed {
-    /// The description as it is now.
+    /// The resulting description.
     pub description: Description,
     /// The remaining findings.
     pub findings: Findings,
-    /// The fixes that were made, in their order.
+    /// The applied fixes, in order.
     pub applied: Vec<AppliedFix>,
     /// The fixes that cannot be applied, because their finding would remain, or a new one would appear.
     pub skipped: Vec<AppliedFix>,

@@ -18,7 +18,8 @@ pub struct LineChange {
 /// is no time limit, so the difference of two texts is the same everywhere.
 const MAX_PAIRS: usize = 1 << 26;
 
-/// The changes that make `new` of `old`, in order. Lines that both have once are matched first, so that sections keep their lines.
+/// The changes from `old` to `new`, in order. Lines that are unique in both are matched first, so that
+/// sections keep their lines.
 pub fn changes(old: &[&str], new: &[&str]) -> Vec<LineChange> {
     let (mut pairs, mut at) = (MAX_PAIRS, [0, 0]);
     let mut joined: Vec<LineChange> = Vec::new();

@@ -340,7 +340,7 @@ impl Builder {
         self
     }
 
-    /// A file of findings that are known, as `objdict check --write-baseline` writes it: they neither stop the generation nor
+    /// A file of known findings, as written by `objdict check --write-baseline`: they neither stop the generation nor
     /// become warnings.
     pub fn baseline(mut self, file: impl AsRef<Path>) -> Self {
         self.request.baseline = Some(file.as_ref().to_owned());

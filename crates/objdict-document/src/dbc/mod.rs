@@ -156,7 +156,7 @@ impl<'a> Station<'a> {
         let mut title = title.map_or_else(|| format!("Node {node_id}"), str::to_owned);
         let name = names.claim(&words(&title), &node_id.to_string());
         if *name.full.as_ref().unwrap_or(&name.short) != words(&title) {
-            title.push_str(&format!(" {node_id}")); // another node has the same
+            title.push_str(&format!(" {node_id}")); // a different node has the same name
         }
         Self {
             device,

@@ -54,7 +54,7 @@ impl<'a> Database<'a> {
     fn add_frame(&mut self, id: DbcCanId, mut ports: Vec<Port<'a>>) {
         let is_counterpart = |port: &Port<'_>| self.stations[port.node].is_counterpart;
         if ports.iter().all(is_counterpart) {
-            return; // the reason is that of the node's PDO
+            return; // already reported for the node's PDO
         }
         // the node that sends the frame describes it, otherwise the first receiver
         ports.sort_by_key(|port| (is_counterpart(port), port.pdo.kind == PdoKind::Rpdo));

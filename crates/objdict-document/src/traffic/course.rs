@@ -26,7 +26,7 @@ pub struct CurveBucket {
     pub min: f64,
     /// The highest value.
     pub max: f64,
-    /// The value that came last.
+    /// The most recent value.
     pub last: f64,
     /// The number of values.
     pub count: u64,

@@ -70,7 +70,7 @@ impl Description {
         (can_be_written && encoding != self.source().encoding()).then_some(encoding)
     }
 
-    /// Whether a fix can be made in this file.
+    /// Whether a fix can be applied to this file.
     pub fn can_fix(&self, fix: &Fix) -> bool {
         self.encoding_of(fix).is_some() || self.placed(fix).is_some()
     }

@@ -132,7 +132,7 @@ impl ContentKind {
         if let KindRole::Read(kind) = self.role() { Some(kind) } else { None }
     }
 
-    /// The format to read it in, where it is a description of a device that this crate reads.
+    /// The format for reading it, if it is a device description that this crate can read.
     pub const fn format(self) -> Option<Format> {
         if let Some(kind) = self.file() { kind.format() } else { None }
     }

@@ -146,7 +146,7 @@ impl Patch {
         &self.findings
     }
 
-    /// Why the changes are made, each once: reason and source.
+    /// The reasons for the changes, each once: reason and source.
     pub fn reasons(&self) -> Vec<(Option<&str>, Option<&str>)> {
         let reasons = self.changes.iter().map(|change| (change.reason.as_deref(), change.source.as_deref()));
         let mut reasons: Vec<_> = reasons.filter(|reason| *reason != (None, None)).collect();

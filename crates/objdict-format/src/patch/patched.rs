@@ -7,7 +7,7 @@ use objdict_model::diagnostic::{At, Findings, Severity};
 use objdict_model::model::{Part, Place};
 use objdict_model::source::Span;
 
-/// The patches that were made in a description.
+/// The patches applied to a description.
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Patched {
@@ -22,7 +22,7 @@ pub struct Patched {
 }
 
 impl Patched {
-    /// Whether a patch could not be made.
+    /// Whether a patch could not be applied.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|findings| findings.worst() == Some(Severity::Error))
     }

@@ -164,7 +164,8 @@ pub const NO_VENDOR: u32 = 0xFFFF_FFFF;
 pub const MIDNIGHT: ClockTime = ClockTime { hour: 0, minute: 0, second: 0, nanosecond: 0, utc_offset: None };
 
 impl Wanted {
-    /// A device of a profile, made now, with a name for all that its author fills in.
+    /// Generates a device of a profile, dated now, with placeholders for everything that its author must fill
+    /// in.
     pub fn to_fill_in(profile: u16, file_name: &str) -> Option<Self> {
         let (date, time) = now()?;
         Some(Self {

@@ -70,8 +70,8 @@ pub fn scaffold(wanted: &Wanted) -> Result<Device, BaseError> {
     Ok(device)
 }
 
-/// Copies vendor, product and revision of the device information to the objects that have them (1008h, 1018h), where these
-/// are described.
+/// Copies vendor, product and revision from the device information to the objects that contain them (1008h, 1018h), if
+/// these are described.
 pub fn identify(device: &mut Device) {
     let Some(info) = &device.device_info else { return };
     let number = |number: Option<u32>| number.map(|number| Value::Unsigned(number.into()));

@@ -139,7 +139,7 @@ fn sizes(dictionary: &TableDictionary<'_>, plan: &CanFestivalPlan, slots: &ListS
     }
     let ranges = half.times(slots.first.len() + slots.last.len()); // of the families
     tally.rest(Memory::Flash, ranges.size + half.size + byte.size); // with their number, and the role of the node
-    tally.rest(Memory::Zeroed, word.size); // what a row without a value refers to
+    tally.rest(Memory::Zeroed, word.size); // the target of rows without a value
     let node_id = dictionary.node_id.unwrap_or(0);
     tally.rest(Memory::of_values(node_id == 0), byte.size);
     tally.report(COUNTED)

@@ -88,12 +88,12 @@ impl CanOpenNodeV1View<'_> {
             tally.of(object.index, Memory::Flash, row.size + of_record.times(object.record.len()).size);
         }
         for location in ValueLocation::ALL {
-            let word = [(None, TypeExtent::WORD)]; // before and behind the variables, and not zero
+            let word = [(None, TypeExtent::WORD)]; // before and after the variables, and not zero
             let variables = self.plan.of(&location).flat_map(|variable| variable.extents.iter().copied());
             let members: Vec<_> = word.into_iter().chain(variables).chain(word).collect();
             tally.structure(Memory::Initialised, &members);
         }
-        tally.rest(Memory::Zeroed, 1); // what a row without an entry refers to
+        tally.rest(Memory::Zeroed, 1); // the target of rows without an entry
         tally.report(COUNTED)
     }
 }

@@ -213,7 +213,7 @@ fn flags(entry: &ResolvedEntry<'_>, default: &Encoded, file: Option<&'static str
     let formula = |datum: Option<&Encoded>| datum.is_some_and(Encoded::is_formula);
     let flags = entry.entry.flags();
     let named = [
-        ("READ", flags.0 & 1 != 0), // the library names the bits by what they refuse on an upload and a download
+        ("READ", flags.0 & 1 != 0), // the library names the bits by the rejected transfers, uploads and downloads
         ("WRITE", flags.0 & 2 != 0),
         (UPLOAD, file == Some(UPLOAD)),
         (DOWNLOAD, file == Some(DOWNLOAD)),

@@ -121,7 +121,7 @@ impl<'a> Served<'a> {
         let (count, most) = (self.count().max(least), self.rules.most);
         let last = match (self.rules.reads_all, count > most) {
             (true, _) => most,
-            (false, true) => 0, // an MPDO, or more than the stack takes
+            (false, true) => 0, // an MPDO, or more than the stack supports
             (false, false) => count,
         };
         let mapped = |sub| number(self.mapping, sub, 4).and_then(|word| u32::try_from(word).ok());

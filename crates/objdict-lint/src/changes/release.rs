@@ -9,7 +9,7 @@ use crate::model::{ClockTime, Date, Device, DeviceInfo, Field, Identity, Part, P
 /// Information for a release that is not in the descriptions.
 #[derive(Clone, Copy, Debug)]
 pub struct ReleaseFacts {
-    /// The date that the new description gets.
+    /// The new date of the description.
     pub date: Date,
     /// The time of that day.
     pub time: ClockTime,

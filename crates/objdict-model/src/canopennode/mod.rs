@@ -320,7 +320,7 @@ fn entry(
         let is_needed = matches!(need, Start | Service) || is_counted;
         return if is_needed { unmet(Place::object(index), message, help) } else { None };
     };
-    let data_type = entry.data_type?; // a missing data type has another rule
+    let data_type = entry.data_type?; // another rule reports a missing data type
     let found = match (data_type.byte_length(), data_type.kind()) {
         (Some(length), _) if length == bytes => return None,
         (Some(length), _) => format!("the entry has {}", plural(length.into(), "byte")),

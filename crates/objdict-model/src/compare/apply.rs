@@ -20,8 +20,8 @@ pub struct DatumChange {
     pub after: Option<Datum>,
 }
 
-/// Applies changes. Returns those that could not be applied: the value has changed since, the part is gone,
-/// or the result would not be a valid device.
+/// Applies changes. Returns those that could not be applied: the value has changed since, the part no
+/// longer exists, or the result would not be a valid device.
 pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
     make_changes(device, changes, DatumDemand::Before)
 }

@@ -12,7 +12,7 @@ pub struct Fix {
     pub title: Text,
     /// Whether the fix preserves the meaning.
     pub safety: Applicability,
-    /// The changes; either all or none are made.
+    /// The changes, of which all or none are applied.
     pub changes: Vec<Change>,
     /// Whether reports offer it; `objdict::with_sound_fixes` decides for a file.
     pub is_offered: bool,

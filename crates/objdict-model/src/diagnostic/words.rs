@@ -81,7 +81,7 @@ pub fn one_line(text: &str) -> String {
     printable(text).replace('\t', " ")
 }
 
-/// Lines as they are printed, each [`printable`].
+/// Lines for output, each [`printable`].
 pub fn printable_lines(text: &str) -> String {
     text.split('\n').map(printable).collect::<Vec<_>>().join("\n")
 }

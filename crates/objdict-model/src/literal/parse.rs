@@ -148,7 +148,7 @@ fn in_line<T>(
     result
 }
 
-/// The [`value`] of a text in a line of an EDS or DCF, where a comment may follow it.
+/// The [`value`] of a string in a line of an EDS or DCF, which a comment may follow.
 ///
 /// # Errors
 /// The reason why the text is not a valid value of the type.
@@ -156,7 +156,7 @@ pub fn value_in_line(text: &str, data_type: Option<DataType>, quirks: &mut Quirk
     in_line(text, quirks, |text, quirks| value(text, data_type, quirks))
 }
 
-/// The [`integer`] of a text in a line of an EDS or DCF, where a comment may follow it.
+/// The [`integer`] of a string in a line of an EDS or DCF, which a comment may follow.
 ///
 /// # Errors
 /// The reason why the text is not such a number.

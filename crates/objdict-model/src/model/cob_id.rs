@@ -102,7 +102,7 @@ impl CobId {
         Self { number: self.number & !Self::BIT_31, ..self }
     }
 
-    /// The CAN-ID alone, without the bits above it.
+    /// The CAN-ID without the bits above it.
     #[must_use]
     pub const fn without_flags(self) -> Self {
         Self { number: self.number & self.can_id_mask(), ..self }

@@ -44,7 +44,7 @@ part! {
         pub conformance_class: Option<String>,
         /// `communicationEntityType` (CiA 311), such as `slave`, as written.
         pub communication_entities: Vec<Box<str>>,
-        /// `selfStartingDevice` (CiA 311): whether the device enters the state operational by itself.
+        /// `selfStartingDevice` (CiA 311): whether the device becomes operational automatically.
         pub self_starting: Option<bool>,
         /// `SDORequestingDevice` (CiA 311, CiA 302-5).
         pub sdo_requesting: Option<bool>,

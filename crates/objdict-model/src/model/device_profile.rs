@@ -26,7 +26,7 @@ part! {
         pub source: Box<str>,
         /// `ProfileDate`, as written.
         pub date: Option<Box<str>>,
-        /// `AdditionalInformation`: where to find more.
+        /// `AdditionalInformation`: references to further information.
         pub additional_information: Option<Box<str>>,
         /// `IASInterfaceType`.
         pub interface_types: Vec<Box<str>>,

@@ -10,9 +10,9 @@ use super::{Compact, Device, Entry, ExtraSection, Field, InvalidValue, InvalidVa
 impl Object {
     /// The object with a description of every entry, if it is stored compactly; otherwise unchanged.
     ///
-    /// Properties that are common to all entries (data type, access, default, limits) are removed from the
-    /// section of the object, because each entry now has them. Unknown keys of the sections with names and
-    /// values are left out; the device keeps them ([`Device::expanded`]).
+    /// Common properties of all entries (data type, access, default, limits) are removed from the section
+    /// of the object, because each entry now has them. Unknown keys of the sections with names and values
+    /// are omitted; the device keeps them ([`Device::expanded`]).
     pub fn expanded(&self) -> Cow<'_, Object> {
         let Some(compact) = &self.compact else { return Cow::Borrowed(self) };
         let mut subs = self.subs.clone();

@@ -273,7 +273,7 @@ impl SourceFile {
         }
     }
 
-    /// The original bytes of the file, without a copy where that is possible.
+    /// The original bytes of the file, moved instead of copied if possible.
     pub fn into_bytes(self) -> Vec<u8> {
         match self {
             Self { original: Some(bytes), .. } => bytes,

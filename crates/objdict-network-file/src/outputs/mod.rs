@@ -116,7 +116,7 @@ impl NetworkFile {
 }
 
 impl Build<'_> {
-    /// States when the configuration was made.
+    /// Sets the time of the configuration.
     #[must_use]
     pub fn configured_at(self, time: ConfigurationTime) -> Self {
         Self { configured_at: Some(time), ..self }

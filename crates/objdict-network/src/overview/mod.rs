@@ -52,7 +52,7 @@ pub struct NodeRow {
     pub node_id: Option<u8>,
     /// The name in the network.
     pub name: String,
-    /// The product name of the description, else its file.
+    /// The product name in the description, otherwise its file.
     pub description: String,
     /// Whether the node boots the others.
     pub is_manager: bool,
@@ -106,7 +106,7 @@ pub struct MessageRow {
     pub receivers: Vec<End>,
     /// The maximum length in bytes; `None` if the description does not state it.
     pub bytes: Option<u8>,
-    /// The lengths of several senders, in their order, where they differ; else empty.
+    /// The lengths of several senders, in their order, if they differ; otherwise empty.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lengths: Vec<u8>,
     /// Its trigger, as text.

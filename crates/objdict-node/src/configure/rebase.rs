@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::model::{Access, Address, Assignment, CobId, Device, Entry, predefined};
 
-/// COB-IDs with fixed numbers, seen from the node-ID that they were made for.
+/// COB-IDs with fixed numbers, relative to the node-ID for which they were created.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rebased {
     /// The COB-IDs that equalled the former node-ID plus a number of the predefined connection set, or plus

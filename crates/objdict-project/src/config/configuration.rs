@@ -95,7 +95,7 @@ impl Config {
         self.settings.deny
     }
 
-    /// Whether the file at `path` is passed over where it is found in a folder.
+    /// Whether the file at `path` is skipped when a folder is searched.
     pub fn excludes(&self, path: &Path) -> bool {
         let path = self.relative(path);
         self.settings.excluded.iter().any(|pattern| pattern.matches(&path))

@@ -11,8 +11,8 @@ use objdict_model::diagnostic::{At, Diagnostic, Findings};
 use objdict_model::model::{Field, ModulePart, Part, Place};
 use objdict_model::source::{Fnv, Span};
 
-/// The name and version of the recipe, for outputs that name their fingerprints. A change of the recipe is a new version:
-/// otherwise users of stored fingerprints would get all findings as new ones.
+/// The name and version of the method, for outputs that name their fingerprints. Changing the method requires a new
+/// version; otherwise users of stored fingerprints would get all findings as new ones.
 pub const FINGERPRINT_NAME: &str = "objdict/v2";
 
 /// The maximum number of bytes of a line that are included. An XDD may consist of one line, and a distant

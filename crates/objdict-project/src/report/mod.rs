@@ -145,7 +145,7 @@ impl<'a> Location<'a> {
         (!finding.labels.is_empty()).then(|| Self::start_of(subject, finding).line)
     }
 
-    /// The locations of a finding: where it is, then the related ones.
+    /// The locations of a finding: its own, then the related ones.
     pub fn all(subject: Subject<'a>, finding: &'a Diagnostic) -> Vec<Self> {
         finding.labels.iter().map(|label| Self::new(subject, label)).collect()
     }

@@ -2,7 +2,7 @@
 
 use objdict_network::Service;
 
-/// A frame as it is on the bus.
+/// A frame as sent on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RawFrame<'f> {
     /// The CAN-ID.

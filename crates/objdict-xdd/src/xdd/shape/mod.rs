@@ -38,7 +38,7 @@ pub(crate) struct Shape<P: 'static> {
     pub is: fn(&P) -> bool,
     /// The storage of each attribute, followed by that of the text.
     pub values: &'static [AttributePlace<P>],
-    /// How the part keeps the children of each slot.
+    /// The storage of the children in each slot.
     pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
     /// The storage of the children's marks.
     pub marks: Option<Lens<P, Marks>>,
