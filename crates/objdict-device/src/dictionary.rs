@@ -139,7 +139,7 @@ pub trait Dictionary {
         Ok(None)
     }
 
-    /// Fills a piece of an upload with the bytes from an offset on. A client may ask for a piece again.
+    /// Fills a piece of an upload with the bytes at an offset. A client may request a piece again.
     ///
     /// # Errors
     /// Why the upload is aborted.

@@ -167,7 +167,7 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
     }
 }
 
-/// Whether a value asks for a service that only an application has.
+/// Whether a value enables a service that only an application provides.
 const fn switches_on(objects: ObjectSet, index: u16, sub: u8, value: u64) -> bool {
     let word = value as u32;
     match (index, sub) {

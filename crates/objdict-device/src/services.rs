@@ -1,4 +1,4 @@
-//! The services of a node as the dictionary sees them.
+//! The services of a node, as used by the dictionary.
 
 use crate::Dictionary;
 

@@ -70,7 +70,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The name of an entry in the language of the page, else the name in the file, else a placeholder.
+    /// The name of an entry in the language of the page, otherwise the name in the file, otherwise a
+    /// placeholder.
     pub(super) fn name<'e>(&self, entry: &'e Entry) -> &'e str {
         let label = entry.parameter.as_ref().and_then(|parameter| parameter.labels.name_in(self.tag));
         match label.map(str::trim).filter(|label| !label.is_empty()) {

@@ -205,8 +205,8 @@ fn texts(field: &LayoutField, span: BitSpan) -> Vec<DiagramText> {
     rooms(span).into_iter().flat_map(|room| texts_in(field, room)).collect()
 }
 
-/// Rectangles for the texts of a field: its full rows, else its longest part; both parts if they do not
-/// touch.
+/// Rectangles for the texts of a field: its full rows, otherwise its longest part; both parts if they
+/// do not touch.
 fn rooms(span: BitSpan) -> Vec<TextBox> {
     let room = |(byte, low, end): (u32, u32, u32)| {
         let (left, right) = edges(low, end);

@@ -13,7 +13,7 @@ use crate::profile::ObjectFacts;
 pub(crate) struct EntryView<'a> {
     pub(crate) index: u16,
     pub(crate) sub: u8,
-    /// The name in the language of the page if available, else the name in the file.
+    /// The name in the language of the page if available, otherwise the name in the file.
     pub(crate) name: Cow<'a, str>,
     /// The name in the file, if it differs from the displayed one.
     pub(crate) own_name: Option<Cow<'a, str>>,

@@ -27,7 +27,7 @@ pub(crate) struct Area<'a> {
 /// View of an object.
 pub(crate) struct ObjectView<'a> {
     pub(crate) index: u16,
-    /// The name in the language of the page if available, else the name in the file.
+    /// The name in the language of the page if available, otherwise the name in the file.
     pub(crate) name: Cow<'a, str>,
     /// The name in the file, if it differs from the displayed one.
     pub(crate) own_name: Option<Cow<'a, str>>,

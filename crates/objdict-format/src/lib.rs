@@ -89,7 +89,7 @@ pub fn check_structure(tree: &objdict_xdd::xml::Tree) -> objdict_model::diagnost
     findings
 }
 
-/// The rules that the readers raise themselves.
+/// The rules of the readers.
 pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let rules = [
         objdict_eds::ini::findings::RULES,

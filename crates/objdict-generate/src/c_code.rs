@@ -5,7 +5,7 @@ use super::names::words;
 use super::resolve::{Encoded, EntryPlan, ValueShape, digits};
 use crate::model::{DataType, TypeKind};
 
-/// The stem of file names: the prefix as it is spelt, else the file name of the description as a C identifier.
+/// The stem of file names: the prefix as spelt, otherwise the file name of the description as a C identifier.
 pub(crate) fn file_stem(options: &Options) -> String {
     match &options.prefix {
         Some(prefix) => prefix.clone(),

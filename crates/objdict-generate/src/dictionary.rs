@@ -55,7 +55,7 @@ impl ResolvedObject<'_> {
         self.entries.iter().find(|entry| entry.sub == sub)
     }
 
-    /// The storage group stated in the description, else in the options.
+    /// The storage group stated in the description, otherwise in the options.
     pub(crate) fn group<'s>(&'s self, options: &'s Options) -> Option<&'s str> {
         let stated = self.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
         let stated = stated.map(str::trim).filter(|name| !name.is_empty());

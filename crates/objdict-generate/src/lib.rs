@@ -211,7 +211,7 @@ targets! {
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.
 pub const LONGEST_VALUE: usize = u16::MAX as usize;
 
-/// A target as it is declared.
+/// A target as declared.
 struct Backend {
     name: &'static str,
     summary: &'static str,
@@ -428,7 +428,7 @@ fn list(notes: &[Note]) -> String {
 /// Generates the files of `target` for `device`.
 ///
 /// # Errors
-/// Fails if a value cannot be represented, see [`GenerateError`].
+/// If a value cannot be represented; see [`GenerateError`].
 pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     let mut generated = files_of(device, target, options)?;
     generated.notes.splice(0..0, general_notes(device, &[target], options));

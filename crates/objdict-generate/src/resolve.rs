@@ -322,8 +322,8 @@ impl<'a> Resolver<'a> {
         Vec::new()
     }
 
-    /// Capacity of a string or DOMAIN with a default of `length` bytes: from the description, else from the
-    /// options.
+    /// Capacity of a string or DOMAIN with a default of `length` bytes: from the description, otherwise
+    /// from the options.
     fn capacity(&self, data_type: DataType, access: Access, length: usize, entry: &Entry) -> u16 {
         let length = u16::try_from(length).unwrap_or(u16::MAX); // longer ones are already errors
         let (stated, room) = match data_type.kind() {

@@ -508,7 +508,7 @@ pub fn or_foreign<'a>(
     }
 }
 
-/// The findings about a file of dcfgen: it cuts off fractions without a word.
+/// The findings about a file of dcfgen, which silently truncates fractions.
 pub fn with_cuts(findings: Findings) -> Findings {
     let cut = |finding: Diagnostic| match finding.rule.id == WRONG_TYPE.id && finding.is_understood {
         true => {

@@ -6,7 +6,7 @@ use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, say};
 use crate::model::{Device, Entry, Field, Object, Place, Value};
 use crate::stated;
 
-/// A configuration and the description that it was made from.
+/// A configuration and its original type description.
 pub(crate) struct ConfiguredDevice<'a> {
     /// The configuration.
     pub device: &'a Device,

@@ -234,7 +234,7 @@ impl NetworkFile {
     }
 }
 
-/// The device of a description that is made.
+/// The device of a generated description.
 fn made_device(text: String) -> Device {
     format::read(SourceFile::from_text("master.dcf", text), Format::Dcf).device().clone()
 }

@@ -24,7 +24,7 @@ pub struct Slave {
     /// The effective dictionary: the description, its configured values, then every download in order. All findings and
     /// files about the node are based on it.
     pub device: Device,
-    /// Its services, once they were asked for.
+    /// Its services, computed on demand.
     pub(crate) services: OnceCell<Services>,
     /// The positions of final values in the network file.
     pub(crate) origins: Origins,

@@ -152,7 +152,7 @@ fn main_service(message: &MessageRow) -> Option<Service> {
     message.senders.iter().chain(&message.receivers).next().map(|end| end.service)
 }
 
-/// `TPDO 1`: the service of the sender, else of a receiver.
+/// `TPDO 1`: the service of the sender, otherwise of a receiver.
 fn service(overview: &Overview, message: &MessageRow) -> String {
     main_service(message).map_or_else(String::new, |service| service.name(overview.language).into_owned())
 }

@@ -12,7 +12,7 @@ pub enum IdentityLevel {
     Product,
     /// The revision number (1F87h).
     Revision,
-    /// The serial number (1F88h), where a configured node states it.
+    /// The serial number (1F88h), if a configured node states it.
     #[default]
     Serial,
 }

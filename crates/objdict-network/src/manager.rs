@@ -82,7 +82,7 @@ impl<'a> Knowledge<'a> {
         self.each(|slave| Some(assigned(self.boot(slave), slave)))
     }
 
-    /// 1F84h to 1F88h: device type, vendor-ID, product code, revision number or serial number, where they are stated.
+    /// 1F84h to 1F88h: device type, vendor-ID, product code, revision number or serial number, if stated.
     pub(crate) fn identities(self, position: usize) -> Vec<(u8, u32)> {
         self.each(|slave| Some(slave.identity[position]).filter(|number| *number != 0))
     }

@@ -92,7 +92,7 @@ impl<'n> Traffic<'n> {
         self.compiled.nodes().flat_map(pdos).filter(|(_, state)| state.is_active()).collect()
     }
 
-    /// The PDOs that a node sends, by CAN-ID, with the parameters of the sender, else of a receiver.
+    /// The PDOs that a node sends, by CAN-ID, with the parameters of the sender, otherwise of a receiver.
     fn pdos(self) -> impl Iterator<Item = &'n PdoState> {
         let sent = self.messages.0.values().filter(|message| !message.senders.is_empty());
         sent.filter_map(move |message| {

@@ -51,7 +51,7 @@ pub struct BaselineJson {
     /// The version of the document.
     #[cfg_attr(feature = "schema", schemars(with = "objdict_model::json::Version<VERSION>"))]
     version: u32,
-    /// How the fingerprints are made.
+    /// The method of the fingerprints.
     fingerprints: String,
     /// The known findings, sorted.
     findings: Vec<BaselineLine>,
@@ -170,7 +170,7 @@ impl Baseline {
         self.suppress(&name_in(path, subject.source().name()), subject, findings, is_gone)
     }
 
-    /// The findings of a file that is gone and had the same ones, and so was moved.
+    /// The findings of a file that no longer exists and had the same ones, because it was moved.
     fn moved(&self, prints: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Option<&BTreeSet<Known>> {
         let prints: BTreeSet<Fingerprint> = prints.iter().copied().collect();
         let is_same = |known: &BTreeSet<Known>| {

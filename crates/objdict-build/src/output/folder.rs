@@ -32,7 +32,7 @@ pub struct OutputFolder {
     /// The files of this run: their contents and, until all are put in place, their temporary locations.
     new: Vec<NewFile>,
     saved: Vec<PathBuf>,
-    /// The names that this run has written to, as a system sees them that does not distinguish upper and lower case.
+    /// The names that this run has written to, compared like on systems that ignore case.
     pub(super) taken: HashSet<String>,
 }
 

@@ -7,9 +7,9 @@ use crate::{Dictionary, Frame};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tpdo {
     pub(super) parameters: PdoParameters,
-    /// Whether the application asked for it.
+    /// Whether the application requested it.
     requested: bool,
-    /// Whether a SYNC asked for it.
+    /// Whether a SYNC triggered it.
     due: bool,
     /// SYNCs since its last transmission; `None` before the first counted one.
     syncs: Option<u8>,

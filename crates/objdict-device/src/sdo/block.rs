@@ -37,7 +37,7 @@ impl core::ops::DerefMut for Block {
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockState {
-    /// The CRC of the bytes so far, if the client wants one.
+    /// The CRC of the bytes so far, if the client requests one.
     crc: Option<u16>,
     /// Segments in a sub-block.
     size: u8,

@@ -203,7 +203,8 @@ impl<D: Configured, const RAM: usize> Default for Data<D, RAM> {
     }
 }
 
-/// Copies as many bytes as both have: `copy_from_slice` would leave a panic where the compiler does not see that the lengths are equal.
+/// Copies the bytes that both slices have: `copy_from_slice` would leave a panic if the compiler cannot prove
+/// equal lengths.
 pub(super) const fn copy(mut to: &mut [u8], mut from: &[u8]) {
     while let ([place, room @ ..], [byte, rest @ ..]) = (to, from) {
         *place = *byte;

@@ -4,7 +4,7 @@ use objdict_device::{Dictionary, Frame, SdoServer};
 
 use crate::frame;
 
-/// The transfers that a client can ask for.
+/// The transfer protocols that a client can request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Protocol {
     Expedited,

@@ -78,7 +78,7 @@ impl Decimal {
     }
 }
 
-/// `0.001`, `250`; with an exponent where that is shorter by far.
+/// `0.001`, `250`; with an exponent if that is much shorter.
 impl fmt::Display for Decimal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mantissa, exponent } = *self;

@@ -169,7 +169,7 @@ impl<'a> Station<'a> {
         }
     }
 
-    /// The name of an entry in English, else the name in the file.
+    /// The name of an entry in English, otherwise the name in the file.
     fn name_of<'e>(&self, entry: &'e Entry) -> &'e str {
         let label = entry.parameter.as_ref().and_then(|parameter| parameter.labels.name_in(LANGUAGE));
         label.map(str::trim).filter(|label| !label.is_empty()).unwrap_or(&entry.name)

@@ -178,7 +178,7 @@ impl<'a> DbcEntry<'a> {
         scale(&self.station.meanings, entry, self.sub, documents)
     }
 
-    /// The limits of the description, else the values that a document allows.
+    /// The limits of the description, otherwise the values that a document allows.
     fn limits(
         &self,
         entry: &Entry,

@@ -138,7 +138,7 @@ impl Decoder<'_> {
     }
 }
 
-/// A CAN-ID for a node, else as a formula: `0x185`, `$NODEID+0x180`.
+/// A CAN-ID for a node, otherwise as a formula: `0x185`, `$NODEID+0x180`.
 pub(crate) fn can_id(id: CobId, node_id: Option<u8>) -> String {
     let formula = match node_id {
         None if id.depends_on_node_id() => CobId::per_node(id.number() & 0x1FFF_FFFF),

@@ -25,7 +25,7 @@ impl Escaper for Html {
             let was_start = starts_line;
             starts_line = is_blank(character, was_start);
             let reference = match character {
-                // a page that is printed has no commands for CI services, see `diagnostic::printable`
+                // a printed page must not contain commands for CI services, see `diagnostic::printable`
                 '#' if next == Some('#') => "&#35;",
                 ':' if was_start && next == Some(':') => "&#58;",
                 '&' => "&amp;",

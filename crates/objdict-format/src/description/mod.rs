@@ -34,7 +34,7 @@ pub struct Description {
     /// The device without disabled objects, if there are any.
     enabled: OnceLock<Option<Box<Device>>>,
     findings: Findings,
-    /// The description of the type that this node was made from.
+    /// The type description of this node.
     origin: Option<Box<Self>>,
     /// The patches that changed the device relative to the text.
     #[cfg(feature = "full")]
@@ -98,7 +98,7 @@ impl Description {
     /// The description of a device of the same XML file by number, from 0, which shares the text; `None` if there are
     /// fewer. In a `device.toml`, the second and later ones are its variants.
     pub fn sibling(&self, number: usize) -> Option<Self> {
-        // a variant that was asked for is the only device
+        // a requested variant is the only device
         if self.number == 0 && self.variant().is_some() {
             return None;
         }

@@ -157,7 +157,7 @@ fn read_objects(root: &KeyedTable<'_>, device: &mut Device, findings: &mut Findi
     }
 }
 
-/// The numbers of PDOs that the device has in the end, where no key states others.
+/// The final numbers of PDOs of the device, if no key states them.
 fn count_pdos(root: &KeyedTable<'_>, device: &mut Device) {
     let section = root.get("device");
     let is_stated = |key: &str| {

@@ -318,7 +318,7 @@ fn needed(entry: &Entry, stated: &Entry) -> Omissions {
     needed
 }
 
-/// A value as TOML, where its type reads it back.
+/// A value as TOML, if its type reads it back.
 fn stated_value(value: &Value, data_type: Option<DataType>, hex: bool) -> Option<String> {
     let kind = data_type.map_or(TypeKind::Reserved, DataType::kind);
     let is_text = matches!(kind, TypeKind::VisibleString | TypeKind::UnicodeString);

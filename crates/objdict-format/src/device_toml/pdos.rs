@@ -123,7 +123,7 @@ fn bits_of(index: u16, sub: u8, device: &Device) -> Option<u8> {
     data_type.bit_length()
 }
 
-/// The objects that PDOs have without any key, made when they are needed.
+/// The objects of PDOs without any key, created on demand.
 #[derive(Default)]
 pub(super) struct Standard(Option<Device>);
 

@@ -313,7 +313,7 @@ impl ObjectReader<'_> {
         entry
     }
 
-    /// Sub-indexes are hexadecimal; `9` and `10` without `A` look as if they were not.
+    /// Sub-indexes are hexadecimal, but `9` and `10` without `A` look decimal.
     fn check_hexadecimal(&mut self, index: u16, entries: &[objdict_keyed::tree::Pair]) {
         let keys: Vec<String> =
             entries.iter().map(|entry| entry.key.spelled().to_ascii_uppercase()).collect();

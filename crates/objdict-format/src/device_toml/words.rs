@@ -146,7 +146,7 @@ pub(crate) fn mapping(word: &str) -> Option<PdoMapping> {
     PdoMapping::ALL.into_iter().find(|map| map_word(*map) == word)
 }
 
-/// A key, in quotes where it needs them.
+/// A key, quoted if necessary.
 pub(super) fn key(text: &str) -> String {
     let is_bare = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
     if !text.is_empty() && text.bytes().all(is_bare) { text.to_owned() } else { quoted(text) }

@@ -20,7 +20,7 @@ const SECTION: usize = 1 << 12;
 struct IniSigns<'a> {
     /// Section names that are specific to an EDS or DCF.
     canopen: Vec<&'a str>,
-    /// The section of the node, as it is spelled.
+    /// The section of the node, as spelled in the file.
     commissioning: Option<&'a str>,
     version: Option<&'a str>,
     node_id: Option<&'a str>,

@@ -239,7 +239,7 @@ fn namespace(element: &BytesStart<'_>) -> Option<String> {
     Some(quoted(&found.value)).filter(|uri| !uri.is_empty())
 }
 
-/// The value of an attribute, whatever its prefix.
+/// The value of an attribute with any prefix.
 fn attribute(element: &BytesStart<'_>, name: &str) -> Option<String> {
     let mut attributes = element.attributes();
     let mut known = attributes.with_checks(false).flatten();

@@ -43,7 +43,7 @@ pub enum ReadError {
         /// The limit.
         limit: usize,
     },
-    /// Its content is malformed where that cannot be skipped: JSON, concise DCF, a node list.
+    /// Its content is malformed, and the format cannot skip that: JSON, concise DCF, a node list.
     Content {
         /// The file.
         name: String,

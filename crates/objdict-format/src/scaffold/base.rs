@@ -29,7 +29,7 @@ pub enum BaseError {
     Version {
         /// The profile.
         profile: u16,
-        /// The version that was asked for.
+        /// The requested version.
         version: u16,
     },
     /// The profile does not have the feature.

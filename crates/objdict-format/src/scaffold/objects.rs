@@ -170,7 +170,7 @@ impl ObjectMaker<'_> {
             (index, sub) if *profile == 402 && MOVING.contains(&(index, sub)) => Value::Unsigned(1),
             (index, 1 | 2) if *profile == 402 && RATIOS.contains(&index) => Value::Unsigned(1),
             (0x6112, 1..) if *profile == 404 => Value::Unsigned(NORMAL_OPERATION),
-            // an encoder sees at least one step of one revolution
+            // an encoder measures at least one step of one revolution
             (0x6001 | 0x6002 | 0x6501 | 0x6502, 0) | (0x6005, 1 | 2) if *profile == 406 => Value::Unsigned(1),
             _ => return None,
         })

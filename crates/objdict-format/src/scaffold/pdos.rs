@@ -30,7 +30,7 @@ pub(super) fn records(maker: &ObjectMaker<'_>, pdo: &PdoMap) -> Option<[(u16, Ob
     Some([communication, (mapping, mapping_record(maker, pdo, mapping))])
 }
 
-/// The PDOs that the features ask for, with the default mapping of the profile where it has one.
+/// The PDOs that the features request, with the default mapping of the profile if it has one.
 fn wanted(device: &Device, maker: &ObjectMaker<'_>) -> Vec<PdoMap> {
     let usual = default_pdos(device, &maker.plan);
     let of_kind = |kind: PdoKind, count: Option<u16>| -> Vec<PdoMap> {

@@ -49,7 +49,7 @@ impl TypeRanges {
     /// The type of an entry with limits; `Ok(None)` if every value of its type is inside.
     ///
     /// # Errors
-    /// Fails when all numbers are in use.
+    /// If all numbers are in use.
     pub(super) fn claim(&mut self, resolved: &EntryPlan, node: &str) -> Result<Option<String>, ()> {
         let ValueShape::Word(data_type) = resolved.shape else { return Ok(None) };
         let limits = (resolved.low.clone(), resolved.high.clone());

@@ -155,7 +155,7 @@ const TAKEN: &str = "t size attr entry stream io extension attributes applyNodeI
 /// Prefixes of other macros of the tables.
 const BEGINS: [&str; 8] = ["read_", "write_", "CNT_", "ENTRY_", "ATTR_", "FLAGS_", "obj_", "INIT_"];
 
-/// The group of an object: from the description, else from the options, else by index.
+/// The group of an object: from the description, otherwise from the options, otherwise by index.
 pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
     match (object.group(options), options.layout) {
         (Some(name), _) => identifier(name),

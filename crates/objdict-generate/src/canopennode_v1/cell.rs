@@ -36,7 +36,8 @@ impl ValueLocation {
         }
     }
 
-    /// The memory of an object: from the description, else from the options, else by index and access.
+    /// The memory of an object: from the description, otherwise from the options, otherwise by index and
+    /// access.
     pub(super) fn of(object: &ResolvedObject<'_>, options: &Options) -> Self {
         let name = object.group(options).map(|name| name.trim().to_ascii_uppercase());
         match name.as_deref() {

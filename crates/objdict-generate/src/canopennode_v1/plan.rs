@@ -471,7 +471,7 @@ impl<'a> CanOpenNodeV1Planner<'a> {
         values
     }
 
-    /// Macros for the indexes and sub-indexes, where no variable has the name.
+    /// Macros for the indexes and sub-indexes, if no variable has the name.
     fn numbers(&mut self) {
         self.named.sort_by_key(|(object, _)| object.index);
         for (object, name) in std::mem::take(&mut self.named) {

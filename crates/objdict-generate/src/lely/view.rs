@@ -132,7 +132,7 @@ pub(super) fn objects(
     objects.collect()
 }
 
-/// The denotation, else the name.
+/// The denotation, otherwise the name.
 fn name_of(entry: &Entry) -> &str {
     let denotation = entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
     denotation.filter(|text| !text.is_empty()).unwrap_or(&entry.name)
@@ -234,9 +234,9 @@ pub(super) const MOST_ENTRIES: usize = 255;
 /// An object for which the library calls functions of the application.
 pub(super) struct Hook {
     pub(super) index: u16,
-    /// The sub-indexes where it calls one for uploads.
+    /// The sub-indexes for which it calls one on uploads.
     pub(super) read: Vec<u8>,
-    /// The sub-indexes where it calls one for downloads.
+    /// The sub-indexes for which it calls one on downloads.
     pub(super) written: Vec<u8>,
 }
 

@@ -224,7 +224,7 @@ fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: DatumD
     }
 }
 
-/// The map of a path, made where it is missing.
+/// The map at a path, created if missing.
 fn make<'a>(root: &'a mut Value, path: &str) -> Option<&'a mut Value> {
     path.split('/').skip(1).try_fold(root, |at, key| {
         let key = key.replace("~1", "/").replace("~0", "~");

@@ -81,7 +81,7 @@ fn compact(part: Part, steps: &[&str]) -> Place {
     }
 }
 
-/// A field that has a row in the table of names, else one of that name.
+/// A field with a row in the table of names, otherwise one with that name.
 fn known(part: Part, steps: &[&str]) -> Place {
     match at_json(&part, &steps.join("/")) {
         Some(field) => Place::of(part).field(field),

@@ -12,7 +12,7 @@ pub fn counted_bits(bits: u8) -> String {
     counted(bits.into(), "bit", "bits")
 }
 
-/// A sub-index for messages: decimal if below 10, else hex with `h`.
+/// A sub-index for messages: decimal if below 10, otherwise hex with `h`.
 pub fn sub_index(sub: u8) -> String {
     if sub < 10 { sub.to_string() } else { format!("{sub:X}h") }
 }

@@ -67,7 +67,7 @@ fn found(quirks: Quirks) -> impl Iterator<Item = (Quirk, &'static RuleInfo, &'st
     })
 }
 
-/// A finding; its help names the right value where the table only describes it.
+/// A finding; its help states the correct value if the table only describes it.
 fn finding(
     text: &str,
     at: At,

@@ -128,7 +128,7 @@ pub struct WithPlainValues<'a, T>(pub &'a T);
 
 impl<T: Serialize> Serialize for WithPlainValues<'_, T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        /// Sets it back, whatever happens.
+        /// Restores the flag, even after a panic.
         struct Before(bool);
         impl Drop for Before {
             fn drop(&mut self) {

@@ -67,7 +67,7 @@ impl<'n> NetworkCheck<'n, '_> {
         let slaves = self.compiled.slaves.iter();
         for slave in slaves.filter(|slave| slave.heartbeat != 0 && !consumers.contains(&slave.node_id)) {
             let node = &self.network.nodes[slave.node];
-            // a time that does not fit is reported where it is made
+            // a time that does not fit is reported where it is calculated
             if node.heartbeat.consumer_time(slave.heartbeat).is_none() {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! A node while its downloads are made.
+//! A node during the generation of its downloads.
 
 use std::collections::BTreeMap;
 
@@ -35,7 +35,7 @@ type WrittenValues = BTreeMap<FilePart, (Span, Vec<u8>)>;
 /// A node, its downloads so far, and their problems.
 pub(super) struct Compiler<'n, 'f> {
     pub(super) node: &'n Node,
-    /// The node as it is after the downloads so far.
+    /// The node after the downloads so far.
     pub(super) device: Device,
     /// The part that is currently written.
     pub(super) part: FilePart,

@@ -12,7 +12,7 @@ use crate::network::{PdoRequest, RequestedCobId, Said};
 use crate::origin::{because, refusing_field};
 use crate::rules::{IDLE_PDO, MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
 
-/// The PDOs as they are after the downloads so far.
+/// The PDOs after the downloads so far.
 pub(super) fn states(compiler: &Compiler<'_, '_>) -> Vec<PdoState> {
     let indexes = compiler.device.objects.range(0x1400..0x1A00);
     let pdos = indexes.filter_map(|(index, _)| PdoKind::of_communication(*index));

@@ -402,7 +402,7 @@ impl FramePacker<'_> {
         }
     }
 
-    /// Adds the request of a node, unless its PDO is so for ever.
+    /// Adds the request of a node, unless its PDO permanently meets it.
     fn request(&mut self, node: usize, pdo: usize, request: PdoRequest) {
         if !self.pdos[node].pdos[pdo].is_for_ever(&request) {
             self.requests.push((node, request));

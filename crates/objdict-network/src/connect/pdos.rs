@@ -15,7 +15,7 @@ pub(crate) struct NodePdos {
     dummies: Vec<Dummy>,
 }
 
-/// A PDO as it is before a link uses it.
+/// A PDO before a link uses it.
 #[derive(Debug)]
 pub(crate) struct CandidatePdo {
     pub(super) name: PdoName,

@@ -10,7 +10,7 @@ const INSTANCES: u64 = 2000;
 /// The maximum number of iterations until jitters that depend on responses are stable.
 const ROUNDS: usize = 50;
 
-/// Messages of one CAN-ID, as the bus sees them.
+/// Messages of one CAN-ID on the bus.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
     /// The maximum time of a frame on the bus.
@@ -59,11 +59,11 @@ pub(crate) struct Streams {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ResponseTime {
     Within(u64),
-    /// The message may wait for ever.
+    /// The message may wait indefinitely.
     Unbounded(WaitCause),
 }
 
-/// Why a message may wait for ever.
+/// The reason why a message may wait indefinitely.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WaitCause {
     /// The message at this position may arrive at any time.

@@ -289,7 +289,7 @@ impl Schedule {
         self.frames.iter().position(|frame| frame.kind == kind)
     }
 
-    /// The messages as the bus sees them.
+    /// The messages on the bus.
     fn streams(&self, bit_rate: u16, any_time: AnyTime) -> Streams {
         let time = |bits: u64| (bits * 1_000_000).div_ceil(bit_rate.max(1).into());
         let sync = self.position(TrafficKind::Sync);

@@ -175,7 +175,7 @@ impl SettingsFile {
     /// Parses settings in TOML.
     ///
     /// # Errors
-    /// Fails on invalid TOML, unknown keys and invalid values.
+    /// If the TOML is invalid, or contains unknown keys or invalid values.
     pub fn parse(text: &str) -> Result<Self, SettingsFileError> {
         let document: SettingsDocument = toml::from_str(text).map_err(SettingsFileError::Toml)?;
         let mut settings = Vec::new();

@@ -126,7 +126,7 @@ impl<'a> WritableEntries<'a> {
         }
     }
 
-    /// Whether the options ask for the object.
+    /// Whether the options select the object.
     fn is_asked(&self, index: u16) -> bool {
         self.options.only.as_ref().is_none_or(|only| only.contains(&index))
     }

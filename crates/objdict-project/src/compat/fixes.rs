@@ -69,7 +69,7 @@ pub(super) fn choose(
     tools: &[Tool],
 ) -> Option<Diagnostic> {
     let has = |of: &[Tool]| of.iter().any(|tool| tools.contains(tool));
-    // the bits of a REAL are the only spelling that dcf-tools reads: only who reads the number asks for it
+    // the bits of a REAL are the only spelling that dcf-tools reads, so only its users need this
     if finding.rule.id == "cia306/real-as-bits" && !has(&[PythonCanopen, NodeCanopen]) {
         if has(&[DcfTools]) {
             return None;

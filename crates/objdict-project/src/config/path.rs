@@ -32,7 +32,7 @@ impl PathPattern {
     }
 }
 
-/// A path as it is called from a folder, with `/`; one outside of the folder, from the root.
+/// A path relative to a folder, with `/`; if it is outside the folder, from the root.
 pub(super) fn relative(path: &Path, folder: &Path) -> String {
     let path = path.strip_prefix(folder).unwrap_or(path);
     let names = path.components().filter_map(|component| match component {

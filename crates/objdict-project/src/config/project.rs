@@ -82,7 +82,7 @@ impl Project {
     }
 }
 
-/// A path as it is called from the current folder, where it is in it.
+/// A path relative to the current folder, if it is inside.
 fn called(path: &Path) -> PathBuf {
     let current = std::env::current_dir().ok();
     current.and_then(|folder| path.strip_prefix(folder).ok()).unwrap_or(path).to_owned()

@@ -18,7 +18,7 @@ pub(super) struct Settings {
     pub(super) deny: Option<Severity>,
 }
 
-/// A profile that a configuration asks for.
+/// A profile in a configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WantedProfile {
@@ -28,7 +28,7 @@ pub struct WantedProfile {
     pub span: Span,
 }
 
-/// Files that a configuration asks for by a pattern.
+/// A file pattern in a configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WantedFiles {

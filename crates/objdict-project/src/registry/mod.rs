@@ -1,7 +1,7 @@
 //! All rules: those of the format readers, those of the linter, and those about the configuration and suppression of
 //! rules. `explain`, severities, suppression and the documentation treat them alike.
 //!
-//! The registry is in this crate because `objdict-lint` sees no format.
+//! The registry is in this crate because `objdict-lint` does not depend on formats.
 
 mod groups;
 #[doc(hidden)] // for the configuration

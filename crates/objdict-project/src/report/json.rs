@@ -305,7 +305,7 @@ fn position(location: &Location<'_>) -> PositionJson {
     }
 }
 
-/// The fix of a finding, where this file can be changed so.
+/// The fix of a finding, if this file can be changed accordingly.
 fn fix(subject: Subject<'_>, finding: &Diagnostic) -> Option<FixJson> {
     let description = subject.description()?;
     let fix = joint_fix(description, finding)?;

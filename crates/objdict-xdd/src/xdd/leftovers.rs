@@ -103,7 +103,7 @@ impl Paths {
     /// The name of an element's section.
     fn name(&mut self, element: Element<'_>) -> String {
         let mut steps: Vec<_> = std::iter::successors(Some(element), |element| element.parent()).collect();
-        // below the `ProfileBody` or `Device`, else below the root
+        // below the `ProfileBody` or `Device`, otherwise below the root
         let is_body = |step: &Element<'_>| step.tag() == n::ProfileBody || step.name() == "Device";
         let body = steps.iter().rposition(is_body).filter(|&above| above > 0);
         steps.truncate(body.unwrap_or((steps.len() - 1).max(1)));

@@ -210,7 +210,7 @@ impl XddWriter {
         self.count(start.element);
     }
 
-    /// Closes the innermost element with children. It is taken back if one that the table requires is missing.
+    /// Closes the innermost element with children. It is discarded if a required child is missing.
     fn close_open(&mut self) {
         let Some(OpenTag { element, mark, ids, counts }) = self.open.pop() else { return };
         let lacks = element.content.iter().zip(counts).any(|(slot, count)| count < slot.least);

@@ -32,7 +32,8 @@ impl TreeBuilder<'_, '_> {
         start + length
     }
 
-    /// Reports the next reference, or the text in front of it, in a text outside the root; returns where to continue.
+    /// Reports the next reference, or the text before it, in a text outside the root; returns where to
+    /// continue.
     fn run_outside(&mut self, start: usize, end: usize) -> usize {
         let rest = &self.text[start..end];
         let until =

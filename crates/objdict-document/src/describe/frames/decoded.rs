@@ -92,7 +92,7 @@ pub struct SdoFrame {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TransferStep {
-    /// The client asks for a value.
+    /// The client requests a value.
     Read,
     /// The client sends a value in one frame.
     Write,
@@ -100,7 +100,7 @@ pub enum TransferStep {
     WriteStart(Option<u32>),
     /// The server expects the value.
     Expected,
-    /// The server has taken the value.
+    /// The server has accepted the value.
     Written,
     /// The server sends the value in one frame.
     Value,
@@ -112,13 +112,13 @@ pub enum TransferStep {
     Segment(u8),
     /// The last bytes of the value.
     LastSegment,
-    /// The server has taken a segment.
+    /// The server has accepted a segment.
     Accepted,
     /// A segment of a transfer whose start is not in the log.
     Stray,
     /// The client or the server aborts, with an abort code.
     Abort(u32),
-    /// The client asks for a value in blocks.
+    /// The client requests a value in blocks.
     BlockRead,
     /// The client starts the upload of blocks.
     BlockStart,

@@ -3,7 +3,7 @@
 use crate::model::PdoKind;
 use objdict_network::Service;
 
-/// The services of a node that have to be found again.
+/// The services of a node that must be determined again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Stale {
     All,

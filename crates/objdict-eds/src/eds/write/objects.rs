@@ -258,7 +258,7 @@ fn spelling(sections: &SectionWriter<'_>, index: u16, data_type: Option<DataType
     Spelling { real: sections.options.real, quote_strings: sections.options.quote_strings, hex }
 }
 
-/// `SubNumber`: as stated, else the number of described entries if the standard requires the key.
+/// `SubNumber`: as stated, otherwise the number of described entries if the standard requires the key.
 fn sub_number(object: &Object) -> Option<u8> {
     let is_due = object.object_type().has_subs()
         && object.compact.is_none()

@@ -144,7 +144,7 @@ impl<'a> AcceptingNode<'a> {
     }
 }
 
-/// The dictionary that the rules of a node ask.
+/// The dictionary on which the rules of a node operate.
 impl Dictionary for AcceptingNode<'_> {
     fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
         let object = self.device.object(index).ok_or(Abort::NoObject)?;

@@ -312,7 +312,7 @@ fn enumeration(data_type: Element<'_>, findings: &mut Findings) {
         let Some(Number::Integer(number)) = Number::parse(&attribute.value()) else { continue };
         values.push((attribute, Number::Integer(number)));
     }
-    // sorting puts equal values side by side, in the order of the file
+    // stable sorting keeps equal values adjacent and in file order
     values.sort_by(|(_, a), (_, b)| a.compare(b).unwrap_or(std::cmp::Ordering::Equal));
     for pair in values.windows(2) {
         let [(first, a), (second, b)] = pair else { continue };

@@ -101,7 +101,7 @@ fn device_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
     found.or_else(whole)
 }
 
-/// An attribute of the features or of `ApplicationLayers`; else the features.
+/// An attribute of the features or of `ApplicationLayers`; otherwise the features.
 fn feature(layout: &Layout<'_>, field: &Field) -> Option<Span> {
     let general = layout.in_network(&[n::NetworkManagement, n::CANopenGeneralFeatures]);
     let master = layout.in_network(&[n::NetworkManagement, n::CANopenMasterFeatures]);

@@ -131,7 +131,7 @@ impl ElementLocator {
     }
 }
 
-/// The attribute of a field, by the schema; else the attribute with the name of the field.
+/// The attribute of a field, by the schema; otherwise the attribute with the name of the field.
 pub(super) fn attribute_of<'a>(
     element: Element<'a>,
     schema: &schema::SchemaElement,

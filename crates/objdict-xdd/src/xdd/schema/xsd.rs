@@ -48,7 +48,7 @@ pub fn xsd(version: XddVersion) -> String {
     out.text
 }
 
-/// The schema while it is made.
+/// The schema under construction.
 struct Xsd {
     version: XddVersion,
     text: String,
