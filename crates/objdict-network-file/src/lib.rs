@@ -261,7 +261,7 @@ pub struct PathOptions {
     pub allowed: Vec<PathBuf>,
     /// Patches of the descriptions.
     pub patches: Vec<Arc<Patch>>,
-    /// The errors that reject a `device.toml`; `None` for those in its text.
+    /// The check whose errors reject a `device.toml`; `None` rejects only errors in its text.
     pub judge: Option<SourceCheck>,
     /// The PDOs of an earlier build, whose CAN-IDs and numbers are kept.
     pub lock: NetworkLock,

@@ -93,7 +93,7 @@ pub struct Reading {
     pub node_id: Option<u8>,
     /// The variant of a `device.toml`; `None` for the device without variants.
     pub variant: Option<String>,
-    /// The errors that reject a `device.toml`; `None` reads it despite errors, for example for editing.
+    /// The check whose errors reject a `device.toml`; `None` reads it despite errors, for example for editing.
     pub judge: Option<SourceCheck>,
     /// Patches, which are applied to the descriptions that they select.
     #[cfg(feature = "full")]
