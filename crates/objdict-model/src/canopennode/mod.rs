@@ -86,8 +86,7 @@ const RANGES: [(&str, u16); 8] = [
     ("TPDO", 0x1A00),
 ];
 
-/// The effect of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC
-/// or SRDOs.
+/// The maximum number of elements of 1016h.
 const MOST_CONSUMERS: usize = 127;
 
 /// The effect of an entry that the stack cannot read. In the default configuration it has no SDO clients, GFC

@@ -95,7 +95,7 @@ impl Fix {
         self.with(Change::Set(place, value.into()))
     }
 
-    /// Also applies `change`.
+    /// Also removes `place`.
     #[must_use]
     pub fn remove(self, place: Place) -> Self {
         self.with(Change::Remove(place))
