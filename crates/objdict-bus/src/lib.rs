@@ -16,7 +16,10 @@ mod node;
 mod run;
 mod simulation;
 
-pub use conformance::{Conformance, ConformanceCheck, Verdict, conformance, conformance_of};
+pub use conformance::{
+    Conformance, ConformanceCheck, RemoteDevice, RemoteGroups, Verdict, conformance, conformance_of,
+    conformance_on,
+};
 pub use dictionary::{LiveDictionary, PowerOn};
 pub use frame::{BusFrame, classical_bits};
 pub use live::LiveBus;

@@ -6,6 +6,7 @@
 mod address;
 mod apply;
 mod candump;
+mod checked;
 mod client;
 mod compare;
 mod lss;
@@ -21,6 +22,7 @@ mod transport;
 pub use address::{BusAddress, NoBusAddress};
 pub use apply::{ApplyOptions, Undo, WriteResult, undo};
 pub use candump::ReplayedLog;
+pub use checked::CheckedDevice;
 pub use client::{BusClient, ClientError, FrameObserver};
 pub use compare::{NodeDifference, WantedNode};
 pub use lss::{LssIdentity, LssPlace, lss_rate};

@@ -273,11 +273,40 @@ fn a_new_device_is_found_and_gets_its_node_id() {
     assert!(!client.lss_select([1, 2, 3, 4]).unwrap());
 }
 
+/// The node that the simulation has passes every check that a device on a bus can pass; one with another description does not.
+#[test]
+fn a_device_is_checked_against_its_description() {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
+    use objdict_bus::{RemoteGroups, Verdict, conformance_on};
+
+    use crate::CheckedDevice;
+
+    let check = |file: &str, writes: bool| {
+        let mut client = client().with_timeout(50);
+        client.listen(10).unwrap();
+        let device = Rc::new(RefCell::new(CheckedDevice { client, failure: None }));
+        let groups = RemoteGroups { writes, commands: writes };
+        let results = conformance_on(description(file).device(), 5, device.clone(), groups);
+        assert!(device.borrow().failure.is_none());
+        results
+    };
+    for writes in [false, true] {
+        let results = check("drive-402.eds", writes);
+        let failed: Vec<_> =
+            results.checks.iter().filter(|check| matches!(check.verdict, Verdict::Failed(_))).collect();
+        assert!(failed.is_empty(), "{failed:#?}");
+        let passed = results.passed().0;
+        assert!(if writes { passed > 150 } else { (100..150).contains(&passed) }, "{passed}");
+    }
+    assert!(!check("io-401.eds", false).is_clean());
+}
+
 /// A serial adapter whose other end is a pseudo-terminal with simulated nodes behind it.
 #[cfg(unix)]
 #[test]
-fn a_serial_adapter_works_until_it_is_unplugged() {
-    use std::io::{Read, Write};
+fn a_serial_adapter_works_on_a_pseudo_terminal() {
     use std::time::Duration;
 
     use serialport::{SerialPort, TTYPort};
@@ -287,41 +316,7 @@ fn a_serial_adapter_works_until_it_is_unplugged() {
     let (mut adapter, mut port) = TTYPort::pair().unwrap();
     adapter.set_timeout(Duration::from_millis(20)).unwrap();
     port.set_timeout(Duration::from_millis(10)).unwrap();
-    let behind = std::thread::spawn(move || {
-        let mut bus = simulated(&[]);
-        let (mut line, mut commands, mut byte) = (Vec::new(), Vec::new(), [0]);
-        while commands.last().is_none_or(|last| last != "q") {
-            match adapter.read(&mut byte) {
-                Ok(1) if byte[0] != b'\r' => line.push(byte[0]),
-                Ok(1) => {
-                    let text = String::from_utf8(std::mem::take(&mut line)).unwrap();
-                    let mut answer = "\r".to_owned();
-                    if let Some(frame) = text.strip_prefix('t') {
-                        let data: Vec<u8> = (0..frame.len() / 2 - 2)
-                            .map(|at| u8::from_str_radix(&frame[4 + 2 * at..6 + 2 * at], 16).unwrap())
-                            .collect();
-                        let id = u16::from_str_radix(&frame[..3], 16).unwrap();
-                        bus.send(&Frame::new(id, &data).unwrap().into()).unwrap();
-                        answer = "z\r".to_owned();
-                        let until = bus.now() + 4000;
-                        while let Some(frame) = bus.receive(until).unwrap() {
-                            let digits: String =
-                                frame.data().iter().map(|byte| format!("{byte:02X}")).collect();
-                            answer += &format!("t{:03X}{}{digits}\r", frame.can_id, frame.data().len());
-                        }
-                    } else {
-                        commands.push(text);
-                    }
-                    if commands.last().is_none_or(|last| last != "q") {
-                        adapter.write_all(answer.as_bytes()).unwrap();
-                    }
-                }
-                _ => {}
-            }
-        }
-        // dropping the other end is pulling the plug
-        commands
-    });
+    let behind = std::thread::spawn(move || serve(&mut adapter));
     let mut client = BusClient::new(Box::new(SlcanAdapter::new(port, 500).unwrap()));
     assert_eq!(client.bit_rate(), Some(500));
     assert_eq!(client.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
@@ -330,7 +325,40 @@ fn a_serial_adapter_works_until_it_is_unplugged() {
     assert_eq!(client.upload(5, 0x5FFF, 0).unwrap_err().abort(), Some(Abort::NoObject));
     let found: Vec<u8> = client.scan(1..=8, 200).unwrap().iter().map(|node| node.node_id).collect();
     assert_eq!(found, [5, 6]);
-    client.send(&BusFrame::remote(0x705).unwrap()).unwrap();
-    // what is no frame is a command of the test
-    let _ = behind;
+    drop(client);
+    assert_eq!(behind.join().unwrap(), ["", "C", "S6", "O", "C"], "the adapter is closed at the end");
+}
+
+/// Serves the nodes behind an adapter until it is closed for the second time; returns the commands.
+#[cfg(unix)]
+fn serve(adapter: &mut (impl std::io::Read + std::io::Write)) -> Vec<String> {
+    let mut bus = simulated(&[]);
+    let (mut line, mut commands, mut byte) = (Vec::new(), Vec::new(), [0]);
+    while commands.iter().filter(|command| *command == "C").count() < 2 {
+        match adapter.read(&mut byte) {
+            Ok(1) if byte[0] != b'\r' => line.push(byte[0]),
+            Ok(1) => {
+                let text = String::from_utf8(std::mem::take(&mut line)).unwrap();
+                let Some(frame) = text.strip_prefix('t') else {
+                    commands.push(text);
+                    // the other end may be closed already
+                    let _ = adapter.write_all(b"\r");
+                    continue;
+                };
+                let byte = |at: usize| u8::from_str_radix(&frame[4 + 2 * at..6 + 2 * at], 16).unwrap();
+                let data: Vec<u8> = (0..frame.len() / 2 - 2).map(byte).collect();
+                let id = u16::from_str_radix(&frame[..3], 16).unwrap();
+                bus.send(&Frame::new(id, &data).unwrap().into()).unwrap();
+                let mut answer = "z\r".to_owned();
+                let until = bus.now() + 4000;
+                while let Some(frame) = bus.receive(until).unwrap() {
+                    let digits: String = frame.data().iter().map(|byte| format!("{byte:02X}")).collect();
+                    answer += &format!("t{:03X}{}{digits}\r", frame.can_id, frame.data().len());
+                }
+                adapter.write_all(answer.as_bytes()).unwrap();
+            }
+            _ => {}
+        }
+    }
+    commands
 }

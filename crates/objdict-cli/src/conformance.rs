@@ -28,16 +28,33 @@ pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, F
         _ => return Err(Failure::new(format_args!("`{}` does not describe a device", name_of(&args.file)))),
     };
     let node_id = args.node_id.or_else(|| device.node_id()).unwrap_or(NODE_ID);
-    let results = conformance_of(device, node_id, &args.groups, |dictionary| dictionary);
+    let (tested, heading, results) = tested(args, device, node_id)?;
     match args.format {
-        ShowFormat::Table => text(&results, args.summary, out)?,
-        ShowFormat::Json => write_json(&source_name(&args.file), node_id, &results, out)?,
+        ShowFormat::Table => text(&heading, &results, args.summary, out)?,
+        ShowFormat::Json => write_json(&source_name(&args.file), tested, node_id, &results, out)?,
     }
     Ok(if results.is_clean() { Outcome::Clean } else { Outcome::Findings })
 }
 
-fn text(results: &Conformance, is_short: bool, out: &mut Output) -> io::Result<()> {
-    writeln!(out, "objdict's own node, generated from this description (not a real device)\n")?;
+/// What is tested, in JSON and in words, and the results.
+fn tested(
+    args: &ConformanceArgs,
+    device: &Device,
+    node_id: u8,
+) -> Result<(&'static str, String, Conformance), Failure> {
+    #[cfg(feature = "bus")]
+    if args.bus.bus.is_some() {
+        let groups = objdict_bus::RemoteGroups { writes: args.write, commands: args.nmt };
+        let results = super::bus::check(&args.bus, groups, args.yes, node_id, device)?;
+        return Ok(("device", format!("node {node_id} on a bus"), results));
+    }
+    let heading = "objdict's own node, generated from this description (not a real device)".to_owned();
+    let results = conformance_of(device, node_id, &args.groups, |dictionary| dictionary);
+    Ok(("objdict-node", heading, results))
+}
+
+fn text(heading: &str, results: &Conformance, is_short: bool, out: &mut Output) -> io::Result<()> {
+    writeln!(out, "{heading}\n")?;
     let mut table = TextTable::new(["Service", "Check", "Section", "Result"], CELL);
     for service in results.checks.chunk_by(|a, b| a.service == b.service) {
         // an object that is as described is said in one line with the others
@@ -107,7 +124,8 @@ pub(crate) struct ConformanceJson<'a> {
     version: Version<1>,
     /// The file as it was given.
     file: &'a str,
-    /// What was tested: `objdict-node` is objdict's own node, made from the description, and not a real device.
+    /// What was tested: `objdict-node` is objdict's own node, made from the description, and not a real device; `device` is a device on a
+    /// bus.
     tested: &'static str,
     /// The node-ID.
     node_id: u8,
@@ -166,13 +184,19 @@ fn row(check: &ConformanceCheck) -> ConformanceRow<'_> {
     ConformanceRow { service: check.service, name: &check.name, section: check.section, result, reason }
 }
 
-fn write_json(file: &str, node_id: u8, results: &Conformance, out: &mut Output) -> io::Result<()> {
+fn write_json(
+    file: &str,
+    tested: &'static str,
+    node_id: u8,
+    results: &Conformance,
+    out: &mut Output,
+) -> io::Result<()> {
     let (passed, count) = results.passed();
     let checks = results.checks.iter().map(row).collect();
     let document = ConformanceJson {
         version: Version,
         file,
-        tested: "objdict-node",
+        tested,
         node_id,
         passed,
         count,

@@ -30,6 +30,8 @@ use serde_json::json;
 
 use crate::support;
 
+#[cfg(all(feature = "bus", unix))]
+mod bus;
 #[cfg(feature = "full")]
 mod canopeneditor;
 #[cfg(feature = "full")]

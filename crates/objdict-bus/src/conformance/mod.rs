@@ -12,6 +12,7 @@ mod nmt;
 mod objects;
 mod pdo;
 mod program;
+mod remote;
 mod rpdo;
 mod sdo;
 mod storage;
@@ -21,6 +22,7 @@ mod time;
 mod transfers;
 mod unserved;
 
+pub use self::remote::{RemoteDevice, RemoteGroups, conformance_on};
 use objdict_device::Dictionary;
 use objdict_generate::StorageGroup;
 

@@ -27,7 +27,7 @@ pub(super) fn checks(described: &DescribedEntries, bench: &mut Bench<'_>) -> Vec
     readings.into_iter().map(check).collect()
 }
 
-const fn service_of(index: u16) -> &'static str {
+pub(super) const fn service_of(index: u16) -> &'static str {
     match index {
         0..0x1000 => "objects below 1000h",
         0x1000..0x2000 => "objects 1000h to 1FFFh",

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Subcommand, ValueEnum};
-use objdict_can::{BusAddress, LssIdentity};
+use objdict_can::{BusAddress, LssIdentity, NoBusAddress};
 use objdict_network_file::ConfigurationTime;
 use objdict_node::configure::Setting;
 
@@ -71,8 +71,8 @@ pub(crate) enum BusCommand {
 pub(crate) struct BusLinkArgs {
     /// The bus: `socketcan:can0`, `slcan:/dev/ttyACM0@500` (kbit/s), `candump:FILE` (replays a log) or `sim:network.toml` (simulated nodes; with
     /// `,memory=FILE` they keep their state, `,new=N` makes node N a new device) [default: the variable OBJDICT_BUS]
-    #[arg(long, value_name = "ADDRESS")]
-    pub bus: Option<BusAddress>,
+    #[arg(long, value_name = "ADDRESS", value_parser = named_bus)]
+    pub bus: Option<NamedBus>,
     /// Milliseconds to listen before the first frame is sent
     #[arg(long, value_name = "MS", default_value_t = 1000)]
     pub listen: u32,
@@ -85,6 +85,17 @@ pub(crate) struct BusLinkArgs {
     /// Write all frames to this file, as `candump -L` does
     #[arg(long, value_name = "FILE")]
     pub log: Option<PathBuf>,
+}
+
+/// The address of a bus as it was given.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedBus {
+    pub address: BusAddress,
+    pub name: String,
+}
+
+pub(crate) fn named_bus(text: &str) -> Result<NamedBus, NoBusAddress> {
+    Ok(NamedBus { address: text.parse()?, name: text.to_owned() })
 }
 
 // The bus, and the descriptions of its nodes.
@@ -296,6 +307,10 @@ pub(crate) enum BusLssCommand {
     Scan(BusLssScanArgs),
     /// Assign a node-ID, and a bit rate from the next power-on
     Assign(BusLssAssignArgs),
+    /// Print the commands that assign the node-IDs and the bit rate of a network
+    ///
+    /// Devices whose serial number the network file states are assigned on one bus; the others one by one.
+    Plan(BusLssPlanArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -329,6 +344,14 @@ pub(crate) struct BusLssAssignArgs {
     pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct BusLssPlanArgs {
+    /// The network
+    pub network: PathBuf,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
 }
 
 #[derive(Debug, clap::Args)]

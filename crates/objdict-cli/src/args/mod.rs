@@ -124,8 +124,8 @@ pub(super) enum Command {
     /// Test a simulated node against CiA 301
     ///
     /// Runs an `objdict-device` node with the defaults of the description, without compiling anything, and tests its services and every
-    /// entry by frames and time, as a master does. With --group, only values in storage groups are stored. Exits with 1 if a check fails
-    /// (docs/guides/conformance.md).
+    /// entry by frames and time, as a master does. With --group, only values in storage groups are stored. With --bus, tests a
+    /// device on a bus instead (docs/guides/bus.md). Exits with 1 if a check fails (docs/guides/conformance.md).
     Conformance(ConformanceArgs),
     /// Decode CAN logs with device descriptions
     ///
@@ -302,6 +302,22 @@ pub(super) struct ConformanceArgs {
     /// Storage group of objects, such as `2000-2FFF=PERSIST_APP`; repeatable
     #[arg(long = "group", value_name = "INDEXES=NAME")]
     pub groups: Vec<StorageGroup>,
+    /// Also run the checks that write values to the device, which is reset before each check
+    #[cfg(feature = "bus")]
+    #[arg(long, requires = "bus")]
+    pub write: bool,
+    /// Also run the checks that start and stop the device by NMT
+    #[cfg(feature = "bus")]
+    #[arg(long, requires = "write")]
+    pub nmt: bool,
+    /// Do not ask before writing
+    #[cfg(feature = "bus")]
+    #[arg(short, long, requires = "write")]
+    pub yes: bool,
+    /// Check the device on a bus
+    #[cfg(feature = "bus")]
+    #[command(flatten)]
+    pub bus: BusLinkArgs,
     /// Show only failed checks
     #[arg(long)]
     pub summary: bool,

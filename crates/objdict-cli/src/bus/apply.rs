@@ -170,8 +170,17 @@ pub(super) fn in_pre_operational(
     }
     let changed = change(session);
     if state == Some(OPERATIONAL) {
-        session.client.command(START, node_id)?;
-        session.client.wait_for(node_id, OPERATIONAL, STATE)?;
+        let is_done =
+            changed.1.is_none() && !changed.0.iter().any(|result| matches!(result, WriteResult::Refused(_)));
+        // half a configuration is not started
+        let is_started = is_done
+            && session.client.command(START, node_id).is_ok()
+            && session.client.wait_for(node_id, OPERATIONAL, STATE).unwrap_or(false);
+        if !is_started {
+            note(&format!(
+                "note: node {node_id} stays pre-operational; `objdict bus nmt start {node_id}` starts it\n"
+            ));
+        }
     }
     Ok(changed)
 }

@@ -1,6 +1,10 @@
-//! The questions of `objdict probe` to a device on a bus.
+//! The questions of `objdict probe` and the checks of `objdict conformance`, to a device on a bus.
 
-use objdict_can::{ClientError, Danger};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use objdict_bus::{Conformance, RemoteGroups, conformance_on};
+use objdict_can::{CheckedDevice, ClientError, Danger};
 use objdict_model::diagnostic::plural;
 use objdict_model::model::Device;
 use objdict_traffic::Descriptions;
@@ -23,17 +27,7 @@ pub(crate) fn ask(
     let count = plural(plan.len(), "question");
     session.listen(Some(node_id), &format!("asks {count} of node {node_id}"))?;
     if plan.writes() {
-        if let Some(danger) = session.client.dangers(node_id, device)?.first() {
-            let help = match danger {
-                Danger::Safety => "leave out `--write`",
-                _ => "stop the machine, or leave out `--write`",
-            };
-            return Err(Failure::new(format_args!("node {node_id} is not written: {danger}")).help(help));
-        }
-        let change = BusChangeArgs { dry_run: false, yes, force: false };
-        if !agrees(&change, &format!("write values to node {node_id} and put them back?"))? {
-            return Ok(Vec::new());
-        }
+        require_consent(&mut session, node_id, device, yes)?;
     }
     let mut failure = None;
     let exchanges = plan.run(|index, sub, request| {
@@ -66,4 +60,41 @@ pub(crate) fn ask(
         return Err(failure.help("name the node with `--node-id`; `objdict bus scan` lists the nodes"));
     }
     Ok(exchanges)
+}
+
+/// Checks a device for conformance with its description.
+pub(crate) fn check(
+    args: &BusLinkArgs,
+    groups: RemoteGroups,
+    yes: bool,
+    node_id: u8,
+    device: &Device,
+) -> Result<Conformance, Failure> {
+    let mut session = BusSession::link(args, &NetworkInputArgs::default(), Descriptions::default())?;
+    session.listen(Some(node_id), &format!("checks the services and entries of node {node_id}"))?;
+    // a node that does not answer would fail every check
+    session.client.upload(node_id, 0x1000, 0)?;
+    if groups.writes {
+        require_consent(&mut session, node_id, device, yes)?;
+    }
+    let checked = Rc::new(RefCell::new(CheckedDevice { client: session.client, failure: None }));
+    let results = conformance_on(device, node_id, checked.clone(), groups);
+    let failure = checked.borrow_mut().failure.take();
+    failure.map_or(Ok(results), |error| Err(error.into()))
+}
+
+/// Refuses a node that must not be written, and asks.
+fn require_consent(session: &mut BusSession, node_id: u8, device: &Device, yes: bool) -> Result<(), Failure> {
+    if let Some(danger) = session.client.dangers(node_id, device)?.first() {
+        let help = match danger {
+            Danger::Safety => "leave out `--write`",
+            _ => "stop the machine, or leave out `--write`",
+        };
+        return Err(Failure::new(format_args!("node {node_id} is not written: {danger}")).help(help));
+    }
+    let change = BusChangeArgs { dry_run: false, yes, force: false };
+    match agrees(&change, &format!("write values to node {node_id} and put them back?"))? {
+        true => Ok(()),
+        false => Err(Failure::new("the device was not asked").help("leave out `--write` to read only")),
+    }
 }

@@ -2,14 +2,15 @@
 
 use std::io::Write;
 
-use objdict_can::LssIdentity;
+use objdict_can::{LssIdentity, lss_rate};
 use objdict_model::json::Version;
 use serde::Serialize;
 
 use super::question::agrees;
 use super::session::BusSession;
-use crate::args::{BusLssAssignArgs, BusLssCommand, BusLssScanArgs, ShowFormat};
+use crate::args::{BusLssAssignArgs, BusLssCommand, BusLssPlanArgs, BusLssScanArgs, ShowFormat};
 use crate::ending::{Failure, Outcome, note};
+use crate::network::open_to_use;
 use crate::stdout::Output;
 
 /// How long a device may take for its boot-up message with a new node-ID, in milliseconds.
@@ -29,6 +30,7 @@ pub(super) fn run(command: &BusLssCommand, out: &mut Output) -> Result<Outcome, 
     match command {
         BusLssCommand::Scan(args) => scan(args, out),
         BusLssCommand::Assign(args) => assign(args, out),
+        BusLssCommand::Plan(args) => plan(args, out),
     }
 }
 
@@ -69,6 +71,26 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
         await_boot_up(&mut session, args.node)?;
         out.summary(format_args!("node-ID {} is assigned and stored", args.node))?;
     }
+    Ok(Outcome::Clean)
+}
+
+fn plan(args: &BusLssPlanArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let file = open_to_use(std::slice::from_ref(&args.network), &args.input)?;
+    let slaves = file.compiled().into_iter().flat_map(|compiled| &compiled.slaves);
+    let (by_serial, alone): (Vec<_>, Vec<_>) = slaves.partition(|slave| slave.identity[4] != 0);
+    let rate = file.bit_rate();
+    let rate = lss_rate(rate).map_or_else(String::new, |_| format!(" --bit-rate {rate}"));
+    for slave in &by_serial {
+        let [_, vendor, product, revision, serial] = slave.identity;
+        let identity = spelled([vendor, product, revision, serial]);
+        writeln!(out, "objdict bus lss assign {} --identity {identity}{rate}", slave.node_id)?;
+    }
+    for slave in &alone {
+        writeln!(out, "objdict bus lss assign {}{rate}    # connect only this new device", slave.node_id)?;
+    }
+    note(
+        "note: if a device is lost, connect it alone, try each bit rate of the adapter with `objdict bus lss scan`, and assign it again\n",
+    );
     Ok(Outcome::Clean)
 }
 

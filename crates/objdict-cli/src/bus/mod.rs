@@ -16,7 +16,7 @@ mod session;
 mod values;
 mod write;
 
-pub(super) use self::ask::ask;
+pub(super) use self::ask::{ask, check};
 #[cfg(feature = "schema")]
 pub(super) use self::change::WritesJson as WritesDocument;
 #[cfg(feature = "schema")]

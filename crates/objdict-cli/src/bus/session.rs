@@ -10,7 +10,7 @@ use objdict_model::model::Device;
 use objdict_traffic::log::LoggedFrame;
 use objdict_traffic::{DescribedNode, Descriptions};
 
-use crate::args::{BusConnectArgs, BusLinkArgs, NetworkInputArgs};
+use crate::args::{BusConnectArgs, BusLinkArgs, NamedBus, NetworkInputArgs, named_bus};
 use crate::decode::descriptions;
 use crate::ending::{Failure, note};
 use crate::input::name_of;
@@ -56,7 +56,7 @@ impl BusSession {
         input: &NetworkInputArgs,
         descriptions: Descriptions,
     ) -> Result<Self, Failure> {
-        let (address, name) = address(args)?;
+        let NamedBus { address, name } = address(args)?;
         end_orderly(&IS_INTERRUPTED);
         let client = BusClient::new(transport(&address, input)?);
         let mut client = client
@@ -112,13 +112,11 @@ impl BusSession {
     }
 }
 
-fn address(args: &BusLinkArgs) -> Result<(BusAddress, String), Failure> {
-    let given = std::env::args().skip_while(|argument| argument != "--bus").nth(1);
+fn address(args: &BusLinkArgs) -> Result<NamedBus, Failure> {
     match (&args.bus, std::env::var(VARIABLE)) {
-        (Some(address), _) => Ok((address.clone(), given.unwrap_or_else(|| "the bus".to_owned()))),
+        (Some(bus), _) => Ok(bus.clone()),
         (None, Ok(text)) if !text.is_empty() => {
-            let address = text.parse().map_err(|error| Failure::new(format_args!("{VARIABLE}: {error}")))?;
-            Ok((address, text))
+            named_bus(&text).map_err(|error| Failure::new(format_args!("{VARIABLE}: {error}")))
         }
         _ => {
             let help = "pass `--bus socketcan:can0`, `--bus slcan:/dev/ttyACM0@500` or `--bus sim:network.toml`, or set OBJDICT_BUS";
