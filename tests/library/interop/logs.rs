@@ -41,6 +41,7 @@ fn python_can_writes_what_is_read() {
     let expected: Value = serde_json::from_slice(&fs::read(out).unwrap()).unwrap();
     let forms = [
         ("log.asc", LogForm::Asc),
+        ("log.blf", LogForm::Blf),
         ("log.trc", LogForm::Trc),
         ("log.csv", LogForm::Csv),
         ("log.log", LogForm::Candump),
