@@ -1,7 +1,7 @@
 // Middle: an object as a table that is edited in place. Each field is the text that the file has; a select has the names of its values.
 
 import { ask } from "./engine";
-import { committing, disable, h, hex, iconButton, inBase, indexText, numberIn, placeOf, prose, redraw } from "./dom";
+import { committing, disable, h, hex, iconButton, inBase, indexOf, indexText, numberIn, placeOf, prose, redraw } from "./dom";
 import type { FieldChange, FieldForm, Finding, ObjectForm, PartForm } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
@@ -51,11 +51,11 @@ export function foundBy(findings: Finding[]): Found {
 
 export const remark = ({ severity, message }: Finding): HTMLElement => h("p", { class: `remark ${severity}` }, ...prose(message));
 
-/** A select that has the value of the file, whatever it is. */
-export function choice(value: string, options: [string, string][], set: (value: string) => void, attributes: Parameters<typeof h>[1] = {}): HTMLSelectElement {
+/** A select that has the value of the file, whatever it is, and has it again if another one is refused. */
+function choice(value: string, options: [string, string][], set: (value: string) => Promise<boolean>, attributes: Parameters<typeof h>[1] = {}): HTMLSelectElement {
   const all: [string, string][] = [["", "–"], ...options];
   if (!all.some(([known]) => known === value)) all.push([value, value]);
-  const select: HTMLSelectElement = h("select", { onchange: () => set(select.value), ...attributes }, ...all.map(([each, name]) => h("option", { value: each, selected: each === value }, name)));
+  const select: HTMLSelectElement = h("select", { onchange: () => void set(select.value).then((isDone) => isDone || (select.value = value)), ...attributes }, ...all.map(([each, name]) => h("option", { value: each, selected: each === value }, name)));
   return select;
 }
 
@@ -72,7 +72,7 @@ export function fieldOf(store: Store, document: OpenDocument, place: string, fie
     "data-key": at,
   };
   const value = (choices === MAPPING && /^xd/i.test(document.state.format) ? field.text : field.value) ?? field.text ?? "";
-  if (choices) return choice(value, choices === MAPPING && /^xd/i.test(document.state.format) ? XML_MAPPING : choices, (value) => void set(value), { ...attributes, disabled: document.state.is_read_only });
+  if (choices) return choice(value, choices === MAPPING && /^xd/i.test(document.state.format) ? XML_MAPPING : choices, set, { ...attributes, disabled: document.state.is_read_only });
   const shown = inBase(field.text ?? "", store.base);
   return h("input", { ...attributes, value: shown, placeholder: field.value ?? "", readonly: document.state.is_read_only, spellcheck: "false", autocomplete: "off", ...committing(shown, set) });
 }
@@ -119,7 +119,13 @@ export function formView(store: Store): HTMLElement {
   let chosen = new Set<number>();
   let last: number | undefined;
   const wanted = () => `${store.current?.id}-${store.index}`;
-  const leave = () => view.dataset.shown !== wanted() && disable(view);
+  /** What is drawn: a table of many entries is not drawn again for nothing. */
+  let drawn = "";
+  const leave = () => {
+    if (view.dataset.shown === wanted()) return;
+    disable(view);
+    drawn = "";
+  };
   store.onLeave(leave);
 
   // up and down lead to the same field of the next entry
@@ -234,7 +240,10 @@ export function formView(store: Store): HTMLElement {
       return;
     }
     view.dataset.shown = shown;
-    const found = foundBy(current.report.findings);
+    const found = foundBy(current.report.findings.filter((finding) => [finding, ...(finding.places ?? [])].some(({ place }) => indexOf(place) === index)));
+    const state = JSON.stringify([form, [...found], [...chosen], store.base, current.state.is_read_only, store.documents.map(({ id, state }) => [id, state.name])]);
+    if (same && state === drawn) return focusWanted(store, view);
+    drawn = state;
     const named = new Set(form.parts.flatMap((part) => part.fields.map(({ name }) => name)));
     const columns = COLUMNS.filter(({ field }) => named.has(field) && (field !== "ObjFlags" || form.parts.some((part) => part.fields.some(({ name, text }) => name === field && text != null))));
     const help = ({ field, label, meaning }: Column) => h("th", { scope: "col" }, h("button", { type: "button", class: "quiet help-button", popovertarget: `help-${field}` }, label), h("div", { popover: "auto", id: `help-${field}` }, ...prose(meaning)));

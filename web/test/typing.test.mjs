@@ -31,10 +31,14 @@ async function press(page, keys) {
   await page.keyboard.press(keys);
 }
 
-async function setDefault(page, index, value) {
+async function showObject(page, index) {
   await view(page, "Object");
   await page.getByLabel("Search objects", { exact: true }).fill(index);
   await page.getByRole("option", { name: new RegExp(`${index}h`) }).first().click();
+}
+
+async function setDefault(page, index, value) {
+  await showObject(page, index);
   const field = page.getByLabel("Default value").first();
   await field.fill(value);
   await field.press("Enter");
@@ -105,7 +109,7 @@ test("a redrawn form keeps what is being typed", { skip }, () =>
     const field = page.getByLabel("Default value").first();
     await field.fill("12");
     const former = await field.elementHandle();
-    await page.evaluate(() => dispatchEvent(new HashChangeEvent("hashchange")));
+    await page.evaluate(() => document.querySelector('[data-key="base-hex"]').click());
     await page.waitForFunction((element) => !element.isConnected, former);
     assert.equal(await page.locator(".document.current:has-text('•')").count(), 0);
     await page.keyboard.type("34");
@@ -250,7 +254,8 @@ class Model {
     this.isTyping = false;
   }
   edit(change, isTyped) {
-    const step = ({ before, now }) => ({ before: [...before, now], now: change(now), after: [] });
+    // what is as wanted already is no step
+    const step = (world) => (change(world.now) === world.now ? world : { before: [...world.before, world.now], now: change(world.now), after: [] });
     const joined = ({ before, now }) => ({ before, now: change(now), after: [] });
     this.worlds = this.worlds.flatMap((world) => (isTyped && this.isTyping ? [step(world), joined(world)] : [step(world)]));
     this.isTyping = isTyped;
@@ -301,9 +306,15 @@ async function sequence(page, seed, done) {
       await page.locator(".document button", { hasText: current }).click();
     },
     async () => models[current].saved((await saveAs(page)).bytes.toString("latin1")),
+    async (number) => {
+      const value = ["rw", "ro", "const"][number % 3];
+      await showObject(page, "1017");
+      await page.locator(".form").getByLabel("Access").selectOption(value);
+      models[current].edit((now) => now.replace(/(\[1017\][^[]*?AccessType=)[^\r\n]*/, `$1${value}`), false);
+    },
   ];
   for (let number = 0; number < 20; number++) {
-    const action = [0, 0, 0, 1, 1, 2, 2, 3, 4, 5][next(10)];
+    const action = [0, 0, 0, 1, 1, 2, 2, 3, 4, 5, 6][next(11)];
     const delay = next(3) === 0 ? next(400) : 0;
     done.push(`${action}+${delay}`);
     await actions[action](number);

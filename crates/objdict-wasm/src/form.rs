@@ -217,7 +217,7 @@ pub(crate) fn facts(description: &Description) -> Vec<PartForm> {
 
 /// An entry that a configuration may set.
 #[derive(Debug, Serialize)]
-pub(crate) struct Setting {
+pub(crate) struct SettableEntry {
     index: u16,
     sub: u8,
     name: String,
@@ -229,13 +229,13 @@ pub(crate) struct Setting {
 }
 
 /// The entries that SDO can write.
-pub(crate) fn settings(description: &Description) -> Vec<Setting> {
+pub(crate) fn settings(description: &Description) -> Vec<SettableEntry> {
     let device = description.device();
     let decoder = Decoder::english(device, device.node_id());
     let of_object = |(&index, object): (&u16, &Object)| {
         let entries =
             object.entries().filter(|(_, entry)| entry.access.is_some_and(|access| access.is_writable()));
-        let rows = entries.map(|(sub, entry)| Setting {
+        let rows = entries.map(|(sub, entry)| SettableEntry {
             index,
             sub,
             name: name_of(device, index, sub).unwrap_or_default(),
