@@ -117,7 +117,7 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
     const shown = objects.filter((object) => words.every((word) => `${hex(object.index, 4)}h ${object.name}`.toLowerCase().includes(word)));
     list.replaceChildren(
       ...shown.slice(0, 200).map((object) =>
-        h("li", {}, h("button", { type: "button", class: "mappable", disabled: object.has, onclick: () => void add(object.index) }, h("span", { class: "address" }, `${hex(object.index, 4)}h`), h("span", { class: "name" }, object.name), h("span", { class: "type" }, object.has ? "is there" : object.kind))),
+        h("li", {}, h("button", { type: "button", class: "mappable", disabled: object.has, onclick: () => void add(object.index) }, h("span", { class: "address" }, `${hex(object.index, 4)}h`), h("span", { class: "name" }, object.name), h("span", { class: "type" }, object.has ? "already there" : object.kind))),
       ),
     );
   };
@@ -166,7 +166,7 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
     await load(of);
   };
   const fields = [
-    h("h3", {}, "Of your own"),
+    h("h3", {}, "Your own"),
     h("label", {}, "Index ", index),
     h("label", {}, "Name ", name),
     h("label", {}, "Object type ", kind),
@@ -175,7 +175,7 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
     h("label", {}, "Access ", access),
     h("label", { class: "choice" }, mapping, " PDOs may carry it"),
   ];
-  const choices = [h("section", {}, h("h3", {}, "Of a document"), profile, filter, list)];
+  const choices = [h("section", {}, h("h3", {}, "From a document of CiA"), profile, filter, list)];
   const dialog = new Dialog<OpenDocument>(store, "add", { title: "Add an object", choices, form: { fields, label: "Add", make }, prepare });
   return dialog;
 }
