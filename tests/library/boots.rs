@@ -260,7 +260,10 @@ fn each_kind_is_found_where_it_is_set() {
             "can-id-in-both-directions: `a`: TPDO 1 transmits and RPDO 1 receives",
         ),
         ("set = { \"1801:1\" = 0x185 }", "duplicate-can-id: TPDO 1 of `a` and TPDO 2 of `a` both send 185h"),
-        ("heartbeat = \"1s\"\nwatch = \"1.0x\"", "short-heartbeat-time: `m` gives `a` up after 1000 ms"),
+        (
+            "heartbeat = \"1s\"\nwatch = \"1.0x\"",
+            "short-heartbeat-time: `m` considers `a` lost after 1000 ms",
+        ),
     ];
     for (keys, expected) in errors {
         let found = found(&drive(keys), Severity::Error);
@@ -331,9 +334,9 @@ fn two_pdos_of_an_undescribed_manager_need_two_can_ids() {
 fn an_rpdo_takes_the_bytes_that_it_maps() {
     let cases = [
         ("[]", None, true),
-        ("[\"6040\"]", Some((Severity::Warning, "takes 16 bits of the 48")), true),
+        ("[\"6040\"]", Some((Severity::Warning, "maps 16 bits of the 48")), true),
         ("[\"6040\", \"607A\"]", None, true),
-        ("[\"607A\", \"6040\", \"6040\"]", Some((Severity::Error, "takes 64 bits of the 48")), false),
+        ("[\"607A\", \"6040\", \"6040\"]", Some((Severity::Error, "maps 64 bits of the 48")), false),
     ];
     let head = "[bus]\nbit-rate = 250\nmanager = \"m\"\nunused-pdos = \"off\"\n[manager]\nid = 1\n";
     let drive = |name: &str, id: u8| format!("[node.{name}]\nfile = \"network/servo.eds\"\nid = {id}\n");

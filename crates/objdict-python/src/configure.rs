@@ -11,9 +11,7 @@ use objdict::source::{MAX_TOML_SIZE, SourceFile, SourceOptions, read_text};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::dictionary::NativeDictionary;
 use super::shared::{Described, SharedDescription, SharedDevice};
-use super::value::{NodeId, setting_text};
 use super::{raised, unreadable};
 
 /// What a node is to be.
@@ -27,27 +25,20 @@ pub(crate) struct Wanted {
 }
 
 impl Wanted {
+    /// The values of a file, then those of entries, for a node.
+    pub(crate) fn new(
+        settings: Vec<(String, String)>,
+        file: Option<PathBuf>,
+        node_id: Option<u8>,
+        bit_rate: Option<u16>,
+    ) -> Self {
+        Self { settings, file, node_id, bit_rate }
+    }
+
     /// The value of one entry.
     pub(crate) fn value(setting: (String, String)) -> Self {
         Self { settings: vec![setting], ..Self::default() }
     }
-}
-
-/// Sets values of a device, those of a file of settings first.
-#[pyfunction]
-#[pyo3(signature = (of, settings, file=None, node_id=None, bit_rate=None))]
-pub(crate) fn configure(
-    py: Python<'_>,
-    of: &NativeDictionary,
-    settings: Vec<(String, Bound<'_, PyAny>)>,
-    file: Option<PathBuf>,
-    node_id: Option<NodeId>,
-    bit_rate: Option<u16>,
-) -> PyResult<()> {
-    let settings = settings.iter().map(|(name, value)| Ok((name.clone(), setting_text(value)?)));
-    let settings = settings.collect::<PyResult<_>>()?;
-    let node_id = node_id.map(|node| node.0);
-    py.detach(|| set(&of.0, Wanted { settings, file, node_id, bit_rate }))
 }
 
 /// Sets values of a device; all of them, or none.

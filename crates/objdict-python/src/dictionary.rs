@@ -14,9 +14,10 @@ use objdict::workspace::{Workspace, with_origin_beside};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use super::configure::{Wanted, set};
 use super::entry::PythonEntry;
 use super::shared::{Described, SharedDescription, SharedDevice};
-use super::value::{NodeId, name_of};
+use super::value::{NodeId, name_of, setting_text};
 use super::{raised, unreadable};
 
 /// A description.
@@ -225,6 +226,22 @@ impl NativeDictionary {
     #[getter]
     fn node_id(&self) -> Option<u8> {
         self.now().node_id
+    }
+
+    /// Sets values, those of a file of settings first: all of them, or none.
+    #[pyo3(signature = (settings, file=None, node_id=None, bit_rate=None))]
+    fn configure(
+        &self,
+        py: Python<'_>,
+        settings: Vec<(String, Bound<'_, PyAny>)>,
+        file: Option<PathBuf>,
+        node_id: Option<NodeId>,
+        bit_rate: Option<u16>,
+    ) -> PyResult<()> {
+        let settings = settings.iter().map(|(name, value)| Ok((name.clone(), setting_text(value)?)));
+        let settings = settings.collect::<PyResult<_>>()?;
+        let wanted = Wanted::new(settings, file, node_id.map(|node| node.0), bit_rate);
+        py.detach(|| set(&self.0, wanted))
     }
 
     /// How often values were set.

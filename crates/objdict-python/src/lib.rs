@@ -63,7 +63,6 @@ mod _native {
     use super::{
         BusError, ObjdictError,
         bus::NativeBus,
-        configure::configure,
         dictionary::{NativeDictionary, NativeObject, open, read},
         entry::PythonEntry,
         findings::{check, errors, findings},

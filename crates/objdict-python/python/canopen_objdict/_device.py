@@ -334,7 +334,7 @@ class Device(Mapping[int, Object]):
         """
         values = [(_name_of(key), value) for key, value in (settings or {}).items()]
         path = None if file is None else os.fspath(file)
-        _native.configure(self._native, values, path, node_id, bit_rate)
+        self._native.configure(values, path, node_id, bit_rate)
 
     def convert(
         self,

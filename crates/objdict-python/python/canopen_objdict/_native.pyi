@@ -113,6 +113,13 @@ class Dictionary:
     def format(self) -> str: ...
     @property
     def node_id(self) -> int | None: ...
+    def configure(
+        self,
+        settings: list[tuple[str, Any]],
+        file: str | None = None,
+        node_id: int | None = None,
+        bit_rate: int | None = None,
+    ) -> None: ...
     @property
     def revision(self) -> int: ...
     @property
@@ -175,13 +182,6 @@ def read(
     patches: list[str] = ...,
     path: str | None = None,
 ) -> Dictionary: ...
-def configure(
-    of: Dictionary,
-    settings: list[tuple[str, Any]],
-    file: str | None = None,
-    node_id: int | None = None,
-    bit_rate: int | None = None,
-) -> None: ...
 def decode(
     logs: list[tuple[str, bytes | None]], networks: list[str], devices: list[tuple[int | None, Dictionary]]
 ) -> Frames: ...

@@ -5,9 +5,9 @@ mod section;
 mod spell;
 mod text;
 
-use self::section::{ArrangedKey, SectionBlock};
-use self::text::ArrangedText;
+use self::section::SectionBlock;
 pub use self::text::Extent;
+use self::text::{ArrangedKey, ArrangedText};
 use super::order::Rank;
 use super::section::{SectionName, section_name};
 use crate::ini::{Document, Line, LineKind, Lines};

@@ -3,23 +3,12 @@
 use std::borrow::Cow;
 
 use super::spell;
-use super::text::{ArrangedText, Extent};
+use super::text::{ArrangedKey, ArrangedText, Extent};
 use crate::eds::keys::FieldKey;
 use crate::eds::order::{COUNTERS, key_rank};
 use crate::ini::Lines;
 use crate::model::{Device, Field, ModulePart, Part};
 use crate::source::Span;
-
-/// A key of a section with its value.
-pub(super) struct ArrangedKey<'a> {
-    /// Its position among the keys of the section.
-    pub(super) rank: u32,
-    /// The start of the lines above it, and of its own line.
-    pub(super) above: u32,
-    pub(super) line: u32,
-    pub(super) name: &'a str,
-    pub(super) value: &'a str,
-}
 
 /// A section and the lines that move with it.
 pub(super) struct SectionBlock<'a> {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::section::ArrangedKey;
+use super::text::ArrangedKey;
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, DataType, Device, Field, ModulePart, ObjectType, Part, TypeKind};
 

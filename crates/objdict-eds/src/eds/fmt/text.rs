@@ -22,6 +22,17 @@ impl Extent {
     ];
 }
 
+/// A key of a section with its value.
+pub(super) struct ArrangedKey<'a> {
+    /// Its position among the keys of the section.
+    pub(super) rank: u32,
+    /// The start of the lines above it, and of its own line.
+    pub(super) above: u32,
+    pub(super) line: u32,
+    pub(super) name: &'a str,
+    pub(super) value: &'a str,
+}
+
 /// An arranged text under construction.
 pub(super) struct ArrangedText {
     pub text: String,
