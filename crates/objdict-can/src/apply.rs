@@ -8,7 +8,7 @@ use objdict_node::download::{ConciseDcf, Download};
 use crate::client::{BusClient, ClientError};
 
 /// Index and sub-index.
-type EntryAddress = (u16, u8);
+type WrittenEntry = (u16, u8);
 
 /// What became of a download.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub struct Undo {
     /// The downloads.
     pub downloads: ConciseDcf,
     /// The entries that cannot be undone.
-    pub lost: Vec<EntryAddress>,
+    pub lost: Vec<WrittenEntry>,
 }
 
 impl BusClient {
@@ -53,7 +53,7 @@ impl BusClient {
         &mut self,
         node_id: u8,
         downloads: &[Download],
-    ) -> Result<BTreeMap<EntryAddress, Vec<u8>>, ClientError> {
+    ) -> Result<BTreeMap<WrittenEntry, Vec<u8>>, ClientError> {
         let mut present = BTreeMap::new();
         for Download { index, sub, .. } in downloads {
             if present.contains_key(&(*index, *sub)) {
@@ -115,13 +115,13 @@ impl BusClient {
     }
 }
 
-const fn address(download: &Download) -> EntryAddress {
+const fn address(download: &Download) -> WrittenEntry {
     (download.index, download.sub)
 }
 
 /// What undoes downloads: the same in their order, the last one of each entry with its present value. So a PDO is disabled while it
 /// is changed, as in the downloads.
-pub fn undo(downloads: &[Download], present: &BTreeMap<EntryAddress, Vec<u8>>) -> Undo {
+pub fn undo(downloads: &[Download], present: &BTreeMap<WrittenEntry, Vec<u8>>) -> Undo {
     let mut undo = Undo::default();
     for (at, download) in downloads.iter().enumerate() {
         let is_last = !downloads[at + 1..].iter().any(|later| address(later) == address(download));

@@ -97,9 +97,9 @@ impl ClientError {
 
 /// The bytes of a transfer.
 #[derive(Default)]
-struct Value(Vec<u8>);
+struct TransferValue(Vec<u8>);
 
-impl SdoData for Value {
+impl SdoData for TransferValue {
     fn read(&mut self, offset: usize, buffer: &mut [u8]) -> Result<(), Abort> {
         self.0.as_slice().read(offset, buffer)
     }
@@ -295,7 +295,7 @@ impl BusClient {
     /// # Errors
     /// When the node aborts or does not answer, another client interferes, or the adapter is lost.
     pub fn upload(&mut self, node_id: u8, index: u16, sub: u8) -> Result<Vec<u8>, ClientError> {
-        self.transfer(node_id, (index, sub), Value::default(), |client, _, now| {
+        self.transfer(node_id, (index, sub), TransferValue::default(), |client, _, now| {
             client.upload(index, sub, now)
         })
     }
@@ -316,25 +316,27 @@ impl BusClient {
     pub fn download(&mut self, node_id: u8, index: u16, sub: u8, data: &[u8]) -> Result<(), ClientError> {
         let (entry, length) = ((index, sub), data.len());
         if length > BLOCK {
-            let value = Value(data.to_vec());
-            let begin =
-                |client: &mut SdoClient, _: &mut Value, now| client.download_block(index, sub, length, now);
+            let value = TransferValue(data.to_vec());
+            let begin = |client: &mut SdoClient, _: &mut TransferValue, now| {
+                client.download_block(index, sub, length, now)
+            };
             match self.transfer(node_id, entry, value, begin) {
                 Err(ClientError::Refused { abort: Abort::UnknownCommand, .. }) => {}
                 result => return result.map(drop),
             }
         }
-        let begin =
-            |client: &mut SdoClient, value: &mut Value, now| client.download(value, index, sub, length, now);
-        self.transfer(node_id, entry, Value(data.to_vec()), begin).map(drop)
+        let begin = |client: &mut SdoClient, value: &mut TransferValue, now| {
+            client.download(value, index, sub, length, now)
+        };
+        self.transfer(node_id, entry, TransferValue(data.to_vec()), begin).map(drop)
     }
 
     fn transfer(
         &mut self,
         node_id: u8,
         entry: (u16, u8),
-        mut value: Value,
-        begin: impl FnOnce(&mut SdoClient, &mut Value, u64) -> SdoStep,
+        mut value: TransferValue,
+        begin: impl FnOnce(&mut SdoClient, &mut TransferValue, u64) -> SdoStep,
     ) -> Result<Vec<u8>, ClientError> {
         self.require_own(node_id)?;
         let mut client = SdoClient::new(node_id).with_timeout(self.timeout);

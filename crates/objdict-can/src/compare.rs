@@ -4,11 +4,11 @@ use objdict_bus::Abort;
 use objdict_node::download::Download;
 
 use crate::client::{BusClient, ClientError};
-use crate::scan::FoundNode;
+use crate::scan::ScannedNode;
 
 /// A node as a network describes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WantedNode {
+pub struct ExpectedNode {
     /// The node-ID.
     pub node_id: u8,
     /// Device type, vendor-ID, product code, revision number, serial number; 0 where not stated.
@@ -44,8 +44,8 @@ impl BusClient {
     /// When the adapter is lost, another client interferes, a node stops to answer or the user interrupts.
     pub fn compare(
         &mut self,
-        wanted: &[WantedNode],
-        found: &[FoundNode],
+        wanted: &[ExpectedNode],
+        found: &[ScannedNode],
     ) -> Result<Vec<(u8, NodeDifference)>, ClientError> {
         let mut differences = Vec::new();
         for node in found {
@@ -65,8 +65,8 @@ impl BusClient {
 
     fn compare_node(
         &mut self,
-        wanted: &WantedNode,
-        found: &FoundNode,
+        wanted: &ExpectedNode,
+        found: &ScannedNode,
         differences: &mut Vec<(u8, NodeDifference)>,
     ) -> Result<(), ClientError> {
         let node_id = wanted.node_id;

@@ -12,7 +12,7 @@ const GAP: u64 = 1000;
 /// A node on a bus.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct FoundNode {
+pub struct ScannedNode {
     /// The node-ID.
     pub node_id: u8,
     /// The NMT state, as in a heartbeat; `None` if the node sent none.
@@ -34,7 +34,7 @@ impl BusClient {
         &mut self,
         ids: RangeInclusive<u8>,
         milliseconds: u64,
-    ) -> Result<Vec<FoundNode>, ClientError> {
+    ) -> Result<Vec<ScannedNode>, ClientError> {
         if !self.is_replay() {
             for node_id in ids.clone() {
                 self.require_own(node_id)?;
@@ -53,8 +53,8 @@ impl BusClient {
     }
 
     /// What a node says of itself.
-    fn found(&mut self, node_id: u8) -> Result<FoundNode, ClientError> {
-        let mut node = FoundNode { node_id, ..FoundNode::default() };
+    fn found(&mut self, node_id: u8) -> Result<ScannedNode, ClientError> {
+        let mut node = ScannedNode { node_id, ..ScannedNode::default() };
         if !self.is_replay() {
             (node.answers, node.device_type) = self.stated(node_id, 0x1000, 0)?;
             for sub in 1..=4_u8 {

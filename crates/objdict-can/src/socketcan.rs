@@ -47,7 +47,7 @@ impl Transport for SocketCanInterface {
         };
         let frame = frame.ok_or_else(|| TransportError::Refused("invalid frame".to_owned()))?;
         self.socket.write_frame(&frame).map_err(|error| match error.raw_os_error() {
-            // no buffer space: frames wait that nobody acknowledges
+            // no buffer space: no other node acknowledges the frames that wait
             Some(105) => TransportError::Refused(error.to_string()),
             _ => TransportError::Lost(error.to_string()),
         })

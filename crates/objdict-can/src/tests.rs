@@ -12,8 +12,8 @@ use objdict_traffic::log::LoggedFrame;
 
 use crate::sim::logged;
 use crate::{
-    ApplyOptions, BusClient, ClientError, Danger, NodeDifference, SimulatedBus, Transport, TransportError,
-    WantedNode, WriteResult, undo,
+    ApplyOptions, BusClient, ClientError, Danger, ExpectedNode, NodeDifference, SimulatedBus, Transport,
+    TransportError, WriteResult, undo,
 };
 
 fn description(name: &str) -> Description {
@@ -236,7 +236,7 @@ fn dangers_are_seen() {
 
 #[test]
 fn a_network_is_compared() {
-    let wanted = |node_id, product, values| WantedNode {
+    let wanted = |node_id, product, values| ExpectedNode {
         node_id,
         identity: [0, 0x3F9, product, 0, 0],
         values,

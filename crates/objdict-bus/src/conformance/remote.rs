@@ -144,7 +144,7 @@ struct RemoteNode {
     node_id: u8,
     /// Whether the node is reset before each check, and by which command.
     reset: Option<u8>,
-    /// What the node sends after a reset, and what stands for it if it does not.
+    /// What the node sends after a reset, and what is returned without it.
     boot_up: Frame,
     silence: Frame,
     now: u64,

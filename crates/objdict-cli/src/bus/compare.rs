@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use objdict_can::{NodeDifference, WantedNode};
+use objdict_can::{ExpectedNode, NodeDifference};
 use objdict_document::describe::frames::nmt_state;
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
@@ -85,7 +85,7 @@ pub(super) fn run(args: &BusCompareArgs, out: &mut Output) -> Result<Outcome, Fa
     let manager =
         file.compiled().and_then(|compiled| compiled.manager.as_ref()).map(|manager| manager.node_id);
     let state = args.state.map(|state| state as u8);
-    let wanted: Vec<WantedNode> = slaves.iter().map(|slave| wanted(slave, state)).collect();
+    let wanted: Vec<ExpectedNode> = slaves.iter().map(|slave| wanted(slave, state)).collect();
     session.listen(None, "asks all node-IDs for 1000h and 1018h, and reads the described values")?;
     let mut found = session.client.scan(1..=127, args.connect.link.timeout.into())?;
     found.retain(|node| Some(node.node_id) != manager);
@@ -122,11 +122,11 @@ pub(super) fn run(args: &BusCompareArgs, out: &mut Output) -> Result<Outcome, Fa
 }
 
 /// A node as the network configures it.
-fn wanted(slave: &Slave, state: Option<u8>) -> WantedNode {
+fn wanted(slave: &Slave, state: Option<u8>) -> ExpectedNode {
     let is_parameter = |index, sub| no_parameter(&slave.device, index, sub).is_none();
     let downloads = slave.downloads.0.iter();
     let values = downloads.filter(|download| is_parameter(download.index, download.sub)).cloned().collect();
-    WantedNode { node_id: slave.node_id, identity: slave.identity, values, state }
+    ExpectedNode { node_id: slave.node_id, identity: slave.identity, values, state }
 }
 
 fn row(node_id: u8, node: Option<(&Slave, String)>, difference: NodeDifference) -> DifferenceRow {

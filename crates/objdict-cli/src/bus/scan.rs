@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use objdict_can::FoundNode;
+use objdict_can::ScannedNode;
 use objdict_document::describe::frames::nmt_state;
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
@@ -38,13 +38,13 @@ pub(crate) struct ScanJson {
     /// Whether another NMT or LSS master was heard.
     has_master: bool,
     /// The nodes, by node-ID.
-    nodes: Vec<NodeRow>,
+    nodes: Vec<ScanRow>,
 }
 
 /// A node.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Node"))]
-struct NodeRow {
+struct ScanRow {
     /// The node-ID.
     node_id: u8,
     /// The NMT state; absent if the node sends no heartbeat.
@@ -85,7 +85,7 @@ pub(super) fn run(args: &BusScanArgs, out: &mut Output) -> Result<Outcome, Failu
     let (first, last) = (args.nodes.start(), args.nodes.end());
     session.listen(None, &format!("asks node-IDs {first} to {last} for 1000h and 1018h"))?;
     let found = session.client.scan(args.nodes.clone(), args.connect.link.timeout.into())?;
-    let nodes: Vec<NodeRow> = found.iter().map(|node| row(node, &session)).collect();
+    let nodes: Vec<ScanRow> = found.iter().map(|node| row(node, &session)).collect();
     let (bit_rate, has_master) = (session.client.bit_rate(), session.client.has_master());
     match args.format {
         ShowFormat::Json => {
@@ -114,10 +114,10 @@ fn in_folder() -> Vec<WithFile> {
     paths.into_iter().map(|path| WithFile { node_id: None, path }).collect()
 }
 
-fn row(node: &FoundNode, session: &BusSession) -> NodeRow {
+fn row(node: &ScannedNode, session: &BusSession) -> ScanRow {
     let [vendor_id, product_code, revision_number, serial_number] = node.identity;
     let description = fitting(node, &session.descriptions.nodes);
-    NodeRow {
+    ScanRow {
         node_id: node.node_id,
         state: node.state.map(nmt_state),
         answers: node.answers,
@@ -133,7 +133,7 @@ fn row(node: &FoundNode, session: &BusSession) -> NodeRow {
 }
 
 /// The description with the identity of a node, and whether its revision is the same.
-fn fitting<'d>(node: &FoundNode, nodes: &'d [DescribedNode]) -> Option<(&'d DescribedNode, bool)> {
+fn fitting<'d>(node: &ScannedNode, nodes: &'d [DescribedNode]) -> Option<(&'d DescribedNode, bool)> {
     let number = |device: &Device, sub: u8| objdict_network::answered(device, sub, node.node_id);
     let is_product = |described: &&DescribedNode| {
         let is_same = |sub: u8| {
@@ -149,7 +149,7 @@ fn fitting<'d>(node: &FoundNode, nodes: &'d [DescribedNode]) -> Option<(&'d Desc
     exact.map(|described| (*described, true)).or_else(|| fits.first().map(|described| (*described, false)))
 }
 
-fn write_table(nodes: Vec<NodeRow>, out: &mut Output) -> std::io::Result<()> {
+fn write_table(nodes: Vec<ScanRow>, out: &mut Output) -> std::io::Result<()> {
     let headings = ["Node", "State", "Profile", "Vendor", "Product", "Revision", "Serial", "Description"];
     let mut table = TextTable::new(headings, CELL);
     let hex = |number: Option<u32>| number.map_or_else(String::new, |number| format!("{number:X}h"));
