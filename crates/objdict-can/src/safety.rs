@@ -22,6 +22,9 @@ objdict_model::messages! { Danger: {
     Self::Safety => "it has SRDOs, so it is part of a safety function";
 } }
 
+/// Index, sub-index, described and read value; `None` if it cannot be read.
+pub type OtherIdentity = (u16, u8, u32, Option<u32>);
+
 impl BusClient {
     /// Reads whether a node may be configured.
     ///
@@ -57,8 +60,7 @@ impl BusClient {
         }
     }
 
-    /// The entries of the identity (device type, vendor-ID, product code) that differ from what the description states: index,
-    /// sub-index, described and read value.
+    /// The first entry of the identity (device type, vendor-ID, product code) that differs from the description.
     ///
     /// # Errors
     /// As [`dangers`](Self::dangers).
@@ -66,8 +68,7 @@ impl BusClient {
         &mut self,
         node_id: u8,
         expected: [(u16, u8, Option<u32>); 3],
-    ) -> Result<Vec<(u16, u8, u32, Option<u32>)>, ClientError> {
-        let mut differences = Vec::new();
+    ) -> Result<Option<OtherIdentity>, ClientError> {
         for (index, sub, expected) in expected {
             let Some(expected) = expected.filter(|number| *number != 0) else { continue };
             let found = match self.number(node_id, index, sub) {
@@ -76,9 +77,9 @@ impl BusClient {
                 Err(error) => return Err(error),
             };
             if found != Some(expected) {
-                differences.push((index, sub, expected, found));
+                return Ok(Some((index, sub, expected, found)));
             }
         }
-        Ok(differences)
+        Ok(None)
     }
 }

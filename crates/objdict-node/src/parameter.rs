@@ -72,13 +72,16 @@ pub fn is_saved(entry: &Entry) -> bool {
     entry.implied_access().is_some_and(|access| Access::is_readable(access) && Access::is_writable(access))
 }
 
+/// Entries that are no parameters, each with its reason.
+pub type LeftOutEntries = Vec<((u16, u8), NoParameter)>;
+
 /// The values of entries as assignments: bytes as they were transferred, of parameters that can be written and whose described value is
 /// another one. The other entries are left out, each with its reason if it is no parameter.
 pub fn present_values(
     device: &Device,
     node_id: u8,
     values: impl IntoIterator<Item = ((u16, u8), Vec<u8>)>,
-) -> (Vec<Assignment>, Vec<((u16, u8), NoParameter)>) {
+) -> (Vec<Assignment>, LeftOutEntries) {
     let (mut assignments, mut left_out) = (Vec::new(), Vec::new());
     for ((index, sub), bytes) in values {
         let Some(entry) = device.entry(index, sub).filter(|entry| is_saved(entry)) else { continue };

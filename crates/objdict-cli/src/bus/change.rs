@@ -100,8 +100,8 @@ impl BusSession {
         let number = |sub: u8| objdict_network::answered(device, sub, node_id);
         let device_type = device.value(0x1000, 0).and_then(|value| u32::try_from(value.as_integer()?).ok());
         let expected = [(0x1000, 0, device_type), (0x1018, 1, number(1)), (0x1018, 2, number(2))];
-        let others = self.client.other_identity(node_id, expected)?;
-        if let Some((index, sub, expected, found)) = others.first().filter(|_| !args.force) {
+        let other = self.client.other_identity(node_id, expected)?;
+        if let Some((index, sub, expected, found)) = other.filter(|_| !args.force) {
             let found = found.map_or_else(|| "missing".to_owned(), |found| format!("{found:X}h"));
             let message = format!(
                 "node {node_id} is another device than the description: {index:04X}h sub-index {sub} is {found}, described is {expected:X}h"

@@ -96,7 +96,7 @@ pub(super) fn run(args: &BusCompareArgs, out: &mut Output) -> Result<Outcome, Fa
     };
     let rows: Vec<DifferenceRow> = differences
         .into_iter()
-        .map(|(node_id, difference)| row(node_id, name(node_id), difference))
+        .map(|(node_id, difference)| row(node_id, name(node_id).as_ref(), difference))
         .collect();
     let outcome = if rows.is_empty() { Outcome::Clean } else { Outcome::Findings };
     let (nodes, values) = (wanted.len(), wanted.iter().map(|node| node.values.len()).sum());
@@ -129,9 +129,9 @@ fn wanted(slave: &Slave, state: Option<u8>) -> ExpectedNode {
     ExpectedNode { node_id: slave.node_id, identity: slave.identity, values, state }
 }
 
-fn row(node_id: u8, node: Option<(&Slave, String)>, difference: NodeDifference) -> DifferenceRow {
+fn row(node_id: u8, node: Option<&(&Slave, String)>, difference: NodeDifference) -> DifferenceRow {
     let hex = |number: u32| format!("{number:X}h");
-    let of_entry = |entry, bytes: &[u8]| match &node {
+    let of_entry = |entry, bytes: &[u8]| match node {
         Some((slave, _)) => ValueWords::new(&slave.device, node_id).text(entry, bytes),
         None => String::new(),
     };
@@ -155,10 +155,10 @@ fn row(node_id: u8, node: Option<(&Slave, String)>, difference: NodeDifference) 
         }
         _ => (DifferenceKind::State, None, None, None),
     };
-    let name = node.as_ref().map(|(_, name)| name.clone());
+    let name = node.map(|(_, name)| name.clone());
     let title = name.as_ref().map_or_else(|| format!("node {node_id}"), |name| format!("{name} ({node_id})"));
     let place = entry.map(|entry| {
-        let name = node.as_ref().map(|(slave, _)| ValueWords::new(&slave.device, node_id).name(entry));
+        let name = node.map(|(slave, _)| ValueWords::new(&slave.device, node_id).name(entry));
         format!("{:04X}:{:02X} {}", entry.0, entry.1, name.unwrap_or_default())
     });
     let text = match (kind, &place, &expected, &found) {
