@@ -21,7 +21,7 @@ pub(super) fn named(config: &Config, folder: &Path, findings: &mut Findings) -> 
             match Patch::open(&path) {
                 Ok(patch) => patches.push(Arc::new(patch)),
                 Err(error) => {
-                    findings.push(invalid_setting(wanted.span, error.to_string()).help("name TOML patches"))
+                    findings.push(invalid_setting(wanted.span, error.to_string()).help("name TOML patches"));
                 }
             }
         }
