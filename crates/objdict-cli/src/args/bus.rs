@@ -24,44 +24,45 @@ pub(crate) struct BusArgs {
 pub(crate) enum BusCommand {
     /// List the nodes on a bus
     ///
-    /// Listens for heartbeats and boot-up messages, then reads 1000h and 1018h of every node-ID in the range. Writes nothing. Descriptions
-    /// are matched by vendor-ID, product code and revision number; without --with, those in the current folder.
+    /// Listens for heartbeats and boot-up messages, then reads 1000h and 1018h of every node-ID in the range. Writes nothing. Matches
+    /// descriptions by vendor-ID, product code and revision number; without --with, uses the descriptions in the current folder.
     Scan(BusScanArgs),
     /// Read entries of a node
     ///
-    /// Exits with 1 if the node refuses an entry.
+    /// Exits with 1 if the node rejects an entry.
     Read(BusReadArgs),
     /// Write entries of a node
     ///
-    /// Checks values against the description, shows the present and the new values, and asks before it writes. Each value is read back. Exits
-    /// with 1 if the node refuses an entry.
+    /// Checks values against the description, shows the current and new values, and asks before it writes. Reads back each value. Exits with
+    /// 1 if the node rejects an entry.
     Write(BusWriteArgs),
-    /// Save the present values of a node as a DCF or XDC
+    /// Save a node's current values as a DCF or XDC
     ///
-    /// Reads every parameter that the description lets be read and written. Process data, commands and domains are left out and listed. The file
-    /// configures another node in the same way (`bus apply`).
+    /// Reads every parameter that is readable and writable in the description. Omits and lists process data, commands and domains. The file
+    /// configures a different node in the same way (`bus apply`).
     Save(BusSaveArgs),
     /// Configure a node with a DCF, a settings file or a concise DCF
     ///
-    /// Writes in an order that devices accept, in state PRE-OPERATIONAL, and restores the state. First writes a file that undoes it. Refuses a
-    /// node that is operational or whose drive is enabled. Exits with 1 if the node refuses an entry or answers another value.
+    /// Writes in an order that devices accept, in state PRE-OPERATIONAL, and restores the state. First creates a file that undoes the
+    /// changes. Rejects a node that is operational or whose drive is enabled. Exits with 1 if the node rejects an entry or returns a
+    /// different value.
     Apply(BusApplyArgs),
     /// Compare the devices on a bus with a network file
     ///
-    /// Reports missing and extra nodes, other identities, and entries with other values. Exits with 1 if anything differs.
+    /// Reports missing and extra nodes, and different identities and values. Exits with 1 if anything differs.
     Compare(BusCompareArgs),
-    /// Restore the default parameters of a node (1011h)
+    /// Restore a node's default parameters (1011h)
     ///
-    /// The defaults are valid after a reset or power-on.
+    /// The defaults apply after a reset or power-on.
     Restore(BusRestoreArgs),
     /// Send an NMT command: start, stop, reset nodes
     Nmt(BusNmtArgs),
     /// Find devices without a node-ID and assign node-ID and bit rate (LSS)
     Lss(BusLssArgs),
-    /// Put a new device in the place of a node of a network
+    /// Replace a node of a network with a new device
     ///
-    /// Finds the device without a node-ID by LSS, checks vendor-ID and product code, assigns the node-ID, and configures it as the network file
-    /// says.
+    /// Finds the device without a node-ID by LSS, checks vendor-ID and product code, assigns the node-ID, and configures the device from the
+    /// network file.
     Replace(BusReplaceArgs),
 }
 
@@ -69,20 +70,20 @@ pub(crate) enum BusCommand {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Bus")]
 pub(crate) struct BusLinkArgs {
-    /// The bus: `socketcan:can0`, `slcan:/dev/ttyACM0@500` (kbit/s), `candump:FILE` (replays a log) or `sim:network.toml` (simulated nodes; with
-    /// `,memory=FILE` they keep their state, `,new=N` makes node N a new device) [default: the variable OBJDICT_BUS]
+    /// Bus: `socketcan:can0`, `slcan:/dev/ttyACM0@500` (kbit/s), `candump:FILE` (replays a log) or `sim:network.toml` (simulated nodes; with
+    /// `,memory=FILE` they keep their state, `,new=N` makes node N a new device) [default: from the variable OBJDICT_BUS]
     #[arg(long, value_name = "ADDRESS", value_parser = named_bus)]
     pub bus: Option<NamedBus>,
-    /// Milliseconds to listen before the first frame is sent
+    /// Listening time before the first frame is sent, in milliseconds
     #[arg(long, value_name = "MS", default_value_t = 1000)]
     pub listen: u32,
-    /// Milliseconds to wait for an answer
+    /// Response timeout in milliseconds
     #[arg(long, value_name = "MS", default_value_t = 500)]
     pub timeout: u32,
-    /// Work on the node even if another client or master is heard on its SDO channel
+    /// Access the node even if a different client uses its SDO channel
     #[arg(long)]
     pub shared: bool,
-    /// Write all frames to this file, as `candump -L` does
+    /// Log file for all frames, in `candump -L` format
     #[arg(long, value_name = "FILE")]
     pub log: Option<PathBuf>,
 }
@@ -101,7 +102,7 @@ pub(crate) fn named_bus(text: &str) -> Result<NamedBus, NoBusAddress> {
 // The bus, and the descriptions of its nodes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusConnectArgs {
-    /// A description of a node, or a network; `5=drive.eds` describes node 5; repeatable
+    /// Network or node description, such as `5=drive.eds` for node 5; repeatable
     #[arg(long, value_name = "[N=]FILE", value_parser = described)]
     pub with: Vec<WithFile>,
     #[command(flatten)]
@@ -114,21 +115,20 @@ pub(crate) struct BusConnectArgs {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Safety")]
 pub(crate) struct BusChangeArgs {
-    /// Show what would be sent and send nothing but reads
+    /// Show the writes without sending them (reads are sent)
     #[arg(long)]
     pub dry_run: bool,
-    /// Do not ask
+    /// Skip the confirmation
     #[arg(short, long)]
     pub yes: bool,
-    /// Also change a node that is operational, a drive that is enabled, a device with another identity than the description, and
-    /// process data and commands that are otherwise left out
+    /// Also change operational nodes, enabled drives and devices with a wrong identity, and write process data and commands
     #[arg(long)]
     pub force: bool,
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusScanArgs {
-    /// The node-IDs to ask
+    /// Node-IDs to scan
     #[arg(long, value_name = "FIRST-LAST", default_value = "1-127", value_parser = node_range)]
     pub nodes: RangeInclusive<u8>,
     /// Output format
@@ -140,11 +140,11 @@ pub(crate) struct BusScanArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusReadArgs {
-    /// The node-ID
+    /// Node-ID
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// What to read: an index such as 1018, 1018:1, a name, a PDO such as tpdo1, a pattern (see `objdict help names`). An object without a
-    /// sub-index is read whole
+    /// Entries to read: index such as 1018 or 1018:1, name, PDO such as tpdo1 or pattern (see `objdict help names`); without a sub-index,
+    /// the whole object
     #[arg(required = true, value_name = "ENTRY")]
     pub entries: Vec<String>,
     /// Output format
@@ -156,10 +156,10 @@ pub(crate) struct BusReadArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusWriteArgs {
-    /// The node-ID
+    /// Node-ID
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// The values, by index or name: `1017=250`, `1017=1s`, `2001="a text"`, `Producer heartbeat time=default`
+    /// Values to write, by index or name: `1017=250`, `1017=1s`, `2001="a text"`, `Producer heartbeat time=default`
     #[arg(required = true, value_name = "ENTRY=VALUE", value_parser = Setting::value)]
     pub values: Vec<Setting>,
     /// Output format
@@ -173,13 +173,13 @@ pub(crate) struct BusWriteArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusSaveArgs {
-    /// The node-ID
+    /// Node-ID
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// The file to write: a DCF of an EDS, an XDC of an XDD
+    /// Output file: a DCF for an EDS, an XDC for an XDD
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// Output format of the list of differences to the description
+    /// Output format of the differences from the description
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
     #[command(flatten)]
@@ -188,30 +188,30 @@ pub(crate) struct BusSaveArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusApplyArgs {
-    /// The node-ID
+    /// Node-ID
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// A DCF or XDC, a settings file of `configure` (.toml, with --with), or a concise DCF in any spelling
+    /// DCF, XDC, settings file of `configure` (.toml, with --with) or concise DCF in any format
     pub file: PathBuf,
-    /// Write all values of the file, also those that are defaults
+    /// Write all values of the file, including defaults
     #[arg(long)]
     pub all: bool,
     /// Read back each value
     #[arg(long)]
     pub verify: bool,
-    /// Go on after the node has refused an entry
+    /// Continue after the node rejects an entry
     #[arg(long)]
     pub go_on: bool,
-    /// Begin with this download of the list, counted from 1, to resume
+    /// Number of the first download to send, from 1, to resume
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub start: usize,
-    /// The file for the downloads that undo it, a new one [default: node-N-undo.cdcf.txt, or with a number]
+    /// New file for the downloads that undo the changes [default: node-N-undo.cdcf.txt, or with a number]
     #[arg(long, value_name = "FILE")]
     pub undo: Option<PathBuf>,
-    /// Write this date and time to 1020h, as in `2026-11-22T11:30`, so that a manager knows the configuration
+    /// Date and time to write to 1020h, such as `2026-11-22T11:30`, so that a manager recognizes the configuration
     #[arg(long, value_name = "TIME", value_parser = configuration_time)]
     pub stamp: Option<ConfigurationTime>,
-    /// Let the node store its parameters (1010h), after 1020h
+    /// Store the node's parameters (1010h), after 1020h
     #[arg(long)]
     pub store: bool,
     /// Output format
@@ -225,9 +225,9 @@ pub(crate) struct BusApplyArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusCompareArgs {
-    /// The network
+    /// Network
     pub network: PathBuf,
-    /// The state that every node must be in; nodes without a heartbeat do not show it
+    /// NMT state required of every node; nodes without a heartbeat do not show it
     #[arg(long, value_enum, value_name = "STATE")]
     pub state: Option<NodeState>,
     /// Output format
@@ -239,20 +239,20 @@ pub(crate) struct BusCompareArgs {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum NodeState {
-    /// 7Fh in a heartbeat
+    /// Heartbeat value 7Fh
     PreOperational = 0x7F,
-    /// 05h
+    /// Heartbeat value 05h
     Operational = 5,
-    /// 04h
+    /// Heartbeat value 04h
     Stopped = 4,
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusRestoreArgs {
-    /// The node-ID
+    /// Node-ID
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// What to restore, a sub-index of 1011h: 1 all, 2 communication, 3 application, 4 and more by vendor
+    /// Sub-index of 1011h to restore: 1 all, 2 communication, 3 application, 4 or higher vendor-specific
     #[arg(long, value_name = "SUB", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=127))]
     pub sub: u8,
     #[command(flatten)]
@@ -263,13 +263,13 @@ pub(crate) struct BusRestoreArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusNmtArgs {
-    /// The command
+    /// NMT command
     #[arg(value_enum, value_name = "COMMAND")]
     pub command: NmtService,
-    /// The node-ID, or `all`
+    /// Node-ID, or `all`
     #[arg(value_name = "NODE", value_parser = node_or_all)]
     pub node: u8,
-    /// Send a command to all nodes although some are heard
+    /// Send a command to all nodes even if some are heard
     #[arg(long)]
     pub alone: bool,
     #[command(flatten)]
@@ -280,11 +280,11 @@ pub(crate) struct BusNmtArgs {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum NmtService {
-    /// Start: PDOs are sent and obeyed, so machines may move
+    /// Start the node: PDOs take effect, so machines may move
     Start = 1,
-    /// Stop: no SDOs and PDOs
+    /// Stop the node: no SDOs or PDOs
     Stop = 2,
-    /// SDOs but no PDOs
+    /// Enter PRE-OPERATIONAL: SDOs but no PDOs
     PreOperational = 0x80,
     /// Reset the whole node
     Reset = 0x81,
@@ -303,19 +303,19 @@ pub(crate) struct BusLssArgs {
 pub(crate) enum BusLssCommand {
     /// Find a device without a node-ID by fastscan
     ///
-    /// Devices that have a node-ID do not answer. Of several devices the one with the lowest numbers is found.
+    /// Devices with a node-ID do not respond. If there are several devices, finds the device with the lowest numbers.
     Scan(BusLssScanArgs),
     /// Assign a node-ID, and a bit rate from the next power-on
     Assign(BusLssAssignArgs),
-    /// Print the commands that assign the node-IDs and the bit rate of a network
+    /// Print the commands that assign a network's node-IDs and bit rate
     ///
-    /// Devices whose serial number the network file states are assigned on one bus; the others one by one.
+    /// Devices whose serial number is in the network file are assigned on one bus, the others one by one.
     Plan(BusLssPlanArgs),
 }
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusLssScanArgs {
-    /// Work on a bus on which other nodes are heard
+    /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
     /// Output format
@@ -327,17 +327,17 @@ pub(crate) struct BusLssScanArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusLssAssignArgs {
-    /// The node-ID to assign
+    /// Node-ID to assign
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// The device: vendor-ID, product code, revision number and serial number, as in `0x3F9:0x402:0x10001:7` [default: the device without a
-    /// node-ID]
+    /// Identity of the device: vendor-ID, product code, revision number and serial number, such as `0x3F9:0x402:0x10001:7` [default: the
+    /// device without a node-ID]
     #[arg(long, value_name = "V:P:R:S", value_parser = identity)]
     pub identity: Option<LssIdentity>,
-    /// The bit rate in kbit/s from the next power-on
+    /// Bit rate in kbit/s from the next power-on
     #[arg(long, value_name = "KBIT/S", value_parser = lss_bit_rate)]
     pub bit_rate: Option<u16>,
-    /// Work on a bus on which other nodes are heard
+    /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
     #[command(flatten)]
@@ -348,7 +348,7 @@ pub(crate) struct BusLssAssignArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusLssPlanArgs {
-    /// The network
+    /// Network
     pub network: PathBuf,
     #[command(flatten)]
     pub input: NetworkInputArgs,
@@ -356,15 +356,15 @@ pub(crate) struct BusLssPlanArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusReplaceArgs {
-    /// The node-ID
+    /// Node-ID
     #[arg(value_name = "NODE", value_parser = node_id)]
     pub node: u8,
-    /// The network
+    /// Network
     pub network: PathBuf,
-    /// Let the node store its parameters (1010h)
+    /// Store the node's parameters (1010h)
     #[arg(long)]
     pub store: bool,
-    /// Work on a bus on which other nodes are heard
+    /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
     #[command(flatten)]

@@ -17,10 +17,10 @@ use objdict_traffic::log::LogTime;
 
 #[derive(Debug, clap::Args)]
 #[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("node_id", |node| node.hide(true)))] // descriptions are not checked
-#[command(mut_arg("profiles", |profiles| profiles.help("The device profile of nodes that no description covers and that do not state one (1000h), such as 402")))]
+#[command(mut_arg("profiles", |profiles| profiles.help("Device profile for nodes without a description or profile number, such as 402")))]
 #[command(mut_args(|arg| if ["baseline", "write_baseline"].contains(&arg.get_id().as_str()) { arg.requires("summary") } else { arg }))]
-#[command(mut_arg("baseline", |file| file.help("With --summary: leave out the incidents that this file lists, those of another log too")))]
-#[command(mut_arg("write_baseline", |file| file.help("With --summary: write the incidents to this file for a later --baseline, instead of showing them")))]
+#[command(mut_arg("baseline", |file| file.help("Baseline whose incidents --summary omits")))]
+#[command(mut_arg("write_baseline", |file| file.help("Baseline to write instead of showing the incidents")))]
 #[command(mut_args(|arg| if ["all", "statistics", "deny"].contains(&arg.get_id().as_str()) { arg.requires("check") } else { arg }))]
 pub(crate) struct DecodeArgs {
     /// Logs, merged by time; `-` is standard input, as in `candump -L can0 | objdict decode -`

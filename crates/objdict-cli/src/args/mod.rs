@@ -139,7 +139,7 @@ pub(super) enum Command {
     /// checks the responses: presence, size, type, access, values against defaults and limits, abort codes (docs/guides/probe.md). Exits with 1
     /// if there are errors (see --deny).
     Probe(Box<ProbeArgs>),
-    /// Work with the devices on a CAN bus
+    /// Access devices on a CAN bus
     ///
     /// Scans, reads, writes, saves, restores and compares. The bus is an adapter (SocketCAN, SLCAN), a log, or a simulated network, on
     /// which you can try every command without hardware (docs/guides/bus.md). Exits with 1 if something differs or is rejected, and with 2
