@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use objdict::cli::{CommandReference, Reference};
+use objdict::cli::{CommandReference, CommandTables};
 use objdict::compat::{MESSAGES, REACTIONS};
 use objdict::diagnostic::RuleInfo;
 use objdict::format::input::FileKind;
@@ -62,7 +62,7 @@ fn remove_leftovers(folder: &Path, pages: &BTreeMap<String, String>, check: bool
 
 /// The reference of each command above what its page explains, and the tables of all commands.
 fn command_pages(folder: &Path, pages: &mut BTreeMap<String, String>) -> Result<(), String> {
-    let Reference { commands, input, common } = objdict::cli::reference();
+    let CommandTables { commands, input, common } = objdict::cli::reference();
     let mut table = String::from("| Command | |\n|---|---|\n");
     for CommandReference { name, summary, text } in &commands {
         let _ = writeln!(table, "| [`{name}`](commands/{name}.md) | {summary} |");

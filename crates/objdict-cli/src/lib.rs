@@ -66,7 +66,7 @@ use clap::error::{ContextKind, ContextValue};
 
 use self::args::{Args, Command, OnlyCheck};
 use self::ending::Outcome;
-pub use self::reference::{CommandReference, Reference, reference};
+pub use self::reference::{CommandReference, CommandTables, reference};
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
 use self::stdout::Output;

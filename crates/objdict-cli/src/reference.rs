@@ -11,7 +11,7 @@ use super::args::Args;
 const INPUT: &str = "Input";
 
 /// The tables of a page about a command, and those of all commands.
-pub struct Reference {
+pub struct CommandTables {
     /// Each command with its sub-commands, as the text of a page behind its title.
     pub commands: Vec<CommandReference>,
     /// A table of the options of all commands under "Input".
@@ -31,7 +31,7 @@ pub struct CommandReference {
 }
 
 /// The reference of all commands that the help lists.
-pub fn reference() -> Reference {
+pub fn reference() -> CommandTables {
     let mut top = <Args>::command();
     top.build();
     let mut input: Vec<&Arg> = Vec::new();
@@ -48,7 +48,7 @@ pub fn reference() -> Reference {
     });
     let commands = commands.collect();
     let common = top.get_arguments().filter(|option| !option.is_hide_set());
-    Reference {
+    CommandTables {
         commands,
         input: table("Option", &input),
         common: table("Option", &common.collect::<Vec<_>>()),

@@ -16,7 +16,7 @@ use super::{raised, unreadable};
 
 /// What a node is to be.
 #[derive(Default)]
-pub(crate) struct Wanted {
+pub(crate) struct WantedValues {
     /// Names of entries with the texts of their values.
     settings: Vec<(String, String)>,
     file: Option<PathBuf>,
@@ -24,7 +24,7 @@ pub(crate) struct Wanted {
     bit_rate: Option<u16>,
 }
 
-impl Wanted {
+impl WantedValues {
     /// The values of a file, then those of entries, for a node.
     pub(crate) fn new(
         settings: Vec<(String, String)>,
@@ -42,7 +42,7 @@ impl Wanted {
 }
 
 /// Sets values of a device; all of them, or none.
-pub(crate) fn set(device: &SharedDevice, wanted: Wanted) -> PyResult<()> {
+pub(crate) fn set(device: &SharedDevice, wanted: WantedValues) -> PyResult<()> {
     let shared = device.now();
     let file = match &wanted.file {
         Some(path) => {
@@ -62,7 +62,7 @@ pub(crate) fn set(device: &SharedDevice, wanted: Wanted) -> PyResult<()> {
 }
 
 /// The node that the values are for.
-fn node(shared: &SharedDescription, file: &SettingsFile, wanted: &Wanted) -> PyResult<Commissioning> {
+fn node(shared: &SharedDescription, file: &SettingsFile, wanted: &WantedValues) -> PyResult<Commissioning> {
     let own = shared.device().commissioning.clone().unwrap_or_default();
     let node_id = wanted.node_id.or(file.node_id).or(shared.node_id);
     if node_id.is_none_or(|node_id| !(1..=127).contains(&node_id)) {
@@ -87,8 +87,11 @@ pub(crate) fn with_present(
     node_id: u8,
     assignments: &[Assignment],
 ) -> PyResult<SharedDescription> {
-    let node =
-        node(shared, &SettingsFile::default(), &Wanted { node_id: Some(node_id), ..Wanted::default() })?;
+    let node = node(
+        shared,
+        &SettingsFile::default(),
+        &WantedValues { node_id: Some(node_id), ..WantedValues::default() },
+    )?;
     assigned(shared, &node, &Configuration { values: assignments.to_vec(), ..Configuration::default() })
 }
 

@@ -14,7 +14,7 @@ use objdict::workspace::{Workspace, with_origin_beside};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::configure::{Wanted, set};
+use super::configure::{WantedValues, set};
 use super::entry::PythonEntry;
 use super::shared::{Described, SharedDescription, SharedDevice};
 use super::value::{NodeId, name_of, setting_text};
@@ -240,7 +240,7 @@ impl NativeDictionary {
     ) -> PyResult<()> {
         let settings = settings.iter().map(|(name, value)| Ok((name.clone(), setting_text(value)?)));
         let settings = settings.collect::<PyResult<_>>()?;
-        let wanted = Wanted::new(settings, file, node_id.map(|node| node.0), bit_rate);
+        let wanted = WantedValues::new(settings, file, node_id.map(|node| node.0), bit_rate);
         py.detach(|| set(&self.0, wanted))
     }
 

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::configure::{Wanted, set};
+use super::configure::{WantedValues, set};
 use super::meaning::ValueMeaning;
 use super::shared::{SharedDescription, SharedDevice};
 use super::value::{Formula, from_python, name_of, setting_text, to_python};
@@ -116,7 +116,7 @@ impl PythonEntry {
     #[setter]
     fn set_value(&self, py: Python<'_>, value: &Bound<'_, PyAny>) -> PyResult<()> {
         let setting = (format!("{:04X}:{:X}", self.index, self.sub), setting_text(value)?);
-        py.detach(|| set(&self.device, Wanted::value(setting)))
+        py.detach(|| set(&self.device, WantedValues::value(setting)))
     }
 
     /// Whether a DCF configures the value.

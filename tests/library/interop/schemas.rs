@@ -86,6 +86,17 @@ const DOCUMENTS: &[(&str, &str)] = &[
     ("profile", "profile show 402 --format json"),
     ("profile", "profile show FIXTURES/profiles/project-drives.toml --format json"),
     ("rules", "rules --format json"),
+    ("bus-scan", "bus scan --bus sim:FIXTURES/bus/cell.toml --with FIXTURES/eds/drive-402.eds --format json"),
+    (
+        "bus-values",
+        "bus read 5 1017 1018 --bus sim:FIXTURES/bus/cell.toml --with FIXTURES/eds/drive-402.eds --format json",
+    ),
+    (
+        "bus-writes",
+        "bus write 5 1017=250 --yes --bus sim:FIXTURES/bus/cell.toml --with FIXTURES/eds/drive-402.eds --format json",
+    ),
+    ("bus-comparison", "bus compare FIXTURES/bus/cell.toml --bus sim:FIXTURES/bus/cell.toml --format json"),
+    ("bus-lss", "bus lss scan --bus sim:FIXTURES/bus/cell.toml,new=5 --alone --format json"),
 ];
 
 /// Ordered downloads in a DCF.

@@ -167,7 +167,7 @@ fn parts_are_added() {
     let swapped = text.replacen("1=0x1002", "1=0x1003", 1).replacen("2=0x1003", "2=0x1002", 1);
     client.change("a.eds", &swapped);
     let offered = actions(&mut client, "a.eds", &swapped, "[OptionalObjects]", Some("refactor"));
-    assert_eq!(done(&mut client, "a.eds", &swapped, &offered, "number OptionalObjects again"), text);
+    assert_eq!(done(&mut client, "a.eds", &swapped, &offered, "renumber OptionalObjects"), text);
 }
 
 #[test]

@@ -199,7 +199,7 @@ impl PageServer {
                 Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into()))
             }
             ("GET" | "HEAD", "files") => {
-                // what is there already is listed, whatever the folders are now
+                // known files remain in the list even if they left their folder
                 drop(self.files.write().unwrap_or_else(PoisonError::into_inner).look_again());
                 let list = self.files().list().map_err(|failure| HttpRefusal(500, failure))?;
                 Ok(ok("application/json", None, list.into()))
