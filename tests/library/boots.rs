@@ -279,7 +279,10 @@ fn each_kind_is_found_where_it_is_set() {
             "set = { \"1800:1\" = 0x40000185, \"1800:2\" = 253 }",
             "rtr-pdo-without-rtr: `a`: TPDO 1 is sent only",
         ),
-        ("heartbeat = \"1s\"\nwatch = \"1.2x\"", "short-heartbeat-time: `m` considers `a` lost after 1200 ms"),
+        (
+            "heartbeat = \"1s\"\nwatch = \"1.2x\"",
+            "short-heartbeat-time: `m` considers `a` lost after 1200 ms",
+        ),
     ];
     let healthy = found(&drive(""), Severity::Warning);
     for (keys, expected) in warnings {

@@ -77,7 +77,7 @@ impl NativeBus {
     /// The nodes that answer or were heard.
     fn scan(&mut self, first: NodeId, last: NodeId, seconds: f64) -> PyResult<Vec<FoundRow>> {
         let found = self.client()?.scan(first.0..=last.0, milliseconds(seconds)?).map_err(refused)?;
-        let row = |node: &objdict::can::FoundNode| {
+        let row = |node: &objdict::can::ScannedNode| {
             (node.node_id, node.state, node.answers, node.device_type, node.identity)
         };
         Ok(found.iter().map(row).collect())

@@ -73,16 +73,17 @@ pub(crate) fn open(
     })
 }
 
+/// The node-ID, the number of the device in the file, and the variant.
+type ChosenDevice = (Option<NodeId>, Option<NonZeroUsize>, Option<String>);
+
 /// Reads the bytes of a file of this name, with patches; with the path that they were read from, with its configuration.
 #[pyfunction]
-#[pyo3(signature = (data, name, node_id=None, device=None, variant=None, patches=Vec::new(), path=None))]
+#[pyo3(signature = (data, name, chosen, patches=Vec::new(), path=None))]
 pub(crate) fn read(
     py: Python<'_>,
     data: Vec<u8>,
     name: String,
-    node_id: Option<NodeId>,
-    device: Option<NonZeroUsize>,
-    variant: Option<String>,
+    chosen: ChosenDevice,
     patches: Vec<PathBuf>,
     path: Option<PathBuf>,
 ) -> PyResult<NativeDictionary> {
@@ -91,6 +92,7 @@ pub(crate) fn read(
             Some(path) => project_of(&mut Workspace::default(), path)?,
             None => None,
         };
+        let (node_id, device, variant) = chosen;
         let mut reading = reading(node_id, device, variant, None);
         reading.patches = opened(&patches)?;
         one(&reading, &name, data, path, project)

@@ -84,7 +84,7 @@ def load(
     if isinstance(source, (str, os.PathLike)):
         return Device(_native.open(os.fspath(source), node_id, device, variant, patched))
     stated, content = content_of(source)
-    return Device(_native.read(content, name or stated or "<bytes>", node_id, device, variant, patched))
+    return Device(_native.read(content, name or stated or "<bytes>", (node_id, device, variant), patched))
 
 
 def content_of(source: bytes | bytearray | memoryview | BinaryIO | TextIO) -> tuple[str | None, bytes]:
@@ -99,7 +99,7 @@ def _copy(
     content: bytes, name: str, node_id: int | None, device: int | None, variant: str | None, path: str | None
 ) -> Device:
     """A copied device."""
-    return Device(_native.read(content, name, node_id, device, variant, [], path))
+    return Device(_native.read(content, name, (node_id, device, variant), [], path))
 
 
 def _name_of(key: int | str | tuple[int, int]) -> str:

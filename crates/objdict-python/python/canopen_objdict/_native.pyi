@@ -176,9 +176,7 @@ def open(
 def read(
     data: bytes,
     name: str,
-    node_id: int | None = None,
-    device: int | None = None,
-    variant: str | None = None,
+    chosen: tuple[int | None, int | None, str | None],
     patches: list[str] = ...,
     path: str | None = None,
 ) -> Dictionary: ...
