@@ -357,7 +357,9 @@ fn serve(adapter: &mut (impl std::io::Read + std::io::Write)) -> Vec<String> {
                 }
                 adapter.write_all(answer.as_bytes()).unwrap();
             }
-            _ => {}
+            Err(error) if error.kind() == std::io::ErrorKind::TimedOut => {}
+            // the other end is closed
+            _ => break,
         }
     }
     commands
