@@ -329,7 +329,7 @@ fn failures_say_what_to_do() {
             shown(minimal().max_ram(8)),
             "target `rust`: the tables use 24 bytes of RAM, more than the limit of 8\n  help: ",
         ),
-        (shown(minimal().max_flash(8)), "bytes of flash, the limit is 8"),
+        (shown(minimal().max_flash(8)), "bytes of flash, more than the limit of 8"),
         (shown(minimal().group(0x2000..=0x2001, "a b")), "`a b` is not"),
         (shown(minimal().profile("999")), "unknown profile `999`\n  help: write one of 301, "),
         (shown(minimal().out_dir(&file)), "cannot write `"),
