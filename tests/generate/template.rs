@@ -150,8 +150,8 @@ fn errors_name_file_and_line() {
         let error = rendered("my.j2", source).unwrap_err();
         assert!(error.starts_with(expected), "`{error}` where `{expected}` was expected");
     }
-    assert!(rendered("my.c", "").unwrap_err().starts_with("my.c: the name of a template"));
-    assert!(rendered(".j2", "").unwrap_err().starts_with(".j2: the name of a template"));
+    assert!(rendered("my.c", "").unwrap_err().starts_with("my.c: name the template after its output"));
+    assert!(rendered(".j2", "").unwrap_err().starts_with(".j2: name the template after its output"));
     let minimal = device(&support::fixtures().join("eds/minimal.eds"));
     let missing = render(Path::new("no/such.j2"), &minimal).unwrap_err().to_string();
     assert!(missing.starts_with("such.j2: cannot read `no/such.j2`: "), "{missing}");

@@ -390,7 +390,7 @@ test("a new device is made, and gets an object of its profile", { skip }, () =>
     await page.getByRole("button", { name: "New …" }).click();
     await page.waitForSelector("#new-profile option", { state: "attached" });
     await page.selectOption("#new-profile", "401");
-    await page.getByLabel("Number of digital inputs of one bit").fill("16");
+    await page.getByLabel("Number of one-bit digital inputs").fill("16");
     for (const [label, value] of [["Vendor", "Example"], ["Product", "Inputs"]]) await page.getByLabel(label, { exact: true }).fill(value);
     await page.locator("dialog[open] button[type=submit]").click();
     await page.waitForSelector(".document.current:has-text('device.eds')");
