@@ -326,7 +326,35 @@ fn a_serial_adapter_works_on_a_pseudo_terminal() {
     let found: Vec<u8> = client.scan(1..=8, 200).unwrap().iter().map(|node| node.node_id).collect();
     assert_eq!(found, [5, 6]);
     drop(client);
-    assert_eq!(behind.join().unwrap(), ["", "C", "S6", "O", "C"], "the adapter is closed at the end");
+    // what is written before a pseudo-terminal closes may be lost with it
+    assert_eq!(behind.join().unwrap()[..4], ["", "C", "S6", "O"]);
+}
+
+/// A serial port whose other end never writes.
+struct SilentPort(std::rc::Rc<std::cell::RefCell<Vec<u8>>>);
+
+impl std::io::Read for SilentPort {
+    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+        Err(std::io::ErrorKind::TimedOut.into())
+    }
+}
+
+impl std::io::Write for SilentPort {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.borrow_mut().extend(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_serial_adapter_is_closed_at_the_end() {
+    let written = std::rc::Rc::default();
+    drop(crate::SlcanAdapter::new(SilentPort(std::rc::Rc::clone(&written)), 125).unwrap());
+    assert_eq!(*written.borrow(), b"\rC\rS4\rO\rC\r");
 }
 
 /// Serves the nodes behind an adapter until it is closed for the second time; returns the commands.
