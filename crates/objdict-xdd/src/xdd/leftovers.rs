@@ -49,7 +49,7 @@ impl<'a> Leftovers<'a> {
     /// One section for each element with leftovers, in the order of the file.
     ///
     /// The name is `xml:` and the path of the element relative to its `ProfileBody` or EtherCAT `Device` (otherwise the
-    /// root), such as `xml:DeviceFunction/foo[2]`; the keys are names of attributes and [`TEXT`]. A value of several
+    /// root), such as `xml:DeviceFunction/foo[2]`; the keys are names of attributes and `TEXT`. A value of several
     /// lines becomes several entries with the same key.
     pub fn into_sections(mut self) -> Vec<ExtraSection> {
         self.found.sort_by_key(|(element, _)| element.id());
