@@ -97,7 +97,7 @@ export function newDialog(store: Store): Dialog {
 /** The size and the start value of the entries of an object of the vendor. */
 const KINDS: [value: string, label: string][] = [["VAR", "VAR: one value"], ["ARRAY", "ARRAY: values of one type"], ["RECORD", "RECORD: values of any types"]];
 
-/** A new object as JSON of the model: of an ARRAY or RECORD with so many entries, the first sub-index says how many there are. */
+/** A new object as JSON of the model: of an ARRAY or RECORD with so many entries, the first sub-index has their number. */
 function objectOf(name: string, kind: string, entry: Pick<NewObject, "data_type" | "access" | "pdo_mapping">, count: number): NewObject {
   const zero = ["UNSIGNED8", "UNSIGNED16", "UNSIGNED24", "UNSIGNED32"].includes(entry.data_type!) ? { unsigned: 0 } : undefined;
   const of = (name: string): NewObject => ({ name, object_type: "VAR", ...entry, default: zero });

@@ -1,4 +1,4 @@
-// Middle: what the file says of itself, of the device and of the node that it is, as forms.
+// Middle: forms for the data of the file, the device and the node.
 
 import { ask } from "./engine";
 import { disable, h, redraw } from "./dom";

@@ -84,7 +84,7 @@ function toolChoice(store: Store): HTMLElement {
   return element;
 }
 
-/** How many findings there are, in words. */
+/** The number of findings as a text. */
 export function summaryOf({ check, report }: OpenDocument): string {
   const { errors, warnings, notes } = report.summary;
   return { running: "Checking …", done: [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", "), failed: "The check failed" }[check];
@@ -115,7 +115,7 @@ export function findingsPanel(store: Store): HTMLElement {
     summary.textContent = document ? summaryOf(document) : "";
     safe.hidden = !document || !hasSafeFix(document);
     const kinds = SEVERITIES.filter((severity) => all.some((finding) => finding.severity === severity));
-    // the filter says how many there are too
+    // the filter shows their number too
     filter.hidden = kinds.length < 2;
     summary.classList.toggle("aside", !filter.hidden);
     for (const [at, severity] of SEVERITIES.entries()) {

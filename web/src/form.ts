@@ -101,7 +101,7 @@ export function entriesLike(form: ObjectForm, rows: PartForm[], isNumbered: bool
   return [...changes, ...counts(form, subs.length + rows.length, first + rows.length - 1)];
 }
 
-/** The changes of what says how many entries there are, and which is the highest. */
+/** The changes of the number of entries and of the highest sub-index. */
 function counts(form: ObjectForm, count: number, highest: number): FieldChange[] {
   const zero = form.parts.find(({ sub }) => sub === 0);
   const changes: FieldChange[] = [{ change: "set", at: `${placeOf(form.index)} / SubNumber`, value: String(count) }];

@@ -159,7 +159,7 @@ export interface Outline {
 export interface FieldForm {
   name: string;
   text?: string;
-  /** The value as CiA 306 spells it, where the text says it elsewhere or in other words. */
+  /** The value as CiA 306 spells it, if the text states it elsewhere or spells it differently. */
   value?: string;
   line?: number;
 }
@@ -209,7 +209,7 @@ export interface Setting {
 
 /** A place in a text, both counted from 0, the column in UTF-16. */
 export type Place = { line: number; character: number };
-/** What the language server says of a text. */
+/** An answer of the language server about a text. */
 export type Hover = { contents: { value: string } };
 export type Completion = { label: string; detail?: string; documentation?: { value: string }; textEdit?: { range: { start: Place; end: Place }; newText: string } };
 export type Tokens = { kinds: string[]; tokens?: { data: number[] } };

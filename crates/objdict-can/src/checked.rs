@@ -8,7 +8,7 @@ use crate::client::{BusClient, ClientError};
 pub struct CheckedDevice {
     /// The client.
     pub client: BusClient,
-    /// Why the bus cannot be used any more.
+    /// The reason why the bus can no longer be used.
     pub failure: Option<ClientError>,
 }
 

@@ -17,7 +17,7 @@ const BLOCK: usize = 64;
 /// How often a waiting client looks whether it is interrupted, in microseconds.
 const SLICE: u64 = 50_000;
 
-/// The class of error frames that says that the controller is bus off (`linux/can/error.h`).
+/// The class of error frames of a controller that is bus off (`linux/can/error.h`).
 const BUS_OFF: u32 = 0x40;
 
 /// Why something could not be done on a bus.
@@ -161,7 +161,7 @@ impl BusClient {
         self
     }
 
-    /// Ends what it does as soon as this function says so.
+    /// Interrupts the current operation as soon as this function returns true.
     #[must_use]
     pub fn with_stop(mut self, is_stopped: fn() -> bool) -> Self {
         self.is_stopped = is_stopped;
@@ -268,7 +268,7 @@ impl BusClient {
         }
     }
 
-    /// Remembers what a frame says of the nodes and of other clients.
+    /// Records the nodes and other clients that a frame reveals.
     fn note(&mut self, frame: &LoggedFrame) {
         if let Some(observer) = &mut self.observer {
             observer(frame);

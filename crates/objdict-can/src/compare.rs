@@ -1,4 +1,4 @@
-//! A network beside its description.
+//! A network compared with its description.
 
 use objdict_bus::Abort;
 use objdict_node::download::Download;

@@ -26,7 +26,7 @@ pub use checked::CheckedDevice;
 pub use client::{BusClient, ClientError, FrameObserver};
 pub use compare::{ExpectedNode, NodeDifference};
 pub use lss::{LssIdentity, LssPlace, lss_rate};
-pub use safety::{Danger, OtherIdentity};
+pub use safety::{Danger, OtherIdentity, has_srdos};
 pub use save::SavedValues;
 pub use scan::ScannedNode;
 pub use sim::SimulatedBus;

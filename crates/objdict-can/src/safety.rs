@@ -1,6 +1,7 @@
 //! When a node must not be changed.
 
 use objdict_model::model::Device;
+use objdict_network::answered;
 
 use crate::client::{BusClient, ClientError};
 
@@ -22,6 +23,18 @@ objdict_model::messages! { Danger: {
     Self::Safety => "it has SRDOs, so it is part of a safety function";
 } }
 
+impl Danger {
+    /// Whether a user who knows better may write nevertheless.
+    pub const fn can_be_forced(self) -> bool {
+        !matches!(self, Self::Safety)
+    }
+}
+
+/// Whether a description has SRDOs. Such a device is not written.
+pub fn has_srdos(device: &Device) -> bool {
+    device.objects.keys().any(|index| matches!(index, 0x1301..=0x1340 | 0x13FE))
+}
+
 /// Index, sub-index, described and read value; `None` if it cannot be read.
 pub type OtherIdentity = (u16, u8, u32, Option<u32>);
 
@@ -35,8 +48,7 @@ impl BusClient {
         if self.states().get(&node_id) == Some(&Some(5)) {
             dangers.push(Danger::Operational);
         }
-        let is_stated = device.objects.keys().any(|index| matches!(index, 0x1301..=0x1340 | 0x13FE));
-        if is_stated || self.is_there(node_id, 0x13FE)?.is_some() {
+        if has_srdos(device) || self.is_there(node_id, 0x13FE)?.is_some() {
             dangers.push(Danger::Safety);
         }
         for axis in 0..8 {
@@ -67,8 +79,11 @@ impl BusClient {
     pub fn other_identity(
         &mut self,
         node_id: u8,
-        expected: [(u16, u8, Option<u32>); 3],
+        device: &Device,
     ) -> Result<Option<OtherIdentity>, ClientError> {
+        let number = |sub: u8| answered(device, sub, node_id);
+        let device_type = device.value(0x1000, 0).and_then(|value| u32::try_from(value.as_integer()?).ok());
+        let expected = [(0x1000, 0, device_type), (0x1018, 1, number(1)), (0x1018, 2, number(2))];
         for (index, sub, expected) in expected {
             let Some(expected) = expected.filter(|number| *number != 0) else { continue };
             let found = match self.number(node_id, index, sub) {

@@ -52,7 +52,7 @@ impl BusClient {
         heard.into_iter().map(|node_id| self.found(node_id)).collect()
     }
 
-    /// What a node says of itself.
+    /// The identity and state of a node.
     fn found(&mut self, node_id: u8) -> Result<ScannedNode, ClientError> {
         let mut node = ScannedNode { node_id, ..ScannedNode::default() };
         if !self.is_replay() {

@@ -1,4 +1,4 @@
-//! What a client does on a simulated bus, and what it says of faults.
+//! The client on a simulated bus, and its errors for faults.
 
 use std::path::Path;
 

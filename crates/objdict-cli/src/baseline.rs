@@ -69,7 +69,7 @@ impl KnownFindings {
         }
     }
 
-    /// Takes the incidents of logs away that are known, from whichever log; says how many.
+    /// Removes known incidents, from any log, and returns their number.
     pub(super) fn sift_incidents(&mut self, log: &str, incidents: &mut Vec<Incident>) -> usize {
         let before = incidents.len();
         let print = |incident: &Incident| incident.fingerprint.parse::<Fingerprint>().ok();

@@ -36,7 +36,7 @@ pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, F
     Ok(if results.is_clean() { Outcome::Clean } else { Outcome::Findings })
 }
 
-/// What is tested, in JSON and in words, and the results.
+/// The test object, as in JSON and as the heading, with the results.
 fn tested(
     args: &ConformanceArgs,
     device: &Device,

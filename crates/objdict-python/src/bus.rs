@@ -6,11 +6,12 @@ use std::time::Instant;
 
 use objdict::bus::{BusFrame, LiveBus};
 use objdict::can::{
-    ApplyOptions, BusAddress, BusClient, ClientError, SimulatedBus, Transport, TransportError, WriteResult,
-    open,
+    ApplyOptions, BusAddress, BusClient, ClientError, Danger, SimulatedBus, Transport, TransportError,
+    WriteResult, has_srdos, open,
 };
 use objdict::download::{ConciseDcf, Download, PlanOptions, Scope};
 use objdict::format::log::{LogTime, LoggedFrame};
+use objdict::model::Device;
 use objdict::parameter::{no_parameter, present_values};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -95,8 +96,18 @@ impl NativeBus {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Writes the bytes of an entry.
-    fn download(&mut self, node: NodeId, index: u16, sub: u8, data: Vec<u8>) -> PyResult<()> {
+    /// Writes the bytes of an entry; a device with SRDOs is rejected.
+    fn download(
+        &mut self,
+        node: NodeId,
+        index: u16,
+        sub: u8,
+        data: Vec<u8>,
+        device: Option<PyRef<'_, NativeDictionary>>,
+    ) -> PyResult<()> {
+        if device.is_some_and(|device| has_srdos(device.now().device())) {
+            return Err(not_configured(node, Danger::Safety));
+        }
         self.client()?.download(node.0, index, sub, &data).map_err(refused)
     }
 
@@ -108,12 +119,6 @@ impl NativeBus {
     /// Waits for a state of a node; whether it came.
     fn wait_for(&mut self, node: NodeId, state: u8, seconds: f64) -> PyResult<bool> {
         self.client()?.wait_for(node.0, state, milliseconds(seconds)?).map_err(refused)
-    }
-
-    /// Why a node must not be configured now, in words.
-    fn dangers(&mut self, node: NodeId, device: &NativeDictionary) -> PyResult<Vec<String>> {
-        let dangers = self.client()?.dangers(node.0, device.now().device()).map_err(refused)?;
-        Ok(dangers.iter().map(ToString::to_string).collect())
     }
 
     /// Gives a device the present values of its parameters; returns the entries that the node does not let read, with abort codes.
@@ -136,6 +141,7 @@ impl NativeBus {
         is_forced: bool,
     ) -> PyResult<Vec<WrittenRow<'py>>> {
         let shared = device.now();
+        self.require_safe(node, shared.device(), is_forced)?;
         let downloads = planned(&shared, node.0)?;
         let is_moving =
             |download: &&Download| no_parameter(shared.device(), download.index, download.sub).is_some();
@@ -158,9 +164,29 @@ impl NativeBus {
 }
 
 impl NativeBus {
+    /// Rejects a different device, and a node that must not be configured now.
+    fn require_safe(&mut self, node: NodeId, device: &Device, is_forced: bool) -> PyResult<()> {
+        let client = self.client()?;
+        let other = client.other_identity(node.0, device).map_err(refused)?;
+        if let Some((index, sub, expected, found)) = other.filter(|_| !is_forced) {
+            let found = found.map_or_else(|| "missing".to_owned(), |found| format!("{found:X}h"));
+            let is = format!("{index:04X}h sub-index {sub} is {found}, expected {expected:X}h");
+            return Err(raised(format_args!("node {} is not the described device: {is}", node.0)));
+        }
+        let dangers = client.dangers(node.0, device).map_err(refused)?;
+        match dangers.into_iter().find(|danger| !is_forced || !danger.can_be_forced()) {
+            Some(danger) => Err(not_configured(node, danger)),
+            None => Ok(()),
+        }
+    }
+
     fn client(&mut self) -> PyResult<&mut BusClient> {
         self.0.as_mut().ok_or_else(|| raised("the bus is closed"))
     }
+}
+
+fn not_configured(node: NodeId, danger: Danger) -> PyErr {
+    raised(format_args!("node {} is not configured: {danger}", node.0))
 }
 
 fn row<'py>(py: Python<'py>, download: &Download, result: &WriteResult) -> WrittenRow<'py> {

@@ -213,7 +213,7 @@ impl PythonEntry {
         Ok(PyBytes::new(py, &bytes.ok_or_else(unfit)?))
     }
 
-    /// Whether another entry has the same address and says the same.
+    /// Whether another entry has the same address and the same content.
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         let Ok(other) = other.cast::<Self>() else { return false };
         let other = other.get();

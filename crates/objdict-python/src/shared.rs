@@ -42,7 +42,7 @@ impl SharedDevice {
     }
 }
 
-/// What a description says at a time.
+/// A description between two changes.
 pub(crate) struct SharedDescription {
     pub(crate) described: Described,
     /// The file; `None` of bytes.

@@ -66,6 +66,16 @@ def test_a_node_that_is_operational_is_not_configured(simulated: Bus, fixtures: 
     assert [row.result for row in simulated.apply(drive, force=True)] == ["written"]
 
 
+def test_nothing_overrides_srdos_and_another_device_is_rejected(simulated: Bus, fixtures: Path) -> None:
+    safe = load(fixtures / "bases/srdo.eds", node_id=5)
+    with pytest.raises(ObjdictError, match="node 5 is not the described device"):
+        simulated.apply(safe)
+    with pytest.raises(ObjdictError, match="part of a safety function"):
+        simulated.apply(safe, force=True)
+    with pytest.raises(ObjdictError, match="part of a safety function"):
+        simulated.write(safe, 0x1017, 250)
+
+
 def test_addresses_and_closed_buses_are_exceptions(fixtures: Path) -> None:
     with pytest.raises(ObjdictError, match="`can0` is not the address of a bus"):
         Bus("can0")

@@ -43,7 +43,7 @@ pub(crate) struct FieldForm {
     name: String,
     /// As it is in the text; `None` where the text does not state it.
     text: Option<String>,
-    /// The value as CIA 306 spells it, where the text says it elsewhere or in other words.
+    /// The value as CIA 306 spells it, if the text states it elsewhere or spells it differently.
     value: Option<String>,
     line: Option<u32>,
 }

@@ -14,6 +14,7 @@ mod network;
 mod node;
 mod outline;
 mod place;
+mod profiles;
 mod request;
 
 use objdict_lsp::PageLanguage;

@@ -8,18 +8,18 @@ use objdict::format::network::NetworkFile;
 use objdict::format::{self, Format, WriteOptions};
 use objdict::lint::{Options, changes};
 use objdict::model::{ClockTime, Date, Object};
-use objdict::scaffold::{FEATURES, Feature, FeatureKind, FeatureValue, Features, PROFILES, Wanted, scaffold};
+use objdict::scaffold::{FeatureValue, Features, Wanted, scaffold};
 use objdict::traffic::Descriptions;
 use objdict_lsp::LanguageQuestion;
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::answer::{Answer, BadRequest, data};
 use crate::document::{EditedDocument, FieldChange, TextEdit};
 use crate::files::{self, CompactStorage, Files, Made, PageFile, RequestedNode};
 use crate::log::{Filter, Log};
 use crate::network::{LinkChange, OpenFiles};
-use crate::{Open, Workbench, form, log, network, node, outline};
+use crate::{Open, Workbench, form, log, network, node, outline, profiles};
 
 /// A request.
 #[derive(Debug, Deserialize)]
@@ -69,7 +69,7 @@ enum PageRequest {
         from: usize,
         indexes: Vec<u16>,
     },
-    /// What the language server says of a text: `hover` and `completion` at a position, or `tokens`.
+    /// A question to the language server about a text: `hover` and `completion` at a position, or `tokens`.
     Language {
         document: usize,
         about: LanguageQuestion,
@@ -338,7 +338,7 @@ impl Workbench {
             }
             PageRequest::ProfileObjects { document, profile } => {
                 let device = self.document(document)?.device()?;
-                data(profile_objects(profile, |index| device.objects.contains_key(&index)))
+                data(profiles::objects(profile, |index| device.objects.contains_key(&index)))
             }
             PageRequest::Undo { document } => self.change(document, EditedDocument::undo),
             PageRequest::Redo { document } => self.change(document, EditedDocument::redo),
@@ -379,7 +379,7 @@ impl Workbench {
                 self.made(made)
             }
             PageRequest::Compare { old, new } => self.compare(old, new),
-            PageRequest::Profiles {} => data(profiles()),
+            PageRequest::Profiles {} => data(profiles::list()),
             PageRequest::New(new) => self.start(&new.wanted()?),
             PageRequest::Modules { document } => data(node::modules(self.document(document)?.device()?)),
             PageRequest::Configure { document, node } => {
@@ -562,49 +562,4 @@ fn options(tools: &[String]) -> Result<Options, BadRequest> {
     };
     let tools = tools.iter().map(tool).collect::<Result<_, _>>()?;
     Ok(Options { tools, ..Options::default() })
-}
-
-/// What a page asks for a feature.
-fn feature(feature: &Feature) -> Value {
-    let (kind, range) = match feature.kind {
-        FeatureKind::Flag => ("flag", None),
-        FeatureKind::Number { lowest, highest } => ("number", Some([lowest, highest])),
-        FeatureKind::Bits { .. } => ("names", None),
-        _ => ("name", None),
-    };
-    json!({
-        "word": feature.word,
-        "kind": kind,
-        "range": range,
-        "names": feature.kind.names(),
-        "meaning": feature.meaning,
-        "is_general": feature.profiles.is_empty(),
-    })
-}
-
-fn profiles() -> Value {
-    let rows = PROFILES.iter().map(|&(number, ..)| {
-        let profile = objdict::profile::of_number(number);
-        let title =
-            profile.map_or_else(|| "without a profile".to_owned(), |profile| profile.title.to_string());
-        let features = FEATURES.iter().filter(|feature| feature.is_of(number)).map(feature);
-        json!({ "number": number, "title": title, "features": features.collect::<Vec<_>>() })
-    });
-    rows.collect::<Vec<_>>().into()
-}
-
-/// Objects of a range are listed one by one up to so many.
-const MAX_RANGE: usize = 8;
-
-fn profile_objects(profile: u16, has: impl Fn(u16) -> bool) -> Value {
-    let of_profile = objdict::profile::of_number(profile);
-    let documents = objdict::profile::named("301").into_iter().chain(of_profile);
-    let objects = documents.flat_map(objdict::profile::Profile::objects);
-    let rows = objects.flat_map(|facts| {
-        (facts.first..=facts.last).take(MAX_RANGE).map(move |index| (index, facts.name, facts.object_type()))
-    });
-    let rows: Vec<Value> = rows
-        .map(|(index, name, kind)| json!({ "index": index, "name": name, "kind": kind.name(), "has": has(index) }))
-        .collect();
-    rows.into()
 }

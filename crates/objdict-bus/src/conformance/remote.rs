@@ -35,7 +35,7 @@ pub trait RemoteDevice {
     fn receive(&mut self, until: u64) -> Option<Frame>;
 }
 
-/// What the checks of a device may do beside reading.
+/// What the checks of a device may do in addition to reading.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RemoteGroups {
     /// Write values and mappings; a reset of the node before each check puts back what was written.

@@ -64,7 +64,7 @@ struct WriteRow {
     value: String,
     /// What became of it.
     result: WriteWord,
-    /// The abort in words, or the value that is read back.
+    /// The description of the abort code, or the value that was read back.
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }
@@ -95,22 +95,19 @@ impl BusSession {
     ) -> Result<(), Failure> {
         if self.client.has_master() && !self.client.states().is_empty() && is_configured && !args.force {
             let failure = Failure::new("another NMT or LSS master is at work on this bus");
-            return Err(failure.help("stop it; `--force` works beside it"));
+            return Err(failure.help("stop it, or pass `--force`"));
         }
-        let number = |sub: u8| objdict_network::answered(device, sub, node_id);
-        let device_type = device.value(0x1000, 0).and_then(|value| u32::try_from(value.as_integer()?).ok());
-        let expected = [(0x1000, 0, device_type), (0x1018, 1, number(1)), (0x1018, 2, number(2))];
-        let other = self.client.other_identity(node_id, expected)?;
+        let other = self.client.other_identity(node_id, device)?;
         if let Some((index, sub, expected, found)) = other.filter(|_| !args.force) {
             let found = found.map_or_else(|| "missing".to_owned(), |found| format!("{found:X}h"));
             let message = format!(
-                "node {node_id} is another device than the description: {index:04X}h sub-index {sub} is {found}, described is {expected:X}h"
+                "node {node_id} is not the described device: {index:04X}h sub-index {sub} is {found}, expected {expected:X}h"
             );
             return Err(Failure::new(message)
                 .help("name the right description with `--with`; `--force` uses this one"));
         }
         let dangers = self.client.dangers(node_id, device)?;
-        let is_refused = |danger: &&Danger| **danger == Danger::Safety || is_configured && !args.force;
+        let is_refused = |danger: &&Danger| !danger.can_be_forced() || is_configured && !args.force;
         match dangers.iter().find(is_refused) {
             Some(danger @ Danger::Safety) => {
                 let failure = Failure::new(format_args!("node {node_id} is not written: {danger}"));

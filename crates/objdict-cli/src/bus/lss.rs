@@ -142,7 +142,7 @@ pub(super) fn await_boot_up(session: &mut BusSession, node_id: u8) -> Result<(),
     Ok(())
 }
 
-/// What to do if the device is not found any more.
+/// What to do if the device is no longer found.
 fn rescue(session: &BusSession, rate: u16) {
     let now = session
         .client

@@ -5,7 +5,7 @@ use std::io::{self, BufRead, IsTerminal};
 use crate::args::BusChangeArgs;
 use crate::ending::{Failure, tell};
 
-/// Asks whether something is to be done; `Ok(false)` means that the user says no, or that it is only tried (`--dry-run`).
+/// Asks whether something is to be done; `Ok(false)` means that the user declines, or that nothing is to be sent (`--dry-run`).
 pub(super) fn agrees(args: &BusChangeArgs, what: &str) -> Result<bool, Failure> {
     if args.dry_run {
         tell("dry run: nothing is written\n");

@@ -1,4 +1,4 @@
-//! Values of a node in words.
+//! Names, texts and meanings of a node's values.
 
 use std::io::{self, Write};
 
@@ -23,7 +23,7 @@ pub(super) struct ValueWords<'d> {
     reader: FrameReader<'d>,
 }
 
-/// A value in words.
+/// A decoded value.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Value"))]
 pub(super) struct ValueRow {

@@ -57,7 +57,7 @@ pub(crate) fn lines(reports: &mut [BusReport], (columns, rows): (usize, usize)) 
     lines.iter().map(|line| fit(line, columns)).collect()
 }
 
-/// A terminal that shows a bus. A thread says when nothing comes any more.
+/// A terminal that shows a bus. A thread reports when no more frames arrive.
 pub(crate) struct Screen {
     state: Arc<Mutex<State>>,
     ticker: Option<(Sender<()>, JoinHandle<()>)>,
@@ -105,7 +105,7 @@ impl Screen {
         })
     }
 
-    /// Shows a bus beside the others.
+    /// Shows a bus below the others.
     pub(crate) fn show(&mut self, report: BusReport) {
         match self.reports.iter_mut().find(|known| known.channel == report.channel) {
             Some(known) => *known = report,

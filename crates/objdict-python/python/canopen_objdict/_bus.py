@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Union
 
 from . import _native
 from ._device import Device
-from ._native import ObjdictError
 
 if TYPE_CHECKING:
     import can
@@ -67,7 +66,7 @@ class Bus:
             bus.write(drive, 0x1017, 1000)
 
     `bus` is an address as `objdict bus` takes it, or a bus of python-can, with whatever adapter that has. Nothing is asked
-    before a write. `BusError` says why a node or the adapter refuses something; its `abort` is the abort code of SDO.
+    before a write. `BusError` has the reason why a node or the adapter rejects something; its `abort` is the SDO abort code.
     """
 
     def __init__(self, bus: str | can.BusABC, *, timeout: float = 0.5, shared: bool = False) -> None:
@@ -107,7 +106,7 @@ class Bus:
             data = node[index, sub].encode(value)
         elif not isinstance(value, (bytes, bytearray)):
             raise TypeError("without a device, a value is bytes")
-        self._native.download(_node_id(node), index, sub, bytes(data))
+        self._native.download(_node_id(node), index, sub, bytes(data), _native_of(node))
 
     def save(self, device: Device, path: str | os.PathLike[str] | None = None) -> list[tuple[int, int, int]]:
         """Reads every parameter of a node into its device, and writes that to a file.
@@ -124,14 +123,11 @@ class Bus:
     ) -> list[Written]:
         """Writes the values of a device that differ from its defaults to the node, in an order that nodes accept.
 
-        With `verify`, they are read back. Unless `force` is set, a node that is operational, a drive that is enabled, and
-        values that move something are a `BusError` or `ObjdictError` before anything is written.
+        With `verify`, they are read back. A different device, an operational node, an enabled drive and values that can move
+        something are an `ObjdictError` before anything is written, unless `force` is set. A device with SRDOs always is.
         """
-        node_id = _node_id(device)
-        dangers = [] if force else self._native.dangers(node_id, device._native)
-        if dangers:
-            raise ObjdictError(f"node {node_id} is not configured: {'; '.join(dangers)}")
-        return [Written(*row) for row in self._native.apply(node_id, device._native, verify, not stop, force)]
+        rows = self._native.apply(_node_id(device), device._native, verify, not stop, force)
+        return [Written(*row) for row in rows]
 
     def compare(self, device: Device) -> dict[tuple[int, int], tuple[Any, Any]]:
         """The parameters of a node that differ from the values that its device states: those, and the node's."""
@@ -148,7 +144,7 @@ class Bus:
 
     def restore(self, node: NodeOf, sub: int = 1) -> None:
         """Writes "load" to 1011h. Defaults are valid after the next reset."""
-        self._native.download(_node_id(node), 0x1011, sub, LOAD)
+        self._native.download(_node_id(node), 0x1011, sub, LOAD, _native_of(node))
 
     def nmt(self, node: NodeOf | None, command: str, *, wait: float = 2.0) -> bool:
         """Sends `start`, `stop`, `pre-operational`, `reset` or `reset-communication` to a node, to all with `None`.
@@ -169,6 +165,10 @@ def _node_id(node: NodeOf) -> int:
     if node.node_id is None:
         raise ValueError(f"{node.name} has no node-ID: give `node_id` to `load`")
     return node.node_id
+
+
+def _native_of(node: NodeOf) -> _native.Dictionary | None:
+    return node._native if isinstance(node, Device) else None
 
 
 def _state(state: int | None) -> str | None:

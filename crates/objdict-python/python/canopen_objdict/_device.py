@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import canopen
     import pandas
 
-#: What a table says of an entry, in this order.
+#: The columns of a table of entries.
 COLUMNS = (
     "name", "data_type", "access", "pdo_mapping", "default", "value", "low_limit", "high_limit", "unit", "factor", "description"
 )
@@ -303,7 +303,7 @@ class Device(Mapping[int, Object]):
         return len(self._native)
 
     def __eq__(self, other: object) -> bool:
-        """Whether another device says the same, for the same node; the files may differ."""
+        """Whether another device has the same content and node-ID; the file names may differ."""
         return isinstance(other, Device) and self._native.is_same(other._native)
 
     def __hash__(self) -> int:

@@ -247,7 +247,7 @@ impl Axis {
         }
     }
 
-    /// The bits of a statusword beside the state.
+    /// The bits of a statusword that are not part of the state.
     fn bits(&mut self, of: (u8, u8), word: u16, former: u16, sight: Sight<'_>, book: &mut IncidentBook) {
         let is_enabled = DriveState::of(word) == DriveState::Enabled;
         let error = match self.mode {

@@ -86,7 +86,7 @@ fn words(line: &[u8], state: &mut LogState) -> Result<LoggedFrame, &'static str>
     let can_id = hex(id).filter(|id| fits(*id, is_extended)).ok_or(BAD_ID)?;
     let mut frame = LoggedFrame::new(time, state.channels.number(channel), can_id, is_extended);
     let mut rest = words.0.trim_ascii_start();
-    // as `objdict decode` says it
+    // as `objdict decode` prints it
     (frame.is_remote, frame.is_error) = (rest.starts_with(b"remote"), rest.starts_with(b"error frame"));
     while !rest.is_empty() {
         let end = rest.iter().position(|byte| *byte == b' ').unwrap_or(rest.len());

@@ -228,7 +228,7 @@ pub(super) fn fill(
 ) -> io::Result<()> {
     let kept = count.min(most) as u64;
     let rest = count as u64 - kept;
-    // what is read makes place, not what a file says of its length
+    // memory grows with the data that are read, not with the stated length
     let read = source.by_ref().take(kept).read_to_end(block)? as u64;
     match io::copy(&mut source.take(rest), &mut io::sink())? {
         skipped if read < kept || skipped < rest => Err(ErrorKind::UnexpectedEof.into()),

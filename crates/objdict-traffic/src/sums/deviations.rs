@@ -222,7 +222,7 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
     })
 }
 
-/// How an answer shows another device than the described one; of the revision the upper half says how the device behaves.
+/// The difference between a response and the described identity. Only the upper half of the revision affects the behaviour.
 fn other_identity(device: &Device, (index, sub): (u16, u8), bytes: &[u8]) -> Option<String> {
     let (what, shift) = match (index, sub) {
         (0x1000, 0) => ("the device type", 0),
