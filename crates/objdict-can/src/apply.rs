@@ -1,11 +1,11 @@
 //! Downloads to a node, with what undoes them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use objdict_bus::Abort;
-use objdict_node::download::{ConciseDcf, Download};
+use objdict_node::download::{ConciseDcf, Download, remaining};
 
-use crate::client::{BusClient, ClientError};
+use crate::client::{BusClient, ClientError, unless_refused};
 
 /// Index and sub-index.
 type WrittenEntry = (u16, u8);
@@ -55,14 +55,9 @@ impl BusClient {
         downloads: &[Download],
     ) -> Result<BTreeMap<WrittenEntry, Vec<u8>>, ClientError> {
         let mut present = BTreeMap::new();
-        for Download { index, sub, .. } in downloads {
-            if present.contains_key(&(*index, *sub)) {
-                continue;
-            }
-            match self.upload(node_id, *index, *sub) {
-                Ok(bytes) => _ = present.insert((*index, *sub), bytes),
-                Err(ClientError::Refused { .. }) => {}
-                Err(error) => return Err(error),
+        for (index, sub) in downloads.iter().map(Download::entry).collect::<BTreeSet<_>>() {
+            if let Some(bytes) = unless_refused(self.upload(node_id, index, sub))? {
+                present.insert((index, sub), bytes);
             }
         }
         Ok(present)
@@ -99,36 +94,29 @@ impl BusClient {
         downloads: &[Download],
         results: &mut [WriteResult],
     ) -> Result<(), ClientError> {
-        for (at, download) in downloads.iter().enumerate() {
-            let is_last = !downloads[at + 1..].iter().any(|later| address(later) == address(download));
-            if !is_last || results[at] != WriteResult::Written {
+        for ((download, remains), result) in downloads.iter().zip(remaining(downloads)).zip(results) {
+            if !remains || *result != WriteResult::Written {
                 continue;
             }
-            match self.upload(node_id, download.index, download.sub) {
-                Ok(bytes) if bytes != download.data => results[at] = WriteResult::Differs(bytes),
-                // what cannot be read cannot be compared
-                Ok(_) | Err(ClientError::Refused { .. }) => {}
-                Err(error) => return Err(error),
+            // what cannot be read cannot be compared
+            let bytes = unless_refused(self.upload(node_id, download.index, download.sub))?;
+            if let Some(bytes) = bytes.filter(|bytes| *bytes != download.data) {
+                *result = WriteResult::Differs(bytes);
             }
         }
         Ok(())
     }
 }
 
-const fn address(download: &Download) -> WrittenEntry {
-    (download.index, download.sub)
-}
-
 /// What undoes downloads: the same in their order, the last one of each entry with its present value. So a PDO is disabled while it
 /// is changed, as in the downloads.
 pub fn undo(downloads: &[Download], present: &BTreeMap<WrittenEntry, Vec<u8>>) -> Undo {
     let mut undo = Undo::default();
-    for (at, download) in downloads.iter().enumerate() {
-        let is_last = !downloads[at + 1..].iter().any(|later| address(later) == address(download));
-        match present.get(&address(download)) {
-            None if is_last => undo.lost.push(address(download)),
+    for (download, remains) in downloads.iter().zip(remaining(downloads)) {
+        match present.get(&download.entry()) {
+            None if remains => undo.lost.push(download.entry()),
             None => {}
-            Some(_) if !is_last => undo.downloads.0.push(download.clone()),
+            Some(_) if !remains => undo.downloads.0.push(download.clone()),
             Some(value) => {
                 undo.downloads.0.push(Download::new(download.index, download.sub, value.clone()));
             }

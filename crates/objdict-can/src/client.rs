@@ -95,6 +95,15 @@ impl ClientError {
     }
 }
 
+/// The result of a transfer; `None` if the node refuses it.
+pub(crate) fn unless_refused<T>(result: Result<T, ClientError>) -> Result<Option<T>, ClientError> {
+    match result {
+        Ok(value) => Ok(Some(value)),
+        Err(ClientError::Refused { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
 /// The bytes of a transfer.
 #[derive(Default)]
 struct TransferValue(Vec<u8>);

@@ -1,9 +1,10 @@
 //! A network compared with its description.
 
 use objdict_bus::Abort;
-use objdict_node::download::Download;
+use objdict_node::download::{Download, remaining};
 
 use crate::client::{BusClient, ClientError};
+use crate::safety::OtherIdentity;
 use crate::scan::ScannedNode;
 
 /// A node as a network describes it.
@@ -27,8 +28,8 @@ pub enum NodeDifference {
     Missing,
     /// The node is not in the description.
     Extra,
-    /// It is another device: index, sub-index, described and found.
-    Identity(u16, u8, u32, Option<u32>),
+    /// It is another device.
+    Identity(OtherIdentity),
     /// An entry has another value: described and found.
     Value(u16, u8, Vec<u8>, Vec<u8>),
     /// An entry cannot be read.
@@ -72,14 +73,14 @@ impl BusClient {
         let node_id = wanted.node_id;
         let own = std::iter::once(found.device_type).chain(found.identity);
         let places = [(0x1000, 0), (0x1018, 1), (0x1018, 2), (0x1018, 3), (0x1018, 4)];
-        for (((index, sub), own), wanted) in places.into_iter().zip(own).zip(wanted.identity) {
-            if wanted != 0 && own != Some(wanted) {
-                differences.push((node_id, NodeDifference::Identity(index, sub, wanted, own)));
+        for (((index, sub), found), expected) in places.into_iter().zip(own).zip(wanted.identity) {
+            if expected != 0 && found != Some(expected) {
+                let other = OtherIdentity { index, sub, expected, found };
+                differences.push((node_id, NodeDifference::Identity(other)));
             }
         }
-        for (at, Download { index, sub, data }) in wanted.values.iter().enumerate() {
-            let is_same = |later: &Download| (later.index, later.sub) == (*index, *sub);
-            if wanted.values[at + 1..].iter().any(is_same) {
+        for (Download { index, sub, data }, remains) in wanted.values.iter().zip(remaining(&wanted.values)) {
+            if !remains {
                 continue;
             }
             match self.upload(node_id, *index, *sub) {

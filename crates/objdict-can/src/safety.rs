@@ -3,7 +3,7 @@
 use objdict_model::model::Device;
 use objdict_network::answered;
 
-use crate::client::{BusClient, ClientError};
+use crate::client::{BusClient, ClientError, unless_refused};
 
 /// Why a node must not be configured now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,8 +35,26 @@ pub fn has_srdos(device: &Device) -> bool {
     device.objects.keys().any(|index| matches!(index, 0x1301..=0x1340 | 0x13FE))
 }
 
-/// Index, sub-index, described and read value; `None` if it cannot be read.
-pub type OtherIdentity = (u16, u8, u32, Option<u32>);
+/// An entry of the identity with another value than the description has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::exhaustive_structs, reason = "an entry and its two values, which tests make too")]
+pub struct OtherIdentity {
+    /// The index.
+    pub index: u16,
+    /// The sub-index.
+    pub sub: u8,
+    /// The described value.
+    pub expected: u32,
+    /// The value that was read; `None` if the node does not let read it.
+    pub found: Option<u32>,
+}
+
+objdict_model::messages! { OtherIdentity: {
+    Self { index, sub, expected, found: None } =>
+        "{index:04X}h sub-index {sub} is missing, expected {expected:X}h";
+    Self { index, sub, expected, found: Some(found) } =>
+        "{index:04X}h sub-index {sub} is {found:X}h, expected {expected:X}h";
+} }
 
 impl BusClient {
     /// Reads whether a node may be configured.
@@ -65,11 +83,7 @@ impl BusClient {
     }
 
     fn is_there(&mut self, node_id: u8, index: u16) -> Result<Option<u64>, ClientError> {
-        match self.number(node_id, index, 0) {
-            Ok(number) => Ok(Some(number)),
-            Err(ClientError::Refused { .. }) => Ok(None),
-            Err(error) => Err(error),
-        }
+        unless_refused(self.number(node_id, index, 0))
     }
 
     /// The first entry of the identity (device type, vendor-ID, product code) that differs from the description.
@@ -86,13 +100,10 @@ impl BusClient {
         let expected = [(0x1000, 0, device_type), (0x1018, 1, number(1)), (0x1018, 2, number(2))];
         for (index, sub, expected) in expected {
             let Some(expected) = expected.filter(|number| *number != 0) else { continue };
-            let found = match self.number(node_id, index, sub) {
-                Ok(number) => u32::try_from(number).ok(),
-                Err(ClientError::Refused { .. }) => None,
-                Err(error) => return Err(error),
-            };
+            let found = unless_refused(self.number(node_id, index, sub))?;
+            let found = found.and_then(|number| u32::try_from(number).ok());
             if found != Some(expected) {
-                return Ok(Some((index, sub, expected, found)));
+                return Ok(Some(OtherIdentity { index, sub, expected, found }));
             }
         }
         Ok(None)

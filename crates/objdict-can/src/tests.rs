@@ -12,8 +12,8 @@ use objdict_traffic::log::LoggedFrame;
 
 use crate::sim::logged;
 use crate::{
-    ApplyOptions, BusClient, ClientError, Danger, ExpectedNode, NodeDifference, SimulatedBus, Transport,
-    TransportError, WriteResult, undo,
+    ApplyOptions, BusClient, ClientError, Danger, ExpectedNode, NodeDifference, OtherIdentity, SimulatedBus,
+    Transport, TransportError, WriteResult, undo,
 };
 
 fn description(name: &str) -> Description {
@@ -251,7 +251,15 @@ fn a_network_is_compared() {
     assert_eq!(client.compare(&nodes, &found).unwrap(), expected);
     let nodes = [wanted(5, 0x403, heartbeat(0)), wanted(6, 0x10, vec![Download::new(0x5FFF, 0, [0])])];
     let expected = [
-        (5, NodeDifference::Identity(0x1018, 2, 0x403, Some(0x402))),
+        (
+            5,
+            NodeDifference::Identity(OtherIdentity {
+                index: 0x1018,
+                sub: 2,
+                expected: 0x403,
+                found: Some(0x402),
+            }),
+        ),
         (5, NodeDifference::Value(0x1017, 0, vec![0, 1], vec![0xF4, 1])),
         (6, NodeDifference::Unreadable(0x5FFF, 0, Abort::NoObject)),
         (6, NodeDifference::State(0x7F, None)),

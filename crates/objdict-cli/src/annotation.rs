@@ -15,7 +15,7 @@ pub(super) struct DescribedStream<'a> {
 impl DescribedStream<'_> {
     /// The data type, the name and the meaning of a download.
     pub(super) fn annotate(self, download: &Download) -> Annotation {
-        let (index, sub) = (download.index, download.sub);
+        let (index, sub) = download.entry();
         let Some(device) = self.device else {
             return Annotation { data_type: unsigned(download.data.len()), comment: String::new() };
         };

@@ -155,7 +155,7 @@ pub(super) fn downloads(context: &Context<'_>) -> Vec<DownloadView> {
 }
 
 fn written(context: &Context<'_>, download: &Download) -> DownloadView {
-    let (index, sub) = (download.index, download.sub);
+    let (index, sub) = download.entry();
     let value = download.value(context.device).unwrap_or_else(|| Value::Bytes(download.data.clone().into()));
     let reader = ValueReader { index, node_id: context.node_id };
     DownloadView {

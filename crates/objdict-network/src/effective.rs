@@ -65,7 +65,7 @@ impl Slave {
         let mut device = self.device.clone();
         // the network file overrides the description
         let is_replaced = |download: &ExplicitDownload| {
-            conditional.iter().any(|other| (other.index, other.sub) == (download.index, download.sub))
+            conditional.iter().any(|other| other.entry() == (download.index, download.sub))
         };
         device.downloads.retain(|download| !is_replaced(download));
         let explicit = |download: &Download| {

@@ -142,7 +142,7 @@ impl NativeBus {
     ) -> PyResult<Vec<WrittenRow<'py>>> {
         let shared = device.now();
         self.require_safe(node, shared.device(), is_forced)?;
-        let downloads = planned(&shared, node.0)?;
+        let (downloads, files) = planned(&shared, node.0)?;
         let is_moving =
             |download: &&Download| no_parameter(shared.device(), download.index, download.sub).is_some();
         if let Some(Download { index, sub, .. }) = downloads.iter().find(is_moving).filter(|_| !is_forced) {
@@ -157,6 +157,7 @@ impl NativeBus {
             None => Ok(downloads
                 .iter()
                 .zip(&results)
+                .chain(files.iter().map(|file| (file, &WriteResult::Unsent)))
                 .map(|(download, result)| row(py, download, result))
                 .collect()),
         }
@@ -168,10 +169,8 @@ impl NativeBus {
     fn require_safe(&mut self, node: NodeId, device: &Device, is_forced: bool) -> PyResult<()> {
         let client = self.client()?;
         let other = client.other_identity(node.0, device).map_err(refused)?;
-        if let Some((index, sub, expected, found)) = other.filter(|_| !is_forced) {
-            let found = found.map_or_else(|| "missing".to_owned(), |found| format!("{found:X}h"));
-            let is = format!("{index:04X}h sub-index {sub} is {found}, expected {expected:X}h");
-            return Err(raised(format_args!("node {} is not the described device: {is}", node.0)));
+        if let Some(other) = other.filter(|_| !is_forced) {
+            return Err(raised(format_args!("node {} is not the described device: {other}", node.0)));
         }
         let dangers = client.dangers(node.0, device).map_err(refused)?;
         match dangers.into_iter().find(|danger| !is_forced || !danger.can_be_forced()) {
@@ -199,11 +198,16 @@ fn row<'py>(py: Python<'py>, download: &Download, result: &WriteResult) -> Writt
     (download.index, download.sub, PyBytes::new(py, &download.data), word, found, abort)
 }
 
-/// What is written to a node.
-fn planned(shared: &super::shared::SharedDescription, node_id: u8) -> PyResult<Vec<Download>> {
+/// What is written to a node, and the entries whose data are in files, which are not written.
+fn planned(
+    shared: &super::shared::SharedDescription,
+    node_id: u8,
+) -> PyResult<(Vec<Download>, Vec<Download>)> {
     let mut options = PlanOptions::default();
     (options.node_id, options.scope) = (Some(node_id), Scope::Changed);
-    Ok(ConciseDcf::plan(shared.device(), &options).map_err(raised)?.without_files().0)
+    let plan = ConciseDcf::plan(shared.device(), &options).map_err(raised)?;
+    let files = plan.files().map(|file| Download::new(file.index, file.sub, [])).collect();
+    Ok((plan.without_files().0, files))
 }
 
 fn milliseconds(seconds: f64) -> PyResult<u64> {

@@ -378,13 +378,21 @@ mod tests {
         assert_eq!(fs::read_dir(path.parent().unwrap()).unwrap().count(), 1, "no temporary file is left");
     }
 
+    /// The temporary files of all tests in its process are removed, hence it has one of its own.
     #[cfg(feature = "command")]
     #[test]
     fn an_interrupted_command_leaves_no_temporary_file() {
-        let folder = tempfile::tempdir().unwrap();
-        let (_, temporary) = Temporary::beside(&folder.path().join("od.c")).unwrap();
-        assert!(temporary.path.exists());
-        abandon(|| assert!(!temporary.path.exists()));
+        if std::env::var_os("OBJDICT_OWN_PROCESS").is_some() {
+            let folder = tempfile::tempdir().unwrap();
+            let (_, temporary) = Temporary::beside(&folder.path().join("od.c")).unwrap();
+            assert!(temporary.path.exists());
+            return abandon(|| assert!(!temporary.path.exists()));
+        }
+        let mut test = std::process::Command::new(std::env::current_exe().unwrap());
+        test.args(["--exact", "output::save::tests::an_interrupted_command_leaves_no_temporary_file"]);
+        let output = test.env("OBJDICT_OWN_PROCESS", "1").output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success() && text.contains("1 passed"), "{text}");
     }
 
     /// A killed process no longer holds its lock.

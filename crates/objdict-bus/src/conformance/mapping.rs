@@ -10,20 +10,20 @@ checks! { "PDO mapping":
     "7.5.2.38" "a TPDO with another mapping sends its values" tpdo_procedure;
     "7.5.2.36" "an RPDO with another mapping writes its values" rpdo_procedure;
     "7.5.2.36" "RPDO: dummies are left out" dummy;
-    "7.5.2.38" "TPDO: a change while it is valid is refused" |bench| while_valid(bench, TPDO);
-    "7.5.2.36" "RPDO: a change while it is valid is refused" |bench| while_valid(bench, RPDO);
-    "7.5.2.38" "TPDO: an entry while their number is not 0 is refused" |bench| while_counted(bench, TPDO);
-    "7.5.2.36" "RPDO: an entry while their number is not 0 is refused" |bench| while_counted(bench, RPDO);
-    "7.5.2.38" "TPDO: an object that does not exist is refused" |bench| { let entry = (bench.described.unused(), 0, 8); refused(bench, TPDO, entry) };
-    "7.5.2.36" "RPDO: an object that does not exist is refused" |bench| { let entry = (bench.described.unused(), 0, 8); refused(bench, RPDO, entry) };
-    "7.5.2.38" "TPDO: another length than that of the entry is refused" |bench| wrong_length(bench, TPDO);
-    "7.5.2.36" "RPDO: another length than that of the entry is refused" |bench| wrong_length(bench, RPDO);
-    "7.5.2.38" "TPDO: an entry that is not mappable is refused" |bench| { let entry = not_mappable(bench)?; refused(bench, TPDO, entry) };
-    "7.5.2.36" "RPDO: an entry that is not mappable is refused" |bench| { let entry = not_mappable(bench)?; refused(bench, RPDO, entry) };
-    "7.5.2.38" "TPDO: more entries than the mapping has are refused" |bench| too_many(bench, TPDO);
-    "7.5.2.36" "RPDO: more entries than the mapping has are refused" |bench| too_many(bench, RPDO);
-    "7.5.2.38" "TPDO: more than eight bytes are refused" |bench| too_long(bench, TPDO);
-    "7.5.2.36" "RPDO: more than eight bytes are refused" |bench| too_long(bench, RPDO);
+    "7.5.2.38" "TPDO: a change while it is valid is refused" @WRITES |bench| while_valid(bench, TPDO);
+    "7.5.2.36" "RPDO: a change while it is valid is refused" @WRITES |bench| while_valid(bench, RPDO);
+    "7.5.2.38" "TPDO: an entry while their number is not 0 is refused" @WRITES |bench| while_counted(bench, TPDO);
+    "7.5.2.36" "RPDO: an entry while their number is not 0 is refused" @WRITES |bench| while_counted(bench, RPDO);
+    "7.5.2.38" "TPDO: an object that does not exist is refused" @WRITES |bench| { let entry = (bench.described.unused(), 0, 8); refused(bench, TPDO, entry) };
+    "7.5.2.36" "RPDO: an object that does not exist is refused" @WRITES |bench| { let entry = (bench.described.unused(), 0, 8); refused(bench, RPDO, entry) };
+    "7.5.2.38" "TPDO: another length than that of the entry is refused" @WRITES |bench| wrong_length(bench, TPDO);
+    "7.5.2.36" "RPDO: another length than that of the entry is refused" @WRITES |bench| wrong_length(bench, RPDO);
+    "7.5.2.38" "TPDO: an entry that is not mappable is refused" @WRITES |bench| { let entry = not_mappable(bench)?; refused(bench, TPDO, entry) };
+    "7.5.2.36" "RPDO: an entry that is not mappable is refused" @WRITES |bench| { let entry = not_mappable(bench)?; refused(bench, RPDO, entry) };
+    "7.5.2.38" "TPDO: more entries than the mapping has are refused" @WRITES |bench| too_many(bench, TPDO);
+    "7.5.2.36" "RPDO: more entries than the mapping has are refused" @WRITES |bench| too_many(bench, RPDO);
+    "7.5.2.38" "TPDO: more than eight bytes are refused" @WRITES |bench| too_long(bench, TPDO);
+    "7.5.2.36" "RPDO: more than eight bytes are refused" @WRITES |bench| too_long(bench, RPDO);
 }
 
 /// A PDO that is not valid and has no mapped entry.

@@ -95,6 +95,8 @@ struct ServiceCheck {
     service: &'static str,
     name: &'static str,
     section: &'static str,
+    /// What the check needs on a real bus; empty if it cannot be made there.
+    remote: &'static [RemoteGroups],
     run: CheckRun,
 }
 
@@ -114,13 +116,14 @@ impl ServiceCheck {
     }
 }
 
-/// The checks of a service: section, name, function.
+/// The checks of a service: section, name, what it needs on a real bus if it can be made there, function.
 macro_rules! checks {
-    ($service:tt: $($section:literal $name:literal $run:expr;)*) => {
+    ($service:tt: $($section:literal $name:literal $(@$remote:ident)? $run:expr;)*) => {
         pub(super) const CHECKS: &[super::ServiceCheck] = &[$(super::ServiceCheck {
             service: $service,
             name: $name,
             section: $section,
+            remote: &[$(super::RemoteGroups::$remote)?],
             run: super::CheckRun::Function($run),
         }),*];
     };

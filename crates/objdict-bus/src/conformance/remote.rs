@@ -9,10 +9,8 @@ use objdict_device::{Abort, Frame, NmtCommand, NmtState, Received};
 use super::bench::{Bench, RESET_NODE};
 use super::described::{DescribedEntries, DescribedEntry, abort_code, answer, hex, place};
 use super::objects::service_of;
-use super::transfers::RequestTarget;
 use super::{
-    CheckRun, CheckStep, Conformance, ConformanceCheck, SERVICES, ServiceCheck, Verdict, ensure, failed,
-    impossible, verdict,
+    CheckStep, Conformance, ConformanceCheck, SERVICES, Verdict, ensure, failed, impossible, verdict,
 };
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::model::{Access, Device};
@@ -59,8 +57,8 @@ pub fn conformance_on(
         return Conformance { checks };
     };
     for check in SERVICES.into_iter().flatten() {
-        let verdict = match group_of(check) {
-            Some(needed) if groups.allow(needed) => {
+        let verdict = match check.remote.first() {
+            Some(needed) if groups.allow(*needed) => {
                 let boot_up = node.boot(0);
                 verdict(check.run(&mut Bench::new(&described, node.again(), boot_up)))
             }
@@ -86,30 +84,13 @@ pub fn conformance_on(
 }
 
 impl RemoteGroups {
-    const READS: Self = Self { writes: false, commands: false };
+    pub(super) const READS: Self = Self { writes: false, commands: false };
+    pub(super) const WRITES: Self = Self { writes: true, commands: false };
+    /// The state of the node is seen by its heartbeat, whose period is written.
+    pub(super) const COMMANDS: Self = Self { writes: true, commands: true };
 
     const fn allow(self, needed: Self) -> bool {
         (self.writes || !needed.writes) && (self.commands || !needed.commands)
-    }
-}
-
-/// What a check needs; `None` if it cannot be made on a real bus.
-fn group_of(check: &ServiceCheck) -> Option<RemoteGroups> {
-    let writes = RemoteGroups { writes: true, commands: false };
-    let commands = RemoteGroups { writes: false, commands: true };
-    let is_about = |words: &[&str]| words.iter().any(|word| check.name.contains(word));
-    match (check.service, &check.run) {
-        // the time is one of the implementation, and a frame to another node reaches it
-        _ if is_about(&["leaves", "another node", "all nodes", "1201h", "lost"]) => None,
-        ("SDO aborts", CheckRun::Frames(target, _)) => match target {
-            RequestTarget::Writable | RequestTarget::Word | RequestTarget::ReadOnly => Some(writes),
-            _ => Some(RemoteGroups::READS),
-        },
-        ("SDO", _) if is_about(&["download", "refused"]) => Some(writes),
-        ("SDO", _) => Some(RemoteGroups::READS),
-        ("NMT", _) => Some(RemoteGroups { writes: true, ..commands }),
-        ("PDO mapping", _) if is_about(&["refused"]) => Some(writes),
-        _ => None,
     }
 }
 
@@ -131,10 +112,10 @@ fn check_reading(bench: &mut Bench<'_>, entry: &DescribedEntry) -> CheckStep {
         (Ok(bytes), true) => bytes,
     };
     if let Some(size) = entry.size() {
-        ensure(bytes.len() == size, || format!("{place} has {} bytes, described are {size}", bytes.len()))?;
+        ensure(bytes.len() == size, || format!("{place} has {} bytes instead of {size}", bytes.len()))?;
     }
     ensure(entry.access != Access::Const || bytes == entry.default, || {
-        format!("{place} is constant and {}, described is {}", hex(&bytes), hex(&entry.default))
+        format!("{place} is constant, but is {} instead of {}", hex(&bytes), hex(&entry.default))
     })
 }
 

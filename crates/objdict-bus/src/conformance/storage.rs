@@ -24,6 +24,7 @@ pub(super) const OF_GROUPS: &[ServiceCheck] = &[ServiceCheck {
     service: "storage",
     name: "1010h: values outside the groups are not stored",
     section: "7.5.2.13",
+    remote: &[],
     run: CheckRun::Function(|bench| store(bench, false)),
 }];
 

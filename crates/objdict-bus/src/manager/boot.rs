@@ -122,7 +122,7 @@ impl RunningManager {
             }
             (SlaveStep::Download(number), Err(abort)) => {
                 let download = self.slaves[at].downloads.iter().flatten().nth(number);
-                let (index, sub) = download.map_or((0, 0), |download| (download.index, download.sub));
+                let (index, sub) = download.map_or((0, 0), crate::download::Download::entry);
                 let failure = BootFailure::Download { number: number + 1, index, sub, abort };
                 self.finish(at, Some(failure), own, now);
             }

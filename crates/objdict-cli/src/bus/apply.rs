@@ -11,7 +11,7 @@ use objdict_node::concise;
 use objdict_node::configure::{SettingProblem, SettingsFile, configuration};
 use objdict_node::download::{ConciseDcf, Download, PlanOptions, Scope};
 
-use super::change::{Change, require_parameters};
+use super::change::{Change, require_parameters, tell_lost};
 use super::question::agrees;
 use super::session::BusSession;
 use crate::annotation::DescribedStream;
@@ -34,7 +34,7 @@ const STATE: u64 = 2000;
 
 pub(super) fn run(args: &BusApplyArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut session = BusSession::open(&args.connect)?;
-    let described = session.described(args.node).map(|node| node.device.clone());
+    let described = session.device(args.node);
     let (downloads, own) = downloads(args, described.as_ref())?;
     let device = described.or(own).unwrap_or_default();
     require_parameters(&device, &downloads, &args.change)?;
@@ -110,11 +110,17 @@ fn of_settings(args: &BusApplyArgs, device: &Device) -> Result<Vec<Download>, Fa
 }
 
 /// The downloads of a device in an order that nodes accept.
-pub(super) fn planned(device: &Device, node_id: u8, is_all: bool) -> Result<Vec<Download>, Failure> {
+fn planned(device: &Device, node_id: u8, is_all: bool) -> Result<Vec<Download>, Failure> {
     let scope = if is_all { Scope::All } else { Scope::Changed };
     let options = PlanOptions { node_id: Some(node_id), scope, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
     tell_skipped(&plan);
+    for file in plan.files() {
+        let (index, sub, name) = (file.index, file.sub, &file.name);
+        note(&format!(
+            "note: {index:04X}h sub-index {sub} is not written: its data are in the file `{name}`\n"
+        ));
+    }
     Ok(plan.without_files().0)
 }
 
@@ -137,14 +143,7 @@ fn write_undo(args: &BusApplyArgs, change: &Change<'_>) -> Result<PathBuf, Failu
     let undo = undo(change.downloads, change.present);
     let stream = DescribedStream { device: Some(change.device), node_id: Some(args.node) };
     save(&path, concise::print(&undo.downloads, |download| stream.annotate(download)).as_bytes())?;
-    if !undo.lost.is_empty() {
-        let lost: Vec<String> =
-            undo.lost.iter().map(|(index, sub)| format!("{index:04X}:{sub:02X}")).collect();
-        note(&format!(
-            "note: cannot be undone, because the node does not let read them: {}\n",
-            lost.join(", ")
-        ));
-    }
+    tell_lost(&undo.lost);
     Ok(path)
 }
 
@@ -193,9 +192,5 @@ fn store(args: &BusApplyArgs, session: &mut BusSession) -> Result<(), Failure> {
         }
         note("note: 1020h has the date and time\n");
     }
-    if args.store {
-        session.client.download(args.node, 0x1010, 1, b"save")?;
-        note(&format!("note: node {} has stored its parameters\n", args.node));
-    }
-    Ok(())
+    if args.store { session.store(args.node) } else { Ok(()) }
 }

@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::session::BusSession;
 use super::values::ValueWords;
 use crate::args::{BusChangeArgs, ShowFormat};
-use crate::ending::{Failure, Outcome};
+use crate::ending::{Failure, Outcome, note};
 use crate::stdout::Output;
 use crate::table::TextTable;
 
@@ -98,13 +98,9 @@ impl BusSession {
             return Err(failure.help("stop it, or pass `--force`"));
         }
         let other = self.client.other_identity(node_id, device)?;
-        if let Some((index, sub, expected, found)) = other.filter(|_| !args.force) {
-            let found = found.map_or_else(|| "missing".to_owned(), |found| format!("{found:X}h"));
-            let message = format!(
-                "node {node_id} is not the described device: {index:04X}h sub-index {sub} is {found}, expected {expected:X}h"
-            );
-            return Err(Failure::new(message)
-                .help("name the right description with `--with`; `--force` uses this one"));
+        if let Some(other) = other.filter(|_| !args.force) {
+            let failure = Failure::new(format_args!("node {node_id} is not the described device: {other}"));
+            return Err(failure.help("name the right description with `--with`; `--force` uses this one"));
         }
         let dangers = self.client.dangers(node_id, device)?;
         let is_refused = |danger: &&Danger| !danger.can_be_forced() || is_configured && !args.force;
@@ -119,6 +115,22 @@ impl BusSession {
             }
             None => Ok(()),
         }
+    }
+
+    /// Lets a node store its parameters.
+    pub(super) fn store(&mut self, node_id: u8) -> Result<(), Failure> {
+        self.client.download(node_id, 0x1010, 1, b"save")?;
+        note(&format!("note: node {node_id} has stored its parameters\n"));
+        Ok(())
+    }
+}
+
+/// Says which entries an undo leaves out.
+pub(super) fn tell_lost(lost: &[(u16, u8)]) {
+    if !lost.is_empty() {
+        let lost: Vec<String> = lost.iter().map(|(index, sub)| format!("{index:04X}:{sub:02X}")).collect();
+        let lost = lost.join(", ");
+        note(&format!("note: cannot be undone, because their values before are not known: {lost}\n"));
     }
 }
 
@@ -149,7 +161,7 @@ impl Change<'_> {
         let words = ValueWords::new(self.device, self.node_id);
         let mut table = TextTable::new(["", "Entry", "Name", "Present", "New"], CELL);
         for (at, download) in self.downloads.iter().enumerate() {
-            let entry = (download.index, download.sub);
+            let entry = download.entry();
             let present =
                 self.present.get(&entry).map_or_else(|| "?".to_owned(), |bytes| words.text(entry, bytes));
             table.row([
@@ -193,7 +205,7 @@ impl Change<'_> {
     fn write_results(&self, results: &[WriteResult], out: &mut Output) -> io::Result<()> {
         let words = ValueWords::new(self.device, self.node_id);
         for (download, result) in self.downloads.iter().zip(results) {
-            let entry = (download.index, download.sub);
+            let entry = download.entry();
             let name = words.name(entry);
             let place = format!("{:04X}:{:02X} {name}", entry.0, entry.1);
             match result {
@@ -231,7 +243,7 @@ impl Change<'_> {
     fn json(&self, results: &[WriteResult], error: Option<&ClientError>, is_dry_run: bool) -> WritesJson {
         let words = ValueWords::new(self.device, self.node_id);
         let row = |(download, result): (&Download, &WriteResult)| {
-            let entry = (download.index, download.sub);
+            let entry = download.entry();
             let (result, reason) = match result {
                 WriteResult::Refused(abort) => (WriteWord::Refused, Some(abort.to_string())),
                 WriteResult::Differs(bytes) => (WriteWord::Differs, Some(words.text(entry, bytes))),

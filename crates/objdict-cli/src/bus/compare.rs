@@ -2,11 +2,12 @@
 
 use std::io::Write;
 
-use objdict_can::{ExpectedNode, NodeDifference};
+use objdict_can::{ExpectedNode, NodeDifference, OtherIdentity};
 use objdict_document::describe::frames::nmt_state;
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_network::Slave;
+use objdict_node::download::remaining;
 use objdict_node::parameter::no_parameter;
 use serde::Serialize;
 
@@ -99,7 +100,11 @@ pub(super) fn run(args: &BusCompareArgs, out: &mut Output) -> Result<Outcome, Fa
         .map(|(node_id, difference)| row(node_id, name(node_id).as_ref(), difference))
         .collect();
     let outcome = if rows.is_empty() { Outcome::Clean } else { Outcome::Findings };
-    let (nodes, values) = (wanted.len(), wanted.iter().map(|node| node.values.len()).sum());
+    let has_answered =
+        |node: &&ExpectedNode| found.iter().any(|found| found.node_id == node.node_id && found.answers);
+    let compared =
+        |node: &ExpectedNode| remaining(&node.values).into_iter().filter(|remains| *remains).count();
+    let (nodes, values) = (wanted.len(), wanted.iter().filter(has_answered).map(compared).sum());
     match args.format {
         ShowFormat::Json => {
             out.json(&ComparisonJson {
@@ -138,9 +143,9 @@ fn row(node_id: u8, node: Option<&(&Slave, String)>, difference: NodeDifference)
     let (kind, entry, expected, found) = match difference {
         NodeDifference::Missing => (DifferenceKind::Missing, None, None, None),
         NodeDifference::Extra => (DifferenceKind::Extra, None, None, None),
-        NodeDifference::Identity(index, sub, wanted, found) => {
+        NodeDifference::Identity(OtherIdentity { index, sub, expected, found }) => {
             let found = found.map_or_else(|| "missing".to_owned(), hex);
-            (DifferenceKind::Identity, Some((index, sub)), Some(hex(wanted)), Some(found))
+            (DifferenceKind::Identity, Some((index, sub)), Some(hex(expected)), Some(found))
         }
         NodeDifference::Value(index, sub, wanted, found) => {
             let [wanted, found] = [wanted, found].map(|bytes| of_entry((index, sub), &bytes));

@@ -13,7 +13,7 @@ use crate::stdout::Output;
 
 pub(super) fn run(args: &BusReadArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut session = BusSession::open(&args.connect)?;
-    let device = session.described(args.node).map(|node| node.device.clone()).unwrap_or_default();
+    let device = session.device(args.node).unwrap_or_default();
     let entries = entries(&device, &args.entries)?;
     let count = plural(entries.len(), "value");
     session.listen(Some(args.node), &format!("reads {count} of node {}", args.node))?;

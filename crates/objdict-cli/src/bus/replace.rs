@@ -64,8 +64,7 @@ pub(super) fn run(args: &BusReplaceArgs, out: &mut Output) -> Result<Outcome, Fa
         return Err(error.into());
     }
     if args.store && outcome == Outcome::Clean {
-        session.client.download(args.node, 0x1010, 1, b"save")?;
-        note(&format!("note: node {} has stored its parameters\n", args.node));
+        session.store(args.node)?;
     }
     Ok(outcome)
 }

@@ -8,7 +8,7 @@ use crate::stdout::Output;
 
 pub(super) fn run(args: &BusRestoreArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut session = BusSession::open(&args.connect)?;
-    let device = session.described(args.node).map(|node| node.device.clone()).unwrap_or_default();
+    let device = session.device(args.node).unwrap_or_default();
     session.listen(
         Some(args.node),
         &format!("writes \"load\" to 1011h sub-index {} of node {}", args.sub, args.node),

@@ -23,7 +23,7 @@ use crate::written_files::{require_other, save};
 
 pub(super) fn run(args: &BusSaveArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut session = BusSession::open(&args.connect)?;
-    let device = session.device(args.node)?;
+    let device = session.require_device(args.node)?;
     require_other(&args.output)?;
     session.listen(Some(args.node), &format!("reads the parameters of node {}", args.node))?;
     let saved = session.client.save(args.node, &device)?;

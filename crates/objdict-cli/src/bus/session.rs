@@ -1,7 +1,7 @@
 //! A bus that is open, and what describes its nodes.
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{LineWriter, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use objdict_bus::LiveBus;
@@ -12,7 +12,7 @@ use objdict_traffic::{DescribedNode, Descriptions};
 
 use crate::args::{BusConnectArgs, BusLinkArgs, NamedBus, NetworkInputArgs, named_bus};
 use crate::decode::descriptions;
-use crate::ending::{Failure, note};
+use crate::ending::{Failure, note, tell};
 use crate::input::name_of;
 use crate::network;
 use crate::written_files::{end_orderly, keep, require_other};
@@ -66,10 +66,15 @@ impl BusSession {
         if let Some(path) = &args.log {
             require_other(path)?;
             let failed = |error| Failure::new(format_args!("cannot write `{}`: {error}", name_of(path)));
-            let mut file = BufWriter::new(File::create(path).map_err(failed)?);
+            let mut file = Some(LineWriter::new(File::create(path).map_err(failed)?));
+            let name = name_of(path);
             client = client.with_observer(Box::new(move |frame| {
                 // the frame is on the bus whether it can be logged or not
-                let _ = writeln!(file, "{}", line(frame));
+                let written = file.as_mut().map_or(Ok(()), |file| writeln!(file, "{}", line(frame)));
+                if let Err(error) = written {
+                    tell(&format!("warning: `{name}` is incomplete: {error}\n"));
+                    file = None;
+                }
             }));
         }
         Ok(Self { client, name, descriptions, listen: args.listen.into() })
@@ -102,10 +107,14 @@ impl BusSession {
         })
     }
 
+    /// The described device of a node.
+    pub(super) fn device(&self, node_id: u8) -> Option<Device> {
+        self.described(node_id).map(|node| node.device.clone())
+    }
+
     /// The same for what cannot be done without.
-    pub(super) fn device(&self, node_id: u8) -> Result<Device, Failure> {
-        let described = self.described(node_id).map(|node| node.device.clone());
-        described.ok_or_else(|| {
+    pub(super) fn require_device(&self, node_id: u8) -> Result<Device, Failure> {
+        self.device(node_id).ok_or_else(|| {
             let failure = Failure::new(format_args!("no description of node {node_id} is named"));
             failure.help(format!("name it, as in `--with {node_id}=drive.eds`"))
         })

@@ -3,7 +3,7 @@
 use super::NetworkCheck;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, say};
-use crate::download::Download;
+use crate::download::{Download, remaining};
 use crate::effective::before;
 use crate::identity::number;
 use crate::model::{Value, hex};
@@ -62,12 +62,9 @@ impl NetworkCheck<'_, '_> {
         let Some((manager, place)) = self.holder(slave, stored.index) else { return };
         let device = before(node, slave.node_id);
         let mut findings = Vec::new();
-        for (position, download) in stored.downloads.0.iter().enumerate() {
+        let downloads = stored.downloads.0.iter().zip(remaining(&stored.downloads.0));
+        for (download, _) in downloads.filter(|(_, remains)| *remains) {
             let Download { index, sub, ref data } = *download;
-            let later = &stored.downloads.0[position + 1..];
-            if later.iter().any(|other| (other.index, other.sub) == (index, sub)) {
-                continue;
-            }
             let number = |value: &Value| value.integer_for(slave.node_id);
             let Some(sent) = download.assignment(&device).map(|assignment| assignment.value) else {
                 continue;

@@ -259,7 +259,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
             let Some(assignment) = download.assignment(&self.device) else { continue };
             let present = bytes_of_present(&self.device, download, self.node_id);
             if present.as_ref() != Some(&download.data) {
-                self.origins.insert((download.index, download.sub), self.node.name.at);
+                self.origins.insert(download.entry(), self.node.name.at);
             }
             self.device.assign(&[assignment]);
         }
@@ -308,7 +308,7 @@ impl<'n, 'f> Compiler<'n, 'f> {
         let access = entry.implied_access().filter(|access: &Access| !access.is_writable());
         // PDOs write some entries twice
         if let Some(access) =
-            access.filter(|_| self.downloads.iter().all(|other| (other.index, other.sub) != (at.index, sub)))
+            access.filter(|_| self.downloads.iter().all(|other| other.entry() != (at.index, sub)))
         {
             let message = say!("{:04X}h:{:02X} of `{}` is `{}`", at.index, sub, self.node.name.value, access);
             let finding = Diagnostic::new(&READ_ONLY_ENTRY, said, message).understood();

@@ -19,7 +19,7 @@ pub struct DownloadRow {
 impl ConfiguredNetwork<'_> {
     pub(super) fn downloads(self, device: &Device, downloads: &ConciseDcf) -> Vec<DownloadRow> {
         let row = |download: &crate::download::Download| {
-            let (index, sub) = (download.index, download.sub);
+            let (index, sub) = download.entry();
             let (_, value) = concise::spelled(download, transferred_type(device, index, sub));
             // many bytes are in several lines there
             let value = value.lines().map(|line| one_line(line.trim())).collect::<Vec<_>>().join(" ");

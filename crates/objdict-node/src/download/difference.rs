@@ -39,7 +39,7 @@ impl ConciseDcf {
     /// written several times.
     pub fn differences(&self, other: &Self) -> Differences {
         let (first, second) = (self.by_entry(), other.by_entry());
-        let mut keys: Vec<EntryKey> = first.iter().chain(&second).map(|download| key(download)).collect();
+        let mut keys: Vec<EntryKey> = first.iter().chain(&second).map(|download| download.entry()).collect();
         keys.sort_unstable();
         keys.dedup();
         keys.retain(|&key| !writes(&first, key).eq(writes(&second, key)));
@@ -50,7 +50,7 @@ impl ConciseDcf {
             first: owned(&first, (index, sub)),
             second: owned(&second, (index, sub)),
         };
-        let is_same = |download: &&Download| keys.binary_search(&key(download)).is_err();
+        let is_same = |download: &&Download| keys.binary_search(&download.entry()).is_err();
         let is_reordered = !self.0.iter().filter(is_same).eq(other.0.iter().filter(is_same));
         Differences { entries: keys.iter().map(difference).collect(), is_reordered }
     }
@@ -58,19 +58,18 @@ impl ConciseDcf {
     /// The downloads by entry, in their original order for each.
     fn by_entry(&self) -> Vec<&Download> {
         let mut downloads: Vec<&Download> = self.0.iter().collect();
-        downloads.sort_by_key(|download| key(download));
+        downloads.sort_by_key(|download| download.entry());
         downloads
     }
 }
 
-fn key(download: &Download) -> EntryKey {
-    (download.index, download.sub)
-}
-
 /// The data that sorted downloads write to an entry.
 fn writes<'a>(sorted: &'a [&'a Download], entry: EntryKey) -> impl Iterator<Item = &'a [u8]> {
-    let start = sorted.partition_point(|download| key(download) < entry);
-    sorted[start..].iter().take_while(move |download| key(download) == entry).map(|download| &*download.data)
+    let start = sorted.partition_point(|download| download.entry() < entry);
+    sorted[start..]
+        .iter()
+        .take_while(move |download| download.entry() == entry)
+        .map(|download| &*download.data)
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ mod transfer;
 mod verify;
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::fmt;
 
 use self::settings::is_command;
@@ -62,6 +63,11 @@ impl Download {
     pub fn new(index: u16, sub: u8, data: impl Into<Vec<u8>>) -> Self {
         Self { index, sub, data: data.into() }
     }
+
+    /// Index and sub-index.
+    pub const fn entry(&self) -> (u16, u8) {
+        (self.index, self.sub)
+    }
 }
 
 /// Format: `1017:00 FA00`.
@@ -69,6 +75,15 @@ impl fmt::Debug for Download {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:04X}:{:02X} {}", self.index, self.sub, hex::print(&self.data))
     }
+}
+
+/// Which of several downloads are the last ones of their entries, so that their values remain.
+pub fn remaining(downloads: &[Download]) -> Vec<bool> {
+    let mut entries = BTreeSet::new();
+    let mut remaining: Vec<bool> =
+        downloads.iter().rev().map(|download| entries.insert(download.entry())).collect();
+    remaining.reverse();
+    remaining
 }
 
 /// The effective dictionary of a described node: its configured values, overridden by its
@@ -109,5 +124,21 @@ impl Download {
     pub fn assignment(&self, device: &Device) -> Option<Assignment> {
         let value = self.value(device).filter(|_| !is_command(self.index))?;
         Some(Assignment { index: self.index, sub: self.sub, value })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_download_of_an_entry_remains() {
+        let [first, other, last] = [(0x1800, 1), (0x1800, 2), (0x1800, 1)].map(|(index, sub)| Download {
+            index,
+            sub,
+            data: vec![sub],
+        });
+        assert_eq!(remaining(&[first, other, last]), [false, true, true]);
+        assert!(remaining(&[]).is_empty());
     }
 }

@@ -123,23 +123,25 @@ class Bus:
     ) -> list[Written]:
         """Writes the values of a device that differ from its defaults to the node, in an order that nodes accept.
 
-        With `verify`, they are read back. A different device, an operational node, an enabled drive and values that can move
+        With `verify`, they are read back. A value whose data are in a file is `unsent`. A different device, an operational node, an enabled drive and values that can move
         something are an `ObjdictError` before anything is written, unless `force` is set. A device with SRDOs always is.
         """
         rows = self._native.apply(_node_id(device), device._native, verify, not stop, force)
         return [Written(*row) for row in rows]
 
     def compare(self, device: Device) -> dict[tuple[int, int], tuple[Any, Any]]:
-        """The parameters of a node that differ from the values that its device states: those, and the node's."""
-        node_id = _node_id(device)
+        """The parameters of a node that differ from the values that its device states: those, and the node's.
+
+        The node's value is `None` for an entry that it does not let read.
+        """
         present = device.copy()
-        self._native.save(node_id, present._native)
+        refused = self._native.save(_node_id(device), present._native)
+        now = {(entry.index, entry.sub): entry.value for entry in present.entries()}
+        now.update({(index, sub): None for index, sub, _ in refused})
         return {
-            (entry.index, entry.sub): (entry.value, now.value)
+            at: (entry.value, now[at])
             for entry in device.entries()
-            if entry.value is not None
-            and (now := present.entry(entry.index, entry.sub)) is not None
-            and now.value != entry.value
+            if entry.value is not None and now[at := (entry.index, entry.sub)] != entry.value
         }
 
     def restore(self, node: NodeOf, sub: int = 1) -> None:

@@ -53,7 +53,7 @@ objdict_model::named! {
         /// Messages as python-can prints them.
         Message = "messages of python-can",
         /// Time, CAN-ID and bytes.
-        Words = "frames in words",
+        Words = "pasted frames",
         /// Logs of BUSMASTER.
         Busmaster = "log of BUSMASTER",
         /// BLF of Vector.

@@ -137,30 +137,30 @@ impl ExpectedFrames {
         let is_none = is_none && missed.is_none() && !is_shared && !is_again;
         let name = if is_none { String::new() } else { name(decoded, bus) };
         let texts = [
-            length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes, {bytes} are mapped"))),
+            length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes; {bytes} are mapped"))),
             early.map(|(inhibit, distance)| {
                 let [distance, inhibit] = [distance, inhibit].map(milliseconds);
                 let text = format!(
-                    "{name} comes {distance} ms after the one before, the inhibit time is {inhibit} ms"
+                    "{name} comes {distance} ms after the previous one; the inhibit time is {inhibit} ms"
                 );
                 (&rules::INHIBIT_TIME, text)
             }),
             late.map(|(window, after)| {
                 let [after, window] = [after, window].map(milliseconds);
                 let text =
-                    format!("{name} comes {after} ms after SYNC, the synchronous window is {window} ms");
+                    format!("{name} comes {after} ms after SYNC; the synchronous window is {window} ms");
                 (&rules::SYNC_WINDOW, text)
             }),
             overdue.map(|(timer, gap)| {
                 let [gap, timer] = [gap, timer].map(milliseconds);
                 let text =
-                    format!("{name} comes {gap} ms after the one before, its event timer is {timer} ms");
+                    format!("{name} comes {gap} ms after the previous one; its event timer is {timer} ms");
                 (&rules::EVENT_TIMER, text)
             }),
             missed.map(|(deadline, gap)| {
                 let [gap, deadline] = [gap, deadline].map(milliseconds);
                 let text = format!(
-                    "{name} comes {gap} ms after the one before, the deadline of its receiver is {deadline} ms"
+                    "{name} comes {gap} ms after the previous one; the deadline of its receiver is {deadline} ms"
                 );
                 (&rules::RPDO_DEADLINE, text)
             }),
@@ -209,7 +209,7 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
     }
     let length = entry.data_type.and_then(DataType::byte_length).map(usize::from);
     if let Some(length) = length.filter(|length| *length != bytes.len()) {
-        let text = format!("{} has {} bytes, described are {length}", name(), bytes.len());
+        let text = format!("{} has {} bytes instead of {length}", name(), bytes.len());
         return Some((&rules::SDO_SIZE, text));
     }
     let number = value.and_then(|value| value.as_integer())?;

@@ -96,7 +96,7 @@ struct NodeSums {
     last_heartbeat: Option<Seen>,
     /// The longest time between heartbeats in nanoseconds; `None` if no description says it.
     limit: Option<i64>,
-    /// The time of its heartbeat in nanoseconds, how long the last one was after the one before, and how many came twice in it.
+    /// The time of its heartbeat in nanoseconds, how long the last one was after the previous one, and how many came twice in it.
     period: Option<i64>,
     distance: i64,
     doubles: u32,
@@ -352,7 +352,7 @@ impl BusSums {
         let [gap, period] = [gap, period].map(milliseconds);
         let subject = Subject::new(&rules::SYNC_CYCLE, node_id, is_early.into());
         let many = if is_early { ", probably of a second producer: a frame has no sender" } else { "" };
-        let text = || format!("SYNC comes {gap} ms after the one before, its period is {period} ms{many}");
+        let text = || format!("SYNC comes {gap} ms after the previous one; its period is {period} ms{many}");
         self.book.against(subject, sight.seen(), text);
     }
 

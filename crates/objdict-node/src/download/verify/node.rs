@@ -42,7 +42,7 @@ impl<'a> AcceptingNode<'a> {
 
     /// Applies a download, or rejects it without changing the state. The checks are in the order of a node.
     pub(super) fn take(&mut self, download: &Download) -> WriteJudgement {
-        let key @ (index, sub) = (download.index, download.sub);
+        let key @ (index, sub) = download.entry();
         let object = self.device.object(index).ok_or(ObjectionKind::NoObject)?;
         let entry = object.entry(sub).ok_or(ObjectionKind::NoSubIndex)?;
         if !self.can_be_written(key, object, &entry) {
