@@ -7,6 +7,8 @@
 mod bombs;
 #[cfg(feature = "full")]
 mod editing;
+#[cfg(feature = "full")]
+mod logs;
 #[path = "../support/skips.rs"]
 mod skips;
 
@@ -103,6 +105,10 @@ fn usage(name: &str, size: usize) -> Usage {
 fn task() {
     let Ok(task) = env::var(TASK) else { return };
     let (name, size) = task.split_once(' ').unwrap();
+    #[cfg(feature = "full")]
+    if name == logs::TASK {
+        return logs::run(size.parse().unwrap());
+    }
     let bombs = bombs::all();
     let bomb = bombs.iter().find(|bomb| bomb.name == name).unwrap();
     let text = (bomb.text)(size.parse().unwrap());

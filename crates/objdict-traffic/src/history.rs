@@ -15,6 +15,9 @@ const MAX_EVENTS: usize = 1000;
 /// The most events of a node that are kept of a rule.
 const MAX_FINDINGS: usize = 100;
 
+/// The most events of all nodes; beyond them the first of each rule and node is kept.
+const MAX_ALL: usize = 4096;
+
 /// When a frame was seen, and where its log has it.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -76,8 +79,8 @@ fn id<S: Serializer>(rule: &Option<&'static RuleInfo>, serializer: S) -> Result<
 #[derive(Clone, Debug, Default)]
 pub(crate) struct History {
     events: Vec<NodeEvent>,
-    /// How many there were of a node, by the id of their rule.
-    counts: BTreeMap<(Option<&'static str>, u8), usize>,
+    /// How many there were of a node, by the id of their rule, and how many of them are not kept.
+    counts: BTreeMap<(Option<&'static str>, u8), (usize, usize)>,
 }
 
 impl History {
@@ -89,10 +92,13 @@ impl History {
         rule: Option<&'static RuleInfo>,
         text: impl FnOnce() -> String,
     ) {
-        let count = self.counts.entry((rule.map(|rule| rule.id), node)).or_default();
+        let (count, further) = self.counts.entry((rule.map(|rule| rule.id), node)).or_default();
         *count += 1;
-        if *count <= if rule.is_some() { MAX_FINDINGS } else { MAX_EVENTS } {
+        let most = if rule.is_some() { MAX_FINDINGS } else { MAX_EVENTS };
+        if *count == 1 || *count <= most && self.events.len() < MAX_ALL {
             self.events.push(NodeEvent { moment, node, rule, text: text() });
+        } else {
+            *further += 1;
         }
     }
 
@@ -104,12 +110,10 @@ impl History {
 
     /// Takes the events out. The last one of a rule and node says how many more there were.
     pub(crate) fn take(&mut self) -> Vec<NodeEvent> {
-        for (&(rule, node), count) in self.counts.iter().filter(|((rule, _), _)| rule.is_some()) {
+        for (&(rule, node), (_, more)) in self.counts.iter().filter(|((rule, _), _)| rule.is_some()) {
             let of_rule =
                 |event: &&mut NodeEvent| event.node == node && event.rule.map(|rule| rule.id) == rule;
-            if let (Some(last), Some(more @ 1..)) =
-                (self.events.iter_mut().rev().find(of_rule), count.checked_sub(MAX_FINDINGS))
-            {
+            if let (Some(last), 1..) = (self.events.iter_mut().rev().find(of_rule), *more) {
                 last.text.push_str(&format!(" (the rule finds {more} more of this node)"));
             }
         }
@@ -118,7 +122,6 @@ impl History {
 
     /// How many events are not kept.
     pub(crate) fn further(&self) -> u64 {
-        let count: usize = self.counts.values().sum();
-        (count - self.events.len()) as u64
+        self.counts.values().map(|(_, further)| *further as u64).sum()
     }
 }

@@ -31,7 +31,7 @@ impl<R: BufRead> NamedLog<R> {
             let is_capture = matches!(self.reader.form(), Some(LogForm::Pcap | LogForm::Pcapng | LogForm::Blf));
             let reason = bad.filter(|_| is_capture).map_or_else(String::new, |bad| format!(": {}", bad.reason));
             format!(
-                "`{name}` is not a log of a CAN bus{reason}\n  help: candump, ASC, BLF, TRC, BUSMASTER, CSV of python-can and SavvyCAN, pcap and pcapng are read"
+                "`{name}` is not a log of a CAN bus{reason}\n  help: candump, ASC, BLF, MDF4, TRC, BUSMASTER, CSV of python-can and SavvyCAN, pcap and pcapng are read"
             )
         })
     }

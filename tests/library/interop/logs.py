@@ -2,7 +2,7 @@
 
 usage: logs.py FRAMES OUT FOLDER
 
-FRAMES is a log of `candump -l`. Writes `log.asc`, `log.blf`, `log.trc`, `log.csv` and `log.log` into FOLDER and prints what python-can reads of each as
+FRAMES is a log of `candump -l`. Writes `log.asc`, `log.blf`, `log.mf4`, `log.trc`, `log.csv` and `log.log` into FOLDER and prints what python-can reads of each as
 JSON in OUT: for each file a list of [time in microseconds, CAN-ID, extended, remote, error, data in hex].
 """
 
@@ -37,7 +37,7 @@ def main():
     ]):
         messages.append(can.Message(timestamp=last + 0.001 * (number + 1), channel=messages[0].channel, **more))
     read = {}
-    for name in ["log.asc", "log.blf", "log.trc", "log.csv", "log.log"]:
+    for name in ["log.asc", "log.blf", "log.mf4", "log.trc", "log.csv", "log.log"]:
         # TRC of python-can has neither error frames nor CAN FD
         taken = [m for m in messages if name != "log.trc" or not (m.is_error_frame or m.is_fd or m.is_remote_frame)]
         path = folder / name

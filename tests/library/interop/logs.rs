@@ -42,6 +42,7 @@ fn python_can_writes_what_is_read() {
     let forms = [
         ("log.asc", LogForm::Asc),
         ("log.blf", LogForm::Blf),
+        ("log.mf4", LogForm::Mdf),
         ("log.trc", LogForm::Trc),
         ("log.csv", LogForm::Csv),
         ("log.log", LogForm::Candump),

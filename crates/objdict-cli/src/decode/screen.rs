@@ -46,7 +46,8 @@ pub(crate) fn lines(reports: &mut [BusReport], (columns, rows): (usize, usize)) 
         }
         let mut text = Vec::new();
         let _ = table.write(&mut text);
-        lines.extend([String::new(), title(report)]);
+        let present = report.load.map_or_else(String::new, |_| format!(", now {:.1} %", report.present_load));
+        lines.extend([String::new(), title(report) + &present]);
         lines.extend(String::from_utf8_lossy(&text).lines().map(str::to_owned));
     }
     lines.extend(of_incidents);
@@ -179,12 +180,12 @@ mod tests {
         let expected = [
             "Needs attention: 1 unresolved",
             "",
-            "can0: 12 frames from 1.0 to 3.1, 5.7 frames/s, 0.27 % load",
+            "can0: 12 frames from 1.0 to 3.1, 5.7 frames/s, 0.27 % load, now 0.1 %",
             "Node  State        Load    Lost",
             "5     operational  0.23 %  1",
             "7     operational  0.04 %",
             "",
-            "can1: 1 frame from 2.5 to 2.5, 0.0 frames/s, 0.00 % load",
+            "can1: 1 frame from 2.5 to 2.5, 0.0 frames/s, 0.00 % load, now 0.0 %",
             "Node  State            Load",
             "6     pre-operational  0.00 %",
             "",

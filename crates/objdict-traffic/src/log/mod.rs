@@ -1,6 +1,6 @@
 //! Logs of CAN buses: the frames that tools recorded, in the forms of several of them, and their times as the log has them.
 //!
-//! A log is read frame by frame in constant memory, so it may be a pipe that never ends. Its form is recognised by its content.
+//! A log is read frame by frame in constant memory, so it may be a pipe that never ends; only MDF4 is read whole. Its form is recognised by its content.
 
 mod asc;
 mod blf;
@@ -8,6 +8,7 @@ mod busmaster;
 mod candump;
 mod csv;
 mod frame;
+mod mdf;
 mod pasted;
 mod pcap;
 mod text;
@@ -22,6 +23,7 @@ use memchr::memchr;
 
 use self::blf::Blf;
 pub use self::frame::LoggedFrame;
+use self::mdf::Mdf;
 use self::pcap::Capture;
 use self::text::TextLog;
 pub use self::time::LogTime;
@@ -58,6 +60,8 @@ objdict_model::named! {
         Busmaster = "log of BUSMASTER",
         /// BLF of Vector.
         Blf = "BLF",
+        /// MDF 4 of ASAM.
+        Mdf = "MDF4",
         /// pcap with frames of SocketCAN.
         Pcap = "pcap",
         /// pcapng with frames of SocketCAN.
@@ -108,6 +112,7 @@ enum LogContent {
     Text(TextLog),
     Capture(Capture),
     Blf(Blf),
+    Mdf(Mdf),
 }
 
 /// What is known of a log.
@@ -180,6 +185,7 @@ impl<R: BufRead> LogReader<R> {
                     self.content = match Capture::of(start) {
                         Some(capture) => LogContent::Capture(capture),
                         None if blf::begins(start) => LogContent::Blf(Blf::default()),
+                        None if mdf::begins(start) => LogContent::Mdf(Mdf::default()),
                         None => LogContent::Text(TextLog::default()),
                     };
                 }
@@ -187,6 +193,7 @@ impl<R: BufRead> LogReader<R> {
                     return capture.next_frame(&mut self.source, &mut self.state);
                 }
                 LogContent::Blf(blf) => return blf.next_frame(&mut self.source, &mut self.state),
+                LogContent::Mdf(mdf) => return mdf.next_frame(&mut self.source, &mut self.state),
                 LogContent::Text(_) => match self.next_line()? {
                     Some(LogLine::Frame(frame)) => return Ok(Some(frame)),
                     Some(LogLine::Bad(reason)) => self.state.bad(reason),
@@ -243,6 +250,7 @@ impl<R: BufRead> LogReader<R> {
             LogContent::Text(log) => log.form(),
             LogContent::Capture(capture) => Some(capture.form()),
             LogContent::Blf(_) => Some(LogForm::Blf),
+            LogContent::Mdf(_) => Some(LogForm::Mdf),
         }
     }
 

@@ -1,11 +1,11 @@
 use super::*;
 
 /// The frames of a log, one a line: time, channel, CAN-ID, what it is, data; then what is not understood.
-fn read(log: &[u8]) -> Vec<String> {
+pub(super) fn read(log: &[u8]) -> Vec<String> {
     read_in(log, log.len().max(1))
 }
 
-fn read_in(log: &[u8], buffer: usize) -> Vec<String> {
+pub(super) fn read_in(log: &[u8], buffer: usize) -> Vec<String> {
     let source = io::BufReader::with_capacity(buffer, log);
     let mut reader = LogReader::new(source, LogOptions::default());
     let mut lines = Vec::new();

@@ -1,10 +1,7 @@
 //! TRC of PEAK: `1)  1059.9  Rx  0300  7  00 00 00 00 04 00 00`, in the versions 1.0 to 1.3, 2.0 and 2.1.
 
-use super::words::{BAD_ID, Words, bytes, decimal, fits, hex};
+use super::words::{BAD_ID, Words, bytes, decimal, fd_length, fits, hex};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
-
-/// The lengths of data by DLC of CAN FD from 9 on.
-const LENGTHS: [u32; 7] = [12, 16, 20, 24, 32, 48, 64];
 
 /// The columns, with the letters of version 2: number, offset in ms, type, bus, CAN-ID, direction, reserved, length or DLC, data.
 #[derive(Debug)]
@@ -108,10 +105,10 @@ fn frame(cells: &Cells<'_>, mut words: Words<'_>, state: &mut LogState) -> Resul
         ..LoggedFrame::new(time, 0, can_id.ok_or(BAD_ID)?, is_extended)
     };
     let mut frame = LoggedFrame { channel: state.channels.number(cells.bus), ..frame };
-    let length = match length.checked_sub(9).and_then(|at| LENGTHS.get(at as usize)) {
-        Some(length) if cells.is_dlc && frame.is_fd => *length,
+    let length = match length {
+        code if cells.is_dlc && frame.is_fd => fd_length(code),
         _ if frame.is_remote => 0,
-        _ => length,
+        length => length,
     };
     bytes(&mut frame, &mut { start }, length)?;
     Ok(frame)

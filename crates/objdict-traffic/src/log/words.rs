@@ -74,3 +74,9 @@ pub(super) const fn fits(can_id: u32, is_extended: bool) -> bool {
 pub(super) fn is_comment(line: &[u8]) -> bool {
     [&b"#"[..], b";", b"//"].iter().any(|mark| line.trim_ascii_start().starts_with(mark))
 }
+
+/// The bytes of a frame of CAN FD by its DLC.
+pub(super) fn fd_length(dlc: u32) -> u32 {
+    const LENGTHS: [u32; 7] = [12, 16, 20, 24, 32, 48, 64];
+    dlc.checked_sub(9).and_then(|at| LENGTHS.get(at as usize)).map_or(dlc, |length| *length)
+}

@@ -47,6 +47,9 @@ const GUARDINGS: u32 = 3;
 const LOAD_TIME: i64 = 100_000_000;
 const PEAK: u64 = 90;
 
+/// The time over which the present load is averaged, in nanoseconds.
+const PRESENT: i64 = 500_000_000;
+
 const SECOND: i64 = 1_000_000_000;
 
 /// So many heartbeats that come twice in their period show two producers.
@@ -123,6 +126,8 @@ pub struct BusSums {
     bits: u64,
     /// When the present part of time began, in which peaks of the load are found, and its bits.
     part: (i64, u64),
+    /// The load of the last parts in percent, of which the latest weigh most.
+    present_load: f64,
     span: Option<(LogTime, LogTime)>,
     kinds: [u64; FrameKind::ALL.len()],
     /// Positions of CAN-IDs of 11 bits, from 1 on.
@@ -160,6 +165,7 @@ impl BusSums {
             error_frames: 0,
             bits: 0,
             part: (0, 0),
+            present_load: 0.0,
             span: None,
             kinds: Default::default(),
             base: vec![0; 0x800],
@@ -247,6 +253,9 @@ impl BusSums {
         self.part = (sight.now(), bits);
         let Some(rate) = self.bit_rate.filter(|_| sum > 0) else { return };
         // kbit/s are bits in a millisecond
+        let passed = passed.max(LOAD_TIME) as f64;
+        let part = sum as f64 * 1e8 / (f64::from(rate) * passed);
+        self.present_load += (part - self.present_load) * (passed / PRESENT as f64).min(1.0);
         let percent = sum * 100 / (u64::from(rate) * (LOAD_TIME / 1_000_000) as u64);
         let subject = Subject::new(&rules::LOAD_PEAK, 0, 0);
         if (PEAK..=100).contains(&percent) {

@@ -30,6 +30,9 @@ pub struct BusReport {
     /// The load in percent; absent without a bit rate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<f64>,
+    /// The load of the last half second, in percent.
+    #[serde(skip)]
+    pub present_load: f64,
     /// The number of frames of each kind.
     pub kinds: Vec<KindSums>,
     /// The nodes that sent frames, or that are described.
@@ -194,6 +197,7 @@ impl BusSums {
             error_frames: self.error_frames,
             frames_per_second: rate(self.frames, seconds),
             load: self.load(self.bits, seconds),
+            present_load: self.present_load,
             kinds: kinds.collect(),
             undescribed,
             nodes,
