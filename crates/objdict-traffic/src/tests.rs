@@ -430,8 +430,8 @@ fn findings_are_bounded_and_counted() {
         (0..250).map(|at| format!("({}.{:02}) can0 185#3702\n", at / 20, at % 20 * 5)).collect();
     let found = against(1, log.leak());
     assert_eq!(found.len(), 100);
-    assert_eq!(found[0].1, "0.00: drive-402 TPDO 1 has 2 bytes, 3 are mapped");
-    let last = "4.95: drive-402 TPDO 1 has 2 bytes, 3 are mapped (the rule finds 150 more of this node)";
+    assert_eq!(found[0].1, "0.00: drive-402 TPDO 1 has 2 bytes; 3 are mapped");
+    let last = "4.95: drive-402 TPDO 1 has 2 bytes; 3 are mapped (the rule finds 150 more of this node)";
     assert_eq!(found[99].1, last);
 }
 

@@ -77,6 +77,15 @@ assert "0x3F9" in objdict("read", "5", "1018:1")
 assert "06020000h" in objdict("read", "5", "5FFE", code=1)
 objdict("write", "5", "1017=200", "--yes")
 assert node.get_data(0x1017, 0) == b"\xc8\x00", node.get_data(0x1017, 0)
+# a value that changes while it is read again, and the frames of this
+threading.Timer(1.5, lambda: node.set_data(0x1017, 0, b"\x2c\x01")).start()
+changes = objdict("read", "5", "1017", "--watch=100", "--for", "3")
+assert changes.splitlines()[2:] and changes.splitlines()[-1].endswith("1017:00 Producer heartbeat time  300  300 ms"), changes
+summary = objdict("watch", "--for", "2")
+assert "5     drive-402" in summary, summary
+frames = objdict("watch", "--frames", "--for", "1").splitlines()
+assert len(frames) > 2 and all("pre-operational" in frame for frame in frames), frames
+node.set_data(0x1017, 0, b"\xc8\x00")
 # a value of many segments, both ways
 node.set_data(0x1008, 0, b"a name of the device that is longer than any frame")
 assert "longer than any frame" in objdict("read", "5", "1008")

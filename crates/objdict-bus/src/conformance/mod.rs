@@ -6,6 +6,7 @@ mod bench;
 mod described;
 mod emergency;
 mod error_control;
+mod groups;
 mod lss;
 mod mapping;
 mod nmt;
@@ -22,7 +23,8 @@ mod time;
 mod transfers;
 mod unserved;
 
-pub use self::remote::{RemoteDevice, RemoteGroups, conformance_on};
+pub use self::groups::RemoteGroups;
+pub use self::remote::{RemoteDevice, conformance_on};
 use objdict_device::Dictionary;
 use objdict_generate::StorageGroup;
 

@@ -10,7 +10,8 @@ use super::bench::{Bench, RESET_NODE};
 use super::described::{DescribedEntries, DescribedEntry, abort_code, answer, hex, place};
 use super::objects::service_of;
 use super::{
-    CheckStep, Conformance, ConformanceCheck, SERVICES, Verdict, ensure, failed, impossible, verdict,
+    CheckStep, Conformance, ConformanceCheck, RemoteGroups, SERVICES, Verdict, ensure, failed, impossible,
+    verdict,
 };
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::model::{Access, Device};
@@ -31,15 +32,6 @@ pub trait RemoteDevice {
 
     /// The next frame on the bus; `None` if none came until a time.
     fn receive(&mut self, until: u64) -> Option<Frame>;
-}
-
-/// What the checks of a device may do in addition to reading.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct RemoteGroups {
-    /// Write values and mappings; a reset of the node before each check puts back what was written.
-    pub writes: bool,
-    /// Command the node by NMT: it starts and stops.
-    pub commands: bool,
 }
 
 /// Checks a device on a bus against its description. Checks that need simulated time, another group, or a broadcast are impossible.
@@ -81,17 +73,6 @@ pub fn conformance_on(
         verdict: verdict(described.object(index).try_for_each(|entry| check_reading(&mut bench, entry))),
     }));
     Conformance { checks }
-}
-
-impl RemoteGroups {
-    pub(super) const READS: Self = Self { writes: false, commands: false };
-    pub(super) const WRITES: Self = Self { writes: true, commands: false };
-    /// The state of the node is seen by its heartbeat, whose period is written.
-    pub(super) const COMMANDS: Self = Self { writes: true, commands: true };
-
-    const fn allow(self, needed: Self) -> bool {
-        (self.writes || !needed.writes) && (self.commands || !needed.commands)
-    }
 }
 
 /// The value of an entry on a device: it has another one than the default, but the length, the access and both protocols are as described.

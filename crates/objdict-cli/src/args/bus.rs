@@ -51,6 +51,10 @@ pub(crate) enum BusCommand {
     ///
     /// Reports missing and extra nodes, and different identities and values. Exits with 1 if anything differs.
     Compare(BusCompareArgs),
+    /// Watch a bus: verdict, nodes, load and incidents
+    ///
+    /// Shows them live on a terminal, and at the end as `decode --summary` does. Sends nothing.
+    Watch(BusWatchArgs),
     /// Restore a node's default parameters (1011h)
     ///
     /// The defaults apply after a reset or power-on.
@@ -147,6 +151,12 @@ pub(crate) struct BusReadArgs {
     /// the whole object
     #[arg(required = true, value_name = "ENTRY")]
     pub entries: Vec<String>,
+    /// Read again after this time, in milliseconds, and print the values that change
+    #[arg(long, value_name = "MS", num_args = 0..=1, require_equals = true, default_missing_value = "500", value_parser = clap::value_parser!(u32).range(10..))]
+    pub watch: Option<u32>,
+    /// End after this time, in seconds [default: at Ctrl-C; after 10 s of a simulation]
+    #[arg(long = "for", value_name = "SECONDS", requires = "watch", value_parser = clap::value_parser!(u32).range(1..))]
+    pub duration: Option<u32>,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
@@ -230,6 +240,24 @@ pub(crate) struct BusCompareArgs {
     /// NMT state required of every node; nodes without a heartbeat do not show it
     #[arg(long, value_enum, value_name = "STATE")]
     pub state: Option<NodeState>,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
+    #[command(flatten)]
+    pub connect: BusConnectArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct BusWatchArgs {
+    /// Print each frame decoded, as `decode` does
+    #[arg(long, conflicts_with = "check")]
+    pub frames: bool,
+    /// Exit with 1 if an incident is unresolved
+    #[arg(long)]
+    pub check: bool,
+    /// End after this time, in seconds [default: at Ctrl-C; after 10 s of a simulation]
+    #[arg(long = "for", value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub duration: Option<u32>,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,

@@ -117,7 +117,7 @@ impl DecodeArgs {
 }
 
 // Which frames are shown. The others are read too, because they change what these say.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 #[command(next_help_heading = "Filter")]
 pub(crate) struct FrameFilterArgs {
     /// Node to show, including NMT commands for it; repeatable

@@ -14,6 +14,7 @@ mod save;
 mod scan;
 mod session;
 mod values;
+mod watch;
 mod write;
 
 pub(super) use self::ask::{ask, check};
@@ -42,6 +43,7 @@ pub(super) fn run(command: &BusCommand, out: &mut Output) -> Result<Outcome, Fai
         BusCommand::Restore(args) => restore::run(args, out),
         BusCommand::Nmt(args) => nmt::run(args, out),
         BusCommand::Lss(args) => lss::run(&args.command, out),
+        BusCommand::Watch(args) => watch::run(args, out),
         BusCommand::Replace(args) => replace::run(args, out),
     }
 }

@@ -1,12 +1,14 @@
 //! `objdict bus read`.
 
+use std::io::Write;
+
 use objdict_can::ClientError;
 use objdict_model::diagnostic::plural;
 use objdict_model::model::{Address, Device};
 use objdict_node::{meant, resolve};
 
 use super::session::BusSession;
-use super::values::{ValueWords, write_json, write_table};
+use super::values::{ValueRow, ValueWords, write_json, write_table};
 use crate::args::{BusReadArgs, ShowFormat};
 use crate::ending::{Failure, Outcome};
 use crate::stdout::Output;
@@ -18,23 +20,67 @@ pub(super) fn run(args: &BusReadArgs, out: &mut Output) -> Result<Outcome, Failu
     let count = plural(entries.len(), "value");
     session.listen(Some(args.node), &format!("reads {count} of node {}", args.node))?;
     let words = ValueWords::new(&device, args.node);
-    let (mut rows, mut outcome) = (Vec::new(), Outcome::Clean);
-    for entry in entries {
-        let bytes = match session.client.upload(args.node, entry.0, entry.1) {
-            Ok(bytes) => Ok(bytes),
-            Err(ClientError::Refused { abort, .. }) => {
-                outcome = Outcome::Findings;
-                Err(abort.to_string())
-            }
-            Err(error) => return Err(error.into()),
-        };
-        rows.push(words.row(entry, bytes.as_deref().map_err(Clone::clone)));
-    }
+    let read = read(&mut session, args.node, &entries)?;
+    let rows: Vec<ValueRow> =
+        entries.iter().zip(&read).map(|(entry, value)| words.row(*entry, shown(value))).collect();
     match args.format {
         ShowFormat::Table => write_table(rows, out)?,
         ShowFormat::Json => write_json(args.node, rows, out)?,
     }
+    let outcome = if read.iter().all(Result::is_ok) { Outcome::Clean } else { Outcome::Findings };
+    if let Some(pause) = args.watch {
+        watch(args, pause, &mut session, &words, (entries, read), out)?;
+    }
     Ok(outcome)
+}
+
+/// The bytes of an entry, or why the node rejects the request.
+type ReadValue = Result<Vec<u8>, String>;
+
+fn shown(value: &ReadValue) -> Result<&[u8], String> {
+    value.as_deref().map_err(Clone::clone)
+}
+
+fn read(session: &mut BusSession, node_id: u8, entries: &[(u16, u8)]) -> Result<Vec<ReadValue>, ClientError> {
+    let mut read = Vec::new();
+    for (index, sub) in entries {
+        read.push(match session.client.upload(node_id, *index, *sub) {
+            Ok(bytes) => Ok(bytes),
+            Err(ClientError::Refused { abort, .. }) => Err(abort.to_string()),
+            Err(error) => return Err(error),
+        });
+    }
+    Ok(read)
+}
+
+/// Reads again after each pause in milliseconds, and writes what has changed, until the end or an interrupt.
+fn watch(
+    args: &BusReadArgs,
+    pause: u32,
+    session: &mut BusSession,
+    words: &ValueWords<'_>,
+    (entries, mut known): (Vec<(u16, u8)>, Vec<ReadValue>),
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let end = session.end(args.duration).unwrap_or(u64::MAX);
+    let mut next = session.client.now();
+    while next < end {
+        out.flush()?;
+        next = next.saturating_add(u64::from(pause) * 1000).min(end);
+        let read = session.wait(next).and_then(|()| read(session, args.node, &entries));
+        let read = match read {
+            Ok(read) => read,
+            Err(ClientError::Interrupted) => return Ok(()),
+            Err(error) => return Err(error.into()),
+        };
+        for ((entry, known), value) in entries.iter().zip(&mut known).zip(read) {
+            if *known != value {
+                words.row(*entry, shown(&value)).write_change(session.client.now(), args.format, out)?;
+                *known = value;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The entries that texts name.

@@ -29,7 +29,11 @@ pub(crate) struct BusSession {
     pub(super) name: String,
     pub(super) descriptions: Descriptions,
     listen: u64,
+    is_simulated: bool,
 }
+
+/// The time of a simulation that no argument limits, in seconds.
+const SIMULATION: u32 = 10;
 
 impl From<ClientError> for Failure {
     fn from(error: ClientError) -> Self {
@@ -77,7 +81,8 @@ impl BusSession {
                 }
             }));
         }
-        Ok(Self { client, name, descriptions, listen: args.listen.into() })
+        let is_simulated = matches!(address, BusAddress::Simulated { .. });
+        Ok(Self { client, name, descriptions, listen: args.listen.into(), is_simulated })
     }
 
     /// Says what is sent, listens before it, and refuses a node that another client is at work on.
@@ -89,6 +94,18 @@ impl BusSession {
         if let Some(node_id) = node_id {
             self.client.require_own(node_id)?;
         }
+        Ok(())
+    }
+
+    /// When a command ends that goes on for some seconds, or until it is interrupted, in microseconds. A simulation always ends.
+    pub(super) fn end(&self, seconds: Option<u32>) -> Option<u64> {
+        let seconds = seconds.or(self.is_simulated.then_some(SIMULATION))?;
+        Some(self.client.now().saturating_add(u64::from(seconds) * 1_000_000))
+    }
+
+    /// Lets frames pass until a time.
+    pub(super) fn wait(&mut self, until: u64) -> Result<(), ClientError> {
+        while self.client.next_frame(until)?.is_some() {}
         Ok(())
     }
 
@@ -148,7 +165,7 @@ fn transport(address: &BusAddress, input: &NetworkInputArgs) -> Result<Box<dyn T
 }
 
 /// As `candump -L` writes a frame.
-fn line(frame: &LoggedFrame) -> String {
+pub(super) fn line(frame: &LoggedFrame) -> String {
     let direction = if frame.is_sent == Some(true) { "T" } else { "R" };
     let time = frame.time.nanoseconds();
     format!("({}.{:06}) bus {frame} {direction}", time / 1_000_000_000, time % 1_000_000_000 / 1000)

@@ -10,6 +10,7 @@ use objdict_node::download::{Download, transferred_type};
 use serde::Serialize;
 
 use crate::annotation::DescribedStream;
+use crate::args::ShowFormat;
 use crate::stdout::Output;
 use crate::table::TextTable;
 
@@ -130,19 +131,53 @@ impl<'d> ValueWords<'d> {
     }
 }
 
+impl ValueRow {
+    /// What there is to say of the value beside its bytes.
+    fn words(&self) -> String {
+        let error = self.error.as_ref().map(|error| format!("({error})")).unwrap_or_default();
+        let words = [&self.in_unit, &self.meaning, &error].map(String::as_str);
+        words.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join("; ")
+    }
+
+    /// Writes a line about another value than before, with a time in microseconds.
+    pub(super) fn write_change(&self, time: u64, format: ShowFormat, out: &mut Output) -> io::Result<()> {
+        if format == ShowFormat::Json {
+            let line = serde_json::to_string(&ChangedValueJson { time: time / 1000, value: self })?;
+            return writeln!(out, "{line}");
+        }
+        let value = self.value.as_deref().unwrap_or_default();
+        let (seconds, rest) = (time / 1_000_000, time % 1_000_000 / 1000);
+        let line = format!(
+            "{seconds}.{rest:03}  {}:{} {}  {value}  {}",
+            self.index,
+            self.sub,
+            self.name,
+            self.words()
+        );
+        writeln!(out, "{}", line.trim_end())
+    }
+}
+
+/// A value that has changed.
+#[derive(Serialize)]
+struct ChangedValueJson<'r> {
+    /// Milliseconds since the bus was opened.
+    time: u64,
+    #[serde(flatten)]
+    value: &'r ValueRow,
+}
+
 /// Writes values as a table.
 pub(super) fn write_table(rows: Vec<ValueRow>, out: &mut Output) -> io::Result<()> {
     let mut table = TextTable::new(["Entry", "Name", "Type", "Value", "Meaning"], CELL);
     for row in rows {
-        let words =
-            [row.in_unit, row.meaning, row.error.map(|error| format!("({error})")).unwrap_or_default()];
-        let words: Vec<String> = words.into_iter().filter(|text| !text.is_empty()).collect();
+        let words = row.words();
         table.row([
             format!("{}:{}", row.index, row.sub),
             row.name,
             row.data_type.unwrap_or_default(),
             row.value.unwrap_or_default(),
-            words.join("; "),
+            words,
         ]);
     }
     table.write(out)

@@ -17,6 +17,8 @@ use self::screen::Screen;
 #[cfg(feature = "schema")]
 pub(super) use self::summary::TrafficSummaryJson as SummaryDocument;
 use self::text::{JsonLines, TextLines};
+#[cfg(feature = "bus")]
+use super::args::{BusWatchArgs, ShowFormat};
 use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, NetworkInputArgs, WithFile};
 use super::baseline::KnownFindings;
 use super::ending::{Failure, Outcome, note, tell};
@@ -29,9 +31,7 @@ use objdict_document::describe::frames::{DecodedFrame, FrameKind};
 use objdict_format::input::Reading;
 use objdict_network_file::NetworkFile;
 use objdict_traffic::log::{LogOptions, LoggedFrame};
-use objdict_traffic::{
-    Bus, Buses, Descriptions, IncidentState, MergedLogs, NamedLog, Origin, Recording, digits, raw,
-};
+use objdict_traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, Recording, digits, raw};
 
 /// How much of a log is read at once.
 const BUFFER: usize = 1 << 16;
@@ -70,13 +70,43 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         (DecodeFormat::Csv, true) => Box::new(WideCsv::new(args.max_rows)),
         _ => Box::new(TextLines),
     };
-    each_frame(args, &mut buses, &mut logs, |shown| {
+    each_frame(&args.filter, &mut buses, &mut logs, |shown| {
         printer.frame(&shown, out)?;
         // a line of a live bus is there at once
         if is_live { out.flush() } else { Ok(()) }
     })?;
     printer.end(out)?;
     report_bad_lines(&logs)
+}
+
+/// The frames of a bus while they arrive, and their sums at the end.
+#[cfg(feature = "bus")]
+pub(super) fn watch(
+    args: &BusWatchArgs,
+    descriptions: &Descriptions,
+    log: NamedLog<Box<dyn BufRead>>,
+    out: &mut Output,
+) -> Result<Outcome, Failure> {
+    let (mut buses, mut logs) = (Buses::new(&[], descriptions), MergedLogs(vec![log]));
+    let filter = FrameFilterArgs::default();
+    if args.frames {
+        each_frame(&filter, &mut buses, &mut logs, |shown| {
+            match args.format {
+                ShowFormat::Table => TextLines.frame(&shown, out)?,
+                ShowFormat::Json => JsonLines.frame(&shown, out)?,
+            }
+            out.flush()
+        })?;
+        return Ok(Outcome::Clean);
+    }
+    let is_text = args.format == ShowFormat::Table;
+    let mut screen = if is_text { Screen::of_terminal() } else { None };
+    let document = summary::gather(&filter, None, &mut buses, &mut logs, None, |at, sums, bus| {
+        Screen::update(&mut screen, at, sums, bus);
+    })?;
+    drop(screen);
+    document.write(if is_text { DecodeFormat::Text } else { DecodeFormat::Json }, out)?;
+    Ok(if args.check { document.outcome() } else { Outcome::Clean })
 }
 
 /// What is known at the end of the logs: sums, findings and a page.
@@ -93,11 +123,10 @@ fn sums(
     let is_live =
         args.summary && args.format == DecodeFormat::Text && !args.logs.iter().all(|path| is_file(path));
     let mut screen = if is_live { Screen::of_terminal() } else { None };
-    let mut document = summary::gather(args, buses, logs, recording.as_mut(), |at, sums, bus| {
-        if let Some(screen) = screen.as_mut().and_then(|screen| screen.when_due(at)) {
-            screen.show(sums.clone().report(bus));
-        }
-    })?;
+    let mut document =
+        summary::gather(&args.filter, args.bit_rate, buses, logs, recording.as_mut(), |at, sums, bus| {
+            Screen::update(&mut screen, at, sums, bus);
+        })?;
     drop(screen);
     document.sift(&mut known);
     let is_written = known.is_written();
@@ -105,8 +134,6 @@ fn sums(
     if let Some((path, recording)) = args.html.as_deref().zip(recording) {
         html::write(path, &recording, &document, buses)?;
     }
-    let is_unresolved =
-        document.incidents().iter().any(|incident| incident.state == IncidentState::Unresolved);
     match args.incident {
         Some(number) if args.format == DecodeFormat::Json => {
             document.only(number)?.write(args.format, out)?;
@@ -117,7 +144,7 @@ fn sums(
         None if args.check => return check::run(args, document.buses(), out),
         None => {}
     }
-    Ok(if args.check && is_unresolved { Outcome::Findings } else { Outcome::Clean })
+    Ok(if args.check { document.outcome() } else { Outcome::Clean })
 }
 
 /// A frame that is shown.
@@ -160,12 +187,12 @@ trait FramePrinter {
 
 /// Gives each frame that passes the filters to `show`.
 fn each_frame<'d>(
-    args: &DecodeArgs,
+    filter: &FrameFilterArgs,
     buses: &mut Buses<'d>,
     logs: &mut Logs,
     mut show: impl FnMut(ShownFrame<'_, 'd>) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let has_filter = args.filter.is_set();
+    let has_filter = filter.is_set();
     while let Some((log, frame)) = logs.next_frame().map_err(|error| unreadable(&error))? {
         let at = buses.of(log, &frame, logs);
         let bus = &mut buses.all[at];
@@ -174,7 +201,7 @@ fn each_frame<'d>(
             note(&format!("note: {text}\n"));
         }
         let bus = &buses.all[at];
-        if !has_filter || args.filter.passes(&decoded, &frame, bus) {
+        if !has_filter || filter.passes(&decoded, &frame, bus) {
             show(ShownFrame { frame: &frame, decoded, bus, at, origin: logs.origin(log) })?;
         }
     }

@@ -10,7 +10,7 @@ use super::super::table::{TextTable, fit};
 use super::incidents;
 use super::summary::{node_rows, title};
 use objdict_traffic as traffic;
-use objdict_traffic::BusReport;
+use objdict_traffic::{Bus, BusReport, BusSums};
 
 /// The screen changes no more often.
 const PACE: Duration = Duration::from_millis(500);
@@ -94,20 +94,21 @@ impl Screen {
         Some(Self { state, ticker: Some((sender, ticker)), reports: Vec::new(), due: Vec::new() })
     }
 
-    /// A frame of the bus at a position has come: the screen, if it should show it.
-    pub(crate) fn when_due(&mut self, at: usize) -> Option<&mut Self> {
+    /// A frame of the bus at a position has come: shows it if it is time to do so.
+    pub(super) fn update(screen: &mut Option<Self>, at: usize, sums: &BusSums, bus: &Bus<'_>) {
+        let Some(screen) = screen else { return };
         let now = Instant::now();
-        while self.due.len() <= at {
-            self.due.push(now + PACE);
+        while screen.due.len() <= at {
+            screen.due.push(now + PACE);
         }
-        (now >= self.due[at]).then(|| {
-            self.due[at] = now + PACE;
-            self
-        })
+        if now >= screen.due[at] {
+            screen.due[at] = now + PACE;
+            screen.show(sums.clone().report(bus));
+        }
     }
 
     /// Shows a bus below the others.
-    pub(crate) fn show(&mut self, report: BusReport) {
+    fn show(&mut self, report: BusReport) {
         match self.reports.iter_mut().find(|known| known.channel == report.channel) {
             Some(known) => *known = report,
             None => self.reports.push(report),
@@ -151,7 +152,7 @@ impl State {
 mod tests {
     use super::*;
     use objdict_traffic::log::LogOptions;
-    use objdict_traffic::{BusSums, Buses, Descriptions, MergedLogs, NamedLog};
+    use objdict_traffic::{Buses, Descriptions, MergedLogs, NamedLog};
 
     fn shown(log: &str, size: (usize, usize)) -> Vec<String> {
         let descriptions = Descriptions::default();

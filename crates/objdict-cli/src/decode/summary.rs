@@ -4,9 +4,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::super::args::{DecodeArgs, DecodeFormat};
-use super::super::ending::Failure;
-use super::super::input::source_name;
+use super::super::args::{DecodeFormat, FrameFilterArgs};
+use super::super::ending::{Failure, Outcome};
 use super::super::stdout::Output;
 use super::super::table::{TextTable, fit};
 use super::incidents::{self, LINE};
@@ -14,7 +13,7 @@ use super::{KnownFindings, Logs, each_frame};
 use objdict_model::diagnostic::plural;
 use objdict_model::json::Version;
 use objdict_traffic as traffic;
-use objdict_traffic::{Bus, BusReport, BusSums, Buses, Incident, NodeEvent, Recording};
+use objdict_traffic::{Bus, BusReport, BusSums, Buses, Incident, IncidentState, NodeEvent, Recording};
 
 /// The most characters of a cell.
 const CELL: usize = 60;
@@ -50,7 +49,8 @@ const fn is_none(count: &usize) -> bool {
 /// The sums over all frames that pass the filters, which are also recorded if a page is wanted. `watch` sees those of a bus, at its position,
 /// after each frame.
 pub(super) fn gather(
-    args: &DecodeArgs,
+    args: &FrameFilterArgs,
+    bit_rate: Option<u16>,
     buses: &mut Buses<'_>,
     logs: &mut Logs,
     mut recording: Option<&mut Recording>,
@@ -59,7 +59,7 @@ pub(super) fn gather(
     let mut sums: Vec<BusSums> = Vec::new();
     each_frame(args, buses, logs, |shown| {
         while sums.len() <= shown.at {
-            sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
+            sums.push(BusSums::new(bit_rate.or(shown.bus.descriptions.bit_rate)));
         }
         sums[shown.at].add(&shown.decoded, shown.frame, shown.origin, shown.bus);
         if let Some(recording) = &mut recording {
@@ -73,7 +73,7 @@ pub(super) fn gather(
     let incidents = traffic::incidents(&mut reports);
     Ok(TrafficSummaryJson {
         version: Version,
-        logs: args.logs.iter().map(|path| source_name(path)).collect(),
+        logs: logs.0.iter().map(|log| log.name.clone()).collect(),
         bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
         verdict: traffic::verdict(&incidents),
         incidents,
@@ -98,6 +98,12 @@ impl TrafficSummaryJson {
     /// The sums of each bus.
     pub(super) fn buses(&self) -> &[BusReport] {
         &self.buses
+    }
+
+    /// Whether an incident is unresolved.
+    pub(super) fn outcome(&self) -> Outcome {
+        let is_unresolved = self.incidents.iter().any(|incident| incident.state == IncidentState::Unresolved);
+        if is_unresolved { Outcome::Findings } else { Outcome::Clean }
     }
 
     /// What went wrong.

@@ -2,11 +2,9 @@
 
 use memchr::memchr;
 
+use super::frame::ERROR_FLAG;
 use super::words::{BAD_ID, TOO_LONG, Words, bytes, decimal, digit, fits, hex, is_comment};
 use super::{LogLine, LogState, LogTime, LoggedFrame};
-
-/// The flag of error frames in a CAN-ID of SocketCAN.
-const ERROR: u32 = 0x2000_0000;
 
 /// A line that has no CAN-ID where one is expected.
 const NO_FRAME: &str = "there is no frame in the line";
@@ -89,8 +87,8 @@ fn time(line: &[u8]) -> Option<(LogTime, &[u8])> {
 fn id_of(time: LogTime, text: &[u8]) -> Result<LoggedFrame, &'static str> {
     let is_extended = text.len() == 8;
     let number = hex(text).filter(|_| is_extended || text.len() == 3).ok_or(BAD_ID)?;
-    let is_error = is_extended && number & ERROR != 0;
-    let can_id = if is_error { number & !ERROR } else { number };
+    let is_error = is_extended && number & ERROR_FLAG != 0;
+    let can_id = if is_error { number & !ERROR_FLAG } else { number };
     if !fits(can_id, is_extended) {
         return Err(BAD_ID);
     }

@@ -4,6 +4,9 @@ use std::fmt;
 
 use super::LogTime;
 
+/// Marks error frames in the CAN-IDs of SocketCAN.
+pub(super) const ERROR_FLAG: u32 = 0x2000_0000;
+
 /// A frame that was seen on a bus.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoggedFrame {
@@ -72,9 +75,14 @@ impl LoggedFrame {
 impl fmt::Display for LoggedFrame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { can_id, is_extended, is_remote, is_fd, .. } = *self;
-        let width = if is_extended { 8 } else { 3 };
+        if self.is_error {
+            write!(f, "{:08X}", can_id | ERROR_FLAG)?;
+        } else {
+            let width = if is_extended { 8 } else { 3 };
+            write!(f, "{can_id:0width$X}")?;
+        }
         let separator = if is_fd { "##0" } else { "#" };
-        write!(f, "{can_id:0width$X}{separator}{}", if is_remote { "R" } else { "" })?;
+        write!(f, "{separator}{}", if is_remote { "R" } else { "" })?;
         self.data().iter().try_for_each(|byte| write!(f, "{byte:02X}"))
     }
 }

@@ -32,14 +32,14 @@ pub(super) struct MdfFile<'a> {
 
 /// A block.
 #[derive(Clone, Copy)]
-pub(super) struct Block<'a> {
+pub(super) struct MdfBlock<'a> {
     pub(super) address: u64,
     pub(super) kind: [u8; 2],
     links: &'a [u8],
     pub(super) data: &'a [u8],
 }
 
-impl Block<'_> {
+impl MdfBlock<'_> {
     /// The address that a link has; 0 is none.
     pub(super) fn link(&self, number: usize) -> u64 {
         number_at(self.links, number * 8, 8)
@@ -68,7 +68,7 @@ impl<'a> MdfFile<'a> {
         self.is_unfinished() && number_at(self.bytes, 60, 2) >> 5 & 1 == 1
     }
 
-    pub(super) fn block(&self, address: u64) -> Result<Block<'a>, &'static str> {
+    pub(super) fn block(&self, address: u64) -> Result<MdfBlock<'a>, &'static str> {
         self.blocks.set(self.blocks.get() + 1);
         let block = usize::try_from(address).ok().and_then(|at| self.bytes.get(at..));
         let block = block.filter(|block| block.len() >= HEAD && block.starts_with(b"##")).ok_or(BAD_BLOCK)?;
@@ -84,11 +84,11 @@ impl<'a> MdfFile<'a> {
         let length = if is_open { block.len() } else { length.min(block.len()) };
         let start = links.checked_mul(8).and_then(|links| links.checked_add(HEAD)).ok_or(BAD_BLOCK)?;
         let data = block.get(start..length).ok_or(BAD_BLOCK)?;
-        Ok(Block { address, kind, links: &block[HEAD..start], data })
+        Ok(MdfBlock { address, kind, links: &block[HEAD..start], data })
     }
 
     /// The blocks of a list, each of which links the next one first.
-    pub(super) fn list(&self, mut address: u64) -> Result<Vec<Block<'a>>, &'static str> {
+    pub(super) fn list(&self, mut address: u64) -> Result<Vec<MdfBlock<'a>>, &'static str> {
         let mut list = Vec::new();
         while address != 0 {
             let block = self.block(address)?;

@@ -8,7 +8,7 @@ mod blocks;
 use std::collections::BTreeMap;
 use std::io::{self, BufRead, Read as _};
 
-use self::blocks::{Block, MdfFile, number_at};
+use self::blocks::{MdfBlock, MdfFile, number_at};
 use super::words::{BAD_ID, fd_length, fits};
 use super::{LogState, LogTime, LoggedFrame};
 
@@ -157,7 +157,7 @@ struct Sink {
 }
 
 impl Sink {
-    fn of(file: &MdfFile<'_>, group: Block<'_>) -> Result<Self, &'static str> {
+    fn of(file: &MdfFile<'_>, group: MdfBlock<'_>) -> Result<Self, &'static str> {
         let [data, invalid] = [24, 28].map(|at| number_at(group.data, at, 4) as usize);
         let width = data + invalid;
         let has_values = number_at(group.data, 16, 2) & 1 == 1;
@@ -182,7 +182,7 @@ impl Sink {
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum FrameKind {
+enum FrameChannel {
     #[default]
     Data,
     Remote,
@@ -190,7 +190,8 @@ enum FrameKind {
 }
 
 /// The fields of a frame by their names; the time has any name.
-const FIELDS: [&str; 9] = ["", "BusChannel", "ID", "IDE", "DataLength", "DLC", "DataBytes", "Dir", "EDL"];
+const FIELD_NAMES: [&str; 9] =
+    ["", "BusChannel", "ID", "IDE", "DataLength", "DLC", "DataBytes", "Dir", "EDL"];
 const TIME: usize = 0;
 const CHANNEL: usize = 1;
 const ID: usize = 2;
@@ -204,11 +205,11 @@ const FD: usize = 8;
 /// A channel group with frames.
 #[derive(Debug, Default)]
 struct FrameGroup {
-    kind: FrameKind,
+    kind: FrameChannel,
     /// When the log starts, in nanoseconds from 1970.
     start: i64,
     width: usize,
-    fields: [Option<Field>; 9],
+    fields: [Option<RecordField>; 9],
     records: Vec<u8>,
     /// Data of variable length, each after its length in four bytes.
     values: Vec<u8>,
@@ -225,7 +226,7 @@ const VIRTUAL: u8 = 6;
 
 /// Where a channel is in a record.
 #[derive(Debug)]
-struct Field {
+struct RecordField {
     kind: u8,
     byte: usize,
     bit: u32,
@@ -242,26 +243,26 @@ impl FrameGroup {
     fn add(
         &mut self,
         file: &MdfFile<'_>,
-        channel: Block<'_>,
+        channel: MdfBlock<'_>,
         parent: &str,
         name: &str,
-        kind: &mut Option<FrameKind>,
+        kind: &mut Option<FrameChannel>,
     ) {
         let (frame, part) = name.rsplit_once('.').unwrap_or((parent, name));
         let is_master = channel.data.first() == Some(&MASTER);
         let number = if is_master {
             Some(TIME)
         } else {
-            FIELDS.iter().skip(1).position(|field| *field == part).map(|at| at + 1)
+            FIELD_NAMES.iter().skip(1).position(|field| *field == part).map(|at| at + 1)
         };
         let found = match frame.rsplit('.').next() {
-            Some("CAN_DataFrame") => Some(FrameKind::Data),
-            Some("CAN_RemoteFrame") => Some(FrameKind::Remote),
-            Some("CAN_ErrorFrame") => Some(FrameKind::Error),
+            Some("CAN_DataFrame") => Some(FrameChannel::Data),
+            Some("CAN_RemoteFrame") => Some(FrameChannel::Remote),
+            Some("CAN_ErrorFrame") => Some(FrameChannel::Error),
             _ => None,
         };
         if let Some(number) = number.filter(|_| is_master || found.is_some()) {
-            self.fields[number] = Some(Field::of(file, channel));
+            self.fields[number] = Some(RecordField::of(file, channel));
             *kind = kind.or(found);
         }
     }
@@ -296,7 +297,7 @@ impl FrameGroup {
         let time = LogTime::new(self.time().ok_or("the time is out of range")?, 9);
         let channel = self.number(CHANNEL).map(|number| number.to_string()).unwrap_or_default();
         let channel = state.channels.number(channel.as_bytes());
-        if self.kind == FrameKind::Error {
+        if self.kind == FrameChannel::Error {
             return Ok(LoggedFrame { is_error: true, ..LoggedFrame::new(time, channel, 0, false) });
         }
         let id = self.number(ID).ok_or(BAD_RECORD)?;
@@ -306,7 +307,7 @@ impl FrameGroup {
             return Err(BAD_ID);
         }
         let is_sent = self.number(DIRECTION).map(|number| number != 0);
-        let is_remote = self.kind == FrameKind::Remote;
+        let is_remote = self.kind == FrameChannel::Remote;
         let is_fd = self.number(FD).is_some_and(|number| number != 0);
         let frame =
             LoggedFrame { is_sent, is_remote, is_fd, ..LoggedFrame::new(time, channel, can_id, is_extended) };
@@ -341,8 +342,8 @@ impl FrameGroup {
     }
 }
 
-impl Field {
-    fn of(file: &MdfFile<'_>, channel: Block<'_>) -> Self {
+impl RecordField {
+    fn of(file: &MdfFile<'_>, channel: MdfBlock<'_>) -> Self {
         let [kind, _, data_type, bit] = [0, 1, 2, 3].map(|at| number_at(channel.data, at, 1) as u8);
         let [byte, bits] = [4, 8].map(|at| number_at(channel.data, at, 4) as u32);
         let conversion = file.block(channel.link(4)).ok().filter(|block| block.data.first() == Some(&1));

@@ -28,6 +28,9 @@ fn what_mdf_has() {
     }
 }
 
+/// Name, kind, data type, first bit, bits, scale, block of values.
+type MadeChannel<'a> = (&'a str, u8, u8, u32, u32, [f64; 2], usize);
+
 /// A file in which blocks are added one after the other.
 struct MdfWriter(Vec<u8>);
 
@@ -44,8 +47,8 @@ impl MdfWriter {
         address
     }
 
-    /// Adds channels, the last one first: name, kind, data type, first bit, bits, scale, block of values.
-    fn channels(&mut self, channels: &[(&str, u8, u8, u32, u32, [f64; 2], usize)]) -> usize {
+    /// Adds channels, the last one first.
+    fn channels(&mut self, channels: &[MadeChannel<'_>]) -> usize {
         channels.iter().rev().fold(0, |next, (name, kind, data_type, bit, bits, [offset, factor], values)| {
             let name = self.block("TX", &[], &[name.as_bytes(), &[0]]);
             let numbers = [offset.to_le_bytes(), factor.to_le_bytes()].concat();
