@@ -61,66 +61,65 @@ impl From<Frame> for BusFrame {
 pub fn classical_bits(can_id: u32, is_extended: bool, is_remote: bool, data: &[u8]) -> u32 {
     /// Delimiters, acknowledgement, end of frame, interframe space.
     const UNSTUFFED: u32 = 1 + 2 + 7 + 3;
-    let mut bits = StuffedBits::default();
-    bits.push(0, 1); // start of frame
-    if is_extended {
-        bits.push(can_id >> 18, 11);
-        bits.push(3, 2); // substitute for the remote bit, 29-bit identifier
-        bits.push(can_id, 18);
+    let can_id = u64::from(can_id);
+    // start of frame, CAN-ID, remote bit, two bits of 0, length; zeros in front fill the first byte
+    let end = u64::from(is_remote) << 6 | data.len() as u64 & 0xF;
+    let (header, header_bytes, zeros, run) = if is_extended {
+        // between its parts are the substitute for the remote bit and the mark of 29 bits
+        let id = (can_id >> 18 & 0x7FF) << 20 | 3 << 18 | can_id & 0x3_FFFF;
+        (id << 7 | end, 5, 1, 6)
     } else {
-        bits.push(can_id, 11);
-    }
-    bits.push(is_remote.into(), 1);
-    bits.push(0, 2); // 11-bit identifier or reserved, reserved
-    bits.push(data.len() as u32, 4);
-    data.iter().take(8).for_each(|byte| bits.push(u32::from(*byte), 8));
-    bits.push(bits.crc().into(), 15);
-    bits.count + bits.stuffed() + UNSTUFFED
+        ((can_id & 0x7FF) << 7 | end, 3, 5, 1)
+    };
+    let mut bits = StuffedBits { crc: 0, run, stuffed: 0 };
+    header.to_be_bytes()[8 - header_bytes..].iter().for_each(|byte| bits.push(*byte));
+    data.iter().take(8).for_each(|byte| bits.push(*byte));
+    // the bit that fills the last byte differs from the one before it, so it ends no run
+    let crc = bits.crc << 1 | !bits.crc & 1;
+    crc.to_be_bytes().iter().for_each(|byte| bits.push(*byte));
+    let sent = 8 * (header_bytes + data.len().min(8) + 2) as u32 - zeros - 1;
+    // with the run that they continue, the zeros end in a stuff bit, so the frame begins a run of its own
+    sent + bits.stuffed - 1 + UNSTUFFED
 }
 
-/// The part of a frame that is stuffed: after five equal bits comes one of the other kind. It has at most 118 bits.
-#[derive(Default)]
+/// The part of a frame that is stuffed: after five equal bits comes one of the other kind.
 struct StuffedBits {
-    number: u128,
-    count: u32,
+    /// The check sum. It begins with 0, so zeros in front do not change it.
+    crc: u16,
+    /// The last bit, and twice the number of bits directly before it that equal it.
+    run: u8,
+    stuffed: u32,
 }
 
 impl StuffedBits {
-    fn push(&mut self, number: u32, count: u32) {
-        let mask = (1 << count) - 1;
-        self.number = self.number << count | u128::from(number & mask);
-        self.count += count;
-    }
-
-    /// The check sum. It begins with 0, so it may be counted by bytes from zeros in front on.
-    fn crc(&self) -> u16 {
-        let bytes = self.number.to_be_bytes();
-        let unused = (u128::BITS - self.count) / 8;
-        let bytes = bytes.get(unused as usize..).unwrap_or_default();
-        bytes
-            .iter()
-            .fold(0, |crc: u16, byte| ((crc << 8) & 0x7FFF) ^ CRC[usize::from((crc >> 7) as u8 ^ byte)])
-    }
-
-    /// The number of stuff bits.
-    fn stuffed(&self) -> u32 {
-        // bits that equal the one before them, from the left
-        let mut equal = !(self.number ^ self.number >> 1) << (u128::BITS - self.count);
-        equal &= u128::MAX >> 1;
-        let mut stuffed = 0;
-        loop {
-            let four = equal & equal << 1;
-            let start = (four & four << 2).leading_zeros();
-            if start == u128::BITS {
-                return stuffed;
-            }
-            stuffed += 1;
-            // the next bit equals the stuff bit if it differs from the five bits before it, which no longer count for a run
-            let next = start + 4;
-            equal = (equal ^ (1 << 127) >> next) & u128::MAX >> next;
-        }
+    fn push(&mut self, byte: u8) {
+        self.crc = (self.crc << 8 & 0x7FFF) ^ CRC[usize::from((self.crc >> 7) as u8 ^ byte)];
+        let next = RUNS[usize::from(self.run & 7)][usize::from(byte)];
+        self.run = next;
+        self.stuffed += u32::from(next >> 3);
     }
 }
+
+/// The run at the end of a byte, by the run before it, and eight times the number of stuff bits.
+const RUNS: [[u8; 256]; 8] = {
+    let mut runs = [[0; 256]; 8];
+    let mut at = 0;
+    while at < 8 * 256 {
+        let (mut last, mut equal, mut stuffed) = (at >> 8 & 1, at >> 9, 0);
+        let mut bit = 8;
+        while bit > 0 {
+            bit -= 1;
+            equal = if at >> bit & 1 == last { equal + 1 } else { 0 };
+            last = at >> bit & 1;
+            if equal == 4 {
+                (last, equal, stuffed) = (1 - last, 0, stuffed + 1);
+            }
+        }
+        runs[at >> 8][at & 0xFF] = (stuffed << 3 | equal << 1 | last) as u8;
+        at += 1;
+    }
+    runs
+};
 
 /// The check sums of bytes, for the polynomial 4599h of 15 bits.
 const CRC: [u16; 256] = {
