@@ -214,6 +214,15 @@ impl Object {
         if single { self.main.value().map(Cow::Borrowed) } else { None }
     }
 
+    /// The sub-indexes from 1 to `last` that the object has, with their [values](Self::value).
+    pub(super) fn values(&self, last: u8) -> impl Iterator<Item = (u8, Option<Cow<'_, Value>>)> {
+        let compact = self.compact.is_some();
+        let highest = if compact { self.highest_sub().unwrap_or(0).min(last) } else { 0 };
+        let implied = (1..=highest).filter(|&sub| self.has(sub)).map(|sub| (sub, self.value(sub)));
+        let stated = self.subs.iter().filter(move |(sub, _)| !compact && (1..=last).contains(sub));
+        implied.chain(stated.map(|(sub, entry)| (sub, entry.value().map(Cow::Borrowed))))
+    }
+
     /// Whether the object has a sub-index, described or stored compactly.
     pub fn has(&self, sub: u8) -> bool {
         self.subs.get(sub).is_some()

@@ -197,8 +197,8 @@ fn slots(mapping: &Object) -> Vec<MappingSlot> {
         let number = u32::try_from(value.as_integer()?).ok()?;
         Some(MappedObject::from_number(number))
     };
-    let subs = (1..=mapping.highest_sub().unwrap_or(0).min(64)).filter(|&sub| mapping.has(sub));
-    subs.map(|sub| MappingSlot { sub, object: mapping.value(sub).and_then(|value| mapped(&value)) }).collect()
+    let values = mapping.values(64);
+    values.map(|(sub, value)| MappingSlot { sub, object: value.and_then(|value| mapped(&value)) }).collect()
 }
 
 impl Device {
