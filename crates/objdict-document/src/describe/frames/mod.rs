@@ -189,9 +189,7 @@ impl<'a> FrameReader<'a> {
 
     /// The number of bytes of a PDO according to its mapping, if known.
     pub fn mapped_bytes(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<usize> {
-        let (node, user) = self.user(decoded, frame)?;
-        let Service::Pdo(pdo) = user.service else { return None };
-        signals::mapped_bytes(&node.device.pdo(pdo.kind, pdo.number)?)
+        self.content(decoded, frame)?.1.bytes
     }
 
     /// The services of nodes that use the CAN-ID of a frame.

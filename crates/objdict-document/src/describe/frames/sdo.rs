@@ -1,6 +1,6 @@
 //! SDO transfers: written and read values (CiA 301 §7.2.4.3).
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::decoded::{SdoFrame, TransferStep};
 
@@ -40,27 +40,21 @@ struct Blocks {
     has_end: bool,
 }
 
-/// The transfers by node-ID of the server and number of the channel.
+/// The transfers by node-ID of the server and number of the channel, and whether the server has answered.
 #[derive(Debug, Default)]
-pub(super) struct Transfers {
-    all: BTreeMap<(u8, u16), SdoTransfer>,
-    /// The channels whose server has answered.
-    answered: BTreeSet<(u8, u16)>,
-}
+pub(super) struct Transfers(BTreeMap<(u8, u16), (SdoTransfer, bool)>);
 
 impl Transfers {
     pub(super) fn frame(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> SdoFrame {
-        if !is_request {
-            self.answered.insert(channel);
-        }
-        let transfer = self.all.entry(channel).or_default();
+        let (transfer, is_answered) = self.0.entry(channel).or_default();
+        *is_answered |= !is_request;
         let step = transfer.frame(data, is_request);
         SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
     }
 
     /// The known value of a transfer, with `length` bytes if the transfer does not state its length.
     pub(super) fn value(&self, channel: (u8, u16), length: impl FnOnce() -> Option<u8>) -> &[u8] {
-        let Some(transfer) = self.all.get(&channel) else { return &[] };
+        let Some(transfer) = self.get(channel) else { return &[] };
         let length = if transfer.is_padded { length() } else { None };
         let shown = length.map_or(SHOWN, usize::from).min(transfer.data.len());
         &transfer.data[..shown]
@@ -68,13 +62,13 @@ impl Transfers {
 
     /// The entry that was written to a server of which the log has no answer at all.
     pub(super) fn unanswered_write(&self, channel: (u8, u16)) -> Option<(u16, u8)> {
-        let transfer = self.all.get(&channel).filter(|_| !self.answered.contains(&channel))?;
+        let (transfer, _) = self.0.get(&channel).filter(|(_, is_answered)| !is_answered)?;
         transfer.entry.filter(|_| transfer.is_open && transfer.is_complete)
     }
 
     /// The transfer of a channel.
     pub(super) fn get(&self, channel: (u8, u16)) -> Option<&SdoTransfer> {
-        self.all.get(&channel)
+        self.0.get(&channel).map(|(transfer, _)| transfer)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The values in a PDO.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
 use super::talker::TalkingNode;
 use crate::dbc::Scaled;
@@ -52,7 +53,8 @@ pub(super) struct SignalPlace {
     start: u32,
     end: u32,
     data_type: Option<DataType>,
-    scaled: Option<Scaled>,
+    /// Its scale and unit, once one of its values becomes text.
+    scaled: OnceCell<Option<Scaled>>,
 }
 
 /// The content of a PDO.
@@ -61,6 +63,8 @@ pub(super) struct PdoContent {
     pub(super) places: Vec<SignalPlace>,
     /// Whether its frames name the object that they carry.
     pub(super) is_multiplexed: bool,
+    /// The length of its frames in bytes; `None` if the description does not state it.
+    pub(super) bytes: Option<usize>,
 }
 
 /// The first byte of a multiplexed PDO, which defines the meaning of its node-ID (CiA 301 §7.2.3).
@@ -87,8 +91,7 @@ pub(super) fn multiplexed(data: &[u8]) -> Option<(Multiplexer, (u16, u8), [u8; 4
     Some((node, (u16::from_le_bytes([low, high]), sub), [a, b, c, d]))
 }
 
-/// The length of the frames of a PDO in bytes; `None` if the description does not state it.
-pub(super) fn mapped_bytes(pdo: &Pdo<'_>) -> Option<usize> {
+fn mapped_bytes(pdo: &Pdo<'_>) -> Option<usize> {
     if pdo.is_multiplexed() {
         return Some(8);
     }
@@ -100,7 +103,6 @@ pub(super) fn mapped_bytes(pdo: &Pdo<'_>) -> Option<usize> {
 impl PdoContent {
     pub(super) fn new(node: &TalkingNode<'_>, pdo: &Pdo<'_>) -> Self {
         let layout = FrameLayout::new(&node.device, pdo, &|entry| entry.name.to_string());
-        let meanings = node.meanings();
         let fields = layout.shown().filter(|(field, _)| field.kind != FieldKind::Dummy);
         let places = fields.map(|(field, span)| {
             let (index, sub) = field.object.map_or((0, 0), |object| (object.index, object.sub));
@@ -111,10 +113,10 @@ impl PdoContent {
                 start: span.start,
                 end: span.end,
                 data_type: field.data_type,
-                scaled: node.scaling(&meanings, (index, sub)),
+                scaled: OnceCell::new(),
             }
         });
-        Self { places: places.collect(), is_multiplexed: pdo.is_multiplexed() }
+        Self { places: places.collect(), is_multiplexed: pdo.is_multiplexed(), bytes: mapped_bytes(pdo) }
     }
 
     /// The values in a frame.
@@ -154,7 +156,7 @@ impl SignalPlace {
             start: 0,
             end: bits.unwrap_or(32),
             data_type: data_type.filter(|_| bits.is_some()),
-            scaled: node.scaling(&node.meanings(), (index, sub)),
+            scaled: OnceCell::new(),
         }
     }
 
@@ -179,13 +181,13 @@ impl SignalPlace {
     }
 
     pub(super) fn signal<'r>(&'r self, node: &TalkingNode<'_>, frame: Option<u64>) -> PdoSignal<'r> {
+        let in_unit = self.scaled.get_or_init(|| node.scaling(&node.meanings(), self.entry())).as_ref();
         let bits = self.end - self.start;
         let raw = frame.map(|frame| self.raw(frame));
         let value = raw.and_then(|raw| self.typed(raw));
-        let scaled =
-            self.scaled.as_ref().zip(value.as_ref()).and_then(|(scaled, value)| scaled.number(value));
+        let scaled = in_unit.zip(value.as_ref()).and_then(|(scaled, value)| scaled.number(value));
         let text = match (&value, raw) {
-            (Some(value), _) => node.words_in(self.entry(), value, self.data_type, || self.scaled.clone()),
+            (Some(value), _) => node.words_in(self.entry(), value, self.data_type, || in_unit.cloned()),
             (None, Some(raw)) => format!("{raw:X}h"),
             (None, None) => String::new(),
         };
@@ -198,7 +200,7 @@ impl SignalPlace {
             raw,
             value,
             scaled,
-            unit: Cow::Borrowed(self.scaled.as_ref().map_or("", |scaled| &scaled.unit)),
+            unit: Cow::Borrowed(in_unit.map_or("", |scaled| &scaled.unit)),
             text,
         }
     }

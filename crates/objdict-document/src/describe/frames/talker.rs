@@ -48,7 +48,9 @@ pub(super) struct TalkingNode<'a> {
     pub(super) device: Cow<'a, Device>,
     /// The entries of `device` that no description has, or for which none has a value.
     learnt: BTreeSet<(u16, u8)>,
-    /// The differences between `start` and `device`.
+    /// The entries whose values may differ between `start` and `device`.
+    written: BTreeSet<(u16, u8)>,
+    /// What depends on them.
     changed: BTreeSet<Stale>,
 }
 
@@ -71,6 +73,7 @@ impl<'a> TalkingNode<'a> {
             start: device.clone(),
             device,
             learnt: BTreeSet::new(),
+            written: BTreeSet::new(),
             changed: BTreeSet::new(),
         }
     }
@@ -409,15 +412,18 @@ impl TalkingNode<'_> {
         let (index, sub) = entry;
         let Some(value) = self.value_of(entry, bytes) else { return false };
         self.is_assumed &= entry != (0x1000, 0);
-        let is_known = self.device.object(index).and_then(|object| object.value(sub)).is_some_and(|known| {
-            let data_type = self.data_type(entry);
-            let known = ValueReader { index, node_id: Some(self.node_id) }.resolve(&known, data_type);
-            known == value
+        let object = self.device.object(index);
+        let is_known = object.and_then(|object| object.value(sub)).is_some_and(|known| {
+            let reader = ValueReader { index, node_id: Some(self.node_id) };
+            *known == value || reader.resolve(&known, self.data_type(entry)) == value
         });
         if !is_known {
             self.changed.extend(Stale::of(entry));
+            if object.is_some_and(|object| object.has(sub)) {
+                self.written.insert(entry);
+            }
             self.device.to_mut().assign(&[Assignment { index, sub, value }]);
-            let is_stated = self.start.entry(index, sub).is_some_and(|entry| entry.value().is_some());
+            let is_stated = self.start.object(index).is_some_and(|object| object.value(sub).is_some());
             if !is_stated && self.learnt.len() < MAX_LEARNT {
                 self.learnt.insert((index, sub));
             }
@@ -425,10 +431,16 @@ impl TalkingNode<'_> {
         !is_known
     }
 
+    /// Whether no value was written or stored since the start.
+    fn is_as_described(&self) -> bool {
+        matches!(self.start, Cow::Borrowed(_)) && self.written.is_empty() && self.learnt.is_empty()
+    }
+
     /// Keeps the present values over a reset (1010h).
     pub(super) fn store(&mut self) {
-        if let Cow::Owned(device) = &self.device {
-            self.start = Cow::Owned(device.clone());
+        if !self.is_as_described() {
+            self.start = Cow::Owned(self.device.clone().into_owned());
+            self.written.clear();
             self.changed.clear();
         }
     }
@@ -439,22 +451,46 @@ impl TalkingNode<'_> {
         if self.is_described {
             self.start = Cow::Owned(self.described.unconfigured().into_owned());
             self.changed.insert(Stale::All);
-            // so that a reset finds different values, even if none was written
-            self.device.to_mut();
         }
     }
 
     /// Restores the values after a reset; returns the resulting changes, if there are any.
     pub(super) fn reset(&mut self) -> Option<BTreeSet<Stale>> {
-        if !self.is_described || matches!(self.device, Cow::Borrowed(_)) {
+        if !self.is_described || self.is_as_described() {
             return None;
         }
-        let running = std::mem::replace(&mut self.device, self.start.clone());
         let mut kept = std::mem::take(&mut self.learnt);
         // a reset does not change the device type
         kept.insert((0x1000, 0));
-        self.take_seen(&running, &kept);
-        Some(std::mem::take(&mut self.changed))
+        let (written, changed) = (std::mem::take(&mut self.written), std::mem::take(&mut self.changed));
+        if changed.contains(&Stale::All) {
+            let running = std::mem::replace(&mut self.device, self.start.clone());
+            self.take_seen(&running, &kept);
+        } else {
+            // most nodes are written again as before, to the same copies of their objects
+            written.difference(&kept).for_each(|entry| self.revert(*entry));
+            self.written = written.intersection(&kept).copied().collect();
+            let has =
+                |device: &Device, index, sub| device.object(index).is_some_and(|object| object.has(sub));
+            let is_added =
+                |&(index, sub): &(u16, u8)| has(&self.device, index, sub) && !has(&self.start, index, sub);
+            self.learnt = kept.into_iter().filter(is_added).collect();
+            self.learn((0x1000, 0));
+        }
+        Some(changed)
+    }
+
+    /// Gives an entry the value after a reset.
+    fn revert(&mut self, (index, sub): (u16, u8)) {
+        let (start, device) = (self.start.object(index), self.device.to_mut().objects.get_mut(&index));
+        let Some((start, object)) = start.zip(device) else { return };
+        if let Some((start, entry)) = start.subs.get(sub).zip(object.subs.get_mut(sub)) {
+            return entry.configured.clone_from(&start.configured);
+        }
+        object.main.configured.clone_from(&start.main.configured);
+        if let Some((start, compact)) = start.compact.as_ref().zip(object.compact.as_mut()) {
+            compact.values.clone_from(&start.values);
+        }
     }
 
     /// Takes over the observations of a node from before its description was known.
@@ -471,6 +507,7 @@ impl TalkingNode<'_> {
             self.learn((index, sub));
             let value = |device: &Device| device.entry(index, sub).and_then(|entry| entry.value().cloned());
             if let Some(value) = value(from).filter(|seen| value(&self.device).as_ref() != Some(seen)) {
+                self.written.insert((index, sub));
                 self.device.to_mut().assign(&[Assignment { index, sub, value }]);
             }
         }

@@ -1,7 +1,6 @@
 //! The users of each CAN-ID, from the dictionaries of the nodes.
 
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
 
 use objdict_network::Service;
 
@@ -41,38 +40,37 @@ impl CanIdUser {
     }
 }
 
-/// The services with CAN-IDs that nodes configure.
+/// The services with CAN-IDs that nodes configure, by CAN-ID.
 #[derive(Debug, Default)]
-pub(super) struct Users(BTreeMap<IdKey, Vec<CanIdUser>>);
+pub(super) struct Users(Vec<(IdKey, CanIdUser)>);
 
 impl Users {
     /// The users of a CAN-ID, and the sender: a TPDO before RPDOs.
     pub(super) fn of(&self, key: IdKey) -> Option<(usize, &CanIdUser)> {
         let is_rpdo = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo);
-        self.0.get(&key)?.iter().enumerate().min_by_key(|(_, user)| is_rpdo(user.service))
+        self.all(key).enumerate().min_by_key(|(_, user)| is_rpdo(user.service))
     }
 
     /// All users of a CAN-ID.
     pub(super) fn all(&self, key: IdKey) -> impl Iterator<Item = &CanIdUser> {
-        self.0.get(&key).into_iter().flatten()
+        let start = self.0.partition_point(|(other, _)| *other < key);
+        let users = self.0[start..].iter().take_while(move |(other, _)| *other == key);
+        users.map(|(_, user)| user)
     }
 
     /// Updates services of a node to their current state.
     pub(super) fn update(&mut self, node: &TalkingNode<'_>, stale: Stale) {
         let is_stale = |user: &CanIdUser| user.node_id == node.node_id && stale.has(user.service);
         if let Stale::Content(kind, number) = stale {
-            let mut known = self.0.values_mut().flatten().filter(|user| is_stale(user)).peekable();
+            let mut known = self.0.iter_mut().filter(|(_, user)| is_stale(user)).peekable();
             if known.peek().is_none() {
                 self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number));
                 return;
             }
-            known.for_each(|user| drop(user.content.take()));
+            known.for_each(|(_, user)| drop(user.content.take()));
             return;
         }
-        self.0.retain(|_, users| {
-            users.retain(|user| !is_stale(user));
-            !users.is_empty()
-        });
+        self.0.retain(|(_, user)| !is_stale(user));
         match stale {
             Stale::Pdo(kind, number) => {
                 self.add_pdo(node, kind, number, node.device.pdo_cob_id(kind, number));
@@ -119,7 +117,8 @@ impl Users {
         let key = key(cob_id.can_id(node.node_id), cob_id.is_extended());
         if key != 0 {
             let user = CanIdUser { node_id: node.node_id, service, channel, content: OnceCell::new() };
-            self.0.entry(key).or_default().push(user);
+            let place = self.0.partition_point(|(other, _)| *other <= key);
+            self.0.insert(place, (key, user));
         }
     }
 }
