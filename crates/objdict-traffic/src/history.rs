@@ -39,7 +39,9 @@ impl Seen {
     pub(crate) fn of(frame: &LoggedFrame, Origin { log, line, text }: Origin<'_>) -> Self {
         let text = match text {
             [] => frame.to_string(),
-            text => String::from_utf8_lossy(text).into_owned(),
+            // most lines are valid, which is found faster than the characters that are not
+            text => str::from_utf8(text)
+                .map_or_else(|_| String::from_utf8_lossy(text).into_owned(), str::to_owned),
         };
         Self { time: frame.time, line, log, text }
     }

@@ -29,8 +29,8 @@ impl Subject {
         Self { rule, node, about }
     }
 
-    const fn key(self) -> (&'static str, u8, u32) {
-        (self.rule.id, self.node, self.about)
+    const fn key(self) -> (u8, u32, &'static str) {
+        (self.node, self.about, self.rule.id)
     }
 }
 
@@ -85,7 +85,7 @@ impl KeptFrames {
 pub(crate) struct IncidentBook {
     drafts: Vec<Draft>,
     /// The last incident about a subject.
-    known: BTreeMap<(&'static str, u8, u32), usize>,
+    known: BTreeMap<(u8, u32, &'static str), usize>,
     counts: BTreeMap<(&'static str, u8), (usize, usize)>,
     /// The events that are against a rule, as findings.
     pub(crate) findings: History,

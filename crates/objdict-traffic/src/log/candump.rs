@@ -39,10 +39,11 @@ impl Candump {
 
     pub(super) fn line(&mut self, line: &[u8], state: &mut LogState) -> LogLine {
         // what `-e` prints behind an error frame
-        if line.starts_with(b"\t") || line.trim_ascii().is_empty() || is_comment(line) {
+        let text = line.trim_ascii();
+        if line.starts_with(b"\t") || text.is_empty() || is_comment(text) {
             return LogLine::Other;
         }
-        self.frame(line.trim_ascii(), state).into()
+        self.frame(text, state).into()
     }
 
     fn frame(&mut self, line: &[u8], state: &mut LogState) -> Result<LoggedFrame, &'static str> {
@@ -76,11 +77,11 @@ fn time(line: &[u8]) -> Option<(LogTime, &[u8])> {
     let line = line.trim_ascii_start().strip_prefix(b"(")?;
     let end = memchr(b')', &line[..line.len().min(40)])?;
     let text = line[..end].trim_ascii();
-    let time = match memchr(b' ', text) {
-        Some(at) => LogTime::parse_date(&text[..at], text[at + 1..].trim_ascii())?,
-        None => LogTime::parse(text, false)?,
+    let date = || {
+        let at = memchr(b' ', text)?;
+        LogTime::parse_date(&text[..at], text[at + 1..].trim_ascii())
     };
-    Some((time, &line[end + 1..]))
+    Some((LogTime::parse(text, false).or_else(date)?, &line[end + 1..]))
 }
 
 /// A frame without data: 3 digits are 11 bits.
@@ -117,14 +118,14 @@ fn logged(mut frame: LoggedFrame, content: &[u8], mut words: Words<'_>) -> Resul
     let most = if frame.is_fd { 64 } else { 8 };
     let mut digits = digits.iter().copied();
     let mut count = 0;
-    while let Some(high) = digits.next() {
-        match high {
-            b'.' => continue,
+    while let Some(first) = digits.next() {
+        let high = match (digit(first), first) {
+            (None, b'.') => continue,
             // the DLC of a frame of 8 bytes
-            b'_' => break,
-            _ => {}
-        }
-        let byte = digit(high).zip(digits.next().and_then(digit));
+            (None, b'_') => break,
+            (high, _) => high,
+        };
+        let byte = high.zip(digits.next().and_then(digit));
         let (high, low) = byte.ok_or("the data are not pairs of hexadecimal digits")?;
         count += 1;
         if count > most || !frame.push(high << 4 | low) {

@@ -38,24 +38,24 @@ impl LogTime {
             [b'-', rest @ ..] => (true, rest),
             _ => (false, text),
         };
-        let mut number = 0_u64;
-        let (mut digits, mut decimals, mut is_behind) = (0, 0_u8, false);
         let places = if thousandths { 6 } else { 9 };
-        for &byte in text {
-            match byte {
-                b'0'..=b'9' if is_behind && decimals == places => digits += 1,
-                b'0'..=b'9' => {
-                    number = number.checked_mul(10)?.checked_add(u64::from(byte - b'0'))?;
-                    decimals += u8::from(is_behind);
-                    digits += 1;
-                }
-                b'.' | b',' if !is_behind => is_behind = true,
-                _ => return exponent(text).filter(|_| digits > 0),
-            }
+        let mut number = 0;
+        let significant = text.iter().position(|byte| *byte != b'0').unwrap_or(text.len());
+        // of 19 digits a number has place; more are too many nanoseconds
+        let behind = take_digits(&text[significant..], 19 - places, &mut number);
+        let fraction = behind.strip_prefix(b".").or_else(|| behind.strip_prefix(b",")).unwrap_or(behind);
+        let rest = take_digits(fraction, places, &mut number);
+        let decimals = fraction.len() - rest.len();
+        let has_digits = text.len() > behind.len() || decimals > 0;
+        if behind.first().is_some_and(u8::is_ascii_digit) {
+            return None;
         }
-        let scale = 10_u64.pow(u32::from(places - decimals));
-        let nanoseconds = i64::try_from(number.checked_mul(scale)?).ok().filter(|_| digits > 0)?;
-        let decimals = decimals + if thousandths { 3 } else { 0 };
+        if !rest.is_empty() && (decimals < places || !rest.iter().all(u8::is_ascii_digit)) {
+            return exponent(text).filter(|_| has_digits);
+        }
+        let scale = 10_u64.pow((places - decimals) as u32);
+        let nanoseconds = i64::try_from(number.checked_mul(scale)?).ok().filter(|_| has_digits)?;
+        let decimals = decimals as u8 + if thousandths { 3 } else { 0 };
         Some(Self { nanoseconds: if is_negative { -nanoseconds } else { nanoseconds }, decimals })
     }
 
@@ -79,6 +79,17 @@ impl LogTime {
         let nanoseconds = i64::from(start).checked_mul(60 * SECOND as i64)?;
         Some(Self { nanoseconds: nanoseconds.checked_add(seconds.nanoseconds)?, decimals: seconds.decimals })
     }
+}
+
+/// Adds at most so many digits at the start of a text to a number; what is behind them.
+fn take_digits<'t>(text: &'t [u8], most: usize, number: &mut u64) -> &'t [u8] {
+    let (most, mut sum, mut count) = (most.min(text.len()), *number, 0);
+    while count < most && text[count].is_ascii_digit() {
+        sum = sum * 10 + u64::from(text[count] - b'0');
+        count += 1;
+    }
+    *number = sum;
+    &text[count..]
 }
 
 /// Days from 1970-01-01 on in the Gregorian calendar, by counting years from March.

@@ -39,14 +39,22 @@ pub(super) fn decimal(text: &[u8]) -> Option<u32> {
     is_number.then(|| number(text))?
 }
 
-pub(super) const fn digit(byte: u8) -> Option<u8> {
-    match byte {
-        b'0'..=b'9' => Some(byte - b'0'),
-        b'a'..=b'f' => Some(byte - b'a' + 10),
-        b'A'..=b'F' => Some(byte - b'A' + 10),
-        _ => None,
-    }
+/// The value of a hexadecimal digit.
+pub(super) fn digit(byte: u8) -> Option<u8> {
+    Some(DIGITS[usize::from(byte)]).filter(|digit| *digit < 16)
 }
+
+/// The values of hexadecimal digits, and 16 of other bytes.
+const DIGITS: [u8; 256] = {
+    let mut digits = [16; 256];
+    let mut digit = 0;
+    while digit < 16 {
+        digits[b"0123456789abcdef"[digit as usize] as usize] = digit;
+        digits[b"0123456789ABCDEF"[digit as usize] as usize] = digit;
+        digit += 1;
+    }
+    digits
+};
 
 /// Reads so many bytes, each a word in hex.
 pub(super) fn bytes(frame: &mut LoggedFrame, words: &mut Words<'_>, count: u32) -> Result<(), &'static str> {
@@ -72,7 +80,7 @@ pub(super) const fn fits(can_id: u32, is_extended: bool) -> bool {
 
 /// Whether a line is a comment in forms that have none of their own.
 pub(super) fn is_comment(line: &[u8]) -> bool {
-    [&b"#"[..], b";", b"//"].iter().any(|mark| line.trim_ascii_start().starts_with(mark))
+    matches!(line.trim_ascii_start(), [b'#' | b';', ..] | [b'/', b'/', ..])
 }
 
 /// The bytes of a frame of CAN FD by its DLC.

@@ -110,7 +110,7 @@ impl ExpectedFrames {
         frame: &LoggedFrame,
         bus: &Bus<'_>,
         before: Preceding,
-    ) -> impl Iterator<Item = Deviation> + use<> {
+    ) -> Vec<Deviation> {
         if self.changes != Some(bus.reader.changes().pdos) {
             *self = Self::of(decoded, frame, bus);
         }
@@ -134,8 +134,10 @@ impl ExpectedFrames {
         let last = before.frame.zip(before.sync).filter(|_| self.is_synchronous);
         let is_again = last.is_some_and(|(last, sync)| last >= sync);
         let is_none = length.is_none() && early.is_none() && late.is_none() && overdue.is_none();
-        let is_none = is_none && missed.is_none() && !is_shared && !is_again;
-        let name = if is_none { String::new() } else { name(decoded, bus) };
+        if is_none && missed.is_none() && !is_shared && !is_again {
+            return Vec::new();
+        }
+        let name = name(decoded, bus);
         let texts = [
             length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes; {bytes} are mapped"))),
             early.map(|(inhibit, distance)| {
@@ -174,7 +176,7 @@ impl ExpectedFrames {
             is_again
                 .then(|| (&rules::REPEATED_PDO, format!("{name} comes a second time after the same SYNC"))),
         ];
-        texts.into_iter().flatten()
+        texts.into_iter().flatten().collect()
     }
 }
 
@@ -191,7 +193,7 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
     let (index, sub) = sdo.entry.filter(|_| is_written || is_answer)?;
     let described = bus.description(node_id)?;
     let entry = described.device.entry(index, sub)?;
-    let (bytes, value) = bus.reader.transferred(decoded)?;
+    let bytes = bus.reader.transferred_bytes(decoded)?;
     let name = || format!("{}: {}", bus.reader.name(node_id), bus.reader.entry_name(node_id, (index, sub)));
     let access = entry.implied_access();
     match access {
@@ -212,8 +214,11 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
         let text = format!("{} has {} bytes instead of {length}", name(), bytes.len());
         return Some((&rules::SDO_SIZE, text));
     }
-    let number = value.and_then(|value| value.as_integer())?;
     let limits = limits(&entry, node_id);
+    if limits == [None; 2] {
+        return None;
+    }
+    let number = bus.reader.transferred(decoded)?.1?.as_integer()?;
     let is_outside = limits[0].is_some_and(|low| number < low) || limits[1].is_some_and(|high| number > high);
     let bound = |limit: Option<i128>| limit.map_or_else(String::new, |limit| limit.to_string());
     is_outside.then(|| {

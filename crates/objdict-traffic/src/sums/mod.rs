@@ -516,7 +516,9 @@ impl BusSums {
                     return;
                 }
                 if let Some(bytes) = bus.reader.transferred_bytes(decoded) {
-                    self.written.insert(key, kept(bytes).to_vec());
+                    let value = self.written.entry(key).or_default();
+                    value.clear();
+                    value.extend_from_slice(kept(bytes));
                 }
             }
             _ => {}
