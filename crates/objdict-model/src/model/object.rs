@@ -371,6 +371,8 @@ mod tests {
             let value = entry.as_ref().and_then(|entry| entry.value().cloned());
             assert_eq!(object.value(sub).map(Cow::into_owned), value, "sub-index {sub}");
         }
+        let values: Vec<_> = object.values(5).collect();
+        assert_eq!(values, [1, 2, 3, 5].map(|sub| (sub, object.value(sub))));
     }
 
     #[test]

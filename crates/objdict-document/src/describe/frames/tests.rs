@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{DataType, Device, DeviceKind, Entry, Object, ObjectType};
+use crate::model::{Compact, DataType, Device, DeviceKind, Entry, Object, ObjectType};
 
 fn entry(name: &str, data_type: DataType, number: u64) -> Entry {
     Entry {
@@ -355,6 +355,40 @@ fn restored_defaults_count_from_the_next_reset() {
     words(0, &[0x81, 5]);
     let defaults = "drive TPDO 1: 6041:00 Statusword = 7, 6061:00 Modes of operation display = 8";
     assert_eq!(words(0x185, &[7, 0, 8]), defaults);
+}
+
+/// Entries of each form have the values of the description after a reset, again and again. The device type, and what no description
+/// has, are kept.
+#[test]
+fn a_reset_returns_to_the_description() {
+    let mut device = drive();
+    let compact = Compact { count: 3, values: vec![(1, Value::Unsigned(1))], ..Compact::default() };
+    let main = Entry { object_type: Some(ObjectType::Array), ..entry("", DataType::UNSIGNED32, 7) };
+    device.objects.insert(0x1016, Object { main, compact: Some(Box::new(compact)), ..Object::default() });
+    let talker = Talker { name: "drive", node_id: 5, device: &device, is_counterpart: false };
+    let mut reader = FrameReader::of_bus(vec![talker]);
+    let entries: [(u8, u16, u8); 6] = [
+        (0x23, 0x1000, 0),
+        (0x23, 0x1016, 1),
+        (0x23, 0x1016, 2),
+        (0x2B, 0x1017, 0),
+        (0x2F, 0x1800, 2),
+        (0x2F, 0x1019, 0),
+    ];
+    for _ in 0..3 {
+        for (command, index, sub) in entries {
+            let [low, high] = index.to_le_bytes();
+            reader.read(0x605, &[command, low, high, sub, 9, 0, 0, 0], false);
+            reader.read(0x585, &[0x60, low, high, sub, 0, 0, 0, 0], false);
+        }
+        let value = |reader: &FrameReader<'_>, (_, index, sub)| {
+            reader.device(5)?.value(index, sub).and_then(|value| value.as_integer())
+        };
+        assert_eq!(entries.map(|entry| value(&reader, entry)), [Some(9); 6]);
+        reader.read(0, &[0x81, 5], false);
+        let after = [Some(9), Some(1), Some(7), Some(0), Some(1), Some(9)];
+        assert_eq!(entries.map(|entry| value(&reader, entry)), after);
+    }
 }
 
 #[test]
