@@ -1,5 +1,6 @@
+# shellcheck shell=dash
 # Each command, what it prints, and its exit code. The emulator is slow, so the times are long.
-cd /tmp
+cd /tmp || exit 1
 bus="--bus socketcan:vcan0 --listen 1500 --timeout 3000 --with 5=/drive-402.eds"
 
 # expect CODE TEXT COMMAND...
@@ -42,7 +43,10 @@ kill $dump
 expect 0 "read 1018:01" objdict decode seen.log --with 5=/drive-402.eds --kind sdo
 expect 0 "write 1017:00 .* = 400" objdict decode seen.log --with 5=/drive-402.eds --kind sdo
 sent=$(grep -c " 604#" own.log)
-[ "$sent" -ge 1 ] && [ "$sent" = "$(grep -c " 604#" seen.log)" ] || { echo "$sent requests to node 4 in the log, others in seen.log"; exit 1; }
+if [ "$sent" = 0 ] || [ "$sent" != "$(grep -c " 604#" seen.log)" ]; then
+  echo "the log has $sent requests to node 4, candump another number"
+  exit 1
+fi
 
 kill $node
 sleep 1
