@@ -39,6 +39,7 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "bus scan --bus candump:@.log --with @.eds"),
     (Text, "bus scan --bus sim:@.toml --with @.eds"),
     (Text, "bus read 5 1018 --bus sim:@.toml --with 5=@.eds"),
+    (Text, "bus watch --for 1 --bus sim:@.toml --with 5=@.eds"),
     (Text, "bus write 5 1017=1 --dry-run --bus sim:@.toml --with 5=@.eds"),
     (Text, "bus save 5 -o @-saved.dcf --bus sim:@.toml --with 5=@.eds"),
     (Text, "bus apply 5 @.dcf --dry-run --bus sim:@.toml --with 5=@.eds"),

@@ -76,6 +76,8 @@ export function objectsPanel(store: Store): HTMLElement {
     title: "Ctrl+K; Enter shows the first match",
     onkeydown: (event: KeyboardEvent) => {
       const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+      // who types fast is ahead of what is drawn
+      rows = rowsOf(store);
       if (by) move(by);
       const first = event.key === "Enter" ? (rows.find(isSelected) ?? rows.find(({ kind }) => kind !== "area")) : undefined;
       if (first) enter(first);

@@ -207,8 +207,10 @@ export function pdoView(store: Store): HTMLElement {
   const candidates = (pdo: PdoRow): HTMLElement => {
     const all = [...store.current!.outline.mappable.filter((entry) => (pdo.kind === "RPDO" ? entry.rpdo : entry.tpdo)), ...(pdo.kind === "RPDO" ? DUMMIES : [])];
     const left = BITS - bitsOf(pdo.mapped);
-    const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
-    const shown = all.filter((entry) => words.every((word) => `${addressText(entry.index, entry.sub)} ${entry.name}`.toLowerCase().includes(word)));
+    const shown = (): Mappable[] => {
+      const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
+      return all.filter((entry) => words.every((word) => `${addressText(entry.index, entry.sub)} ${entry.name}`.toLowerCase().includes(word)));
+    };
     const input = h("input", {
       type: "search",
       value: filter,
@@ -217,7 +219,7 @@ export function pdoView(store: Store): HTMLElement {
       "data-key": "mappable-search",
       onkeydown: (event: KeyboardEvent) => {
         const isMapped = ({ index, sub }: Mappable) => pdo.mapped.some((mapped) => mapped.index === index && mapped.sub === sub);
-        const next = event.key === "Enter" ? shown.find((entry) => entry.bits <= left && !isMapped(entry)) : undefined;
+        const next = event.key === "Enter" ? shown().find((entry) => entry.bits <= left && !isMapped(entry)) : undefined;
         if (next) add(pdo, next, undefined, true);
       },
       oninput: () => {
@@ -231,7 +233,7 @@ export function pdoView(store: Store): HTMLElement {
         { draggable: "true", ondragstart: () => (dragged = { mappable: entry }) },
         h("button", { class: entry.bits > left ? "mappable misfit" : "mappable", onclick: () => add(pdo, entry), "data-key": `mappable-${entry.index}-${entry.sub}` }, h("span", { class: "address" }, addressText(entry.index, entry.sub)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, entry.bits > left ? `${entry.bits} bits: does not fit` : `${entry.bits} bits`)),
       );
-    return h("section", { "aria-label": "Objects that can be mapped" }, h("h3", {}, "Objects that can be mapped"), h("p", { class: "meaning" }, "A click adds an object, Enter the first one that fits; drag it to another place."), input, h("ul", { class: "candidates" }, ...shown.slice(0, MAX_SHOWN).map(row)));
+    return h("section", { "aria-label": "Objects that can be mapped" }, h("h3", {}, "Objects that can be mapped"), h("p", { class: "meaning" }, "A click adds an object, Enter the first one that fits; drag it to another place."), input, h("ul", { class: "candidates" }, ...shown().slice(0, MAX_SHOWN).map(row)));
   };
 
   const found = (pdo: PdoRow): HTMLElement | false => {

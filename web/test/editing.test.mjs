@@ -112,6 +112,25 @@ test("objects are found by address, entry and type", { skip }, () =>
     await page.waitForFunction(() => document.activeElement.dataset.key === "0x1018sub2 / ParameterName");
   }));
 
+test("Enter takes what was typed, before it is drawn too", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, original]);
+    const type = (key, text) =>
+      page.evaluate(([key, text]) => {
+        const field = document.querySelector(`[data-key="${key}"]`);
+        field.focus();
+        field.value = text;
+        field.dispatchEvent(new Event("input", { bubbles: true }));
+        field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+      }, [key, text]);
+    await type("search", "TPDO 3");
+    await page.waitForSelector("h2:has-text('TPDO 3')");
+    const before = await page.locator(".pdo .mapped").count();
+    await type("mappable-search", "6064");
+    await page.waitForFunction((wanted) => document.querySelectorAll(".pdo .mapped").length === wanted, before + 1);
+    assert.match(await page.locator(".pdo .mapped").last().textContent(), /6064/);
+  }));
+
 test("file, device and node are forms", { skip }, () =>
   withPage(async (page) => {
     await open(page, ["node.dcf", fixture("dcf/drive-402-node8.dcf")]);
