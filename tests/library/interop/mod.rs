@@ -43,8 +43,7 @@ mod networks;
 #[cfg(feature = "cli")]
 mod schemas;
 
-const PACKAGES: [&str; 7] = [
-    "asammdf==8.8.27",
+const PACKAGES: [&str; 6] = [
     "canopen==2.4.1",
     "dcf-tools==2.4.2",
     "cantools==45.1.0",
