@@ -60,8 +60,12 @@ def main(program):
     try:
         found = set()
         for node_id in range(1, 1 + len(IDENTITIES)):
-            master.RESPONSE_TIMEOUT = 0.03
-            is_found, identity = master.fast_scan()
+            # most requests have no answer; one that comes late on a busy machine leads the scan astray
+            for timeout in [0.03, 0.1, 0.3]:
+                master.RESPONSE_TIMEOUT = timeout
+                is_found, identity = master.fast_scan()
+                if is_found:
+                    break
             assert is_found, f"{len(found)} of {len(IDENTITIES)}"
             master.RESPONSE_TIMEOUT = 2
             found.add(tuple(identity))
