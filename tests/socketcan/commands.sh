@@ -38,7 +38,7 @@ expect 0 "drive-402 heartbeat" objdict bus watch --for 5 $bus
 expect 0 "pre-operational" objdict bus watch --frames --for 2 $bus
 expect 0 "node 5 is operational" objdict bus nmt start 5 --yes $bus
 
-# what another program sees on the bus is what the command says that it sent, once
+# candump sees each frame of the command exactly once
 kill $dump
 expect 0 "read 1018:01" objdict decode seen.log --with 5=/drive-402.eds --kind sdo
 expect 0 "write 1017:00 .* = 400" objdict decode seen.log --with 5=/drive-402.eds --kind sdo

@@ -1,4 +1,4 @@
-"""A node of python-canopen on vcan0: it is a drive with node-ID 5 and says `ready` when it answers."""
+"""A node of python-canopen on vcan0: a drive with node-ID 5. It prints `ready` when it answers."""
 
 import sys
 import threading

@@ -264,12 +264,10 @@ impl BusClient {
             }
             let slice = if self.is_replay() { until } else { until.min(self.now().saturating_add(SLICE)) };
             match self.transport.receive(slice)? {
-                Some(frame) if frame.is_error && frame.can_id & BUS_OFF != 0 => {
-                    return Err(ClientError::BusOff);
-                }
                 Some(frame) => {
                     self.note(&frame);
-                    return Ok(Some(frame));
+                    let is_off = frame.is_error && frame.can_id & BUS_OFF != 0;
+                    return if is_off { Err(ClientError::BusOff) } else { Ok(Some(frame)) };
                 }
                 None if self.now() >= until => return Ok(None),
                 None => {}

@@ -152,6 +152,12 @@ fn an_interrupted_transfer_is_aborted() {
         .with_observer(Box::new(move |frame| seen.borrow_mut().push(frame.to_string())));
     assert!(client.upload(5, 0x1008, 0).is_err());
     assert_eq!(frames.borrow().last().unwrap(), "605#8008100000000008", "general error");
+    let seen = Rc::clone(&frames);
+    let mut client = Faulty::client(Fault::BusOff)
+        .with_observer(Box::new(move |frame| seen.borrow_mut().push(frame.to_string())));
+    assert!(client.upload(5, 0x1008, 0).is_err());
+    let is_off = |frame: &String| frame.starts_with("20000040#");
+    assert!(frames.borrow().iter().any(is_off), "bus off is in a log too");
 }
 
 #[test]

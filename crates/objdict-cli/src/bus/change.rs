@@ -125,7 +125,7 @@ impl BusSession {
     }
 }
 
-/// Says which entries an undo leaves out.
+/// Reports the entries that an undo omits.
 pub(super) fn tell_lost(lost: &[(u16, u8)]) {
     if !lost.is_empty() {
         let lost: Vec<String> = lost.iter().map(|(index, sub)| format!("{index:04X}:{sub:02X}")).collect();

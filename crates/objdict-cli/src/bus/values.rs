@@ -132,7 +132,7 @@ impl<'d> ValueWords<'d> {
 }
 
 impl ValueRow {
-    /// What there is to say of the value beside its bytes.
+    /// Unit, meaning and error of the value.
     fn words(&self) -> String {
         let error = self.error.as_ref().map(|error| format!("({error})")).unwrap_or_default();
         let words = [&self.in_unit, &self.meaning, &error].map(String::as_str);

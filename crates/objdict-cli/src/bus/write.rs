@@ -50,7 +50,7 @@ fn downloads(device: &Device, args: &BusWriteArgs) -> Result<Vec<Download>, Fail
     assignments.iter().map(download).collect()
 }
 
-/// Says which command writes the values before.
+/// Reports the command that restores the previous values.
 fn tell_undo(change: &Change<'_>, results: &[WriteResult], args: &BusWriteArgs) {
     let is_changed = |(download, result): &(&Download, &WriteResult)| {
         let is_written = matches!(result, WriteResult::Written | WriteResult::Differs(_));

@@ -48,7 +48,7 @@ impl Mdf {
             };
             state.line += 1;
             let frame = group.frame(state);
-            group.next += 1;
+            group.advance();
             match frame {
                 Ok(frame) => return Ok(Some(frame)),
                 Err(reason) => state.bad(reason),
@@ -96,27 +96,33 @@ impl MdfFile<'_> {
     /// Gives each record to its group: before it is the number of the group, if there are several.
     fn split(&self, data: &[u8], id_bytes: usize, sinks: &mut [Sink]) -> Result<(), &'static str> {
         if id_bytes == 0 {
-            sinks.iter_mut().take(1).for_each(|sink| sink.bytes = data.to_vec());
+            if let [sink, ..] = sinks {
+                sink.bytes = data.to_vec();
+                self.note_rest(data.len().checked_rem(sink.width));
+            }
             return Ok(());
         }
         let numbers: BTreeMap<u64, usize> =
             sinks.iter().enumerate().map(|(at, sink)| (sink.id, at)).collect();
         let mut rest = data;
-        while rest.len() > id_bytes {
+        while rest.len() >= id_bytes {
             let id = number_at(rest, 0, id_bytes);
             rest = &rest[id_bytes..];
             let sink = &mut sinks[*numbers.get(&id).ok_or("a record is of no channel group")?];
             let width = if sink.has_values { 4 + number_at(rest, 0, 4) as usize } else { sink.width };
-            let Some((record, others)) = rest.split_at_checked(width) else {
-                self.is_cut.set(true);
-                return Ok(());
-            };
+            let Some((record, others)) = rest.split_at_checked(width) else { break };
             if sink.has_values || sink.frames.is_some() {
                 sink.bytes.extend_from_slice(record);
             }
             rest = others;
         }
+        self.note_rest(Some(rest.len()));
         Ok(())
+    }
+
+    /// Bytes after the last whole record are the start of another one.
+    fn note_rest(&self, bytes: Option<usize>) {
+        self.is_cut.set(self.is_cut.get() || bytes.is_some_and(|bytes| bytes > 0));
     }
 
     /// The groups that have frames, with their records and values.
@@ -215,8 +221,9 @@ struct FrameGroup {
     values: Vec<u8>,
     /// Whether the values have the order of the records, which do not say where they are.
     has_no_places: bool,
-    next_value: usize,
+    /// The number of the next record, and where its value is if the values have their order.
     next: usize,
+    next_value: usize,
 }
 
 /// Kinds of channels: values of variable length, the time of the group, and numbers that are computed from the number of the record.
@@ -271,6 +278,13 @@ impl FrameGroup {
         self.records.get(self.next.checked_mul(self.width)?..)?.get(..self.width)
     }
 
+    /// Goes to the next record and its value, whether this one is a frame or not.
+    fn advance(&mut self) {
+        self.next += 1;
+        let length = number_at(&self.values, self.next_value, 4) as usize;
+        self.next_value = self.next_value.saturating_add(4 + length);
+    }
+
     /// The value of a field as a whole number.
     fn number(&self, field: usize) -> Option<u64> {
         let field = self.fields[field].as_ref()?;
@@ -293,7 +307,7 @@ impl FrameGroup {
         (nanoseconds.abs() < 9e18).then_some(nanoseconds.round() as i64)?.checked_add(self.start)
     }
 
-    fn frame(&mut self, state: &mut LogState) -> Result<LoggedFrame, &'static str> {
+    fn frame(&self, state: &mut LogState) -> Result<LoggedFrame, &'static str> {
         let time = LogTime::new(self.time().ok_or("the time is out of range")?, 9);
         let channel = self.number(CHANNEL).map(|number| number.to_string()).unwrap_or_default();
         let channel = state.channels.number(channel.as_bytes());
@@ -323,7 +337,7 @@ impl FrameGroup {
     }
 
     /// The data of the frame.
-    fn data(&mut self, is_fd: bool) -> Result<&[u8], &'static str> {
+    fn data(&self, is_fd: bool) -> Result<&[u8], &'static str> {
         let length = self.length(is_fd).map_or(usize::MAX, |length| length as usize);
         let field = self.fields[DATA].as_ref().ok_or(BAD_RECORD)?;
         let data = if field.kind == VARIABLE {
@@ -331,7 +345,6 @@ impl FrameGroup {
             let place = if self.has_no_places { self.next_value } else { place };
             let value = self.values.get(place..).filter(|value| value.len() >= 4).ok_or(BAD_RECORD)?;
             let end = 4 + number_at(value, 0, 4) as usize;
-            self.next_value = place + end;
             value.get(4..end).ok_or(BAD_RECORD)?
         } else {
             let record = self.record().and_then(|record| record.get(field.byte..)).ok_or(BAD_RECORD)?;

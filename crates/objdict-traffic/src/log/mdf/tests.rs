@@ -93,7 +93,8 @@ fn writer(start: &[u8; 16], flags: u16) -> MdfWriter {
 /// lengths, the highest byte first.
 #[test]
 fn groups_and_values_are_found() {
-    for (start, flags, places) in [(b"MDF     4.11    ", 0, [0, 6]), (b"UnFinMF 4.11    ", 0x25, [0, 0])] {
+    for (start, flags, places) in [(b"MDF     4.11    ", 0, [0, 6, 11]), (b"UnFinMF 4.11    ", 0x25, [0; 3])]
+    {
         let mut file = writer(start, flags);
         let values = file.group(0, 0, 2, 1, 0);
         let channels = file.channels(&[
@@ -114,12 +115,19 @@ fn groups_and_values_are_found() {
         let records = [
             frame(500_000, 0x705 << 3, places[0]),
             value(&[5, 6]),
+            frame(700_000, 0x1705 << 3, places[1]),
+            value(&[9]),
             vec![3, 0, 3, 0x07, 0x05],
-            frame(1_000_000, 0x18EF_F105 << 3 | 1, places[1]),
+            frame(1_000_000, 0x18EF_F105 << 3 | 1, places[2]),
             value(&[7]),
         ];
         let log = file.end(remote, &records.concat());
-        let expected = ["2.500000000 9 705 0506", "2.750000000  705 remote ", "3.000000000 9 18EFF105 07"];
+        let expected = [
+            "2.500000000 9 705 0506",
+            "2.750000000  705 remote ",
+            "3.000000000 9 18EFF105 07",
+            "line 2: the CAN-ID is not valid",
+        ];
         assert_eq!(read(&log), expected);
     }
 }
@@ -150,6 +158,10 @@ fn lengths_may_be_codes() {
         "line 3: the CAN-ID is not valid".to_owned(),
     ];
     assert_eq!(read(&log), expected);
+    let mut cut = log.clone();
+    let at = cut.windows(4).position(|bytes| bytes == b"##DT").unwrap();
+    cut[at + 8] -= 1;
+    assert_eq!(read(&cut)[2..], ["line 1: the file ends in a block"]);
     let mut unknown = log.clone();
     let at = unknown.windows(4).position(|bytes| bytes == b"##DT").unwrap();
     unknown[at + 24] = 7;
