@@ -31,7 +31,12 @@ struct IniSigns<'a> {
     class: Option<&'a str>,
     /// `[IO_Info]`, which only the EDS of DeviceNet contains.
     io_info: bool,
+    /// Whether the current section has keys that are evidence.
+    is_telling: bool,
 }
+
+/// Sections with keys that are evidence, apart from the section of the node.
+const TELLING: [&str; 4] = ["FileInfo", "File", "Device", "Device Classification"];
 
 pub(super) fn identify(content: &ExaminedContent<'_>) -> Option<Identification> {
     let mut signs = IniSigns::of(&content.head);
@@ -111,8 +116,10 @@ impl<'a> IniSigns<'a> {
 
     /// Records a section, and returns whether it belongs to an object.
     fn section(&mut self, name: &'a str) -> bool {
+        self.is_telling = TELLING.iter().any(|telling| telling.eq_ignore_ascii_case(name));
         match SectionName::parse(name).part {
             Part::Commissioning => {
+                self.is_telling = true;
                 self.commissioning.get_or_insert(name);
                 self.canopen.push(name);
             }
@@ -131,6 +138,9 @@ impl<'a> IniSigns<'a> {
     }
 
     fn entry(&mut self, section: &str, key: &'a str, value: &'a str) {
+        if !self.is_telling {
+            return;
+        }
         let is = |(a, b): (&str, &str)| section.eq_ignore_ascii_case(a) && key.eq_ignore_ascii_case(b);
         if is(("FileInfo", "EDSVersion")) {
             self.version.get_or_insert(value);

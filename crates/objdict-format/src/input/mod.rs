@@ -20,7 +20,7 @@ use super::patch::Patch;
 use super::{Description, Format, Syntax};
 use objdict_model::diagnostic::Findings;
 #[cfg(feature = "full")]
-use objdict_model::diagnostic::Severity;
+use objdict_model::diagnostic::{Diagnostic, Severity};
 use objdict_model::model::Device;
 use objdict_model::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
 
@@ -333,7 +333,8 @@ impl Reading {
             let name = description.source().name().to_owned();
             return Err(ReadError::NotPatched { name, problems: patched.lines().join("\n") });
         }
-        let Some(judge) = self.judge else { return Ok(()) };
+        let judge = self.judge.filter(|_| description.format() == Format::Toml);
+        let Some(judge) = judge else { return Ok(()) };
         // no configuration can accept unreadable content
         refuse_errors(description, of_text(description))?;
         refuse_errors(description, judge(description))
@@ -346,7 +347,9 @@ impl Reading {
 /// [`ReadError::Faulty`] with the errors.
 #[cfg(feature = "full")]
 pub fn refuse_errors(description: &Description, findings: Vec<Findings>) -> Result<(), ReadError> {
-    if description.format() != Format::Toml {
+    let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
+    let has_errors = findings.iter().any(|findings| findings.iter().any(|finding| is_error(&finding)));
+    if description.format() != Format::Toml || !has_errors {
         return Ok(());
     }
     // a variant repeats the errors of the file
@@ -354,8 +357,9 @@ pub fn refuse_errors(description: &Description, findings: Vec<Findings>) -> Resu
     let mut findings = findings.into_iter();
     description.map_devices(|device| {
         let found = findings.next().unwrap_or_default();
-        let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
-        for line in errors.map(|error| error.line(device.source(), |at| device.span_of(at))) {
+        for line in
+            found.iter().filter(is_error).map(|error| error.line(device.source(), |at| device.span_of(at)))
+        {
             if !problems.contains(&line) {
                 problems.push(line);
             }
