@@ -61,8 +61,8 @@ pub(crate) trait DescriptionText: Debug + Send + Sync {
     }
 
     /// The names of its variants, which are the siblings after the first.
-    fn variants(&self) -> Vec<String> {
-        Vec::new()
+    fn variants(&self) -> &[String] {
+        &[]
     }
 
     /// The variant that it was read as.

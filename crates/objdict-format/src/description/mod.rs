@@ -18,7 +18,7 @@ use crate::text::{self, DescriptionText};
 use objdict_eds::eds;
 use objdict_eds::ini::Document;
 use objdict_model::diagnostic::{At, Findings, one_line};
-use objdict_model::model::{Device, EMBEDDED_COMMENT, EMBEDDED_SECTION, Place};
+use objdict_model::model::{Device, EMBEDDED_COMMENT, EMBEDDED_SECTION, ObjectList, Place};
 use objdict_model::source::{SourceFile, Span};
 #[cfg(feature = "xdd")]
 use objdict_xdd::xml::Tree;
@@ -116,7 +116,7 @@ impl Description {
         let variants = self.text.variants();
         let number = variants.iter().position(|variant| variant == name);
         let variant = number.and_then(|number| self.sibling(number + 1));
-        variant.map(|variant| Self { number: 0, ..variant }).ok_or(variants)
+        variant.map(|variant| Self { number: 0, ..variant }).ok_or_else(|| variants.to_vec())
     }
 
     /// Whether the text does not fully define the device, because it is a variant or extends another file. It
@@ -281,6 +281,17 @@ impl Description {
     /// Violations of the CiA 311 schema in the text of an XDD or XDC.
     pub fn violations(&self) -> Findings {
         self.text.violations()
+    }
+
+    /// The same description with only some objects in its object lists, to check a part of a text.
+    #[doc(hidden)] // for the crate that tries fixes
+    #[must_use]
+    pub fn listing_only(mut self, is_listed: impl Fn(u16) -> bool) -> Self {
+        for list in ObjectList::ALL {
+            let members = self.device.lists.get_mut(list);
+            members.iter_mut().for_each(|members| members.retain(|&index| is_listed(index)));
+        }
+        self
     }
 
     /// Whether the text has no schema violations that `other`, of the same description, does not have.

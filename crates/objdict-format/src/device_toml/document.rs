@@ -19,6 +19,8 @@ struct TomlText {
     source: Arc<SourceFile>,
     base: Option<Arc<Base>>,
     variant: Option<String>,
+    /// The names of its variants.
+    variants: OnceLock<Vec<String>>,
     places: OnceLock<KeyPlaces>,
 }
 
@@ -27,11 +29,14 @@ pub(crate) fn read(source: SourceFile) -> ReadText {
     let mut findings = Findings::new();
     let base = extends::read(source.text(), source.name(), &mut findings).map(Arc::new);
     let device = super::read_on(source.text(), base.as_deref(), &mut findings);
-    let text = TomlText { source: Arc::new(source), base, variant: None, places: OnceLock::new() };
-    (Box::new(text), device, findings)
+    (Box::new(TomlText::new(Arc::new(source), base, None)), device, findings)
 }
 
 impl TomlText {
+    fn new(source: Arc<SourceFile>, base: Option<Arc<Base>>, variant: Option<String>) -> Self {
+        Self { source, base, variant, variants: OnceLock::new(), places: OnceLock::new() }
+    }
+
     fn places(&self) -> &KeyPlaces {
         self.places.get_or_init(|| {
             let tree =
@@ -66,15 +71,14 @@ impl DescriptionText for TomlText {
     }
 
     fn sibling(&self, number: usize) -> Option<ReadText> {
-        let variant = self.variants().into_iter().nth(number.checked_sub(1)?)?;
-        let (device, findings) = super::read_variant(self.source.text(), self.base.as_deref(), &variant);
-        let (source, base) = (Arc::clone(&self.source), self.base.clone());
-        let text = Self { source, base, variant: Some(variant), places: OnceLock::new() };
+        let variant = self.variants().get(number.checked_sub(1)?)?;
+        let (device, findings) = super::read_variant(self.source.text(), self.base.as_deref(), variant);
+        let text = Self::new(Arc::clone(&self.source), self.base.clone(), Some(variant.clone()));
         Some((Box::new(text), device, findings))
     }
 
-    fn variants(&self) -> Vec<String> {
-        super::variants_of(self.source.text())
+    fn variants(&self) -> &[String] {
+        self.variants.get_or_init(|| super::variants_of(self.source.text()))
     }
 
     fn variant(&self) -> Option<&str> {

@@ -59,9 +59,12 @@ impl ObjectMaker<'_> {
 
     /// The first required object that the device lacks.
     fn missing(&self, device: &Device, first: u16) -> Option<u16> {
-        let objects = self.documents.iter().flat_map(|document| document.objects());
-        let objects = objects.filter(|facts| facts.first >= first && facts.is_demanded(device, 0));
-        objects.map(|facts| facts.first).find(|index| !device.objects.contains_key(index))
+        let is_missing = |facts: &ObjectFacts<'_>| {
+            // conditions are costly
+            facts.first >= first && !device.objects.contains_key(&facts.first) && facts.is_demanded(device, 0)
+        };
+        let mut objects = self.documents.iter().flat_map(|document| document.objects());
+        objects.find(is_missing).map(|facts| facts.first)
     }
 
     /// Whether the profile defines an object, and not only for other devices.
@@ -91,17 +94,17 @@ impl ObjectMaker<'_> {
     }
 
     /// The sub-indexes of an object: the required ones, and one per channel.
-    fn subs(&self, device: &Device, index: u16) -> impl Iterator<Item = u8> {
-        let facts = self.facts(index);
+    fn subs(&self, device: &Device, index: u16) -> impl Iterator<Item = u8> + use<> {
         let count = self.plan.count(index);
-        let is_needed = move |sub: u8| {
-            facts.iter().filter_map(|facts| facts.entry(sub)).any(|facts| {
-                let is_demanded = facts.first == sub && facts.need.is_there(device, 0);
-                let is_element = sub <= count.unwrap_or(1) && (count.is_some() || facts.last > facts.first);
-                is_demanded || sub == 0 || is_element
-            })
-        };
-        (0..=254u8).filter(move |&sub| is_needed(sub)).collect::<Vec<_>>().into_iter()
+        let mut needed = [false; 256];
+        for facts in self.facts(index).iter().flat_map(ObjectFacts::entries) {
+            needed[usize::from(facts.first)] |= facts.first == 0 || facts.need.is_there(device, 0);
+            if count.is_some() || facts.last > facts.first {
+                (facts.first..=facts.last.min(count.unwrap_or(1)))
+                    .for_each(|sub| needed[usize::from(sub)] = true);
+            }
+        }
+        (0..=254u8).filter(move |&sub| needed[usize::from(sub)])
     }
 
     /// An entry as the documents describe it; the profile takes precedence.
