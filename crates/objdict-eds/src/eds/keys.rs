@@ -88,6 +88,11 @@ impl FieldKey {
         key.map_or_else(other, |key| key.field().clone())
     }
 
+    /// Its number in [`Field::NAMED`].
+    pub(crate) fn number(self) -> usize {
+        self.0.into()
+    }
+
     /// The field.
     pub(crate) fn field(self) -> &'static Field {
         &Field::NAMED[usize::from(self.0)].1

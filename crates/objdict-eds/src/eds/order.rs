@@ -2,6 +2,8 @@
 //!
 //! The writer, the formatter and fixes that add sections use the same order.
 
+use std::sync::LazyLock;
+
 use super::keys::FieldKey;
 use crate::model::{Field, ModulePart, ObjectList, Part};
 
@@ -136,21 +138,32 @@ pub(super) fn counter_of(part: &Part) -> Option<Field> {
     }
 }
 
+/// The ranks of the defined keys by number.
+static RANKS: LazyLock<Vec<u32>> = LazyLock::new(|| {
+    let rank = |(number, (_, field)): (usize, &(&str, Field))| match COUNTERS.contains(field) {
+        true => 0,
+        false => {
+            let of_object = OBJECT_KEYS.iter().position(|other| other == field);
+            u32::try_from(of_object.unwrap_or(number) + 1).unwrap_or(u32::MAX)
+        }
+    };
+    Field::NAMED.iter().enumerate().map(rank).collect()
+});
+
+/// The rank of a defined key in its section.
+pub(super) fn field_rank(key: FieldKey) -> u32 {
+    RANKS[key.number()]
+}
+
 /// The rank of a key in its section; `None` for a key without a defined position.
 pub(super) fn key_rank(name: &str) -> Option<u32> {
-    let Some(key) = FieldKey::find(name) else {
-        let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();
-        let is_numbered = matches!(&name[..digits], "") || name[..digits].eq_ignore_ascii_case("Line");
-        let number: Option<u32> = name.get(digits..).and_then(|number| number.parse().ok());
-        return number.filter(|_| is_numbered).map(|number| number.saturating_add(1000));
-    };
-    let field = key.field();
-    if COUNTERS.contains(field) {
-        return Some(0);
+    if let Some(key) = FieldKey::find(name) {
+        return Some(field_rank(key));
     }
-    let of_object = OBJECT_KEYS.iter().position(|other| other == field);
-    let position = of_object.or_else(|| Field::NAMED.iter().position(|(_, other)| other == field));
-    position.and_then(|position| u32::try_from(position + 1).ok())
+    let digits = name.len() - name.bytes().rev().take_while(u8::is_ascii_digit).count();
+    let is_numbered = matches!(&name[..digits], "") || name[..digits].eq_ignore_ascii_case("Line");
+    let number: Option<u32> = name.get(digits..).and_then(|number| number.parse().ok());
+    number.filter(|_| is_numbered).map(|number| number.saturating_add(1000))
 }
 
 #[cfg(test)]

@@ -101,6 +101,9 @@ impl Description {
             return Err(EditError::ReadOnly(source.name().to_owned()));
         }
         let is_same = |text: &String| {
+            if text == source.text() {
+                return true;
+            }
             let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format, None);
             // a network has several devices
             (0..self.device_count())

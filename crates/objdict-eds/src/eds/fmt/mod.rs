@@ -8,6 +8,7 @@ mod text;
 use self::section::SectionBlock;
 pub use self::text::Extent;
 use self::text::{ArrangedKey, ArrangedText};
+use super::keys::FieldKey;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
 use crate::ini::{Document, Line, LineKind, Lines};
@@ -138,8 +139,10 @@ impl<'a> Stretch<'a> {
                     match &mut stretch.block {
                         Some(block) => {
                             let (name, value) = (key.of(text), value.of(text));
-                            let (rank, line) = (block.rank_of(name), line.span.start);
-                            block.keys.push(ArrangedKey { rank, above, line, name, value });
+                            let key = FieldKey::find(name);
+                            let (rank, field) = (block.rank_of(key), key.map(FieldKey::field));
+                            let line = line.span.start;
+                            block.keys.push(ArrangedKey { rank, above, line, name, field, value });
                         }
                         // lines without a section keep their position
                         None => stretch.before_sections(notes.all(), line.span.of(text).trim()),

@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use super::spell;
 use super::text::{ArrangedKey, ArrangedText, Extent};
 use crate::eds::keys::FieldKey;
-use crate::eds::order::{COUNTERS, key_rank};
+use crate::eds::order::{COUNTERS, field_rank};
 use crate::ini::Lines;
-use crate::model::{Device, Field, ModulePart, Part};
+use crate::model::{Device, ModulePart, Part};
 use crate::source::Span;
 
 /// A section and the lines that move with it.
@@ -41,18 +41,16 @@ impl<'a> SectionBlock<'a> {
             self.keys.sort_unstable_by_key(|key| (key.rank, key.above));
         }
         for key in &self.keys {
-            let above = Span::new(key.above, key.line).of(source);
-            for line in Lines::new(above).map(|line| line.span.of(above).trim_end()) {
-                if !line.is_empty() {
-                    text.line(line);
-                }
+            if key.above < key.line {
+                let above = Span::new(key.above, key.line).of(source);
+                let lines = Lines::new(above).map(|line| line.span.of(above).trim_end());
+                lines.filter(|line| !line.is_empty()).for_each(|line| text.line(line));
             }
-            let field = FieldKey::find(key.name).map(FieldKey::field);
             let value = match extent.values {
-                true => spell::value(device, &self.part, field, key),
+                true => spell::value(device, &self.part, key),
                 false => Cow::Borrowed(key.value),
             };
-            let name = if extent.names { self.spelling(field, key.name) } else { Cow::Borrowed(key.name) };
+            let name = if extent.names { self.spelling(key) } else { Cow::Borrowed(key.name) };
             text.parts([&name, "=", &value]);
         }
         text.lines(&self.behind);
@@ -60,7 +58,7 @@ impl<'a> SectionBlock<'a> {
 
     /// The rank of a key. In a list, only the count has one, because the items keep their order; unknown
     /// keys come last.
-    pub(super) fn rank_of(&self, key: &str) -> u32 {
+    pub(super) fn rank_of(&self, key: Option<FieldKey>) -> u32 {
         let has_order = matches!(
             self.part,
             Part::FileInfo
@@ -76,18 +74,18 @@ impl<'a> SectionBlock<'a> {
                         | ModulePart::SubExt(_)
                 )
         );
-        match FieldKey::find(key).map(FieldKey::field) {
-            Some(_) if has_order => key_rank(key).unwrap_or(u32::MAX),
-            Some(field) if COUNTERS.contains(field) && !matches!(self.part, Part::Section(_)) => 0,
+        match key {
+            Some(key) if has_order => field_rank(key),
+            Some(key) if COUNTERS.contains(key.field()) && !matches!(self.part, Part::Section(_)) => 0,
             _ => u32::MAX,
         }
     }
 
     /// The name of a key in the spelling of the standard.
-    fn spelling(&self, field: Option<&'static Field>, name: &'a str) -> Cow<'a, str> {
-        match field {
+    fn spelling(&self, key: &ArrangedKey<'a>) -> Cow<'a, str> {
+        match key.field {
             Some(field) if !matches!(self.part, Part::Section(_)) => field.name(),
-            _ => Cow::Borrowed(name),
+            _ => Cow::Borrowed(key.name),
         }
     }
 }

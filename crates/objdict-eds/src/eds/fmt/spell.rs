@@ -6,14 +6,13 @@ use super::text::ArrangedKey;
 use crate::literal::{self, Quirk, Quirks};
 use crate::model::{Access, DataType, Device, Field, ModulePart, ObjectType, Part, TypeKind};
 
-/// The value of a key in a part; the key belongs to a field unless the standard does not define it.
-pub(super) fn value<'a>(
-    device: &Device,
-    part: &Part,
-    field: Option<&Field>,
-    key: &ArrangedKey<'a>,
-) -> Cow<'a, str> {
-    let spelled = match field {
+/// The value of a key in a part.
+pub(super) fn value<'a>(device: &Device, part: &Part, key: &ArrangedKey<'a>) -> Cow<'a, str> {
+    let spelled = match key.field {
+        Some(Field::AccessType) => {
+            let access = Access::from_name(key.value);
+            return Cow::Borrowed(access.map_or(key.value, |access| access.name()));
+        }
         Some(field) => of_field(device, part, field, key.value),
         None => of_item(device, part, key.name, key.value),
     };
@@ -22,7 +21,7 @@ pub(super) fn value<'a>(
 
 fn of_field(device: &Device, part: &Part, field: &Field, text: &str) -> Option<String> {
     match field {
-        Field::AccessType => Access::from_name(text).map(|access| access.name().to_owned()),
+        Field::ObjectType if is_spelled(text, 1) => None,
         Field::ObjectType => {
             let code = u8::try_from(plain_number(text)?).ok()?;
             ObjectType::from_code(code).map(|_| format!("0x{code:X}"))
@@ -34,7 +33,9 @@ fn of_field(device: &Device, part: &Part, field: &Field, text: &str) -> Option<S
         | Field::ObjFlags
         | Field::CompactPdo
         | Field::InvertedSrad => plain_number(text).and_then(|_| hex(text)),
-        Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue => {
+        Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue
+            if has_spellings(text) =>
+        {
             of_type(device.data_type_of(part, field)?, text)
         }
         _ => None,
@@ -47,17 +48,20 @@ fn of_item(device: &Device, part: &Part, key: &str, text: &str) -> Option<String
         Part::List(_)
         | Part::Links(_)
         | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends) => index(text),
-        Part::CompactValues(index) => of_type(device.object(*index)?.main.data_type?, text),
+        Part::CompactValues(index) if has_spellings(text) => {
+            of_type(device.object(*index)?.main.data_type?, text)
+        }
         _ => None,
     }
 }
 
+/// Whether a number may have several spellings: only hexadecimal digits and `$NODEID` have.
+fn has_spellings(text: &str) -> bool {
+    text.contains(['x', 'X', '$'])
+}
+
 /// A number or a formula of an integer type.
 fn of_type(data_type: DataType, text: &str) -> Option<String> {
-    // only hexadecimal digits and `$NODEID` have several spellings
-    if !text.contains(['x', 'X', '$']) {
-        return None;
-    }
     if !matches!(data_type.kind(), TypeKind::Signed(_) | TypeKind::Unsigned(_)) {
         return None;
     }
@@ -76,13 +80,16 @@ fn of_type(data_type: DataType, text: &str) -> Option<String> {
     Some(terms.join("+"))
 }
 
+/// Whether a text is already a hex number with so many digits, in canonical spelling.
+fn is_spelled(text: &str, count: usize) -> bool {
+    let is_digit = |byte: u8| matches!(byte, b'0'..=b'9' | b'A'..=b'F');
+    let digits = text.strip_prefix("0x");
+    digits.is_some_and(|digits| digits.len() == count && digits.bytes().all(is_digit))
+}
+
 /// An index with four digits.
 fn index(text: &str) -> Option<String> {
-    let is_digit = |byte: &u8| matches!(byte, b'0'..=b'9' | b'A'..=b'F');
-    if text
-        .strip_prefix("0x")
-        .is_some_and(|digits| digits.len() == 4 && digits.bytes().all(|byte| is_digit(&byte)))
-    {
+    if is_spelled(text, 4) {
         return None;
     }
     let number = u16::try_from(plain_number(text)?).ok()?;

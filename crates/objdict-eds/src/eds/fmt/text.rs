@@ -1,5 +1,7 @@
 //! The arranged text, and the extent of its changes.
 
+use crate::model::Field;
+
 /// The extent of the changes. If the complete rearrangement would change the meaning of a text, the extent is
 /// reduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +32,8 @@ pub(super) struct ArrangedKey<'a> {
     pub(super) above: u32,
     pub(super) line: u32,
     pub(super) name: &'a str,
+    /// What the standard defines under this name.
+    pub(super) field: Option<&'static Field>,
     pub(super) value: &'a str,
 }
 
