@@ -43,7 +43,9 @@ impl<const N: usize> TextTable<N> {
                 line.push_str(cell);
                 line.push_str(&blanks[..padding + 2]);
             }
-            writeln!(out, "{}", line.trim_end())?;
+            line.truncate(line.trim_end().len());
+            line.push('\n');
+            out.write_all(line.as_bytes())?;
         }
         Ok(())
     }

@@ -12,7 +12,7 @@ use objdict_format as format;
 use objdict_format::{Description, Syntax};
 use objdict_lint::Options;
 use objdict_model::diagnostic::{Applicability, At, Change, Diagnostic, Findings, Fix, Severity};
-use objdict_model::model::{Device, Part};
+use objdict_model::model::{Device, ObjectList, Part};
 use objdict_model::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
 /// The total size of texts that are read and checked to fix a file, which takes a few seconds, but at least
@@ -179,10 +179,10 @@ fn listed(device: &Device, fix: &Fix) -> Vec<u16> {
     added
 }
 
-/// The spans of objects that are unrelated to any fix. Related objects are those that a fix changes or whose findings
+/// The objects that are unrelated to any fix, with their spans. Related objects are those that a fix changes or whose findings
 /// it fixes, objects of the same name, mapped objects, the communication profile, and the device profile if a fix
 /// changes part of it.
-fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec<Span> {
+fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec<(u16, Span)> {
     let (device, mut objects) = (description.device(), description.object_spans());
     let mut related = BTreeSet::new();
     for (span, _) in candidates.iter().flat_map(|candidate| &candidate.edits) {
@@ -208,7 +208,7 @@ fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec
             || is_named();
         !is_related
     });
-    objects.into_iter().map(|(_, span)| span).collect()
+    objects
 }
 
 /// A fix as edits of the text.
@@ -266,6 +266,8 @@ struct Trials<'a, F> {
     check: &'a F,
     /// The omitted parts of the text in which the fixes are tried.
     omitted: Vec<Span>,
+    /// The omitted objects, each of which would be a finding of its object list.
+    unlisted: BTreeSet<u16>,
     before: Counts,
     /// How many more texts may be tried.
     left: u32,
@@ -287,14 +289,15 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let before = Counts::of(findings);
         let source = description.source();
         let is_encoding_given = Encoding::detect(&source.to_bytes()) != source.encoding();
-        let (best, harmful, omitted) = (None, Vec::new(), Vec::new());
-        let is_offer = false;
+        let (best, harmful, is_offer) = (None, Vec::new(), false);
+        let (omitted, unlisted) = (Vec::new(), BTreeSet::new());
         Self {
             description,
             is_encoding_given,
             candidates,
             check,
             omitted,
+            unlisted,
             before,
             left,
             is_offer,
@@ -305,9 +308,15 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
 
     /// Omits the objects that are unrelated to all fixes, unless that removes a finding to be fixed.
     fn omit_unrelated_objects(&mut self) {
-        self.omitted = unrelated_objects(self.description, self.candidates);
+        let (indexes, omitted) = unrelated_objects(self.description, self.candidates).into_iter().unzip();
+        self.omitted = omitted;
         if self.omitted.is_empty() {
             return;
+        }
+        let lists = &self.description.device().lists;
+        // a list that is not in order has findings about its order, which must remain
+        if ObjectList::ALL.into_iter().all(|list| lists.get(list).is_sorted()) {
+            self.unlisted = indexes;
         }
         let counts = self.amended(&[]).map(|(description, _)| Counts::of(&(self.check)(&description)));
         let is_found = |counts: &Counts| {
@@ -316,7 +325,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         };
         match counts.filter(is_found) {
             Some(counts) => self.before = counts,
-            None => self.omitted.clear(),
+            None => (self.omitted, self.unlisted) = (Vec::new(), BTreeSet::new()),
         }
     }
 
@@ -425,7 +434,10 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         options.max_size = u64::MAX;
         let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
         let number = self.description.number();
-        let description = format::read(source, self.description.format()).select(number)?;
+        let mut description = format::read(source, self.description.format()).select(number)?;
+        if !self.unlisted.is_empty() {
+            description = description.listing_only(|index| !self.unlisted.contains(&index));
+        }
         // rules may be disabled
         description.is_as_valid_as(self.description).then_some((description, fixed))
     }
