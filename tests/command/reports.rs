@@ -526,6 +526,41 @@ fn junit_counts_what_it_has() {
     assert!(has_clean, "the good fixtures have a case too");
 }
 
+/// The checks of a device on a bus, and those of a plan, are the same in each format.
+#[test]
+fn conformance_has_the_same_checks_in_each_format() {
+    let bus = ["--node-id", "5", "--bus", "sim:fixtures/bus/cell.toml", "--listen", "10"];
+    for (file, more) in [("fixtures/eds/io-401.eds", None), ("fixtures/eds/drive-402.eds", Some("--dry-run"))]
+    {
+        let written = |format: &str| {
+            let arguments: Vec<&str> =
+                ["conformance", file, "--format", format].into_iter().chain(bus).collect();
+            let output = objdict(&arguments.into_iter().chain(more).collect::<Vec<_>>());
+            assert_eq!(output.status.code(), Some(i32::from(more.is_none())), "{file}");
+            String::from_utf8(output.stdout).expect("UTF-8")
+        };
+        let json: Value = serde_json::from_str(&written("json")).expect("JSON");
+        let checks = list(&json, "checks");
+        let failed = checks.iter().filter(|check| check["result"] == "failed").count();
+        assert_eq!(failed == 0, more.is_some());
+        let xml = written("junit");
+        let document = roxmltree::Document::parse(&xml).expect("well-formed XML");
+        let count = |name| document.descendants().filter(|node| node.has_tag_name(name)).count();
+        assert_eq!((count("testcase"), count("failure")), (checks.len(), failed));
+        assert_eq!(
+            count("skipped"),
+            checks.iter().filter(|check| check["result"] != "passed").count() - failed
+        );
+        let cases = document.descendants().filter(|node| node.has_tag_name("testcase"));
+        let names: HashSet<_> =
+            cases.map(|case| (case.attribute("classname"), case.attribute("name"))).collect();
+        assert_eq!(names.len(), checks.len(), "readers merge cases with one name");
+        let page = written("html");
+        assert_eq!(page.matches("<tr><td>").count(), checks.len());
+        assert_eq!(page.matches("<strong>").count(), failed);
+    }
+}
+
 #[test]
 fn concise_is_a_line_a_finding() {
     let json: Value = serde_json::from_str(check("json --all")).expect("JSON");

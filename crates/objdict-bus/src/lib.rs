@@ -17,8 +17,8 @@ mod run;
 mod simulation;
 
 pub use conformance::{
-    Conformance, ConformanceCheck, RemoteDevice, RemoteGroups, Verdict, conformance, conformance_of,
-    conformance_on,
+    CheckEffect, Conformance, ConformanceCheck, RemoteDevice, RemoteGroups, Verdict, conformance,
+    conformance_of, conformance_on, conformance_plan,
 };
 pub use dictionary::{LiveDictionary, PowerOn};
 pub use frame::{BusFrame, classical_bits};

@@ -4,7 +4,7 @@ use objdict_bus::Abort;
 use objdict_model::model::Device;
 use objdict_node::parameter::{NoParameter, is_saved, no_parameter};
 
-use crate::client::{BusClient, ClientError};
+use crate::client::{BusClient, ClientError, unless_refused};
 
 /// The values of a node, by index and sub-index.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -38,5 +38,27 @@ impl BusClient {
             }
         }
         Ok(saved)
+    }
+
+    /// Writes saved values that a node no longer has, such as those that a reset has cleared. Returns the entries that were written,
+    /// and those that the node refuses or whose value stays another one.
+    ///
+    /// # Errors
+    /// As [`save`](Self::save).
+    pub fn put_back(
+        &mut self,
+        node_id: u8,
+        saved: &SavedValues,
+    ) -> Result<(Vec<(u16, u8)>, Vec<(u16, u8)>), ClientError> {
+        let (mut written, mut lost) = (Vec::new(), Vec::new());
+        for ((index, sub), bytes) in &saved.values {
+            if unless_refused(self.upload(node_id, *index, *sub))?.as_ref() == Some(bytes) {
+                continue;
+            }
+            let is_written = unless_refused(self.download(node_id, *index, *sub, bytes))?.is_some()
+                && unless_refused(self.upload(node_id, *index, *sub))?.as_ref() == Some(bytes);
+            if is_written { &mut written } else { &mut lost }.push((*index, *sub));
+        }
+        Ok((written, lost))
     }
 }

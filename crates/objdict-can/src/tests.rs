@@ -50,6 +50,12 @@ enum Fault {
     Unplugged(usize),
     /// The controller leaves the bus.
     BusOff,
+    /// No heartbeat is heard.
+    Mute,
+    /// No node is heard at another bit rate than the first one.
+    DeafAtOtherRates,
+    /// Answers with these bytes from a position on have others.
+    Answers(usize, &'static [u8], &'static [u8]),
 }
 
 struct Faulty {
@@ -102,6 +108,14 @@ impl Transport for Faulty {
             }
             (_, frame) => Ok(frame),
         }
+            (Fault::Answers(at, own, other), Some(mut frame))
+                if frame.data().len() == 8 && frame.data()[at..].starts_with(own) =>
+            {
+                let mut data = frame.data().to_vec();
+                data[at..at + other.len()].copy_from_slice(other);
+                frame = frame.with_data(&data);
+                Ok(Some(frame))
+            }
     }
 
     fn now(&self) -> u64 {
@@ -293,7 +307,7 @@ fn a_device_is_checked_against_its_description() {
     use std::cell::RefCell;
     use std::rc::Rc;
 
-    use objdict_bus::{RemoteGroups, Verdict, conformance_on};
+    use objdict_bus::{Conformance, RemoteGroups, Verdict, conformance_on, conformance_plan};
 
     use crate::CheckedDevice;
 
@@ -302,8 +316,22 @@ fn a_device_is_checked_against_its_description() {
         client.listen(10).unwrap();
         let device = Rc::new(RefCell::new(CheckedDevice { client, failure: None }));
         let groups = RemoteGroups { writes, commands: writes };
-        let results = conformance_on(description(file).device(), 5, device.clone(), groups);
-        assert!(device.borrow().failure.is_none());
+        let plan = conformance_plan(described.device(), 5, groups);
+        let results = conformance_on(described.device(), 5, device.clone(), groups);
+        let rows = |results: &Conformance| -> Vec<_> {
+            results.checks.iter().map(|check| (check.service, check.name.clone())).collect()
+        };
+        assert_eq!(rows(&plan), rows(&results));
+        for (planned, check) in plan.checks.iter().zip(&results.checks) {
+            let is_planned = matches!(planned.verdict, Verdict::Planned(_));
+            assert!(is_planned || planned.verdict == check.verdict, "{check:?}");
+        }
+        let CheckedDevice { client, failure } = &mut *device.borrow_mut();
+        assert!(failure.is_none());
+        // the reset clears what was not stored
+        let cleared = if writes { vec![(0x1017, 0)] } else { Vec::new() };
+        assert_eq!(client.put_back(5, &before).unwrap(), (cleared, Vec::new()));
+        assert_eq!(client.save(5, described.device()).unwrap(), before);
         results
     };
     for writes in [false, true] {
@@ -353,6 +381,9 @@ impl std::io::Read for SilentPort {
     }
 }
 
+        client.download(5, 0x1017, 0, &700_u16.to_le_bytes()).unwrap();
+        let described = description(file);
+        let before = client.save(5, described.device()).unwrap();
 impl std::io::Write for SilentPort {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.0.borrow_mut().extend(bytes);
@@ -370,6 +401,62 @@ fn a_serial_adapter_is_closed_at_the_end() {
     drop(crate::SlcanAdapter::new(SilentPort(std::rc::Rc::clone(&written)), 125).unwrap());
     assert_eq!(*written.borrow(), b"\rC\rS4\rO\rC\r");
 }
+/// Nodes with other answers that CiA 301 allows: no CRC in block downloads, and an abort for an object that does not exist.
+#[test]
+fn other_answers_that_the_standard_allows_pass() {
+    use objdict_bus::{RemoteGroups, Verdict, conformance_on};
+
+    use crate::CheckedDevice;
+
+    let checked = |fault: Fault| {
+        let device = CheckedDevice { client: Faulty::client(fault).with_timeout(50), failure: None };
+        let groups = RemoteGroups { writes: true, commands: false };
+        let device = std::rc::Rc::new(std::cell::RefCell::new(device));
+        let mut results = conformance_on(description("drive-402.eds").device(), 5, device, groups).checks;
+        results.retain(|check| check.verdict != Verdict::Passed);
+        results
+    };
+    let without_crc = checked(Fault::Answers(0, &[0xA4], &[0xA0]));
+    let crc = without_crc.iter().find(|check| check.name.ends_with("a wrong CRC in a block download"));
+    assert_eq!(crc.unwrap().verdict, Verdict::Impossible("the server makes no CRC".to_owned()));
+    // 0604 0041h and 0602 0000h
+    let no_object = checked(Fault::Answers(4, &[0x41, 0, 4, 6], &[0, 0, 2, 6]));
+    let failed: Vec<_> =
+        no_object.iter().filter(|check| matches!(check.verdict, Verdict::Failed(_))).collect();
+    assert!(failed.iter().all(|check| check.name.ends_with("not mappable is refused")), "{failed:#?}");
+}
+
+/// Even of a device without other entries no setpoint and no command is written.
+#[test]
+fn no_check_writes_what_a_machine_obeys() {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
+    use objdict_bus::{RemoteGroups, conformance_on};
+    use objdict_node::parameter::no_parameter;
+
+    use crate::CheckedDevice;
+
+    let mut device = description("drive-402.eds").device().clone();
+    device.objects.retain(|index, _| !(0x2000..0x6000).contains(index) && *index != 0x1017);
+    let written = Rc::new(RefCell::new(Vec::new()));
+    let seen = written.clone();
+    let client = client().with_timeout(50).with_observer(Box::new(move |frame| {
+        if let (0x605, &[command, low, high, sub, ..]) = (frame.can_id, frame.data())
+            && (command & 0xF0 == 0x20 || command & 0xE1 == 0xC0)
+        {
+            seen.borrow_mut().push((u16::from_le_bytes([low, high]), sub));
+        }
+    }));
+    let checked = Rc::new(RefCell::new(CheckedDevice { client, failure: None }));
+    conformance_on(&device, 5, checked, RemoteGroups { writes: true, commands: true });
+    let written = written.borrow();
+    let obeyed: Vec<_> = written.iter().filter(|(index, _)| *index >= 0x2000 && *index < 0xA000).collect();
+    assert!(written.len() > 20, "{written:?}");
+    let obeyed = obeyed.into_iter().filter(|(index, sub)| no_parameter(&device, *index, *sub).is_some());
+    assert_eq!(obeyed.collect::<Vec<_>>(), [&(0, 0); 0]);
+}
+
 
 /// Serves the nodes behind an adapter until it is closed for the second time; returns the commands.
 #[cfg(unix)]

@@ -11,7 +11,7 @@ use super::new::date_and_time;
 use super::settings::CommandSettings;
 use super::stdout::Output;
 use super::written_files::{SaveFolder, keep, save};
-use objdict_document::ProbePage;
+use objdict_document::TablePage;
 use objdict_format as format;
 use objdict_format::{Description, Format, WriteOptions};
 use objdict_model::diagnostic::one_line;
@@ -200,21 +200,21 @@ fn summary(judgement: &Judgement, node_id: u8) -> String {
     format!("node {node_id}: {passed} of {} as described{unasked}", plural(count, "answer"))
 }
 
-fn page<'a>(file: &'a str, judgement: &'a Judgement, node_id: u8) -> ProbePage<'a> {
+fn page<'a>(file: &'a str, judgement: &'a Judgement, node_id: u8) -> TablePage<'a> {
     let rows = judgement.rows.iter().map(|row| {
-        let (rule, problem) =
-            row.problem.as_ref().map_or(("", ""), |(rule, problem)| (rule.id, problem.as_str()));
         let address = format!("{:04X}:{:02X}", row.index, row.sub);
-        [
-            address,
-            row.name.clone(),
-            row.asked.clone(),
-            row.answer.clone(),
-            rule.to_owned(),
-            problem.to_owned(),
-        ]
+        let verdict = match &row.problem {
+            Some((rule, problem)) => format!("{}: {problem}", rule.id),
+            None => "as described".to_owned(),
+        };
+        (
+            vec![address, row.name.clone(), row.asked.clone(), row.answer.clone(), verdict],
+            row.problem.is_some(),
+        )
     });
-    ProbePage { file, summary: summary(judgement, node_id), rows: rows.collect() }
+    let (summary, rows) = (summary(judgement, node_id), rows.collect());
+    let headings = &["Entry", "Name", "Asked", "Answer", "Verdict"];
+    TablePage { file, heading: file, summary, headings, rows }
 }
 
 fn learned(args: &ProbeArgs, path: &Path, out: &mut Output) -> Result<Outcome, Failure> {

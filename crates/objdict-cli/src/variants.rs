@@ -10,7 +10,7 @@ use super::ending::{Failure, Outcome};
 use super::input::{Input, name_of, source_name};
 use super::stdout::Output;
 use super::table::TextTable;
-use objdict_document::VariantsPage;
+use objdict_document::TablePage;
 use objdict_format::Description;
 use objdict_format::input::Reading;
 use objdict_format::scaffold;
@@ -81,8 +81,9 @@ pub(super) fn run(args: &VariantsArgs, out: &mut Output) -> Result<Outcome, Fail
         VariantsFormat::Html => {
             let info = base.device().device_info.as_ref();
             let product = info.and_then(|info| info.product_name.as_deref()).unwrap_or(&file);
-            let rows = variants.iter().map(|variant| variant.cells().to_vec()).collect();
-            let page = VariantsPage { file: &file, product, headings: &HEADINGS, rows };
+            let rows = variants.iter().map(|variant| (variant.cells().to_vec(), false)).collect();
+            let summary = format!("Variants in {file}");
+            let page = TablePage { file: &file, heading: product, summary, headings: &HEADINGS, rows };
             out.raw()?.write_all(page.html().as_bytes())?;
         }
     }

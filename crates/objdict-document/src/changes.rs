@@ -1,5 +1,5 @@
-//! Pages that compare descriptions: the changes between two (both sides next to each other, and PDOs as diagrams), the
-//! variants of a device, and the responses of a device compared with its description.
+//! Pages that compare: the changes between two descriptions (both sides next to each other, and PDOs as diagrams), and tables, such as
+//! the variants of a device or its responses compared with its description.
 
 use super::diagram::{Diagram, Grid};
 use super::escape::filters;
@@ -126,53 +126,30 @@ fn drawing(device: &Device, (kind, number): (PdoKind, u16)) -> Option<Diagram> {
     Some(diagram)
 }
 
-/// The page of the variants.
+/// A page with one table: the variants of a device, or the checks of one.
 #[derive(Debug)]
-pub struct VariantsPage<'a> {
-    /// The file that describes them.
+pub struct TablePage<'a> {
+    /// The file that it is about.
     pub file: &'a str,
-    /// The name of the product.
-    pub product: &'a str,
+    /// The heading.
+    pub heading: &'a str,
+    /// What is below the heading, as text.
+    pub summary: String,
     /// The headings of the columns.
     pub headings: &'a [&'a str],
-    /// The cells of each variant.
-    pub rows: Vec<Vec<String>>,
+    /// The cells of each row, and whether the last one is emphasized.
+    pub rows: Vec<(Vec<String>, bool)>,
 }
 
 #[derive(Template)]
-#[template(path = "html/variants.html")]
-struct VariantsTemplate<'a> {
-    page: &'a VariantsPage<'a>,
+#[template(path = "html/table.html")]
+struct TableTemplate<'a> {
+    page: &'a TablePage<'a>,
 }
 
-impl VariantsPage<'_> {
+impl TablePage<'_> {
     /// Writes the page as HTML without external files.
     pub fn html(&self) -> String {
-        with_policy(rendered(&VariantsTemplate { page: self }, 20_000))
-    }
-}
-
-/// The page about a device's responses.
-#[derive(Debug)]
-pub struct ProbePage<'a> {
-    /// The description.
-    pub file: &'a str,
-    /// The number of responses that match the description, as text.
-    pub summary: String,
-    /// Each response: address, name, request, response, and the violated rule with its message; the last two are empty
-    /// if the response matches the description.
-    pub rows: Vec<[String; 6]>,
-}
-
-#[derive(Template)]
-#[template(path = "html/probe.html")]
-struct ProbeTemplate<'a> {
-    page: &'a ProbePage<'a>,
-}
-
-impl ProbePage<'_> {
-    /// Writes the page as HTML without external files.
-    pub fn html(&self) -> String {
-        with_policy(rendered(&ProbeTemplate { page: self }, 20_000 + 200 * self.rows.len()))
+        with_policy(rendered(&TableTemplate { page: self }, 20_000 + 200 * self.rows.len()))
     }
 }

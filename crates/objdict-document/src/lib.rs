@@ -34,7 +34,7 @@ mod texts;
 mod traffic;
 mod write;
 
-pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage, ProbePage, VariantsPage};
+pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage, TablePage};
 pub use self::context::{CodeName, Form, Identifiers, Options, Subject};
 pub use self::escape::field as csv_field;
 pub use self::finding::Finding;

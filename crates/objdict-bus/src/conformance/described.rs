@@ -2,6 +2,7 @@
 
 use objdict_device::{Abort, Dictionary};
 use objdict_node::download::AbortCode;
+use objdict_node::parameter::no_parameter;
 
 use super::{CheckStep, absent, impossible};
 use crate::dictionary::{LiveDictionary, number};
@@ -32,6 +33,8 @@ pub(super) struct DescribedEntry {
     pub(super) has_other_limits: bool,
     /// Whether RPDOs, TPDOs may map it.
     pub(super) fits: [bool; 2],
+    /// Whether a machine obeys it, so that only its own checks use it.
+    is_spared: bool,
     /// Whether 1010h stores it.
     pub(super) is_kept: bool,
     /// The length of a value in bytes; `None` for texts, octets and DOMAINs.
@@ -62,6 +65,7 @@ impl DescribedEntry {
             high,
             has_other_limits: has_limits && low.is_none() && high.is_none(),
             fits: [fits(PdoKind::Rpdo), fits(PdoKind::Tpdo)],
+            is_spared: false,
             is_kept: true,
             length: data_type.byte_length().map(usize::from),
             room: live.len(),
@@ -174,9 +178,23 @@ impl DescribedEntries {
         Self { node_id, entries, has_lss, bit_rates }
     }
 
+    /// Keeps process data, commands and domains out of the entries that checks choose: on a real machine they may move something.
+    pub(super) fn spare(&mut self, device: &Device) {
+        for entry in &mut self.entries {
+            entry.is_spared = no_parameter(device, entry.index, entry.sub).is_some();
+        }
+    }
+
     pub(super) fn find(&self, index: u16, sub: u8) -> Option<&DescribedEntry> {
         let at = self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.sub));
         at.ok().map(|at| &self.entries[at])
+    }
+
+    /// The indexes of the objects.
+    pub(super) fn indexes(&self) -> Vec<u16> {
+        let mut indexes: Vec<u16> = self.entries.iter().map(|entry| entry.index).collect();
+        indexes.dedup();
+        indexes
     }
 
     pub(super) fn has_object(&self, index: u16) -> bool {
@@ -225,7 +243,8 @@ impl DescribedEntries {
         what: &str,
         is_meant: impl Fn(&DescribedEntry) -> bool,
     ) -> CheckStep<&DescribedEntry> {
-        let is_plain = |entry: &&DescribedEntry| is_meant(entry) && !has_rules(entry.index);
+        let is_plain =
+            |entry: &&DescribedEntry| is_meant(entry) && !has_rules(entry.index) && !entry.is_spared;
         let own = self.entries.iter().filter(|entry| entry.index >= 0x2000).find(is_plain);
         match own.or_else(|| self.entries.iter().find(is_plain)) {
             Some(entry) => Ok(entry),

@@ -4,26 +4,26 @@ use objdict_device::Abort;
 
 use super::bench::{Bench, MS};
 use super::pdo::{CheckedPdo, MappedTarget, PdoDirection, RPDO, TPDO, map, mappable, mapping_of, set_up};
-use super::{CheckStep, absent, checks, ensure};
+use super::{CheckStep, Verdict, absent, checks, ensure};
 
 checks! { "PDO mapping":
     "7.5.2.38" "a TPDO with another mapping sends its values" tpdo_procedure;
     "7.5.2.36" "an RPDO with another mapping writes its values" rpdo_procedure;
     "7.5.2.36" "RPDO: dummies are left out" dummy;
-    "7.5.2.38" "TPDO: a change while it is valid is refused" @WRITES |bench| while_valid(bench, TPDO);
-    "7.5.2.36" "RPDO: a change while it is valid is refused" @WRITES |bench| while_valid(bench, RPDO);
-    "7.5.2.38" "TPDO: an entry while their number is not 0 is refused" @WRITES |bench| while_counted(bench, TPDO);
-    "7.5.2.36" "RPDO: an entry while their number is not 0 is refused" @WRITES |bench| while_counted(bench, RPDO);
-    "7.5.2.38" "TPDO: an object that does not exist is refused" @WRITES |bench| { let entry = (bench.described.unused(), 0, 8); refused(bench, TPDO, entry) };
-    "7.5.2.36" "RPDO: an object that does not exist is refused" @WRITES |bench| { let entry = (bench.described.unused(), 0, 8); refused(bench, RPDO, entry) };
-    "7.5.2.38" "TPDO: another length than that of the entry is refused" @WRITES |bench| wrong_length(bench, TPDO);
-    "7.5.2.36" "RPDO: another length than that of the entry is refused" @WRITES |bench| wrong_length(bench, RPDO);
-    "7.5.2.38" "TPDO: an entry that is not mappable is refused" @WRITES |bench| { let entry = not_mappable(bench)?; refused(bench, TPDO, entry) };
-    "7.5.2.36" "RPDO: an entry that is not mappable is refused" @WRITES |bench| { let entry = not_mappable(bench)?; refused(bench, RPDO, entry) };
-    "7.5.2.38" "TPDO: more entries than the mapping has are refused" @WRITES |bench| too_many(bench, TPDO);
-    "7.5.2.36" "RPDO: more entries than the mapping has are refused" @WRITES |bench| too_many(bench, RPDO);
-    "7.5.2.38" "TPDO: more than eight bytes are refused" @WRITES |bench| too_long(bench, TPDO);
-    "7.5.2.36" "RPDO: more than eight bytes are refused" @WRITES |bench| too_long(bench, RPDO);
+    "7.5.2.38" "TPDO: a change while it is valid is refused" @Writes |bench| while_valid(bench, TPDO);
+    "7.5.2.36" "RPDO: a change while it is valid is refused" @Writes |bench| while_valid(bench, RPDO);
+    "7.5.2.38" "TPDO: an entry while their number is not 0 is refused" @Writes |bench| while_counted(bench, TPDO);
+    "7.5.2.36" "RPDO: an entry while their number is not 0 is refused" @Writes |bench| while_counted(bench, RPDO);
+    "7.5.2.38" "TPDO: an object that does not exist is refused" @Writes |bench| no_object(bench, TPDO);
+    "7.5.2.36" "RPDO: an object that does not exist is refused" @Writes |bench| no_object(bench, RPDO);
+    "7.5.2.38" "TPDO: another length than that of the entry is refused" |bench| wrong_length(bench, TPDO);
+    "7.5.2.36" "RPDO: another length than that of the entry is refused" |bench| wrong_length(bench, RPDO);
+    "7.5.2.38" "TPDO: an entry that is not mappable is refused" @Writes |bench| { let entry = not_mappable(bench)?; refused(bench, TPDO, entry) };
+    "7.5.2.36" "RPDO: an entry that is not mappable is refused" @Writes |bench| { let entry = not_mappable(bench)?; refused(bench, RPDO, entry) };
+    "7.5.2.38" "TPDO: more entries than the mapping has are refused" @Writes |bench| too_many(bench, TPDO);
+    "7.5.2.36" "RPDO: more entries than the mapping has are refused" @Writes |bench| too_many(bench, RPDO);
+    "7.5.2.38" "TPDO: more than eight bytes are refused" @Writes |bench| too_long(bench, TPDO);
+    "7.5.2.36" "RPDO: more than eight bytes are refused" @Writes |bench| too_long(bench, RPDO);
 }
 
 /// A PDO that is not valid and has no mapped entry.
@@ -98,6 +98,18 @@ fn while_counted(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
 fn refused(bench: &mut Bench<'_>, kind: PdoDirection, entry: MappedTarget) -> CheckStep {
     let pdo = emptied(bench, kind, &[])?;
     bench.refuse(pdo.mapping(), 1, mapping_of(entry), Abort::NotMappable)
+}
+
+/// CiA 301 allows two abort codes.
+fn no_object(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {
+    let entry = (bench.described.unused(), 0, 8);
+    match refused(bench, kind, entry) {
+        Err(Verdict::Failed(_)) => {
+            let pdo = emptied(bench, kind, &[])?;
+            bench.refuse(pdo.mapping(), 1, mapping_of(entry), Abort::NoObject)
+        }
+        verdict => verdict,
+    }
 }
 
 fn wrong_length(bench: &mut Bench<'_>, kind: PdoDirection) -> CheckStep {

@@ -24,7 +24,7 @@ mod transfers;
 mod unserved;
 
 pub use self::groups::RemoteGroups;
-pub use self::remote::{RemoteDevice, conformance_on};
+pub use self::remote::{RemoteDevice, conformance_on, conformance_plan};
 use objdict_device::Dictionary;
 use objdict_generate::StorageGroup;
 
@@ -49,7 +49,27 @@ pub enum Verdict {
     Absent(String),
     /// Why the description makes the check impossible.
     Impossible(String),
+    /// The check is planned, and does this to a device.
+    Planned(CheckEffect),
 }
+
+/// What a check does to a device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CheckEffect {
+    /// It reads, or sends requests that the device must refuse.
+    Reads,
+    /// It writes values after a reset; the next reset puts them back.
+    Writes,
+    /// It starts, stops and resets the device.
+    Commands,
+}
+
+objdict_model::messages! { CheckEffect: {
+    Self::Reads => "reads";
+    Self::Writes => "writes; a reset puts back the values";
+    Self::Commands => "starts, stops and resets the device";
+} }
 
 /// A check and its result.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,7 +99,9 @@ impl Conformance {
         let count = |is_meant: fn(&Verdict) -> bool| {
             self.checks.iter().filter(|check| is_meant(&check.verdict)).count()
         };
-        let applies = |verdict: &Verdict| !matches!(verdict, Verdict::Absent(_) | Verdict::Impossible(_));
+        let applies = |verdict: &Verdict| {
+            !matches!(verdict, Verdict::Absent(_) | Verdict::Impossible(_) | Verdict::Planned(_))
+        };
         (count(|verdict| *verdict == Verdict::Passed), count(applies))
     }
 
@@ -98,7 +120,7 @@ struct ServiceCheck {
     name: &'static str,
     section: &'static str,
     /// What the check needs on a real bus; empty if it cannot be made there.
-    remote: &'static [RemoteGroups],
+    remote: &'static [CheckEffect],
     run: CheckRun,
 }
 
@@ -125,7 +147,7 @@ macro_rules! checks {
             service: $service,
             name: $name,
             section: $section,
-            remote: &[$(super::RemoteGroups::$remote)?],
+            remote: &[$(super::CheckEffect::$remote)?],
             run: super::CheckRun::Function($run),
         }),*];
     };

@@ -10,28 +10,28 @@ use super::described::DescribedEntry;
 use super::{CheckStep, checks, ensure};
 
 checks! { "NMT":
-    "7.2.8.3.3" "boot-up message after power-on" @COMMANDS boot_up;
-    "7.3.2.2.1" "state after power-on" @COMMANDS |bench| { let watch = bench.watch()?; let state = state_after_boot(bench); bench.expect_state(watch, state) };
-    "7.2.8.3.1" "start in pre-operational" @COMMANDS |bench| command(bench, ENTER_PRE_OPERATIONAL, START, OPERATIONAL);
-    "7.2.8.3.1" "start in operational" @COMMANDS |bench| command(bench, START, START, OPERATIONAL);
-    "7.2.8.3.1" "start in stopped" @COMMANDS |bench| command(bench, STOP, START, OPERATIONAL);
-    "7.2.8.3.1" "stop in pre-operational" @COMMANDS |bench| command(bench, ENTER_PRE_OPERATIONAL, STOP, STOPPED);
-    "7.2.8.3.1" "stop in operational" @COMMANDS |bench| command(bench, START, STOP, STOPPED);
-    "7.2.8.3.1" "stop in stopped" @COMMANDS |bench| command(bench, STOP, STOP, STOPPED);
-    "7.2.8.3.1" "enter pre-operational in pre-operational" @COMMANDS |bench| command(bench, ENTER_PRE_OPERATIONAL, ENTER_PRE_OPERATIONAL, PRE_OPERATIONAL);
-    "7.2.8.3.1" "enter pre-operational in operational" @COMMANDS |bench| command(bench, START, ENTER_PRE_OPERATIONAL, PRE_OPERATIONAL);
-    "7.2.8.3.1" "enter pre-operational in stopped" @COMMANDS |bench| command(bench, STOP, ENTER_PRE_OPERATIONAL, PRE_OPERATIONAL);
-    "7.2.8.3.1" "reset node in pre-operational" @COMMANDS |bench| reset(bench, ENTER_PRE_OPERATIONAL, RESET_NODE);
-    "7.2.8.3.1" "reset node in operational" @COMMANDS |bench| reset(bench, START, RESET_NODE);
-    "7.2.8.3.1" "reset node in stopped" @COMMANDS |bench| reset(bench, STOP, RESET_NODE);
-    "7.2.8.3.1" "reset communication in pre-operational" @COMMANDS |bench| reset(bench, ENTER_PRE_OPERATIONAL, RESET_COMMUNICATION);
-    "7.2.8.3.1" "reset communication in operational" @COMMANDS |bench| reset(bench, START, RESET_COMMUNICATION);
-    "7.2.8.3.1" "reset communication in stopped" @COMMANDS |bench| reset(bench, STOP, RESET_COMMUNICATION);
+    "7.2.8.3.3" "boot-up message after power-on" @Commands boot_up;
+    "7.3.2.2.1" "state after power-on" @Commands |bench| { let watch = bench.watch()?; let state = state_after_boot(bench); bench.expect_state(watch, state) };
+    "7.2.8.3.1" "start in pre-operational" @Commands |bench| command(bench, ENTER_PRE_OPERATIONAL, START, OPERATIONAL);
+    "7.2.8.3.1" "start in operational" @Commands |bench| command(bench, START, START, OPERATIONAL);
+    "7.2.8.3.1" "start in stopped" @Commands |bench| command(bench, STOP, START, OPERATIONAL);
+    "7.2.8.3.1" "stop in pre-operational" @Commands |bench| command(bench, ENTER_PRE_OPERATIONAL, STOP, STOPPED);
+    "7.2.8.3.1" "stop in operational" @Commands |bench| command(bench, START, STOP, STOPPED);
+    "7.2.8.3.1" "stop in stopped" @Commands |bench| command(bench, STOP, STOP, STOPPED);
+    "7.2.8.3.1" "enter pre-operational in pre-operational" @Commands |bench| command(bench, ENTER_PRE_OPERATIONAL, ENTER_PRE_OPERATIONAL, PRE_OPERATIONAL);
+    "7.2.8.3.1" "enter pre-operational in operational" @Commands |bench| command(bench, START, ENTER_PRE_OPERATIONAL, PRE_OPERATIONAL);
+    "7.2.8.3.1" "enter pre-operational in stopped" @Commands |bench| command(bench, STOP, ENTER_PRE_OPERATIONAL, PRE_OPERATIONAL);
+    "7.2.8.3.1" "reset node in pre-operational" @Commands |bench| reset(bench, ENTER_PRE_OPERATIONAL, RESET_NODE);
+    "7.2.8.3.1" "reset node in operational" @Commands |bench| reset(bench, START, RESET_NODE);
+    "7.2.8.3.1" "reset node in stopped" @Commands |bench| reset(bench, STOP, RESET_NODE);
+    "7.2.8.3.1" "reset communication in pre-operational" @Commands |bench| reset(bench, ENTER_PRE_OPERATIONAL, RESET_COMMUNICATION);
+    "7.2.8.3.1" "reset communication in operational" @Commands |bench| reset(bench, START, RESET_COMMUNICATION);
+    "7.2.8.3.1" "reset communication in stopped" @Commands |bench| reset(bench, STOP, RESET_COMMUNICATION);
     "7.2.8.3.1" "a command to all nodes is obeyed" |bench| frame(bench, &[STOP, 0], true);
     "7.2.8.3.1" "a command to another node is ignored" |bench| { let other = bench.neighbour(); frame(bench, &[STOP, other], false) };
-    "7.2.8.3.1" "an unknown command is ignored" @COMMANDS |bench| { let node_id = bench.node_id() as u8; frame(bench, &[3, node_id], false) };
-    "7.2.8.3.1" "a command of one byte is ignored" @COMMANDS |bench| frame(bench, &[STOP], false);
-    "7.3.2.2" "no SDO is answered in stopped" @COMMANDS |bench| { bench.command(STOP); let answers = bench.answers(); ensure(!answers, || "an SDO is answered".into()) };
+    "7.2.8.3.1" "an unknown command is ignored" @Commands |bench| { let node_id = bench.node_id() as u8; frame(bench, &[3, node_id], false) };
+    "7.2.8.3.1" "a command of one byte is ignored" @Commands |bench| frame(bench, &[STOP], false);
+    "7.3.2.2" "no SDO is answered in stopped" @Commands |bench| { bench.command(STOP); let answers = bench.answers(); ensure(!answers, || "an SDO is answered".into()) };
 }
 
 fn boot_up(bench: &mut Bench<'_>) -> CheckStep {

@@ -9,9 +9,8 @@ use crate::model::TypeKind;
 
 /// A check for each object. All are read before one is written.
 pub(super) fn checks(described: &DescribedEntries, bench: &mut Bench<'_>) -> Vec<ConformanceCheck> {
-    let mut indexes: Vec<u16> = described.entries.iter().map(|entry| entry.index).collect();
-    indexes.dedup();
-    let readings = indexes
+    let readings = described
+        .indexes()
         .into_iter()
         .map(|index| (index, described.object(index).try_for_each(|entry| check_reading(bench, entry))));
     let readings: Vec<(u16, CheckStep)> = readings.collect();

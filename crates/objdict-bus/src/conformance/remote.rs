@@ -10,8 +10,8 @@ use super::bench::{Bench, RESET_NODE};
 use super::described::{DescribedEntries, DescribedEntry, abort_code, answer, hex, place};
 use super::objects::service_of;
 use super::{
-    CheckStep, Conformance, ConformanceCheck, RemoteGroups, SERVICES, Verdict, ensure, failed, impossible,
-    verdict,
+    CheckEffect, CheckStep, Conformance, ConformanceCheck, RemoteGroups, SERVICES, Verdict, ensure, failed,
+    impossible, verdict,
 };
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::model::{Access, Device};
@@ -41,38 +41,58 @@ pub fn conformance_on(
     remote: Rc<RefCell<dyn RemoteDevice>>,
     groups: RemoteGroups,
 ) -> Conformance {
-    let device = PowerOn::Defaults.values_of(device);
-    let live = LiveDictionary::of_table(&device, node_id, &[]);
-    let described = DescribedEntries::new(&device, node_id, &live);
-    let mut checks = Vec::new();
-    let Some(mut node) = RemoteNode::new(remote, node_id, groups.writes || groups.commands) else {
+    let described = described(device, node_id);
+    let mut checks = planned(&described, groups);
+    let Some(mut node) = RemoteNode::new(remote, node_id, groups.writes) else {
         return Conformance { checks };
     };
-    for check in SERVICES.into_iter().flatten() {
-        let verdict = match check.remote.first() {
-            Some(needed) if groups.allow(*needed) => {
-                let boot_up = node.boot(0);
-                verdict(check.run(&mut Bench::new(&described, node.again(), boot_up)))
-            }
-            Some(_) => Verdict::Impossible("its group is not chosen".to_owned()),
-            None => Verdict::Impossible(
-                "not possible here: it needs simulated time, faults or a broadcast".to_owned(),
-            ),
-        };
-        let (service, name, section) = (check.service, check.name.to_owned(), check.section);
-        checks.push(ConformanceCheck { service, name, section, verdict });
+    let of_services = SERVICES.into_iter().flatten().zip(&mut checks);
+    for (check, planned) in of_services.filter(|(_, planned)| matches!(planned.verdict, Verdict::Planned(_)))
+    {
+        let boot_up = node.boot(0);
+        planned.verdict = verdict(check.run(&mut Bench::new(&described, node.again(), boot_up)));
     }
     let boot_up = node.boot(0);
     let mut bench = Bench::new(&described, node.again(), boot_up);
-    let mut indexes: Vec<u16> = described.entries.iter().map(|entry| entry.index).collect();
-    indexes.dedup();
-    checks.extend(indexes.into_iter().map(|index| ConformanceCheck {
+    for (index, planned) in described.indexes().into_iter().zip(checks.iter_mut().skip(service_count())) {
+        let mut entries = described.object(index);
+        planned.verdict = verdict(entries.try_for_each(|entry| check_reading(&mut bench, entry)));
+    }
+    Conformance { checks }
+}
+
+/// The checks that [`conformance_on`] would make, and those that it would not. Nothing is sent.
+pub fn conformance_plan(device: &Device, node_id: u8, groups: RemoteGroups) -> Conformance {
+    Conformance { checks: planned(&described(device, node_id), groups) }
+}
+
+fn described(device: &Device, node_id: u8) -> DescribedEntries {
+    let device = PowerOn::Defaults.values_of(device);
+    let live = LiveDictionary::of_table(&device, node_id, &[]);
+    let mut described = DescribedEntries::new(&device, node_id, &live);
+    described.spare(&device);
+    described
+}
+
+fn service_count() -> usize {
+    SERVICES.into_iter().flatten().count()
+}
+
+/// The checks of services, then those of objects.
+fn planned(described: &DescribedEntries, groups: RemoteGroups) -> Vec<ConformanceCheck> {
+    let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
+        service: check.service,
+        name: check.name.to_owned(),
+        section: check.section,
+        verdict: groups.verdict(check.remote.first().copied()),
+    });
+    let of_objects = described.indexes().into_iter().map(|index| ConformanceCheck {
         service: service_of(index),
         name: format!("{index:04X}h"),
         section: "7.4",
-        verdict: verdict(described.object(index).try_for_each(|entry| check_reading(&mut bench, entry))),
-    }));
-    Conformance { checks }
+        verdict: Verdict::Planned(CheckEffect::Reads),
+    });
+    of_services.chain(of_objects).collect()
 }
 
 /// The value of an entry on a device: it has another one than the default, but the length, the access and both protocols are as described.

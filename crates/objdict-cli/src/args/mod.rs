@@ -46,7 +46,7 @@ pub(super) use self::open::OpenArgs;
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 pub(super) use self::probe::ProbeArgs;
 pub(super) use self::report::{
-    Counting, PlainFormat, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat,
+    ChecksFormat, Counting, PlainFormat, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat,
 };
 use super::baseline::BaselineArgs;
 use super::canonical::DialectArgs;
@@ -310,6 +310,10 @@ pub(super) struct ConformanceArgs {
     #[cfg(feature = "bus")]
     #[arg(long, requires = "write")]
     pub nmt: bool,
+    /// List the checks with their effects on the device, and send nothing
+    #[cfg(feature = "bus")]
+    #[arg(long, requires = "bus")]
+    pub dry_run: bool,
     /// Do not ask before writing
     #[cfg(feature = "bus")]
     #[arg(short, long, requires = "write")]
@@ -323,7 +327,7 @@ pub(super) struct ConformanceArgs {
     pub summary: bool,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
+    pub format: ChecksFormat,
     #[command(flatten)]
     pub input: InputArgs,
 }

@@ -69,6 +69,20 @@ pub(crate) enum ShowFormat {
     Json,
 }
 
+/// How the checks of a device are reported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ChecksFormat {
+    /// Plain text
+    #[value(alias = "text")]
+    Table,
+    /// JSON document with one entry per line (docs/reference/json.md)
+    Json,
+    /// JUnit XML for test report viewers
+    Junit,
+    /// HTML page
+    Html,
+}
+
 /// How what is found is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PlainFormat {

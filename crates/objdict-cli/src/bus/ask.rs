@@ -4,16 +4,20 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use objdict_bus::{Conformance, RemoteGroups, conformance_on};
-use objdict_can::{CheckedDevice, ClientError, Danger};
+use objdict_can::{CheckedDevice, ClientError, Danger, SavedValues};
 use objdict_model::diagnostic::plural;
 use objdict_model::model::Device;
 use objdict_traffic::Descriptions;
 use objdict_traffic::probe::{Exchange, ProbePlan, SdoAnswer, SdoRequest};
 
+use super::change::entries;
 use super::question::agrees;
 use super::session::BusSession;
 use crate::args::{BusChangeArgs, BusLinkArgs, NetworkInputArgs};
 use crate::ending::{Failure, note};
+
+/// The NMT command that resets a node.
+const RESET_NODE: u8 = 0x81;
 
 /// Asks what a plan asks. A plan that writes is only carried out on a node that may be changed, after a question.
 pub(crate) fn ask(
@@ -74,13 +78,35 @@ pub(crate) fn check(
     session.listen(Some(node_id), &format!("checks the services and entries of node {node_id}"))?;
     // a node that does not answer would fail every check
     session.client.upload(node_id, 0x1000, 0)?;
+    let mut before = SavedValues::default();
     if groups.writes {
         require_consent(&mut session, node_id, device, yes)?;
+        before = session.client.save(node_id, device)?;
     }
     let checked = Rc::new(RefCell::new(CheckedDevice { client: session.client, failure: None }));
     let results = conformance_on(device, node_id, checked.clone(), groups);
-    let failure = checked.borrow_mut().failure.take();
-    failure.map_or(Ok(results), |error| Err(error.into()))
+    let CheckedDevice { client, failure } = &mut *checked.borrow_mut();
+    if let Some(error) = failure.take() {
+        // the adapter may be gone, which is the error then
+        if groups.writes && client.command(RESET_NODE, node_id).is_ok() {
+            note(&format!("note: node {node_id} is reset, which discards the written values\n"));
+        }
+        return Err(error.into());
+    }
+    let (restored, lost) = client.put_back(node_id, &before)?;
+    if !restored.is_empty() {
+        note(&format!("note: set again, because the reset cleared them: {}\n", entries(&restored)));
+    }
+    if !lost.is_empty() {
+        let failure = Failure::new(format_args!(
+            "node {node_id} does not accept its former values: {}",
+            entries(&lost)
+        ));
+        return Err(
+            failure.help(format!("`objdict bus nmt reset {node_id}`, then compare with `objdict bus save`"))
+        );
+    }
+    Ok(results)
 }
 
 /// Refuses a node that must not be written, and asks.

@@ -125,11 +125,16 @@ impl BusSession {
     }
 }
 
+/// Entries as `1017:00, 2003:01`.
+pub(super) fn entries(entries: &[(u16, u8)]) -> String {
+    let names: Vec<String> = entries.iter().map(|(index, sub)| format!("{index:04X}:{sub:02X}")).collect();
+    names.join(", ")
+}
+
 /// Reports the entries that an undo omits.
 pub(super) fn tell_lost(lost: &[(u16, u8)]) {
     if !lost.is_empty() {
-        let lost: Vec<String> = lost.iter().map(|(index, sub)| format!("{index:04X}:{sub:02X}")).collect();
-        let lost = lost.join(", ");
+        let lost = entries(lost);
         note(&format!("note: cannot be undone, because their values before are not known: {lost}\n"));
     }
 }

@@ -19,6 +19,66 @@ pub struct Junit<W> {
     xml: XmlWriter,
 }
 
+/// A test of a suite.
+#[derive(Clone, Debug)]
+#[expect(clippy::exhaustive_structs, reason = "the attributes of a test case of JUnit")]
+pub struct TestCase<'a> {
+    /// The group of the test.
+    pub class: &'a str,
+    /// The name, which is different from those of the other tests of its group.
+    pub name: String,
+    /// The result.
+    pub result: TestResult,
+}
+
+/// The result of a test.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[expect(clippy::exhaustive_enums, reason = "the results of JUnit")]
+pub enum TestResult {
+    /// It passed.
+    Passed,
+    /// Why it failed.
+    Failed(String),
+    /// Why it was not made.
+    Skipped(String),
+}
+
+/// JUnit XML of a suite of tests.
+pub fn junit_suite(name: &str, tests: &[TestCase<'_>]) -> String {
+    let count = |is_meant: fn(&TestResult) -> bool| {
+        tests.iter().filter(|test| is_meant(&test.result)).count().to_string()
+    };
+    let failures = count(|result| matches!(result, TestResult::Failed(_)));
+    let skipped = count(|result| matches!(result, TestResult::Skipped(_)));
+    let (name, total) = (one_line(name), tests.len().to_string());
+    let mut xml = XmlWriter::new();
+    xml.open("testsuites", [("name", "objdict")]);
+    let attributes = [
+        ("name", &*name),
+        ("tests", &*total),
+        ("failures", &*failures),
+        ("errors", "0"),
+        ("skipped", &*skipped),
+    ];
+    xml.open("testsuite", attributes);
+    for TestCase { class, name, result } in tests {
+        let (name, class) = (one_line(name), one_line(class));
+        let attributes = [("name", &*name), ("classname", &*class)];
+        let (element, reason) = match result {
+            TestResult::Passed => {
+                xml.empty("testcase", attributes);
+                continue;
+            }
+            TestResult::Failed(reason) => ("failure", one_line(reason)),
+            TestResult::Skipped(reason) => ("skipped", one_line(reason)),
+        };
+        xml.open("testcase", attributes);
+        xml.empty(element, [("message", &*reason)]);
+        xml.close();
+    }
+    xml.finish()
+}
+
 impl<W: Write> Junit<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
@@ -157,6 +217,24 @@ mod tests {
         assert_eq!((count("testsuite"), count("testcase"), count("failure"), count("error")), (3, 5, 2, 1));
         let suite = document.descendants().find(|node| node.has_tag_name("testsuite")).unwrap();
         assert_eq!((suite.attribute("tests"), suite.attribute("failures")), (Some("3"), Some("2")));
+    }
+
+    #[test]
+    fn a_suite_of_tests_is_well_formed() {
+        let results = [
+            TestResult::Passed,
+            TestResult::Failed("<&>".to_owned()),
+            TestResult::Skipped("\u{1}".to_owned()),
+        ];
+        let test = |result| TestCase { class: "a<b", name: "x\ny".to_owned(), result };
+        let text = junit_suite("node & bus", &results.map(test));
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let suite = document.descendants().find(|node| node.has_tag_name("testsuite")).unwrap();
+        let counts = ["tests", "failures", "skipped"].map(|name| suite.attribute(name));
+        assert_eq!(counts, [Some("3"), Some("1"), Some("1")]);
+        let failure = suite.descendants().find(|node| node.has_tag_name("failure")).unwrap();
+        assert_eq!(failure.attribute("message"), Some("<&>"));
+        assert_eq!(suite.descendants().filter(|node| node.has_tag_name("testcase")).count(), 3);
     }
 
     #[test]

@@ -42,7 +42,7 @@ pub use group::{by_place, grouped};
 #[cfg(feature = "schema")]
 pub use json::CheckJson;
 #[cfg(feature = "xdd")]
-pub use junit::Junit;
+pub use junit::{Junit, TestCase, TestResult, junit_suite};
 #[cfg(not(feature = "text"))]
 pub use plain::listed;
 #[cfg(all(feature = "lint", not(feature = "text")))]
