@@ -433,3 +433,27 @@ fn no_difference_of_a_bus_means_the_same_outputs() {
     }
     compare_edits("bus.yml", &bus, &found);
 }
+
+/// Every command that needs a network names the option that allows the folder of its descriptions.
+#[test]
+fn descriptions_outside_the_project_have_their_remedy() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("own")).unwrap();
+    fs::copy("fixtures/eds/drive-402.eds", folder.path().join("drive.eds")).unwrap();
+    let text = "[bus]\nbit-rate = 500\n\n[node.a]\nfile = \"../drive.eds\"\nid = 5\n\n\
+        [node.b]\nfile = \"../drive.eds\"\nid = 6\n";
+    fs::write(folder.path().join("own/net.toml"), text).unwrap();
+    for line in ["network boot net.toml", "bus scan --nodes 5-6 --bus sim:net.toml", "bus lss plan net.toml"]
+    {
+        let run = |more: &[&str]| {
+            let mut command = Command::new(crate::program());
+            command.args(line.split(' ')).args(more).current_dir(folder.path().join("own"));
+            let output = command.output().unwrap();
+            (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+        };
+        let (code, errors) = run(&[]);
+        assert_eq!(code, Some(2), "{line}");
+        assert!(errors.contains("is outside the project") && errors.contains("`--allow-path`"), "{errors}");
+        assert!(!run(&["--allow-path", ".."]).1.contains("outside the project"), "{line}");
+    }
+}

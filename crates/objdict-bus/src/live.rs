@@ -62,6 +62,11 @@ impl LiveBus {
         self.bit_rate
     }
 
+    /// Changes the bit rate in kbit/s, of the nodes too.
+    pub const fn set_bit_rate(&mut self, bit_rate: u16) {
+        self.bit_rate = bit_rate;
+    }
+
     /// Sends a frame of the client as soon as the bus is free.
     pub fn send(&mut self, frame: BusFrame) {
         self.requests.push_back(frame);

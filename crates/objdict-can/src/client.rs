@@ -48,6 +48,15 @@ pub enum ClientError {
         /// The reason.
         abort: Abort,
     },
+    /// A value is no number: it has another length.
+    NoNumber {
+        /// The node.
+        node_id: u8,
+        /// Index and sub-index.
+        entry: (u16, u8),
+        /// The length in bytes.
+        length: usize,
+    },
     /// Another SDO client uses the channel of a node.
     OtherClient(u8),
     /// Other nodes are heard, which a broadcast would reach.
@@ -64,6 +73,8 @@ objdict_model::error_messages! { ClientError:
         "node {node_id} does not answer within {waited} ms ({index:04X}h sub-index {sub})";
     Self::Refused { node_id, entry: (index, sub), abort } =>
         "node {node_id} refuses {index:04X}h sub-index {sub}: {abort}";
+    Self::NoNumber { node_id, entry: (index, sub), length } =>
+        "{index:04X}h sub-index {sub} of node {node_id} is not a number: it has {length} bytes";
     Self::OtherClient(node_id) => "another SDO client sends requests to node {node_id}";
     Self::NotAlone(nodes) => "the frame would reach other nodes too: {}", list(nodes);
 } }
@@ -80,7 +91,9 @@ impl ClientError {
             Self::Interrupted => "start the command again when you are ready",
             Self::BusOff => "check bit rate, wiring and termination, then restart the interface",
             Self::Silent { .. } => "check node-ID, supply and bit rate; `--timeout` waits longer",
-            Self::Refused { .. } => "compare with the description: `objdict show FILE INDEX`",
+            Self::Refused { .. } | Self::NoNumber { .. } => {
+                "compare with the description: `objdict show FILE INDEX`"
+            }
             Self::OtherClient(_) => "stop it, or pass `--shared` if both may use the channel",
             Self::NotAlone(_) => "disconnect them, or pass `--alone` if nothing else may be disturbed",
         }
@@ -192,6 +205,11 @@ impl BusClient {
     /// The bit rate in kbit/s, where the adapter knows it.
     pub fn bit_rate(&self) -> Option<u16> {
         self.transport.bit_rate()
+    }
+
+    /// Changes the bit rate of the adapter; whether it can.
+    pub(crate) fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, ClientError> {
+        Ok(self.transport.set_bit_rate(bit_rate)?)
     }
 
     /// Whether a log is replayed.
@@ -307,13 +325,16 @@ impl BusClient {
         })
     }
 
-    /// Reads an entry of at most eight bytes as a number.
+    /// Reads an entry of one to eight bytes as a number.
     ///
     /// # Errors
-    /// As [`upload`](Self::upload).
+    /// As [`upload`](Self::upload), and [`ClientError::NoNumber`].
     pub fn number(&mut self, node_id: u8, index: u16, sub: u8) -> Result<u64, ClientError> {
         let bytes = self.upload(node_id, index, sub)?;
-        Ok(bytes.iter().take(8).rev().fold(0, |number, byte| number << 8 | u64::from(*byte)))
+        if !(1..=8).contains(&bytes.len()) {
+            return Err(ClientError::NoNumber { node_id, entry: (index, sub), length: bytes.len() });
+        }
+        Ok(bytes.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte)))
     }
 
     /// Writes an entry; a long value by a block transfer if the node has those.

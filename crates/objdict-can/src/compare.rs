@@ -3,7 +3,7 @@
 use objdict_bus::Abort;
 use objdict_node::download::{Download, remaining};
 
-use crate::client::{BusClient, ClientError};
+use crate::client::{BusClient, ClientError, unless_refused};
 use crate::safety::OtherIdentity;
 use crate::scan::ScannedNode;
 
@@ -36,6 +36,8 @@ pub enum NodeDifference {
     Unreadable(u16, u8, Abort),
     /// The node is in another state, or sends none.
     State(u8, Option<u8>),
+    /// The node sends no heartbeat, but has this period in milliseconds.
+    NoHeartbeat(u16),
 }
 
 impl BusClient {
@@ -95,6 +97,13 @@ impl BusClient {
             }
         }
         let state = self.states().get(&node_id).copied().flatten();
+        if state.is_none() && wanted.values.iter().any(|value| value.entry() == (0x1017, 0)) {
+            let period = unless_refused(self.number(node_id, 0x1017, 0))?
+                .and_then(|period| u16::try_from(period).ok());
+            // a node that should have been heard twice by now
+            let due = period.filter(|period| *period > 0 && self.now() >= 2000 * u64::from(*period));
+            differences.extend(due.map(|period| (node_id, NodeDifference::NoHeartbeat(period))));
+        }
         if let Some(wanted) = wanted.state.filter(|wanted| state != Some(*wanted)) {
             differences.push((node_id, NodeDifference::State(wanted, state)));
         }

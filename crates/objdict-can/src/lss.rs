@@ -12,6 +12,10 @@ const ANSWER: u32 = 0x7E4;
 const PATIENCE: u64 = 50_000;
 const STORING: u64 = 2_000_000;
 
+/// How long a device waits before it changes its bit rate, and then before it sends, in milliseconds; and how often it is asked then.
+const SWITCH_DELAY: u16 = 500;
+const ATTEMPTS: usize = 3;
+
 /// Vendor-ID, product code, revision number and serial number.
 pub type LssIdentity = [u32; 4];
 
@@ -25,6 +29,8 @@ pub enum LssPlace {
     NodeId,
     /// The bit rate.
     BitRate,
+    /// An answer at the new bit rate.
+    Test,
     /// Storing both.
     Store,
 }
@@ -33,6 +39,7 @@ objdict_model::messages! { LssPlace: {
     Self::Selection => "no device with this identity answers";
     Self::NodeId => "the device refuses the node-ID";
     Self::BitRate => "the device refuses the bit rate";
+    Self::Test => "the device does not answer at the new bit rate, so nothing is stored";
     Self::Store => "the device does not store node-ID and bit rate";
 } }
 
@@ -83,7 +90,9 @@ impl BusClient {
         Ok(answer.is_some())
     }
 
-    /// Gives the selected device a node-ID and, if it is to have another one, a bit rate in kbit/s from the next power-on, and stores both.
+    /// Gives the selected device a node-ID and, if it is to have another one, a bit rate in kbit/s, and stores both. The bit rate is tested
+    /// first if the adapter can change to it; no other device may be on the bus then. Returns whether it was tested: if so, device and
+    /// adapter work at it, else the device does from its next power-on.
     ///
     /// # Errors
     /// As [`fastscan`](Self::fastscan); what the device refuses is the result.
@@ -91,7 +100,8 @@ impl BusClient {
         &mut self,
         node_id: u8,
         bit_rate: Option<u16>,
-    ) -> Result<Result<(), LssPlace>, ClientError> {
+    ) -> Result<Result<bool, LssPlace>, ClientError> {
+        let mut is_tested = false;
         let is_accepted = |answer: Option<[u8; 8]>| answer.is_some_and(|answer| answer[1] == 0);
         if !is_accepted(self.ask([0x11, node_id, 0, 0, 0, 0, 0, 0], 0x11, PATIENCE)?) {
             return Ok(Err(LssPlace::NodeId));
@@ -102,8 +112,46 @@ impl BusClient {
                 return Ok(Err(LssPlace::BitRate));
             }
         }
+        if let Some(bit_rate) = bit_rate
+            && self.can_test()?
+        {
+            if !self.lss_test(bit_rate)? {
+                return Ok(Err(LssPlace::Test));
+            }
+            is_tested = true;
+        }
         let is_stored = is_accepted(self.ask([0x17, 0, 0, 0, 0, 0, 0, 0], 0x17, STORING)?);
-        Ok(if is_stored { Ok(()) } else { Err(LssPlace::Store) })
+        Ok(if is_stored { Ok(is_tested) } else { Err(LssPlace::Store) })
+    }
+
+    /// Whether the adapter can change its bit rate, so that the one of a device can be tested.
+    ///
+    /// # Errors
+    /// When the adapter is lost.
+    pub fn can_test(&mut self) -> Result<bool, ClientError> {
+        Ok(match self.bit_rate() {
+            Some(present) => self.set_bit_rate(present)?,
+            None => false,
+        })
+    }
+
+    /// Lets the selected device change its bit rate, and asks it there. If it does not answer, the adapter gets its own one back.
+    fn lss_test(&mut self, bit_rate: u16) -> Result<bool, ClientError> {
+        let (before, [low, high]) = (self.bit_rate(), SWITCH_DELAY.to_le_bytes());
+        self.request([0x15, low, high, 0, 0, 0, 0, 0])?;
+        // the request must leave the adapter, and the device waits twice
+        self.listen(u64::from(SWITCH_DELAY) / 2)?;
+        self.set_bit_rate(bit_rate)?;
+        self.listen(2 * u64::from(SWITCH_DELAY))?;
+        for _ in 0..ATTEMPTS {
+            if self.ask([0x5E, 0, 0, 0, 0, 0, 0, 0], 0x5E, PATIENCE)?.is_some() {
+                return Ok(true);
+            }
+        }
+        if let Some(before) = before {
+            self.set_bit_rate(before)?;
+        }
+        Ok(false)
     }
 
     /// Ends the configuration state of all devices. A device with a new node-ID starts with it.

@@ -66,7 +66,7 @@ impl BusClient {
         if self.states().get(&node_id) == Some(&Some(5)) {
             dangers.push(Danger::Operational);
         }
-        if has_srdos(device) || self.is_there(node_id, 0x13FE)?.is_some() {
+        if has_srdos(device) || unless_refused(self.upload(node_id, 0x13FE, 0))?.is_some() {
             dangers.push(Danger::Safety);
         }
         for axis in 0..8 {
@@ -75,15 +75,11 @@ impl BusClient {
             if !device.objects.contains_key(&index) && (axis > 0 || !device.objects.is_empty()) {
                 continue;
             }
-            let word = self.is_there(node_id, index)?.map(|word| word as u16);
+            let word = unless_refused(self.number(node_id, index, 0))?.map(|word| word as u16);
             // operation enabled, quick stop active: bit 2 without fault and without switch-on disabled
             dangers.extend(word.filter(|word| word & 0x4C == 4).map(|word| Danger::Enabled(index, word)));
         }
         Ok(dangers)
-    }
-
-    fn is_there(&mut self, node_id: u8, index: u16) -> Result<Option<u64>, ClientError> {
-        unless_refused(self.number(node_id, index, 0))
     }
 
     /// The first entry of the identity (device type, vendor-ID, product code) that differs from the description.

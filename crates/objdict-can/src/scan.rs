@@ -76,7 +76,7 @@ impl BusClient {
     ) -> Result<(bool, Option<u32>), ClientError> {
         match self.number(node_id, index, sub) {
             Ok(number) => Ok((true, u32::try_from(number).ok())),
-            Err(ClientError::Refused { .. }) => Ok((true, None)),
+            Err(ClientError::Refused { .. } | ClientError::NoNumber { .. }) => Ok((true, None)),
             Err(ClientError::Silent { .. }) => Ok((false, None)),
             Err(error) => Err(error),
         }

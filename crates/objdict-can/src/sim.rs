@@ -93,4 +93,9 @@ impl Transport for SimulatedBus {
     fn bit_rate(&self) -> Option<u16> {
         Some(self.bus.bit_rate())
     }
+
+    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
+        self.bus.set_bit_rate(bit_rate);
+        Ok(true)
+    }
 }

@@ -49,13 +49,11 @@ impl<P: Read + Write> SlcanAdapter<P> {
     /// # Errors
     /// When the port is lost.
     pub fn new(port: P, bit_rate: u16) -> Result<Self, TransportError> {
-        let rate = SLCAN_RATES.iter().position(|rate| *rate == bit_rate).unwrap_or(6);
         let (line, rest) = Default::default();
         let mut adapter = Self { port, opened: Instant::now(), bit_rate, line, rest };
-        // a half line of an earlier program ends with the first one
-        for command in ["\r", "C\r", &format!("S{rate}\r"), "O\r"] {
-            adapter.write(command.as_bytes())?;
-        }
+        // it ends a half line of an earlier program
+        adapter.write(b"\r")?;
+        adapter.set_bit_rate(bit_rate)?;
         Ok(adapter)
     }
 
@@ -151,6 +149,13 @@ impl<P: Read + Write> Transport for SlcanAdapter<P> {
 
     fn bit_rate(&self) -> Option<u16> {
         Some(self.bit_rate)
+    }
+
+    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
+        let rate = SLCAN_RATES.iter().position(|rate| *rate == bit_rate).unwrap_or(6);
+        self.write(format!("C\rS{rate}\rO\r").as_bytes())?;
+        self.bit_rate = bit_rate;
+        Ok(true)
     }
 }
 

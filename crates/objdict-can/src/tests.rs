@@ -12,8 +12,8 @@ use objdict_traffic::log::LoggedFrame;
 
 use crate::sim::logged;
 use crate::{
-    ApplyOptions, BusClient, ClientError, Danger, ExpectedNode, NodeDifference, OtherIdentity, SimulatedBus,
-    Transport, TransportError, WriteResult, undo,
+    ApplyOptions, BusClient, ClientError, Danger, ExpectedNode, LssPlace, NodeDifference, OtherIdentity,
+    SimulatedBus, Transport, TransportError, WriteResult, undo,
 };
 
 fn description(name: &str) -> Description {
@@ -102,12 +102,12 @@ impl Transport for Faulty {
         self.received += usize::from(frame.as_ref().is_some_and(|frame| frame.can_id == 0x585));
         match (self.fault, frame) {
             (Fault::Vanishes(count), Some(_)) if self.received > count => Ok(None),
+            (Fault::Mute, Some(frame)) if frame.can_id > 0x700 => Ok(None),
+            (Fault::DeafAtOtherRates, _) if self.bus.bit_rate() != Some(500) => Ok(None),
             (Fault::Late(by), Some(frame)) => {
                 self.late.push((self.bus.now() + by, frame));
                 Ok(None)
             }
-            (_, frame) => Ok(frame),
-        }
             (Fault::Answers(at, own, other), Some(mut frame))
                 if frame.data().len() == 8 && frame.data()[at..].starts_with(own) =>
             {
@@ -116,10 +116,21 @@ impl Transport for Faulty {
                 frame = frame.with_data(&data);
                 Ok(Some(frame))
             }
+            (_, frame) => Ok(frame),
+        }
     }
 
     fn now(&self) -> u64 {
         self.bus.now()
+    }
+
+    fn bit_rate(&self) -> Option<u16> {
+        self.bus.bit_rate()
+    }
+
+    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
+        // most adapters cannot
+        if self.fault == Fault::DeafAtOtherRates { self.bus.set_bit_rate(bit_rate) } else { Ok(false) }
     }
 }
 
@@ -128,6 +139,8 @@ fn entries_are_read_and_written_in_every_length() {
     let mut client = client();
     assert_eq!(client.number(5, 0x1018, 1).unwrap(), 0x3F9);
     assert_eq!(client.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
+    let no_number = client.number(5, 0x1008, 0).unwrap_err();
+    assert!(matches!(no_number, ClientError::NoNumber { length: 17, .. }), "{no_number}");
     client.download(5, 0x1017, 0, &[250, 0]).unwrap();
     assert_eq!(client.number(5, 0x1017, 0).unwrap(), 250);
     let refused = client.download(5, 0x1018, 1, &[0; 4]).unwrap_err();
@@ -287,13 +300,53 @@ fn a_network_is_compared() {
     assert_eq!(client.compare(&nodes, &found).unwrap(), expected);
 }
 
+/// A bit rate at which the device is not heard is never stored; one that the adapter cannot test is.
+#[test]
+fn a_bit_rate_is_tested_before_it_is_stored() {
+    let stored = |fault: Fault| {
+        let sent = std::rc::Rc::new(std::cell::RefCell::new(Vec::new()));
+        let seen = sent.clone();
+        let bus = Faulty { bus: simulated(&[5]), fault, received: 0, late: Vec::new() };
+        let mut client = BusClient::new(Box::new(bus)).with_observer(Box::new(move |frame| {
+            if frame.can_id == 0x7E5 {
+                seen.borrow_mut().push(frame.data()[0]);
+            }
+        }));
+        client.fastscan().unwrap().unwrap();
+        let result = client.lss_configure(5, Some(250)).unwrap();
+        assert_eq!(client.bit_rate(), Some(500), "the adapter is back");
+        (result, sent.borrow().contains(&0x15), sent.borrow().contains(&0x17))
+    };
+    assert_eq!(stored(Fault::DeafAtOtherRates), (Err(LssPlace::Test), true, false));
+    assert_eq!(stored(Fault::Late(0)), (Ok(false), false, true));
+}
+
+/// A node that should send heartbeats, answers, and is not heard.
+#[test]
+fn a_silent_heartbeat_is_a_difference() {
+    let mut client = Faulty::client(Fault::Mute);
+    client.listen(1000).unwrap();
+    let found = client.scan(5..=5, 100).unwrap();
+    let node = |period: u16| ExpectedNode {
+        node_id: 5,
+        identity: [0; 5],
+        values: vec![Download::new(0x1017, 0, period.to_le_bytes())],
+        state: None,
+    };
+    assert_eq!(client.compare(&[node(500)], &found).unwrap(), [(5, NodeDifference::NoHeartbeat(500))]);
+    // one that may only be due later
+    client.download(5, 0x1017, 0, &60_000_u16.to_le_bytes()).unwrap();
+    assert_eq!(client.compare(&[node(60_000)], &found).unwrap(), []);
+}
+
 #[test]
 fn a_new_device_is_found_and_gets_its_node_id() {
     let mut client = BusClient::new(Box::new(simulated(&[5])));
     assert!(client.upload(5, 0x1000, 0).is_err());
     let identity = client.fastscan().unwrap().unwrap();
     assert_eq!(identity, [0x3F9, 0x402, 0x10001, 0]);
-    assert_eq!(client.lss_configure(5, Some(250)).unwrap(), Ok(()));
+    assert_eq!(client.lss_configure(5, Some(250)).unwrap(), Ok(true));
+    assert_eq!(client.bit_rate(), Some(250), "the adapter has changed with the device");
     client.lss_waiting().unwrap();
     assert_eq!(client.number(5, 0x1018, 2).unwrap(), 0x402);
     assert_eq!(client.fastscan().unwrap(), None, "it has a node-ID now");
@@ -314,6 +367,9 @@ fn a_device_is_checked_against_its_description() {
     let check = |file: &str, writes: bool| {
         let mut client = client().with_timeout(50);
         client.listen(10).unwrap();
+        client.download(5, 0x1017, 0, &700_u16.to_le_bytes()).unwrap();
+        let described = description(file);
+        let before = client.save(5, described.device()).unwrap();
         let device = Rc::new(RefCell::new(CheckedDevice { client, failure: None }));
         let groups = RemoteGroups { writes, commands: writes };
         let plan = conformance_plan(described.device(), 5, groups);
@@ -345,62 +401,6 @@ fn a_device_is_checked_against_its_description() {
     assert!(!check("io-401.eds", false).is_clean());
 }
 
-/// A serial adapter whose other end is a pseudo-terminal with simulated nodes behind it.
-#[cfg(unix)]
-#[test]
-fn a_serial_adapter_works_on_a_pseudo_terminal() {
-    use std::time::Duration;
-
-    use serialport::{SerialPort, TTYPort};
-
-    use crate::SlcanAdapter;
-
-    let (mut adapter, mut port) = TTYPort::pair().unwrap();
-    adapter.set_timeout(Duration::from_millis(20)).unwrap();
-    port.set_timeout(Duration::from_millis(10)).unwrap();
-    let behind = std::thread::spawn(move || serve(&mut adapter));
-    let mut client = BusClient::new(Box::new(SlcanAdapter::new(port, 500).unwrap()));
-    assert_eq!(client.bit_rate(), Some(500));
-    assert_eq!(client.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
-    client.download(5, 0x1017, 0, &[100, 0]).unwrap();
-    assert_eq!(client.number(5, 0x1017, 0).unwrap(), 100);
-    assert_eq!(client.upload(5, 0x5FFF, 0).unwrap_err().abort(), Some(Abort::NoObject));
-    let found: Vec<u8> = client.scan(1..=8, 200).unwrap().iter().map(|node| node.node_id).collect();
-    assert_eq!(found, [5, 6]);
-    drop(client);
-    // what is written before a pseudo-terminal closes may be lost with it
-    assert_eq!(behind.join().unwrap()[..4], ["", "C", "S6", "O"]);
-}
-
-/// A serial port whose other end never writes.
-struct SilentPort(std::rc::Rc<std::cell::RefCell<Vec<u8>>>);
-
-impl std::io::Read for SilentPort {
-    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
-        Err(std::io::ErrorKind::TimedOut.into())
-    }
-}
-
-        client.download(5, 0x1017, 0, &700_u16.to_le_bytes()).unwrap();
-        let described = description(file);
-        let before = client.save(5, described.device()).unwrap();
-impl std::io::Write for SilentPort {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.0.borrow_mut().extend(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
-}
-
-#[test]
-fn a_serial_adapter_is_closed_at_the_end() {
-    let written = std::rc::Rc::default();
-    drop(crate::SlcanAdapter::new(SilentPort(std::rc::Rc::clone(&written)), 125).unwrap());
-    assert_eq!(*written.borrow(), b"\rC\rS4\rO\rC\r");
-}
 /// Nodes with other answers that CiA 301 allows: no CRC in block downloads, and an abort for an object that does not exist.
 #[test]
 fn other_answers_that_the_standard_allows_pass() {
@@ -457,6 +457,59 @@ fn no_check_writes_what_a_machine_obeys() {
     assert_eq!(obeyed.collect::<Vec<_>>(), [&(0, 0); 0]);
 }
 
+/// A serial adapter whose other end is a pseudo-terminal with simulated nodes behind it.
+#[cfg(unix)]
+#[test]
+fn a_serial_adapter_works_on_a_pseudo_terminal() {
+    use std::time::Duration;
+
+    use serialport::{SerialPort, TTYPort};
+
+    use crate::SlcanAdapter;
+
+    let (mut adapter, mut port) = TTYPort::pair().unwrap();
+    adapter.set_timeout(Duration::from_millis(20)).unwrap();
+    port.set_timeout(Duration::from_millis(10)).unwrap();
+    let behind = std::thread::spawn(move || serve(&mut adapter));
+    let mut client = BusClient::new(Box::new(SlcanAdapter::new(port, 500).unwrap()));
+    assert_eq!(client.bit_rate(), Some(500));
+    assert_eq!(client.upload(5, 0x1008, 0).unwrap(), b"Servo drive SD400");
+    client.download(5, 0x1017, 0, &[100, 0]).unwrap();
+    assert_eq!(client.number(5, 0x1017, 0).unwrap(), 100);
+    assert_eq!(client.upload(5, 0x5FFF, 0).unwrap_err().abort(), Some(Abort::NoObject));
+    let found: Vec<u8> = client.scan(1..=8, 200).unwrap().iter().map(|node| node.node_id).collect();
+    assert_eq!(found, [5, 6]);
+    drop(client);
+    // what is written before a pseudo-terminal closes may be lost with it
+    assert_eq!(behind.join().unwrap()[..4], ["", "C", "S6", "O"]);
+}
+
+/// A serial port whose other end never writes.
+struct SilentPort(std::rc::Rc<std::cell::RefCell<Vec<u8>>>);
+
+impl std::io::Read for SilentPort {
+    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+        Err(std::io::ErrorKind::TimedOut.into())
+    }
+}
+
+impl std::io::Write for SilentPort {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.borrow_mut().extend(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_serial_adapter_is_closed_at_the_end() {
+    let written = std::rc::Rc::default();
+    drop(crate::SlcanAdapter::new(SilentPort(std::rc::Rc::clone(&written)), 125).unwrap());
+    assert_eq!(*written.borrow(), b"\rC\rS4\rO\rC\r");
+}
 
 /// Serves the nodes behind an adapter until it is closed for the second time; returns the commands.
 #[cfg(unix)]

@@ -30,6 +30,14 @@ pub trait Transport {
     fn bit_rate(&self) -> Option<u16> {
         None
     }
+
+    /// Changes to another bit rate in kbit/s; false if the adapter cannot, with any bit rate. The present one is always accepted.
+    ///
+    /// # Errors
+    /// When the adapter is lost.
+    fn set_bit_rate(&mut self, _: u16) -> Result<bool, TransportError> {
+        Ok(false)
+    }
 }
 
 /// Why a bus cannot be used. Each message includes the remedy.

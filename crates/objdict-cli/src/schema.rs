@@ -71,9 +71,11 @@ documents! {
     #[cfg(feature = "bus")]
     "bus-values" super::bus::ValuesDocument: "Values of a node: `objdict bus read --format json`, `objdict bus save --format json`.",
     #[cfg(feature = "bus")]
-    "bus-writes" super::bus::WritesDocument: "Downloads to a node: `objdict bus write --format json`, `objdict bus apply --format json`.",
+    "bus-writes" super::bus::WritesDocument: "Downloads to a node: `objdict bus write --format json`, `objdict bus apply --format json`, `objdict bus replace --format json`.",
     #[cfg(feature = "bus")]
     "bus-comparison" super::bus::ComparisonDocument: "A network and its description: `objdict bus compare --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-command" super::bus::CommandDocument: "A command to nodes: `objdict bus restore --format json`, `objdict bus nmt --format json`, `objdict bus lss assign --format json`.",
     #[cfg(feature = "bus")]
     "bus-lss" super::bus::LssDocument: "A device without a node-ID: `objdict bus lss scan --format json`.",
     "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",

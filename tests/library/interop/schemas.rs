@@ -96,6 +96,16 @@ const DOCUMENTS: &[(&str, &str)] = &[
         "bus write 5 1017=250 --yes --bus sim:FIXTURES/bus/cell.toml --with FIXTURES/eds/drive-402.eds --format json",
     ),
     ("bus-comparison", "bus compare FIXTURES/bus/cell.toml --bus sim:FIXTURES/bus/cell.toml --format json"),
+    ("bus-command", "bus restore 5 --yes --bus sim:FIXTURES/bus/cell.toml --format json"),
+    ("bus-command", "bus nmt stop 5 --yes --bus sim:FIXTURES/bus/cell.toml --format json"),
+    (
+        "bus-command",
+        "bus lss assign 9 --bit-rate 250 --yes --alone --bus sim:FIXTURES/bus/cell.toml,new=5 --format json",
+    ),
+    (
+        "bus-writes",
+        "bus replace 5 FIXTURES/bus/cell.toml --yes --alone --bus sim:FIXTURES/bus/cell.toml,new=5 --format json",
+    ),
     ("bus-lss", "bus lss scan --bus sim:FIXTURES/bus/cell.toml,new=5 --alone --format json"),
 ];
 

@@ -283,6 +283,9 @@ pub(crate) struct BusRestoreArgs {
     /// Sub-index of 1011h to restore: 1 all, 2 communication, 3 application, 4 or higher vendor-specific
     #[arg(long, value_name = "SUB", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=127))]
     pub sub: u8,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
     #[command(flatten)]
     pub change: BusChangeArgs,
     #[command(flatten)]
@@ -300,6 +303,9 @@ pub(crate) struct BusNmtArgs {
     /// Send a command to all nodes even if some are heard
     #[arg(long)]
     pub alone: bool,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
     #[command(flatten)]
     pub change: BusChangeArgs,
     #[command(flatten)]
@@ -362,12 +368,15 @@ pub(crate) struct BusLssAssignArgs {
     /// device without a node-ID]
     #[arg(long, value_name = "V:P:R:S", value_parser = identity)]
     pub identity: Option<LssIdentity>,
-    /// Bit rate in kbit/s from the next power-on
+    /// Bit rate in kbit/s; tested before it is stored, unless the adapter cannot change its own
     #[arg(long, value_name = "KBIT/S", value_parser = lss_bit_rate)]
     pub bit_rate: Option<u16>,
     /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
     #[command(flatten)]
     pub change: BusChangeArgs,
     #[command(flatten)]
@@ -395,6 +404,9 @@ pub(crate) struct BusReplaceArgs {
     /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
     #[command(flatten)]
     pub change: BusChangeArgs,
     #[command(flatten)]

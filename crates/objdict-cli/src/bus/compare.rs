@@ -77,6 +77,8 @@ enum DifferenceKind {
     Unreadable,
     /// The node is in another state.
     State,
+    /// The node sends no heartbeat.
+    Heartbeat,
 }
 
 pub(super) fn run(args: &BusCompareArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -158,6 +160,9 @@ fn row(node_id: u8, node: Option<&(&Slave, String)>, difference: NodeDifference)
             let found = found.map_or_else(|| "unknown, because it sends no heartbeat".to_owned(), nmt_state);
             (DifferenceKind::State, None, Some(nmt_state(wanted)), Some(found))
         }
+        NodeDifference::NoHeartbeat(period) => {
+            (DifferenceKind::Heartbeat, None, Some(format!("{period} ms")), None)
+        }
         _ => (DifferenceKind::State, None, None, None),
     };
     let name = node.map(|(_, name)| name.clone());
@@ -173,6 +178,9 @@ fn row(node_id: u8, node: Option<&(&Slave, String)>, difference: NodeDifference)
             format!("{title}: {place} is {found}, expected {expected}")
         }
         (_, Some(place), _, Some(found)) => format!("{title}: {place} cannot be read: {found}"),
+        (DifferenceKind::Heartbeat, _, Some(period), _) => {
+            format!("{title} sends no heartbeat, expected every {period}")
+        }
         (_, _, Some(expected), Some(found)) => format!("{title}: the state is {found}, expected {expected}"),
         _ => title,
     };

@@ -6,6 +6,7 @@ use objdict_can::{LssIdentity, lss_rate};
 use objdict_model::json::Version;
 use serde::Serialize;
 
+use super::command::BusCommandJson;
 use super::question::agrees;
 use super::session::BusSession;
 use crate::args::{BusLssAssignArgs, BusLssCommand, BusLssPlanArgs, BusLssScanArgs, ShowFormat};
@@ -54,22 +55,37 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
     if session.client.states().contains_key(&args.node) {
         return Err(Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign another one"));
     }
-    let identity = in_lss(&mut session, |session| {
+    let mut document = BusCommandJson::new("lss assign", false);
+    in_lss(&mut session, |session| {
         let identity = selected(session, args.identity)?;
-        writeln!(out, "{}", spelled(identity))?;
-        out.finish()?;
-        if !agrees(&args.change, &format!("assign node-ID {} to this device?", args.node))? {
-            return Ok(None);
+        document.identity = Some(identity);
+        if args.format == ShowFormat::Table {
+            writeln!(out, "{}", spelled(identity))?;
+            out.finish()?;
         }
         if let Some(rate) = args.bit_rate {
-            rescue(session, rate);
+            rescue(session, rate)?;
         }
-        configure(session, args.node, args.bit_rate)?;
-        Ok(Some(identity))
+        document.is_sent = agrees(&args.change, &format!("assign node-ID {} to this device?", args.node))?;
+        if document.is_sent {
+            let is_tested = configure(session, args.node, args.bit_rate)?;
+            document.is_tested = args.bit_rate.map(|_| is_tested);
+        }
+        Ok(())
     })?;
-    if identity.is_some() {
-        await_boot_up(&mut session, args.node)?;
-        out.summary(format_args!("node-ID {} is assigned and stored", args.node))?;
+    if document.is_sent {
+        let has_booted = await_boot_up(&mut session, args.node)?;
+        document.node(args.node, has_booted.then_some(0x7F));
+        if let (Some(rate), Some(true)) = (args.bit_rate, document.is_tested) {
+            note(&format!("note: the device answers at {rate} kbit/s, and works at it from now on\n"));
+        }
+    }
+    match args.format {
+        ShowFormat::Json => out.json(&document)?,
+        ShowFormat::Table if document.is_sent => {
+            out.summary(format_args!("node-ID {} is assigned and stored", args.node))?;
+        }
+        ShowFormat::Table => {}
     }
     Ok(Outcome::Clean)
 }
@@ -125,32 +141,48 @@ pub(super) fn selected(
     }
 }
 
-/// Gives the selected device a node-ID.
-pub(super) fn configure(session: &mut BusSession, node_id: u8, bit_rate: Option<u16>) -> Result<(), Failure> {
+/// Gives the selected device a node-ID and a bit rate; whether the bit rate was tested.
+pub(super) fn configure(
+    session: &mut BusSession,
+    node_id: u8,
+    bit_rate: Option<u16>,
+) -> Result<bool, Failure> {
     let result = session.client.lss_configure(node_id, bit_rate)?;
-    result.map_err(|place| Failure::new(place).help("the device keeps what it had; see its manual for LSS"))
+    result.map_err(|place| {
+        Failure::new(place).help("switch the device off and on: it keeps what it had; see its manual for LSS")
+    })
 }
 
-pub(super) fn await_boot_up(session: &mut BusSession, node_id: u8) -> Result<(), Failure> {
-    // its boot-up message may have come with the answers before
-    let has_booted = session.client.states().get(&node_id) == Some(&Some(0x7F));
-    if !has_booted && !session.client.wait_for(node_id, 0x7F, BOOT_UP)? {
+/// Waits for the boot-up message of a device with a new node-ID; whether it came.
+pub(super) fn await_boot_up(session: &mut BusSession, node_id: u8) -> Result<bool, Failure> {
+    // it may have come with the answers before
+    let has_booted = session.client.states().get(&node_id) == Some(&Some(0x7F))
+        || session.client.wait_for(node_id, 0x7F, BOOT_UP)?;
+    if !has_booted {
         note(&format!(
             "note: node {node_id} sends no boot-up message; a device that had a node-ID needs a reset\n"
         ));
     }
-    Ok(())
+    Ok(has_booted)
 }
 
 /// What to do if the device is no longer found.
-fn rescue(session: &BusSession, rate: u16) {
+fn rescue(session: &mut BusSession, rate: u16) -> Result<(), Failure> {
     let now = session
         .client
         .bit_rate()
         .map_or_else(|| "the present rate".to_owned(), |rate| format!("{rate} kbit/s"));
-    note(&format!(
-        "note: until its next power-on the device works at {now}, then at {rate} kbit/s; if it is lost, connect it alone, set the adapter to {rate} kbit/s, and assign the bit rate again\n"
-    ));
+    let plan = if session.client.can_test()? {
+        format!(
+            "note: tests {rate} kbit/s before it is stored; if the device is lost, switch it off and on, connect it alone, and look for it at {now} and at {rate} kbit/s with `objdict bus lss scan`\n"
+        )
+    } else {
+        format!(
+            "note: this adapter cannot test {rate} kbit/s; until its next power-on the device works at {now}, then at {rate} kbit/s; if it is lost, connect it alone, set the adapter to {rate} kbit/s, and assign the bit rate again\n"
+        )
+    };
+    note(&plan);
+    Ok(())
 }
 
 /// `0x3F9:0x402:0x10001:7`, as `--identity` takes it.

@@ -3,6 +3,7 @@
 mod apply;
 mod ask;
 mod change;
+mod command;
 mod compare;
 mod lss;
 mod nmt;
@@ -20,6 +21,8 @@ mod write;
 pub(super) use self::ask::{ask, check};
 #[cfg(feature = "schema")]
 pub(super) use self::change::WritesJson as WritesDocument;
+#[cfg(feature = "schema")]
+pub(super) use self::command::BusCommandJson as CommandDocument;
 #[cfg(feature = "schema")]
 pub(super) use self::compare::ComparisonJson as ComparisonDocument;
 #[cfg(feature = "schema")]

@@ -37,8 +37,10 @@ pub(super) fn run(args: &BusReplaceArgs, out: &mut Output) -> Result<Outcome, Fa
     session.require_alone(args.alone, &[])?;
     let is_done = in_lss(&mut session, |session| {
         let identity = selected(session, None)?;
-        writeln!(out, "new device: {}", spelled(identity))?;
-        out.finish()?;
+        if args.format == ShowFormat::Table {
+            writeln!(out, "new device: {}", spelled(identity))?;
+            out.finish()?;
+        }
         require_same_type(slave, identity)?;
         let count = plural(slave.downloads.0.len(), "value");
         if !agrees(&args.change, &format!("make it node {} and write {count}?", args.node))? {
@@ -47,19 +49,19 @@ pub(super) fn run(args: &BusReplaceArgs, out: &mut Output) -> Result<Outcome, Fa
         configure(session, args.node, None)?;
         Ok(true)
     })?;
-    if !is_done {
-        return Ok(Outcome::Clean);
-    }
-    await_boot_up(&mut session, args.node)?;
     let change = Change {
         node_id: args.node,
         device: &slave.device,
         downloads: &slave.downloads.0,
         present: &BTreeMap::new(),
     };
+    if !is_done {
+        return Ok(change.leave(args.format, out)?);
+    }
+    await_boot_up(&mut session, args.node)?;
     let (results, error) =
         change.make(&mut session, ApplyOptions { verify: true, ..ApplyOptions::default() });
-    let outcome = change.report((&results, error.as_ref()), 0, ShowFormat::Table, out)?;
+    let outcome = change.report((&results, error.as_ref()), 0, args.format, out)?;
     if let Some(error) = error {
         return Err(error.into());
     }

@@ -26,8 +26,8 @@ use super::stdout::Output;
 use super::written_files::keep;
 use objdict_format::ReadError;
 use objdict_format::identify::ContentKind;
-use objdict_model::diagnostic::plural;
-use objdict_model::diagnostic::{Findings, Severity};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
+use objdict_model::diagnostic::{one_line, plural};
 use objdict_network::{Overview, Resolved};
 use objdict_network_file::{NetworkFile, init, schema};
 use objdict_project::report::Subject;
@@ -125,7 +125,15 @@ pub(super) fn refuse_misread(file: &NetworkFile, paths: &[PathBuf]) -> Result<()
         (true, None) => format!("`{name}` is not a network"),
         _ => format!("`{name}` has errors, so no output is created\n{}", lines.join("\n")),
     };
-    let help = format!("`objdict network check {}` shows them in the text", names_of(paths));
+    // descriptions that cannot be read have one remedy, such as `--allow-path`
+    let is_unread = |error: &&Diagnostic| error.rule.id == "network/unreadable-node";
+    let mut helps: Vec<_> =
+        file.text_errors().map(|error| Some(error).filter(is_unread)?.help.as_ref()).collect();
+    helps.dedup();
+    let help = match helps.as_slice() {
+        [Some(help)] => one_line(&help.shown()),
+        _ => format!("`objdict network check {}` shows them in the text", names_of(paths)),
+    };
     Err(Failure::of_lines(message.lines()).help(help))
 }
 
