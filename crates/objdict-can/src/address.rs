@@ -13,8 +13,8 @@ pub enum BusAddress {
     Slcan {
         /// The serial port.
         port: String,
-        /// The bit rate in kbit/s.
-        bit_rate: u16,
+        /// The bit rate in kbit/s; `None` for the one at which frames are heard (`@auto`).
+        bit_rate: Option<u16>,
     },
     /// `candump:FILE`: a log, which is replayed. Nothing can be sent.
     Candump(PathBuf),
@@ -55,8 +55,11 @@ impl FromStr for BusAddress {
                 let (port, rate) =
                     rest.rsplit_once('@').ok_or(wrong("add the bit rate in kbit/s, as in `@500`"))?;
                 let bit_rate = rate.parse().ok().filter(|rate| SLCAN_RATES.contains(rate));
-                let bit_rate = bit_rate
-                    .ok_or(wrong("the bit rate is 10, 20, 50, 100, 125, 250, 500, 800 or 1000 kbit/s"))?;
+                if bit_rate.is_none() && rate != "auto" {
+                    return Err(wrong(
+                        "the bit rate is 10, 20, 50, 100, 125, 250, 500, 800, 1000 kbit/s or `auto`",
+                    ));
+                }
                 Ok(Self::Slcan { port: port.to_owned(), bit_rate })
             }
             "candump" => Ok(Self::Candump(rest.into())),
@@ -88,8 +91,9 @@ mod tests {
     fn addresses_are_read() {
         let parsed = |text: &str| text.parse::<BusAddress>();
         assert_eq!(parsed("socketcan:can0"), Ok(BusAddress::SocketCan("can0".into())));
-        let port = BusAddress::Slcan { port: "/dev/a@b".into(), bit_rate: 125 };
-        assert_eq!(parsed("slcan:/dev/a@b@125"), Ok(port));
+        for (text, bit_rate) in [("slcan:/dev/a@b@125", Some(125)), ("slcan:/dev/a@b@auto", None)] {
+            assert_eq!(parsed(text), Ok(BusAddress::Slcan { port: "/dev/a@b".into(), bit_rate }));
+        }
         let network =
             BusAddress::Simulated { network: "C:/n.toml".into(), memory: Some("m.log".into()), new: vec![5] };
         assert_eq!(parsed("sim:C:/n.toml,memory=m.log,new=5"), Ok(network));

@@ -59,7 +59,7 @@ pub enum ClientError {
     },
     /// Another SDO client uses the channel of a node.
     OtherClient(u8),
-    /// Other nodes are heard, which a broadcast would reach.
+    /// Other nodes are heard, which a broadcast would reach; without any, PDOs are.
     NotAlone(Vec<u8>),
 }
 
@@ -80,6 +80,9 @@ objdict_model::error_messages! { ClientError:
 } }
 
 fn list(nodes: &[u8]) -> String {
+    if nodes.is_empty() {
+        return "those that send PDOs".to_owned();
+    }
     nodes.iter().map(u8::to_string).collect::<Vec<_>>().join(", ")
 }
 
@@ -152,6 +155,9 @@ pub struct BusClient {
     asked: BTreeSet<u8>,
     /// Whether another NMT or LSS master was heard.
     has_master: bool,
+    /// Whether any frame was heard, and whether a PDO was, which does not show the node that sends it.
+    is_heard: bool,
+    has_pdos: bool,
 }
 
 impl BusClient {
@@ -166,6 +172,8 @@ impl BusClient {
             states: BTreeMap::new(),
             asked: BTreeSet::new(),
             has_master: false,
+            is_heard: false,
+            has_pdos: false,
         }
     }
 
@@ -205,6 +213,19 @@ impl BusClient {
     /// The bit rate in kbit/s, where the adapter knows it.
     pub fn bit_rate(&self) -> Option<u16> {
         self.transport.bit_rate()
+    }
+
+    /// The bit rate of the bus in kbit/s. A silent bus does not show it.
+    pub fn heard_bit_rate(&self) -> Option<u16> {
+        self.bit_rate().filter(|_| self.is_heard)
+    }
+
+    /// No longer receives PDOs, if the adapter has filters. Who else is on the bus must be known by then.
+    ///
+    /// # Errors
+    /// When the adapter is lost.
+    pub fn drop_pdos(&mut self) -> Result<(), ClientError> {
+        Ok(self.transport.drop_pdos()?)
     }
 
     /// Changes the bit rate of the adapter; whether it can.
@@ -248,13 +269,13 @@ impl BusClient {
         Ok(())
     }
 
-    /// Refuses a broadcast if other nodes than these were heard.
+    /// Refuses a broadcast if PDOs or other nodes than these were heard.
     ///
     /// # Errors
     /// [`ClientError::NotAlone`].
     pub fn require_alone(&self, but: &[u8]) -> Result<(), ClientError> {
         let others: Vec<u8> = self.states.keys().copied().filter(|id| !but.contains(id)).collect();
-        if others.is_empty() { Ok(()) } else { Err(ClientError::NotAlone(others)) }
+        if others.is_empty() && !self.has_pdos { Ok(()) } else { Err(ClientError::NotAlone(others)) }
     }
 
     /// Sends a frame.
@@ -301,9 +322,11 @@ impl BusClient {
         if frame.is_extended || frame.is_error || frame.is_remote {
             return;
         }
+        self.is_heard = true;
         let node_id = (frame.can_id & 0x7F) as u8;
         match (frame.can_id, frame.data()) {
             (0 | 0x7E5, _) => self.has_master = true,
+            (0x181..=0x57F, _) => self.has_pdos = true,
             (0x601..=0x67F, _) => _ = self.asked.insert(node_id),
             // a boot-up message is of a node that becomes pre-operational
             (0x701..=0x77F, &[state]) => {

@@ -17,6 +17,9 @@ pub struct SavedValues {
     pub refused: Vec<((u16, u8), Abort)>,
 }
 
+/// Indexes and sub-indexes.
+type Entries = Vec<(u16, u8)>;
+
 impl BusClient {
     /// Reads every parameter that a description lets be read and written.
     ///
@@ -45,11 +48,7 @@ impl BusClient {
     ///
     /// # Errors
     /// As [`save`](Self::save).
-    pub fn put_back(
-        &mut self,
-        node_id: u8,
-        saved: &SavedValues,
-    ) -> Result<(Vec<(u16, u8)>, Vec<(u16, u8)>), ClientError> {
+    pub fn put_back(&mut self, node_id: u8, saved: &SavedValues) -> Result<(Entries, Entries), ClientError> {
         let (mut written, mut lost) = (Vec::new(), Vec::new());
         for ((index, sub), bytes) in &saved.values {
             if unless_refused(self.upload(node_id, *index, *sub))?.as_ref() == Some(bytes) {

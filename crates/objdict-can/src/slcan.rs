@@ -15,6 +15,10 @@ const PATIENCE: Duration = Duration::from_millis(10);
 /// The bytes of the longest line: an extended frame with a time stamp.
 const LINE: usize = 1 + 8 + 1 + 16 + 4;
 
+/// The bit rates in kbit/s in the order in which they are looked for, and how long each is listened to, in microseconds.
+const LIKELY_RATES: [u16; 9] = [500, 250, 125, 1000, 800, 50, 100, 20, 10];
+const RATE_TIME: u64 = 1_100_000;
+
 /// The serial baud rate. Adapters with USB ignore it.
 const BAUD: u32 = 115_200;
 
@@ -32,14 +36,22 @@ pub struct SlcanAdapter<P: Read + Write> {
 }
 
 impl SlcanAdapter<Box<dyn serialport::SerialPort>> {
-    /// Opens a port and the bus behind it.
+    /// Opens a port and the bus behind it; without a bit rate at the one of the bus.
     ///
     /// # Errors
-    /// When the port cannot be opened, or the adapter does not take the bit rate.
-    pub fn open(port: &str, bit_rate: u16) -> Result<Self, TransportError> {
+    /// When the port cannot be opened, the adapter does not take the bit rate, or no frame shows it.
+    pub fn open(port: &str, bit_rate: Option<u16>) -> Result<Self, TransportError> {
         let opened = serialport::new(port, BAUD).timeout(PATIENCE).open();
         let opened = opened.map_err(|error| TransportError::closed(port, error, HELP))?;
-        Self::new(opened, bit_rate).map_err(|error| TransportError::closed(port, error, HELP))
+        match bit_rate {
+            Some(bit_rate) => {
+                Self::new(opened, bit_rate).map_err(|error| TransportError::closed(port, error, HELP))
+            }
+            None => Self::listening(opened, RATE_TIME)?.ok_or_else(|| {
+                let reason = "no frame is heard at any bit rate, so the bit rate is unknown";
+                TransportError::closed(port, reason, "name it, as in `@500`; a silent bus does not show it")
+            }),
+        }
     }
 }
 
@@ -49,12 +61,46 @@ impl<P: Read + Write> SlcanAdapter<P> {
     /// # Errors
     /// When the port is lost.
     pub fn new(port: P, bit_rate: u16) -> Result<Self, TransportError> {
-        let (line, rest) = Default::default();
-        let mut adapter = Self { port, opened: Instant::now(), bit_rate, line, rest };
-        // it ends a half line of an earlier program
-        adapter.write(b"\r")?;
+        let mut adapter = Self::closed(port)?;
         adapter.set_bit_rate(bit_rate)?;
         Ok(adapter)
+    }
+
+    fn closed(port: P) -> Result<Self, TransportError> {
+        let (line, rest) = Default::default();
+        let mut adapter = Self { port, opened: Instant::now(), bit_rate: 0, line, rest };
+        // it ends a half line of an earlier program
+        adapter.write(b"\r")?;
+        Ok(adapter)
+    }
+
+    /// The same at the bit rate at which a frame is heard in so many microseconds, the frequent ones first; `None` if none is. The
+    /// adapter only listens meanwhile, so it disturbs no node.
+    ///
+    /// # Errors
+    /// When the port is lost.
+    pub fn listening(port: P, time: u64) -> Result<Option<Self>, TransportError> {
+        let mut adapter = Self::closed(port)?;
+        adapter.write(b"C\r")?;
+        // frames that an earlier program has left
+        while adapter.read()? {
+            adapter.rest.clear();
+        }
+        for bit_rate in LIKELY_RATES {
+            adapter.change(bit_rate, 'L')?;
+            if adapter.receive(adapter.now().saturating_add(time))?.is_some() {
+                adapter.set_bit_rate(bit_rate)?;
+                return Ok(Some(adapter));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Closes the bus, and opens it with another bit rate: with `O`, or with `L` to listen only.
+    fn change(&mut self, bit_rate: u16, open: char) -> Result<(), TransportError> {
+        let rate = SLCAN_RATES.iter().position(|rate| *rate == bit_rate).unwrap_or(6);
+        self.bit_rate = bit_rate;
+        self.write(format!("C\rS{rate}\r{open}\r").as_bytes())
     }
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), TransportError> {
@@ -152,9 +198,7 @@ impl<P: Read + Write> Transport for SlcanAdapter<P> {
     }
 
     fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
-        let rate = SLCAN_RATES.iter().position(|rate| *rate == bit_rate).unwrap_or(6);
-        self.write(format!("C\rS{rate}\rO\r").as_bytes())?;
-        self.bit_rate = bit_rate;
+        self.change(bit_rate, 'O')?;
         Ok(true)
     }
 }

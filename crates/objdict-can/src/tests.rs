@@ -148,6 +148,16 @@ fn entries_are_read_and_written_in_every_length() {
     assert_eq!(client.download(5, 0x1017, 0, &[0; 200]).unwrap_err().abort(), Some(Abort::TooLong));
 }
 
+/// A PDO does not show its sender, but somebody sends it.
+#[test]
+fn pdos_are_of_other_nodes() {
+    let mut client = Faulty::client(Fault::Babbles);
+    assert!(client.require_alone(&[]).is_ok());
+    client.listen(5).unwrap();
+    let refused = client.require_alone(&[5, 6]).unwrap_err();
+    assert!(refused.to_string().ends_with("those that send PDOs"), "{refused}");
+}
+
 #[test]
 fn each_fault_ends_with_its_error() {
     let read = |fault| Faulty::client(fault).upload(5, 0x1008, 0).unwrap_err();
@@ -509,6 +519,40 @@ fn a_serial_adapter_is_closed_at_the_end() {
     let written = std::rc::Rc::default();
     drop(crate::SlcanAdapter::new(SilentPort(std::rc::Rc::clone(&written)), 125).unwrap());
     assert_eq!(*written.borrow(), b"\rC\rS4\rO\rC\r");
+}
+
+/// A serial port of an adapter on a bus with 125 kbit/s.
+struct BusPort(Vec<u8>);
+
+impl std::io::Read for BusPort {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        if !self.0.ends_with(b"S4\rL\r") {
+            return Err(std::io::ErrorKind::TimedOut.into());
+        }
+        buffer[..8].copy_from_slice(b"t705105\r");
+        Ok(8)
+    }
+}
+
+impl std::io::Write for BusPort {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.extend(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn the_bit_rate_of_a_bus_is_found_by_listening() {
+    let adapter = crate::SlcanAdapter::listening(BusPort(Vec::new()), 1000).unwrap().unwrap();
+    assert_eq!(adapter.bit_rate(), Some(125));
+    let written = std::rc::Rc::default();
+    let silent = SilentPort(std::rc::Rc::clone(&written));
+    assert!(crate::SlcanAdapter::listening(silent, 1000).unwrap().is_none());
+    assert!(!written.borrow().contains(&b'O'), "a bus whose bit rate is unknown is not disturbed");
 }
 
 /// Serves the nodes behind an adapter until it is closed for the second time; returns the commands.

@@ -18,6 +18,14 @@ pub trait Transport {
     /// When the adapter is lost.
     fn receive(&mut self, until: u64) -> Result<Option<LoggedFrame>, TransportError>;
 
+    /// Lets the adapter drop PDOs, so that they do not fill its queue. Adapters without filters receive them nevertheless.
+    ///
+    /// # Errors
+    /// When the adapter is lost.
+    fn drop_pdos(&mut self) -> Result<(), TransportError> {
+        Ok(())
+    }
+
     /// The time.
     fn now(&self) -> u64;
 

@@ -74,7 +74,7 @@ pub(crate) enum BusCommand {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Bus")]
 pub(crate) struct BusLinkArgs {
-    /// Bus: `socketcan:can0`, `slcan:/dev/ttyACM0@500` (kbit/s), `candump:FILE` (replays a log) or `sim:network.toml` (simulated nodes; with
+    /// Bus: `socketcan:can0`, `slcan:/dev/ttyACM0@500` (kbit/s, or `auto`), `candump:FILE` (replays a log) or `sim:network.toml` (simulated nodes; with
     /// `,memory=FILE` they keep their state, `,new=N` makes node N a new device) [default: from the variable OBJDICT_BUS]
     #[arg(long, value_name = "ADDRESS", value_parser = named_bus)]
     pub bus: Option<NamedBus>,

@@ -32,7 +32,7 @@ pub(crate) struct ScanJson {
     version: Version<1>,
     /// The address of the bus.
     bus: String,
-    /// The bit rate in kbit/s; absent if the adapter does not know it.
+    /// The bit rate in kbit/s; absent if the adapter does not know it, or if no frame shows it.
     #[serde(skip_serializing_if = "Option::is_none")]
     bit_rate: Option<u16>,
     /// Whether another NMT or LSS master was heard.
@@ -86,15 +86,19 @@ pub(super) fn run(args: &BusScanArgs, out: &mut Output) -> Result<Outcome, Failu
     session.listen(None, &format!("asks node-IDs {first} to {last} for 1000h and 1018h"))?;
     let found = session.client.scan(args.nodes.clone(), args.connect.link.timeout.into())?;
     let nodes: Vec<ScanRow> = found.iter().map(|node| row(node, &session)).collect();
-    let (bit_rate, has_master) = (session.client.bit_rate(), session.client.has_master());
+    let (bit_rate, has_master) = (session.client.heard_bit_rate(), session.client.has_master());
     match args.format {
         ShowFormat::Json => {
             out.json(&ScanJson { version: Version, bus: session.name, bit_rate, has_master, nodes })?;
         }
         ShowFormat::Table => {
-            let count = plural(nodes.len(), "node");
+            let (count, is_empty) = (plural(nodes.len(), "node"), nodes.is_empty());
             write_table(nodes, out)?;
-            let rate = bit_rate.map_or_else(String::new, |rate| format!(" at {rate} kbit/s"));
+            let rate = match bit_rate {
+                Some(rate) => format!(" at {rate} kbit/s"),
+                None if is_empty => "; the bus is silent, so its bit rate is unknown".to_owned(),
+                None => String::new(),
+            };
             let master = if has_master { "; another NMT or LSS master is at work" } else { "" };
             writeln!(out, "{count} on {}{rate}{master}", session.name)?;
         }

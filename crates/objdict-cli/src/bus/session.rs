@@ -30,6 +30,8 @@ pub(crate) struct BusSession {
     pub(super) descriptions: Descriptions,
     listen: u64,
     is_simulated: bool,
+    /// Whether the command needs no PDOs once it knows who is on the bus.
+    drops_pdos: bool,
 }
 
 /// The time of a simulation that no argument limits, in seconds.
@@ -51,7 +53,8 @@ impl BusSession {
     /// Opens the bus; nothing is sent.
     pub(crate) fn open(args: &BusConnectArgs) -> Result<Self, Failure> {
         let descriptions = descriptions(args.with.iter(), &args.input)?;
-        Self::link(&args.link, &args.input, descriptions)
+        let session = Self::link(&args.link, &args.input, descriptions)?;
+        Ok(Self { drops_pdos: args.link.log.is_none(), ..session })
     }
 
     /// The same with descriptions that are read already.
@@ -82,7 +85,7 @@ impl BusSession {
             }));
         }
         let is_simulated = matches!(address, BusAddress::Simulated { .. });
-        Ok(Self { client, name, descriptions, listen: args.listen.into(), is_simulated })
+        Ok(Self { client, name, descriptions, listen: args.listen.into(), is_simulated, drops_pdos: false })
     }
 
     /// Says what is sent, listens before it, and refuses a node that another client is at work on.
@@ -91,6 +94,9 @@ impl BusSession {
             note(&format!("note: listens for {} ms, then {then}\n", self.listen));
         }
         self.client.listen(self.listen)?;
+        if self.drops_pdos {
+            self.client.drop_pdos()?;
+        }
         if let Some(node_id) = node_id {
             self.client.require_own(node_id)?;
         }
