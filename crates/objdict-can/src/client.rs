@@ -228,8 +228,13 @@ impl BusClient {
         Ok(self.transport.drop_pdos()?)
     }
 
-    /// Changes the bit rate of the adapter; whether it can.
-    pub(crate) fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, ClientError> {
+    /// Whether the adapter can change its bit rate, so that the one of a device can be tested.
+    pub fn has_bit_rates(&self) -> bool {
+        self.transport.has_bit_rates()
+    }
+
+    /// Changes the bit rate of the adapter.
+    pub(crate) fn set_bit_rate(&mut self, bit_rate: u16) -> Result<(), ClientError> {
         Ok(self.transport.set_bit_rate(bit_rate)?)
     }
 

@@ -91,8 +91,8 @@ impl BusClient {
     }
 
     /// Gives the selected device a node-ID and, if it is to have another one, a bit rate in kbit/s, and stores both. The bit rate is tested
-    /// first if the adapter can change to it; no other device may be on the bus then. Returns whether it was tested: if so, device and
-    /// adapter work at it, else the device does from its next power-on.
+    /// first if the adapter and the device can change to it; no other device may be on the bus then. Returns whether it was tested: if so,
+    /// device and adapter work at it, else the device does from its next power-on.
     ///
     /// # Errors
     /// As [`fastscan`](Self::fastscan); what the device refuses is the result.
@@ -112,44 +112,40 @@ impl BusClient {
                 return Ok(Err(LssPlace::BitRate));
             }
         }
-        if let Some(bit_rate) = bit_rate
-            && self.can_test()?
-        {
-            if !self.lss_test(bit_rate)? {
-                return Ok(Err(LssPlace::Test));
+        if let Some(bit_rate) = bit_rate.filter(|_| self.has_bit_rates()) {
+            match self.lss_test(bit_rate)? {
+                Some(false) => return Ok(Err(LssPlace::Test)),
+                tested => is_tested = tested.is_some(),
             }
-            is_tested = true;
         }
         let is_stored = is_accepted(self.ask([0x17, 0, 0, 0, 0, 0, 0, 0], 0x17, STORING)?);
         Ok(if is_stored { Ok(is_tested) } else { Err(LssPlace::Store) })
     }
 
-    /// Whether the adapter can change its bit rate, so that the one of a device can be tested.
-    ///
-    /// # Errors
-    /// When the adapter is lost.
-    pub fn can_test(&mut self) -> Result<bool, ClientError> {
-        Ok(match self.bit_rate() {
-            Some(present) => self.set_bit_rate(present)?,
-            None => false,
-        })
-    }
-
-    /// Lets the selected device change its bit rate, and asks it there. If it does not answer, the adapter gets its own one back.
-    fn lss_test(&mut self, bit_rate: u16) -> Result<bool, ClientError> {
+    /// Lets the selected device change its bit rate, and asks it there. If it does not answer, the adapter gets its own one back; `None`
+    /// if the device answers there, because it cannot change without a power-on.
+    fn lss_test(&mut self, bit_rate: u16) -> Result<Option<bool>, ClientError> {
         let (before, [low, high]) = (self.bit_rate(), SWITCH_DELAY.to_le_bytes());
         self.request([0x15, low, high, 0, 0, 0, 0, 0])?;
         // the request must leave the adapter, and the device waits twice
         self.listen(u64::from(SWITCH_DELAY) / 2)?;
         self.set_bit_rate(bit_rate)?;
         self.listen(2 * u64::from(SWITCH_DELAY))?;
+        if self.is_configured()? {
+            return Ok(Some(true));
+        }
+        if let Some(before) = before {
+            self.set_bit_rate(before)?;
+        }
+        Ok(if self.is_configured()? { None } else { Some(false) })
+    }
+
+    /// Whether a device in the configuration state answers.
+    fn is_configured(&mut self) -> Result<bool, ClientError> {
         for _ in 0..ATTEMPTS {
             if self.ask([0x5E, 0, 0, 0, 0, 0, 0, 0], 0x5E, PATIENCE)?.is_some() {
                 return Ok(true);
             }
-        }
-        if let Some(before) = before {
-            self.set_bit_rate(before)?;
         }
         Ok(false)
     }

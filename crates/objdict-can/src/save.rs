@@ -18,7 +18,7 @@ pub struct SavedValues {
 }
 
 /// Indexes and sub-indexes.
-type Entries = Vec<(u16, u8)>;
+type EntryPlaces = Vec<(u16, u8)>;
 
 impl BusClient {
     /// Reads every parameter that a description lets be read and written.
@@ -48,7 +48,11 @@ impl BusClient {
     ///
     /// # Errors
     /// As [`save`](Self::save).
-    pub fn put_back(&mut self, node_id: u8, saved: &SavedValues) -> Result<(Entries, Entries), ClientError> {
+    pub fn put_back(
+        &mut self,
+        node_id: u8,
+        saved: &SavedValues,
+    ) -> Result<(EntryPlaces, EntryPlaces), ClientError> {
         let (mut written, mut lost) = (Vec::new(), Vec::new());
         for ((index, sub), bytes) in &saved.values {
             if unless_refused(self.upload(node_id, *index, *sub))?.as_ref() == Some(bytes) {

@@ -94,8 +94,12 @@ impl Transport for SimulatedBus {
         Some(self.bus.bit_rate())
     }
 
-    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
+    fn has_bit_rates(&self) -> bool {
+        true
+    }
+
+    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<(), TransportError> {
         self.bus.set_bit_rate(bit_rate);
-        Ok(true)
+        Ok(())
     }
 }

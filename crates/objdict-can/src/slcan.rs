@@ -197,9 +197,12 @@ impl<P: Read + Write> Transport for SlcanAdapter<P> {
         Some(self.bit_rate)
     }
 
-    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
-        self.change(bit_rate, 'O')?;
-        Ok(true)
+    fn has_bit_rates(&self) -> bool {
+        true
+    }
+
+    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<(), TransportError> {
+        self.change(bit_rate, 'O')
     }
 }
 

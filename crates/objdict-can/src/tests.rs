@@ -50,6 +50,8 @@ enum Fault {
     Unplugged(usize),
     /// The controller leaves the bus.
     BusOff,
+    /// No node is heard after the first change of the bit rate.
+    Lost,
     /// No heartbeat is heard.
     Mute,
     /// No node is heard at another bit rate than the first one.
@@ -62,12 +64,17 @@ struct Faulty {
     bus: SimulatedBus,
     fault: Fault,
     received: usize,
+    is_changed: bool,
     late: Vec<(u64, LoggedFrame)>,
 }
 
 impl Faulty {
     fn client(fault: Fault) -> BusClient {
-        BusClient::new(Box::new(Self { bus: simulated(&[]), fault, received: 0, late: Vec::new() }))
+        BusClient::new(Box::new(Self::new(simulated(&[]), fault)))
+    }
+
+    fn new(bus: SimulatedBus, fault: Fault) -> Self {
+        Self { bus, fault, received: 0, is_changed: false, late: Vec::new() }
     }
 }
 
@@ -103,6 +110,7 @@ impl Transport for Faulty {
         match (self.fault, frame) {
             (Fault::Vanishes(count), Some(_)) if self.received > count => Ok(None),
             (Fault::Mute, Some(frame)) if frame.can_id > 0x700 => Ok(None),
+            (Fault::Lost, _) if self.is_changed => Ok(None),
             (Fault::DeafAtOtherRates, _) if self.bus.bit_rate() != Some(500) => Ok(None),
             (Fault::Late(by), Some(frame)) => {
                 self.late.push((self.bus.now() + by, frame));
@@ -128,9 +136,13 @@ impl Transport for Faulty {
         self.bus.bit_rate()
     }
 
-    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<bool, TransportError> {
-        // most adapters cannot
-        if self.fault == Fault::DeafAtOtherRates { self.bus.set_bit_rate(bit_rate) } else { Ok(false) }
+    fn has_bit_rates(&self) -> bool {
+        matches!(self.fault, Fault::DeafAtOtherRates | Fault::Lost)
+    }
+
+    fn set_bit_rate(&mut self, bit_rate: u16) -> Result<(), TransportError> {
+        self.is_changed = true;
+        self.bus.set_bit_rate(bit_rate)
     }
 }
 
@@ -148,7 +160,7 @@ fn entries_are_read_and_written_in_every_length() {
     assert_eq!(client.download(5, 0x1017, 0, &[0; 200]).unwrap_err().abort(), Some(Abort::TooLong));
 }
 
-/// A PDO does not show its sender, but somebody sends it.
+/// A PDO does not show its sender, but another node sends it.
 #[test]
 fn pdos_are_of_other_nodes() {
     let mut client = Faulty::client(Fault::Babbles);
@@ -316,7 +328,7 @@ fn a_bit_rate_is_tested_before_it_is_stored() {
     let stored = |fault: Fault| {
         let sent = std::rc::Rc::new(std::cell::RefCell::new(Vec::new()));
         let seen = sent.clone();
-        let bus = Faulty { bus: simulated(&[5]), fault, received: 0, late: Vec::new() };
+        let bus = Faulty::new(simulated(&[5]), fault);
         let mut client = BusClient::new(Box::new(bus)).with_observer(Box::new(move |frame| {
             if frame.can_id == 0x7E5 {
                 seen.borrow_mut().push(frame.data()[0]);
@@ -327,7 +339,9 @@ fn a_bit_rate_is_tested_before_it_is_stored() {
         assert_eq!(client.bit_rate(), Some(500), "the adapter is back");
         (result, sent.borrow().contains(&0x15), sent.borrow().contains(&0x17))
     };
-    assert_eq!(stored(Fault::DeafAtOtherRates), (Err(LssPlace::Test), true, false));
+    // a device that answers at the old bit rate alone cannot change without a power-on
+    assert_eq!(stored(Fault::DeafAtOtherRates), (Ok(false), true, true));
+    assert_eq!(stored(Fault::Lost), (Err(LssPlace::Test), true, false));
     assert_eq!(stored(Fault::Late(0)), (Ok(false), false, true));
 }
 

@@ -39,12 +39,17 @@ pub trait Transport {
         None
     }
 
-    /// Changes to another bit rate in kbit/s; false if the adapter cannot, with any bit rate. The present one is always accepted.
+    /// Whether it can change its bit rate.
+    fn has_bit_rates(&self) -> bool {
+        false
+    }
+
+    /// Changes to another bit rate in kbit/s, if it can.
     ///
     /// # Errors
     /// When the adapter is lost.
-    fn set_bit_rate(&mut self, _: u16) -> Result<bool, TransportError> {
-        Ok(false)
+    fn set_bit_rate(&mut self, _: u16) -> Result<(), TransportError> {
+        Ok(())
     }
 }
 

@@ -64,7 +64,7 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
             out.finish()?;
         }
         if let Some(rate) = args.bit_rate {
-            rescue(session, rate)?;
+            rescue(session, rate);
         }
         document.is_sent = agrees(&args.change, &format!("assign node-ID {} to this device?", args.node))?;
         if document.is_sent {
@@ -76,8 +76,16 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
     if document.is_sent {
         let has_booted = await_boot_up(&mut session, args.node)?;
         document.node(args.node, has_booted.then_some(0x7F));
-        if let (Some(rate), Some(true)) = (args.bit_rate, document.is_tested) {
-            note(&format!("note: the device answers at {rate} kbit/s, and works at it from now on\n"));
+        match (args.bit_rate, document.is_tested) {
+            (Some(rate), Some(true)) => {
+                note(&format!("note: the device answers at {rate} kbit/s, and works at it from now on\n"));
+            }
+            (Some(rate), _) if session.client.has_bit_rates() => {
+                note(&format!(
+                    "note: the device changes to {rate} kbit/s at its next power-on only, so it is not tested\n"
+                ));
+            }
+            _ => {}
         }
     }
     match args.format {
@@ -167,12 +175,12 @@ pub(super) fn await_boot_up(session: &mut BusSession, node_id: u8) -> Result<boo
 }
 
 /// What to do if the device is no longer found.
-fn rescue(session: &mut BusSession, rate: u16) -> Result<(), Failure> {
+fn rescue(session: &BusSession, rate: u16) {
     let now = session
         .client
         .bit_rate()
         .map_or_else(|| "the present rate".to_owned(), |rate| format!("{rate} kbit/s"));
-    let plan = if session.client.can_test()? {
+    let plan = if session.client.has_bit_rates() {
         format!(
             "note: tests {rate} kbit/s before it is stored; if the device is lost, switch it off and on, connect it alone, and look for it at {now} and at {rate} kbit/s with `objdict bus lss scan`\n"
         )
@@ -182,7 +190,6 @@ fn rescue(session: &mut BusSession, rate: u16) -> Result<(), Failure> {
         )
     };
     note(&plan);
-    Ok(())
 }
 
 /// `0x3F9:0x402:0x10001:7`, as `--identity` takes it.
