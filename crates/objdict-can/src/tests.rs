@@ -392,6 +392,7 @@ fn a_device_is_checked_against_its_description() {
         let mut client = client().with_timeout(50);
         client.listen(10).unwrap();
         client.download(5, 0x1017, 0, &700_u16.to_le_bytes()).unwrap();
+        client.download(5, 0x2000, 0, b"a label that is not the default").unwrap();
         let described = description(file);
         let before = client.save(5, described.device()).unwrap();
         let device = Rc::new(RefCell::new(CheckedDevice { client, failure: None }));
@@ -409,7 +410,7 @@ fn a_device_is_checked_against_its_description() {
         let CheckedDevice { client, failure } = &mut *device.borrow_mut();
         assert!(failure.is_none());
         // the reset clears what was not stored
-        let cleared = if writes { vec![(0x1017, 0)] } else { Vec::new() };
+        let cleared = if writes { vec![(0x1017, 0), (0x2000, 0)] } else { Vec::new() };
         assert_eq!(client.put_back(5, &before).unwrap(), (cleared, Vec::new()));
         assert_eq!(client.save(5, described.device()).unwrap(), before);
         results

@@ -178,6 +178,16 @@ impl DescribedEntries {
         Self { node_id, entries, has_lss, bit_rates }
     }
 
+    /// Expects these values instead of the defaults: a device is configured. One of another length stays what is described.
+    pub(super) fn assume(&mut self, values: Vec<Option<Vec<u8>>>) {
+        for (entry, value) in self.entries.iter_mut().zip(values) {
+            if let Some(value) = value.filter(|value| entry.length.is_none_or(|length| length == value.len()))
+            {
+                entry.default = value;
+            }
+        }
+    }
+
     /// Keeps process data, commands and domains out of the entries that checks choose: on a real machine they may move something.
     pub(super) fn spare(&mut self, device: &Device) {
         for entry in &mut self.entries {

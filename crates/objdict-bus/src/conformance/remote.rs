@@ -14,7 +14,7 @@ use super::{
     impossible, verdict,
 };
 use crate::dictionary::{LiveDictionary, PowerOn};
-use crate::model::{Access, Device};
+use crate::model::{Access, Device, TypeKind};
 use crate::node::NodeServices;
 
 /// How long the device may take for an answer, for what follows it, and for a reset, in microseconds.
@@ -41,11 +41,14 @@ pub fn conformance_on(
     remote: Rc<RefCell<dyn RemoteDevice>>,
     groups: RemoteGroups,
 ) -> Conformance {
-    let described = described(device, node_id);
+    let mut described = described(device, node_id);
     let mut checks = planned(&described, groups);
     let Some(mut node) = RemoteNode::new(remote, node_id, groups.writes) else {
         return Conformance { checks };
     };
+    let boot_up = node.boot(0);
+    let values = present(&mut Bench::new(&described, node.again(), boot_up));
+    described.assume(values);
     let of_services = SERVICES.into_iter().flatten().zip(&mut checks);
     for (check, planned) in of_services.filter(|(_, planned)| matches!(planned.verdict, Verdict::Planned(_)))
     {
@@ -59,6 +62,19 @@ pub fn conformance_on(
         planned.verdict = verdict(entries.try_for_each(|entry| check_reading(&mut bench, entry)));
     }
     Conformance { checks }
+}
+
+/// The values that the device has, entry by entry; `None` where the description says the value, and where there is none.
+fn present(bench: &mut Bench<'_>) -> Vec<Option<Vec<u8>>> {
+    let described = bench.described;
+    let is_read = |entry: &DescribedEntry| {
+        let is_plain = entry.data_type.kind() != TypeKind::Domain && entry.access != Access::Const;
+        is_plain && entry.is_readable()
+    };
+    let mut read = |entry: &DescribedEntry| {
+        if is_read(entry) { bench.upload(entry.index, entry.sub).ok() } else { None }
+    };
+    described.entries.iter().map(&mut read).collect()
 }
 
 /// The checks that [`conformance_on`] would make, and those that it would not. Nothing is sent.
