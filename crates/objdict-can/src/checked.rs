@@ -3,6 +3,7 @@
 use objdict_bus::{Frame, RemoteDevice};
 
 use crate::client::{BusClient, ClientError};
+use crate::sim::data_frame;
 
 /// A client with the first error of its bus: what follows it is silence.
 pub struct CheckedDevice {
@@ -27,9 +28,12 @@ impl RemoteDevice for CheckedDevice {
     fn receive(&mut self, until: u64) -> Option<Frame> {
         while self.failure.is_none() {
             match self.client.next_frame(until) {
-                Ok(Some(frame)) if frame.is_extended || frame.is_error || frame.is_remote => {}
-                Ok(Some(frame)) => return Frame::new(u16::try_from(frame.can_id).ok()?, frame.data()),
                 Ok(None) => return None,
+                Ok(Some(frame)) => {
+                    if let Some(frame) = data_frame(&frame) {
+                        return Some(frame);
+                    }
+                }
                 Err(error) => self.failure = Some(error),
             }
         }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use objdict_bus::{Abort, BusFrame, Frame, SdoClient, SdoData, SdoStep};
 use objdict_traffic::log::LoggedFrame;
 
-use crate::sim::logged;
+use crate::sim::{data_frame, logged};
 use crate::transport::{Transport, TransportError};
 
 /// The most bytes of a value.
@@ -422,7 +422,7 @@ impl BusClient {
                 }
             };
             let now = self.now();
-            let answer = frame.as_ref().and_then(answer);
+            let answer = frame.as_ref().and_then(data_frame);
             step = answer.map_or_else(SdoStep::default, |frame| client.receive(&mut value, &frame, now));
             // frames of others must not hold up a time-out
             if step == SdoStep::default() {
@@ -457,12 +457,4 @@ impl BusClient {
         }
         Ok(true)
     }
-}
-
-/// A frame that may be an answer of an SDO server.
-fn answer(frame: &LoggedFrame) -> Option<Frame> {
-    let id = u16::try_from(frame.can_id)
-        .ok()
-        .filter(|_| !frame.is_extended && !frame.is_error && !frame.is_remote)?;
-    Frame::new(id, frame.data())
 }

@@ -56,8 +56,20 @@ impl SimulatedBus {
 
 /// A logged frame as nodes take it; `None` for other frames than those of CANopen.
 fn bus_frame(frame: &LoggedFrame) -> Option<BusFrame> {
-    let id = u16::try_from(frame.can_id).ok().filter(|_| !frame.is_extended && !frame.is_error)?;
-    if frame.is_remote { BusFrame::remote(id) } else { Frame::new(id, frame.data()).map(BusFrame::from) }
+    if frame.is_remote {
+        BusFrame::remote(standard_id(frame)?)
+    } else {
+        data_frame(frame).map(BusFrame::from)
+    }
+}
+
+/// The same without remote frames.
+pub(crate) fn data_frame(frame: &LoggedFrame) -> Option<Frame> {
+    Frame::new(standard_id(frame).filter(|_| !frame.is_remote)?, frame.data())
+}
+
+fn standard_id(frame: &LoggedFrame) -> Option<u16> {
+    u16::try_from(frame.can_id).ok().filter(|_| !frame.is_extended && !frame.is_error)
 }
 
 /// A frame with a time in microseconds.

@@ -106,6 +106,9 @@ pub(crate) fn named_bus(text: &str) -> Result<NamedBus, NoBusAddress> {
 // The bus, and the descriptions of its nodes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct BusConnectArgs {
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
     /// Network or node description, such as `5=drive.eds` for node 5; repeatable
     #[arg(long, value_name = "[N=]FILE", value_parser = described)]
     pub with: Vec<WithFile>,
@@ -135,9 +138,6 @@ pub(crate) struct BusScanArgs {
     /// Node-IDs to scan
     #[arg(long, value_name = "FIRST-LAST", default_value = "1-127", value_parser = node_range)]
     pub nodes: RangeInclusive<u8>,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
     #[command(flatten)]
     pub connect: BusConnectArgs,
 }
@@ -157,9 +157,6 @@ pub(crate) struct BusReadArgs {
     /// End after this time, in seconds [default: at Ctrl-C; after 10 s of a simulation]
     #[arg(long = "for", value_name = "SECONDS", requires = "watch", value_parser = clap::value_parser!(u32).range(1..))]
     pub duration: Option<u32>,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
     #[command(flatten)]
     pub connect: BusConnectArgs,
 }
@@ -172,13 +169,10 @@ pub(crate) struct BusWriteArgs {
     /// Values to write, by index or name: `1017=250`, `1017=1s`, `2001="a text"`, `Producer heartbeat time=default`
     #[arg(required = true, value_name = "ENTRY=VALUE", value_parser = Setting::value)]
     pub values: Vec<Setting>,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
-    #[command(flatten)]
-    pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+    #[command(flatten)]
+    pub change: BusChangeArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -189,9 +183,6 @@ pub(crate) struct BusSaveArgs {
     /// Output file: a DCF for an EDS, an XDC for an XDD
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// Output format of the differences from the description
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
     #[command(flatten)]
     pub connect: BusConnectArgs,
 }
@@ -224,13 +215,10 @@ pub(crate) struct BusApplyArgs {
     /// Store the node's parameters (1010h), after 1020h
     #[arg(long)]
     pub store: bool,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
-    #[command(flatten)]
-    pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+    #[command(flatten)]
+    pub change: BusChangeArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -240,9 +228,6 @@ pub(crate) struct BusCompareArgs {
     /// NMT state required of every node; nodes without a heartbeat do not show it
     #[arg(long, value_enum, value_name = "STATE")]
     pub state: Option<NodeState>,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
     #[command(flatten)]
     pub connect: BusConnectArgs,
 }
@@ -258,9 +243,6 @@ pub(crate) struct BusWatchArgs {
     /// End after this time, in seconds [default: at Ctrl-C; after 10 s of a simulation]
     #[arg(long = "for", value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..))]
     pub duration: Option<u32>,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
     #[command(flatten)]
     pub connect: BusConnectArgs,
 }
@@ -283,13 +265,10 @@ pub(crate) struct BusRestoreArgs {
     /// Sub-index of 1011h to restore: 1 all, 2 communication, 3 application, 4 or higher vendor-specific
     #[arg(long, value_name = "SUB", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=127))]
     pub sub: u8,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
-    #[command(flatten)]
-    pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+    #[command(flatten)]
+    pub change: BusChangeArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -303,13 +282,10 @@ pub(crate) struct BusNmtArgs {
     /// Send a command to all nodes even if some are heard
     #[arg(long)]
     pub alone: bool,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
-    #[command(flatten)]
-    pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+    #[command(flatten)]
+    pub change: BusChangeArgs,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -352,9 +328,6 @@ pub(crate) struct BusLssScanArgs {
     /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
     #[command(flatten)]
     pub connect: BusConnectArgs,
 }
@@ -374,13 +347,10 @@ pub(crate) struct BusLssAssignArgs {
     /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
-    #[command(flatten)]
-    pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+    #[command(flatten)]
+    pub change: BusChangeArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -404,13 +374,10 @@ pub(crate) struct BusReplaceArgs {
     /// Access the bus even if other nodes are heard
     #[arg(long)]
     pub alone: bool,
-    /// Output format
-    #[arg(long, value_enum, default_value = "table")]
-    pub format: ShowFormat,
-    #[command(flatten)]
-    pub change: BusChangeArgs,
     #[command(flatten)]
     pub connect: BusConnectArgs,
+    #[command(flatten)]
+    pub change: BusChangeArgs,
 }
 
 fn node_or_all(text: &str) -> Result<u8, String> {

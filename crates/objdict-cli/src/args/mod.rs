@@ -318,16 +318,16 @@ pub(super) struct ConformanceArgs {
     #[cfg(feature = "bus")]
     #[arg(short, long, requires = "write")]
     pub yes: bool,
-    /// Check the device on a bus
-    #[cfg(feature = "bus")]
-    #[command(flatten)]
-    pub bus: BusLinkArgs,
     /// Show only failed checks
     #[arg(long)]
     pub summary: bool,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ChecksFormat,
+    /// Check the device on a bus
+    #[cfg(feature = "bus")]
+    #[command(flatten)]
+    pub bus: BusLinkArgs,
     #[command(flatten)]
     pub input: InputArgs,
 }

@@ -42,16 +42,16 @@ pub(super) fn run(args: &BusApplyArgs, out: &mut Output) -> Result<Outcome, Fail
     session.require_safe(args.node, &device, true, &args.change)?;
     let present = session.client.present(args.node, &downloads)?;
     let change = Change { node_id: args.node, device: &device, downloads: &downloads, present: &present };
-    change.show(args.format, out)?;
+    change.show(args.connect.format, out)?;
     if !agrees(&args.change, &format!("write {} to node {}?", plural(downloads.len(), "value"), args.node))? {
-        return Ok(change.leave(args.format, out)?);
+        return Ok(change.leave(args.connect.format, out)?);
     }
     let undo_file = write_undo(args, &change)?;
     let skip = args.start.saturating_sub(1);
     let options = ApplyOptions { verify: args.verify, go_on: args.go_on, skip };
     let (results, error) =
         in_pre_operational(&mut session, args.node, |session| change.make(session, options))?;
-    let outcome = change.report((&results, error.as_ref()), skip, args.format, out)?;
+    let outcome = change.report((&results, error.as_ref()), skip, args.connect.format, out)?;
     out.finish()?;
     tell(&format!("undo it with `objdict bus apply {} {}`\n", args.node, name_of(&undo_file)));
     if let Some(next) = results.iter().skip(skip).position(|result| *result == WriteResult::Unsent) {

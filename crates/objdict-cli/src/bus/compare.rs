@@ -107,7 +107,7 @@ pub(super) fn run(args: &BusCompareArgs, out: &mut Output) -> Result<Outcome, Fa
     let compared =
         |node: &ExpectedNode| remaining(&node.values).into_iter().filter(|remains| *remains).count();
     let (nodes, values) = (wanted.len(), wanted.iter().filter(has_answered).map(compared).sum());
-    match args.format {
+    match args.connect.format {
         ShowFormat::Json => {
             out.json(&ComparisonJson {
                 version: Version,

@@ -40,7 +40,7 @@ fn scan(args: &BusLssScanArgs, out: &mut Output) -> Result<Outcome, Failure> {
     session.listen(None, "looks for a device without a node-ID (LSS fastscan)")?;
     session.require_alone(args.alone, &[])?;
     let identity = in_lss(&mut session, |session| Ok(session.client.fastscan()?))?;
-    match (args.format, identity) {
+    match (args.connect.format, identity) {
         (ShowFormat::Json, identity) => out.json(&LssJson { version: Version, identity })?,
         (ShowFormat::Table, Some(identity)) => writeln!(out, "{}", spelled(identity))?,
         (ShowFormat::Table, None) => writeln!(out, "no device without a node-ID answers")?,
@@ -59,7 +59,7 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
     in_lss(&mut session, |session| {
         let identity = selected(session, args.identity)?;
         document.identity = Some(identity);
-        if args.format == ShowFormat::Table {
+        if args.connect.format == ShowFormat::Table {
             writeln!(out, "{}", spelled(identity))?;
             out.finish()?;
         }
@@ -88,7 +88,7 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
             _ => {}
         }
     }
-    match args.format {
+    match args.connect.format {
         ShowFormat::Json => out.json(&document)?,
         ShowFormat::Table if document.is_sent => {
             out.summary(format_args!("node-ID {} is assigned and stored", args.node))?;

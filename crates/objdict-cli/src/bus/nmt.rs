@@ -40,7 +40,7 @@ pub(super) fn run(args: &BusNmtArgs, out: &mut Output) -> Result<Outcome, Failur
             let is_shown = session.client.wait_for(node_id, state, STATE)?;
             document.node(node_id, is_shown.then_some(state));
             let verb = if is_shown { "is" } else { "does not show that it is" };
-            if args.format == ShowFormat::Table {
+            if args.connect.format == ShowFormat::Table {
                 writeln!(out, "node {node_id} {verb} {}", nmt_state(state))?;
             }
             if !is_shown {
@@ -48,7 +48,7 @@ pub(super) fn run(args: &BusNmtArgs, out: &mut Output) -> Result<Outcome, Failur
             }
         }
     }
-    if args.format == ShowFormat::Json {
+    if args.connect.format == ShowFormat::Json {
         out.json(&document)?;
     }
     Ok(outcome)

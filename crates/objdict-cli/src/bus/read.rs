@@ -23,7 +23,7 @@ pub(super) fn run(args: &BusReadArgs, out: &mut Output) -> Result<Outcome, Failu
     let read = read(&mut session, args.node, &entries)?;
     let rows: Vec<ValueRow> =
         entries.iter().zip(&read).map(|(entry, value)| words.row(*entry, shown(value))).collect();
-    match args.format {
+    match args.connect.format {
         ShowFormat::Table => write_table(rows, out)?,
         ShowFormat::Json => write_json(args.node, rows, out)?,
     }
@@ -75,7 +75,11 @@ fn watch(
         };
         for ((entry, known), value) in entries.iter().zip(&mut known).zip(read) {
             if *known != value {
-                words.row(*entry, shown(&value)).write_change(session.client.now(), args.format, out)?;
+                words.row(*entry, shown(&value)).write_change(
+                    session.client.now(),
+                    args.connect.format,
+                    out,
+                )?;
                 *known = value;
             }
         }

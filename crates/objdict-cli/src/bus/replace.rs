@@ -37,7 +37,7 @@ pub(super) fn run(args: &BusReplaceArgs, out: &mut Output) -> Result<Outcome, Fa
     session.require_alone(args.alone, &[])?;
     let is_done = in_lss(&mut session, |session| {
         let identity = selected(session, None)?;
-        if args.format == ShowFormat::Table {
+        if args.connect.format == ShowFormat::Table {
             writeln!(out, "new device: {}", spelled(identity))?;
             out.finish()?;
         }
@@ -56,12 +56,12 @@ pub(super) fn run(args: &BusReplaceArgs, out: &mut Output) -> Result<Outcome, Fa
         present: &BTreeMap::new(),
     };
     if !is_done {
-        return Ok(change.leave(args.format, out)?);
+        return Ok(change.leave(args.connect.format, out)?);
     }
     await_boot_up(&mut session, args.node)?;
     let (results, error) =
         change.make(&mut session, ApplyOptions { verify: true, ..ApplyOptions::default() });
-    let outcome = change.report((&results, error.as_ref()), 0, args.format, out)?;
+    let outcome = change.report((&results, error.as_ref()), 0, args.connect.format, out)?;
     if let Some(error) = error {
         return Err(error.into());
     }

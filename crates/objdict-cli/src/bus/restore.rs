@@ -21,7 +21,7 @@ pub(super) fn run(args: &BusRestoreArgs, out: &mut Output) -> Result<Outcome, Fa
         session.client.download(args.node, 0x1011, args.sub, b"load")?;
         document.node(args.node, None);
     }
-    if args.format == ShowFormat::Json {
+    if args.connect.format == ShowFormat::Json {
         out.json(&document)?;
     } else if is_sent {
         out.summary(format_args!("node {}: the defaults are valid after its next reset", args.node))?;

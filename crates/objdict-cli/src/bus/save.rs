@@ -80,7 +80,7 @@ fn report(
     let values = values.map(|(entry, bytes)| words.row(*entry, Ok(bytes)));
     let refused = saved.refused.iter().map(|(entry, abort)| words.row(*entry, Err(abort.to_string())));
     let rows: Vec<_> = values.chain(refused).collect();
-    match args.format {
+    match args.connect.format {
         ShowFormat::Json => write_json(args.node, rows, out)?,
         ShowFormat::Table => {
             if !rows.is_empty() {

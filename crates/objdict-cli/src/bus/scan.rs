@@ -87,7 +87,7 @@ pub(super) fn run(args: &BusScanArgs, out: &mut Output) -> Result<Outcome, Failu
     let found = session.client.scan(args.nodes.clone(), args.connect.link.timeout.into())?;
     let nodes: Vec<ScanRow> = found.iter().map(|node| row(node, &session)).collect();
     let (bit_rate, has_master) = (session.client.heard_bit_rate(), session.client.has_master());
-    match args.format {
+    match args.connect.format {
         ShowFormat::Json => {
             out.json(&ScanJson { version: Version, bus: session.name, bit_rate, has_master, nodes })?;
         }

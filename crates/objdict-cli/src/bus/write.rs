@@ -23,13 +23,13 @@ pub(super) fn run(args: &BusWriteArgs, out: &mut Output) -> Result<Outcome, Fail
     session.require_safe(args.node, &device, false, &args.change)?;
     let present = session.client.present(args.node, &downloads)?;
     let change = Change { node_id: args.node, device: &device, downloads: &downloads, present: &present };
-    change.show(args.format, out)?;
+    change.show(args.connect.format, out)?;
     if !agrees(&args.change, &format!("write {} to node {}?", plural(downloads.len(), "value"), args.node))? {
-        return Ok(change.leave(args.format, out)?);
+        return Ok(change.leave(args.connect.format, out)?);
     }
     let options = ApplyOptions { verify: true, ..ApplyOptions::default() };
     let (results, error) = change.make(&mut session, options);
-    let outcome = change.report((&results, error.as_ref()), 0, args.format, out)?;
+    let outcome = change.report((&results, error.as_ref()), 0, args.connect.format, out)?;
     out.finish()?;
     tell_undo(&change, &results, args);
     error.map_or(Ok(outcome), |error| Err(error.into()))

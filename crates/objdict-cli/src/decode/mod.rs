@@ -91,7 +91,7 @@ pub(super) fn watch(
     let filter = FrameFilterArgs::default();
     if args.frames {
         each_frame(&filter, &mut buses, &mut logs, |shown| {
-            match args.format {
+            match args.connect.format {
                 ShowFormat::Table => TextLines.frame(&shown, out)?,
                 ShowFormat::Json => JsonLines.frame(&shown, out)?,
             }
@@ -99,7 +99,7 @@ pub(super) fn watch(
         })?;
         return Ok(Outcome::Clean);
     }
-    let is_text = args.format == ShowFormat::Table;
+    let is_text = args.connect.format == ShowFormat::Table;
     let mut screen = if is_text { Screen::of_terminal() } else { None };
     let document = summary::gather(&filter, None, &mut buses, &mut logs, None, |at, sums, bus| {
         Screen::update(&mut screen, at, sums, bus);
