@@ -457,3 +457,30 @@ fn descriptions_outside_the_project_have_their_remedy() {
         assert!(!run(&["--allow-path", ".."]).1.contains("outside the project"), "{line}");
     }
 }
+
+/// Devices with a serial number get their node-IDs on one bus; a bit rate is tested with each alone, at last.
+#[test]
+fn a_plan_changes_the_bit_rates_last() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy("fixtures/eds/drive-402.eds", folder.path().join("drive.eds")).unwrap();
+    let node =
+        |name: &str, id: u8, more: &str| format!("[node.{name}]\nfile = \"drive.eds\"\nid = {id}\n{more}\n");
+    let nodes = [node("a", 5, "serial-number = 7"), node("b", 6, ""), node("c", 7, "serial-number = 8")];
+    fs::write(folder.path().join("net.toml"), format!("[bus]\nbit-rate = 250\n\n{}", nodes.concat()))
+        .unwrap();
+    let mut command = Command::new(crate::program());
+    let output =
+        command.args(["bus", "lss", "plan", "net.toml"]).current_dir(folder.path()).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let lines: Vec<(u8, bool)> = text
+        .lines()
+        .map(|line| {
+            assert!(line.contains("--identity") || line.contains("new device"), "{line}");
+            (
+                line.split(' ').nth(4).unwrap().parse().unwrap(),
+                line.contains("--bit-rate 250    # connect only"),
+            )
+        })
+        .collect();
+    assert_eq!(lines, [(5, false), (7, false), (6, true), (5, true), (7, true)], "{text}");
+}

@@ -14,7 +14,7 @@ use super::change::entries;
 use super::question::agrees;
 use super::session::BusSession;
 use crate::args::{BusChangeArgs, BusLinkArgs, NetworkInputArgs};
-use crate::ending::{Failure, note};
+use crate::ending::{Failure, note, tell};
 
 /// The NMT command that resets a node.
 const RESET_NODE: u8 = 0x81;
@@ -31,7 +31,8 @@ pub(crate) fn ask(
     let count = plural(plan.len(), "question");
     session.listen(Some(node_id), &format!("asks {count} of node {node_id}"))?;
     if plan.writes() {
-        require_consent(&mut session, node_id, device, yes)?;
+        let what = format!("write values to node {node_id} and put them back?");
+        require_consent(&mut session, node_id, device, yes, &what)?;
     }
     let mut failure = None;
     let exchanges = plan.run(|index, sub, request| {
@@ -80,7 +81,9 @@ pub(crate) fn check(
     session.client.upload(node_id, 0x1000, 0)?;
     let mut before = SavedValues::default();
     if groups.writes {
-        require_consent(&mut session, node_id, device, yes)?;
+        let commands = if groups.commands { ", start and stop it" } else { "" };
+        let what = format!("reset node {node_id}, write values to it{commands}, and put the values back?");
+        require_consent(&mut session, node_id, device, yes, &what)?;
         before = session.client.save(node_id, device)?;
     }
     let checked = Rc::new(RefCell::new(CheckedDevice { client: session.client, failure: None }));
@@ -98,19 +101,20 @@ pub(crate) fn check(
         note(&format!("note: set again, because the reset cleared them: {}\n", entries(&restored)));
     }
     if !lost.is_empty() {
-        let failure = Failure::new(format_args!(
-            "node {node_id} does not accept its former values: {}",
-            entries(&lost)
-        ));
-        return Err(
-            failure.help(format!("`objdict bus nmt reset {node_id}`, then compare with `objdict bus save`"))
-        );
+        let lost = entries(&lost);
+        tell(&format!("warning: node {node_id} has other values than before, and keeps them: {lost}\n"));
     }
     Ok(results)
 }
 
 /// Refuses a node that must not be written, and asks.
-fn require_consent(session: &mut BusSession, node_id: u8, device: &Device, yes: bool) -> Result<(), Failure> {
+fn require_consent(
+    session: &mut BusSession,
+    node_id: u8,
+    device: &Device,
+    yes: bool,
+    what: &str,
+) -> Result<(), Failure> {
     if let Some(danger) = session.client.dangers(node_id, device)?.first() {
         let help = match danger {
             Danger::Safety => "leave out `--write`",
@@ -119,7 +123,7 @@ fn require_consent(session: &mut BusSession, node_id: u8, device: &Device, yes: 
         return Err(Failure::new(format_args!("node {node_id} is not written: {danger}")).help(help));
     }
     let change = BusChangeArgs { dry_run: false, yes, force: false };
-    match agrees(&change, &format!("write values to node {node_id} and put them back?"))? {
+    match agrees(&change, what)? {
         true => Ok(()),
         false => Err(Failure::new("the device was not asked").help("leave out `--write` to read only")),
     }

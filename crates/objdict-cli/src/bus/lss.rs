@@ -4,6 +4,7 @@ use std::io::Write;
 
 use objdict_can::{LssIdentity, lss_rate};
 use objdict_model::json::Version;
+use objdict_network::Slave;
 use serde::Serialize;
 
 use super::command::BusCommandJson;
@@ -51,8 +52,10 @@ fn scan(args: &BusLssScanArgs, out: &mut Output) -> Result<Outcome, Failure> {
 fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut session = BusSession::open(&args.connect)?;
     session.listen(None, &format!("assigns node-ID {} by LSS", args.node))?;
-    session.require_alone(args.alone, &[])?;
-    if session.client.states().contains_key(&args.node) {
+    // the device itself may have the node-ID already
+    let own: &[u8] = if args.identity.is_some() { &[args.node] } else { &[] };
+    session.require_alone(args.alone, own)?;
+    if session.client.states().contains_key(&args.node) && !has_node_id(&mut session, args)? {
         return Err(Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign another one"));
     }
     let mut document = BusCommandJson::new("lss assign", false);
@@ -98,19 +101,33 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
     Ok(Outcome::Clean)
 }
 
+/// Whether the device that is selected by its identity has the node-ID already.
+fn has_node_id(session: &mut BusSession, args: &BusLssAssignArgs) -> Result<bool, Failure> {
+    let Some(identity) = args.identity else { return Ok(false) };
+    let found = session.client.scan(args.node..=args.node, args.connect.link.timeout.into())?;
+    Ok(found.iter().any(|node| node.identity == identity.map(Some)))
+}
+
 fn plan(args: &BusLssPlanArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open_to_use(std::slice::from_ref(&args.network), &args.input)?;
     let slaves = file.compiled().into_iter().flat_map(|compiled| &compiled.slaves);
     let (by_serial, alone): (Vec<_>, Vec<_>) = slaves.partition(|slave| slave.identity[4] != 0);
     let rate = file.bit_rate();
     let rate = lss_rate(rate).map_or_else(String::new, |_| format!(" --bit-rate {rate}"));
-    for slave in &by_serial {
+    let by_identity = |slave: &Slave| {
         let [_, vendor, product, revision, serial] = slave.identity;
         let identity = spelled([vendor, product, revision, serial]);
-        writeln!(out, "objdict bus lss assign {} --identity {identity}{rate}", slave.node_id)?;
+        format!("objdict bus lss assign {} --identity {identity}", slave.node_id)
+    };
+    for slave in &by_serial {
+        writeln!(out, "{}", by_identity(slave))?;
     }
     for slave in &alone {
         writeln!(out, "objdict bus lss assign {}{rate}    # connect only this new device", slave.node_id)?;
+    }
+    // a device that changes its bit rate would disturb the others
+    for slave in by_serial.iter().filter(|_| !rate.is_empty()) {
+        writeln!(out, "{}{rate}    # connect only this device", by_identity(slave))?;
     }
     note(
         "note: if a device is lost, connect it alone, try each bit rate of the adapter with `objdict bus lss scan`, and assign it again\n",
@@ -182,7 +199,7 @@ fn rescue(session: &BusSession, rate: u16) {
         .map_or_else(|| "the present rate".to_owned(), |rate| format!("{rate} kbit/s"));
     let plan = if session.client.has_bit_rates() {
         format!(
-            "note: tests {rate} kbit/s before it is stored; if the device is lost, switch it off and on, connect it alone, and look for it at {now} and at {rate} kbit/s with `objdict bus lss scan`\n"
+            "note: tests {rate} kbit/s before it is stored, so no other device may be connected; if the device is lost, switch it off and on, connect it alone, and look for it at {now} and at {rate} kbit/s with `objdict bus lss scan`\n"
         )
     } else {
         format!(
