@@ -509,16 +509,20 @@ fn a_serial_adapter_works_on_a_pseudo_terminal() {
     assert_eq!(behind.join().unwrap()[..4], ["", "C", "S6", "O"]);
 }
 
-/// A serial port whose other end never writes.
-struct SilentPort(std::rc::Rc<std::cell::RefCell<Vec<u8>>>);
+/// A serial port of an adapter that hears a node once these commands were the last ones, and never without any.
+struct RecordedPort(std::rc::Rc<std::cell::RefCell<Vec<u8>>>, Option<&'static [u8]>);
 
-impl std::io::Read for SilentPort {
-    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
-        Err(std::io::ErrorKind::TimedOut.into())
+impl std::io::Read for RecordedPort {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        if !self.1.is_some_and(|commands| self.0.borrow().ends_with(commands)) {
+            return Err(std::io::ErrorKind::TimedOut.into());
+        }
+        buffer[..8].copy_from_slice(b"t705105\r");
+        Ok(8)
     }
 }
 
-impl std::io::Write for SilentPort {
+impl std::io::Write for RecordedPort {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.0.borrow_mut().extend(bytes);
         Ok(bytes.len())
@@ -532,40 +536,19 @@ impl std::io::Write for SilentPort {
 #[test]
 fn a_serial_adapter_is_closed_at_the_end() {
     let written = std::rc::Rc::default();
-    drop(crate::SlcanAdapter::new(SilentPort(std::rc::Rc::clone(&written)), 125).unwrap());
+    drop(crate::SlcanAdapter::new(RecordedPort(std::rc::Rc::clone(&written), None), 125).unwrap());
     assert_eq!(*written.borrow(), b"\rC\rS4\rO\rC\r");
-}
-
-/// A serial port of an adapter on a bus with 125 kbit/s.
-struct BusPort(Vec<u8>);
-
-impl std::io::Read for BusPort {
-    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-        if !self.0.ends_with(b"S4\rL\r") {
-            return Err(std::io::ErrorKind::TimedOut.into());
-        }
-        buffer[..8].copy_from_slice(b"t705105\r");
-        Ok(8)
-    }
-}
-
-impl std::io::Write for BusPort {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.0.extend(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
 }
 
 #[test]
 fn the_bit_rate_of_a_bus_is_found_by_listening() {
-    let adapter = crate::SlcanAdapter::listening(BusPort(Vec::new()), 1000).unwrap().unwrap();
+    let adapter =
+        crate::SlcanAdapter::listening(RecordedPort(std::rc::Rc::default(), Some(b"S4\rL\r")), 1000)
+            .unwrap()
+            .unwrap();
     assert_eq!(adapter.bit_rate(), Some(125));
     let written = std::rc::Rc::default();
-    let silent = SilentPort(std::rc::Rc::clone(&written));
+    let silent = RecordedPort(std::rc::Rc::clone(&written), None);
     assert!(crate::SlcanAdapter::listening(silent, 1000).unwrap().is_none());
     assert!(!written.borrow().contains(&b'O'), "a bus whose bit rate is unknown is not disturbed");
 }
