@@ -2,7 +2,7 @@
 
 import { ask } from "./engine";
 import { Dialog } from "./dialog";
-import { h, hex } from "./dom";
+import { finds, h, hex } from "./dom";
 import { BIT_RATES } from "./output";
 import type { Modules, Opened, Setting } from "./protocol";
 import type { OpenDocument, Store } from "./store";
@@ -18,8 +18,7 @@ export function configureDialog(store: Store): Dialog<OpenDocument> {
   let offered: Setting[] = [];
   const addressOf = ({ index, sub }: Setting) => `${hex(index, 4)}${sub === 0 ? "" : `:${hex(sub, 1)}`}`;
   const offer = () => {
-    const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const shown = offered.filter((entry) => words.every((word) => `${addressOf(entry)} ${entry.name} ${entry.data_type ?? ""}`.toLowerCase().includes(word)));
+    const shown = offered.filter((entry) => finds(filter.value, `${addressOf(entry)} ${entry.name} ${entry.data_type ?? ""}`));
     const row = (entry: Setting) =>
       h("li", {}, h("button", { type: "button", class: "mappable", onclick: () => choose(entry) }, h("span", { class: "address" }, addressOf(entry)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, [entry.data_type, entry.low != null || entry.high != null ? `${entry.low ?? ""} … ${entry.high ?? ""}` : ""].filter(Boolean).join(", "))));
     entries.replaceChildren(...shown.slice(0, 100).map(row));

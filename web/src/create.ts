@@ -2,7 +2,7 @@
 
 import { ask } from "./engine";
 import { Dialog } from "./dialog";
-import { h, hex, numberIn, placeOf } from "./dom";
+import { finds, h, hex, numberIn, placeOf } from "./dom";
 import { ACCESS, TYPES } from "./form";
 import type { Feature, NewDevice, NewObject, Opened, ProfileObject, ProfileRow } from "./protocol";
 import { textBytes, type OpenDocument, type Store } from "./store";
@@ -113,8 +113,7 @@ export function addDialog(store: Store): Dialog<OpenDocument> {
   const list = h("ul", { class: "candidates" });
   let objects: ProfileObject[] = [];
   const show = () => {
-    const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const shown = objects.filter((object) => words.every((word) => `${hex(object.index, 4)}h ${object.name}`.toLowerCase().includes(word)));
+    const shown = objects.filter((object) => finds(filter.value, `${hex(object.index, 4)}h ${object.name}`));
     list.replaceChildren(
       ...shown.slice(0, 200).map((object) =>
         h("li", {}, h("button", { type: "button", class: "mappable", disabled: object.has, onclick: () => void add(object.index) }, h("span", { class: "address" }, `${hex(object.index, 4)}h`), h("span", { class: "name" }, object.name), h("span", { class: "type" }, object.has ? "already there" : object.kind))),

@@ -3,18 +3,28 @@
 export type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | undefined | ((event: never) => void)>;
 
-export function h<K extends keyof HTMLElementTagNameMap>(
-  tag: K,
-  attributes: Attributes = {},
-  ...children: Child[]
-): HTMLElementTagNameMap[K] {
+const isChild = (child: Child): child is Node | string => child !== null && child !== undefined && child !== false;
+
+/** What each element listens to; `redraw` gives an element in the page what its new drawing listens to. */
+const listeners = new WeakMap<Element, Record<string, EventListener>>();
+
+const heard = (event: Event): void => listeners.get(event.currentTarget as Element)?.[event.type]?.(event);
+
+function listen(element: Element, to: Record<string, EventListener>): void {
+  // a listener that is there already is not added again
+  for (const type of Object.keys(to)) element.addEventListener(type, heard);
+  listeners.set(element, to);
+}
+
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
+  listen(element, Object.fromEntries(Object.entries(attributes).flatMap(([name, value]) => (typeof value === "function" ? [[name.slice(2), value as EventListener]] : []))));
   for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
-    else if (value === true) element.setAttribute(name, "");
+    if (typeof value === "function") continue;
+    if (value === true) element.setAttribute(name, "");
     else if (value !== undefined && value !== false) element.setAttribute(name, String(value));
   }
-  element.append(...children.filter((child): child is Node | string => child !== null && child !== undefined && child !== false));
+  element.append(...children.filter(isChild));
   return element;
 }
 
@@ -30,24 +40,61 @@ export function disable(element: HTMLElement): void {
   for (const field of element.querySelectorAll<HTMLInputElement | HTMLButtonElement | HTMLSelectElement>("input, button, select")) field.disabled = true;
 }
 
-/** Chromium sends `blur` to a field that is replaced. */
+/** Chromium sends `blur` to a field that is removed. */
 let isRedrawing = false;
 
-/** Redraws an element. The field with the keyboard focus, known by its `data-key`, keeps the focus and what was typed there so far. */
-export function redraw(view: HTMLElement, ...children: Node[]): void {
-  const active = document.activeElement;
-  const former = active instanceof HTMLElement && view.contains(active) ? active : undefined;
-  const key = former?.dataset.key;
+/** What an element is known by among those beside it. */
+const keyOf = (node: Node): string => (node instanceof Element ? `${node.nodeName} ${node.id || node.getAttribute("data-key") || node.getAttribute("data-place") || ""}` : node.nodeName);
+
+/** Makes an element in the page what `now` is. What the user did with it stays: the focus, a selection, typed text, an open help or list. */
+function become(old: Element, now: Element): void {
+  const field = old as HTMLInputElement;
+  const isTyped = old instanceof HTMLInputElement && field.type !== "checkbox" && field.value !== field.defaultValue;
+  // what is opened and closed by the user
+  const own = (name: string) => name === "open" && old instanceof HTMLDetailsElement;
+  for (const { name } of [...old.attributes]) if (!now.hasAttribute(name) && !own(name)) old.removeAttribute(name);
+  for (const { name, value } of now.attributes) if (old.getAttribute(name) !== value && !own(name)) old.setAttribute(name, value);
+  const to = listeners.get(now) ?? {};
+  listen(old, to);
+  fill(old, [...now.childNodes]);
+  // a field that gives its text to nobody keeps it, others as long as they are typed in
+  if (isTyped && (!to["change"] || old === document.activeElement)) return;
+  if ((old instanceof HTMLInputElement || old instanceof HTMLSelectElement) && field.value !== (now as HTMLInputElement).value) field.value = (now as HTMLInputElement).value;
+  if (field.checked !== (now as HTMLInputElement).checked) field.checked = (now as HTMLInputElement).checked;
+}
+
+/** Gives an element these children; present ones with the same key become them. */
+function fill(parent: Element, children: Node[]): void {
+  const known = new Map<string, Node[]>();
+  for (const child of parent.childNodes) known.set(keyOf(child), known.get(keyOf(child)) ?? []).get(keyOf(child))!.push(child);
+  const kept = new Set(children.map((now) => {
+    const old = known.get(keyOf(now))?.shift();
+    if (!old || old === now) return now;
+    if (old instanceof Element) become(old, now as Element);
+    else if (old.nodeValue !== now.nodeValue) old.nodeValue = now.nodeValue;
+    return old;
+  }));
+  for (const child of [...parent.childNodes]) if (!kept.has(child)) child.remove();
+  let at = parent.firstChild;
+  for (const child of kept) {
+    if (child === at) at = at.nextSibling;
+    else parent.insertBefore(child, at);
+  }
+}
+
+/** Draws the content of an element again. Elements are known by `id`, `data-key` or `data-place`, others by their order, and stay in the
+ *  page with all that the user did with them. */
+export function redraw(view: Element, ...children: Child[]): void {
+  const active = view.contains(document.activeElement) ? (document.activeElement as HTMLElement) : undefined;
   isRedrawing = true;
-  view.replaceChildren(...children);
-  isRedrawing = false;
-  if (!former || !key) return;
-  const again = view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
-  again?.focus({ preventScroll: true });
-  if (!(former instanceof HTMLInputElement && again instanceof HTMLInputElement)) return;
-  if (former.value !== former.defaultValue) again.value = former.value;
-  // a checkbox or a number has no selection
-  if (former.selectionStart !== null) again.setSelectionRange(former.selectionStart, former.selectionEnd);
+  try {
+    fill(view, children.filter(isChild).map((child) => (child instanceof Node ? child : document.createTextNode(child))));
+  } finally {
+    isRedrawing = false;
+  }
+  if (!active || active === document.activeElement) return;
+  const again = active.isConnected ? active : active.dataset.key && view.querySelector<HTMLElement>(`[data-key="${CSS.escape(active.dataset.key)}"]`);
+  if (again) again.focus({ preventScroll: true });
 }
 
 /** The events with which a field gives away its text: when it is left, and with Enter. Escape takes back what was typed. */
@@ -72,29 +119,15 @@ export function committing(text: string, commit: (value: string) => Promise<bool
   };
 }
 
-const arranged = new WeakMap<HTMLElement, Map<string, HTMLElement>>();
-
-/** Gives an element these children, and reuses present ones with the same key: a click is lost when the element under it is
- *  replaced between its two ends. */
-export function arrange(parent: HTMLElement, children: [key: string, make: () => HTMLElement][]): void {
-  const former = arranged.get(parent);
-  const now = new Map(children.map(([key, make]) => [key, former?.get(key) ?? make()]));
-  arranged.set(parent, now);
-  const kept = new Set(now.values());
-  for (const child of [...parent.children]) if (!kept.has(child as HTMLElement)) child.remove();
-  let at = parent.firstElementChild;
-  for (const child of kept) {
-    if (child === at) at = at.nextElementSibling;
-    else parent.insertBefore(child, at);
-  }
-}
-
 /** A number in the other base, as its type has it; other texts stay. */
 export function inBase(text: string, base: "text" | "hex" | "dec"): string {
   if (base === "text" || !/^(0x[0-9a-f]+|\d+)$/i.test(text)) return text;
   const number = BigInt(text);
   return base === "dec" ? number.toString() : `0x${number.toString(16).toUpperCase()}`;
 }
+
+/** Whether each word of a search is in a text. */
+export const finds = (search: string, text: string): boolean => search.toLowerCase().split(/\s+/).every((word) => text.toLowerCase().includes(word));
 
 const SHORT: Record<string, string> = { UNSIGNED: "u", INTEGER: "i", REAL: "f", BOOLEAN: "bool", VISIBLE_STRING: "string", OCTET_STRING: "bytes", UNICODE_STRING: "unicode" };
 

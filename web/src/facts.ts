@@ -37,7 +37,11 @@ export function factsView(store: Store): HTMLElement {
       const label = rate ? `${rate} kbit/s` : (LABELS[field.name] ?? field.name);
       const remarks = (found.get(at) ?? []).map(remark);
       if (!YES.test(field.name)) return h("label", { class: "field" }, h("span", {}, label), h("span", {}, fieldOf(store, current, part.place, field, found, label), ...remarks));
-      const box: HTMLInputElement = h("input", { type: "checkbox", checked: /^(1|0x0*1|true)$/i.test(field.text ?? ""), disabled: current.state.is_read_only, "data-key": at, onchange: () => void store.change({ do: "change", document: current.id, changes: [{ change: "set", at, value: box.checked ? "1" : "0" }] }) });
+      const set = ({ currentTarget }: Event) => {
+        const box = currentTarget as HTMLInputElement;
+        void store.change({ do: "change", document: current.id, changes: [{ change: "set", at, value: box.checked ? "1" : "0" }] }).then((isDone) => isDone || (box.checked = !box.checked));
+      };
+      const box = h("input", { type: "checkbox", checked: /^(1|0x0*1|true)$/i.test(field.text ?? ""), disabled: current.state.is_read_only, "data-key": at, onchange: set });
       return h("label", { class: "choice" }, box, ` ${label}`, ...remarks);
     };
     const section = (part: PartForm): HTMLElement => {
@@ -46,10 +50,8 @@ export function factsView(store: Store): HTMLElement {
       return h("section", { "data-place": part.place, "aria-label": TITLES[part.place] }, h("h3", {}, TITLES[part.place]), ...(found.get(part.place) ?? []).map(remark), ...(rates.length > 0 ? [h("fieldset", { class: "rates" }, h("legend", {}, "Bit rates"), ...rates.map((field) => row(part, field)))] : []), ...others.map((field) => row(part, field)));
     };
     view.dataset.shown = wanted();
-    const top = view.scrollTop;
     const hint = !current.outline.is_node && h("p", { class: "meaning" }, "A node-ID and a bit rate belong to a node: Configure makes a DCF or XDC with them.");
-    redraw(view, h("h2", {}, "File and device"), ...(hint ? [hint] : []), h("div", { class: "columns" }, ...parts.map(section)));
-    view.scrollTop = top;
+    redraw(view, h("h2", {}, "File and device"), hint, h("div", { class: "columns" }, ...parts.map(section)));
     focusWanted(store, view);
   });
   return view;

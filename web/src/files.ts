@@ -2,7 +2,7 @@
 
 import { Refused, ask } from "./engine";
 import { Dialog } from "./dialog";
-import { h } from "./dom";
+import { finds, h } from "./dom";
 import type { Opened, Refusal } from "./protocol";
 import { contentOf, type OpenDocument, type Store } from "./store";
 
@@ -214,8 +214,7 @@ export class Files {
   }
 
   private drawList(): void {
-    const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const isWanted = ({ name }: Served) => words.every((word) => name.toLowerCase().includes(word));
+    const isWanted = ({ name }: Served) => finds(this.search.value, name);
     const row = (number: number, of = ""): HTMLElement => {
       const { name, kind, nodes } = this.list[number]!;
       const open = () => void this.listed.run(() => this.open(number));

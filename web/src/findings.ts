@@ -1,7 +1,7 @@
 // Right: what was found, the worst first, with fixes. A click leads to the field, or to the line.
 
 import { ask } from "./engine";
-import { arrange, h, prose } from "./dom";
+import { h, prose, redraw } from "./dom";
 import type { Finding } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
@@ -102,12 +102,15 @@ export function findingsPanel(store: Store): HTMLElement {
   const safe = fixAllButton(store);
   const hidden = new Set<string>();
   const open = new Set<string>();
+  /** What is drawn, and of what. */
+  let [of, drawn]: [OpenDocument | undefined, string] = [undefined, ""];
   const filters = SEVERITIES.map((severity) => h("button", { class: `filter ${severity}`, onclick: () => (hidden.delete(severity) || hidden.add(severity), store.draw()) }));
   const filter = h("div", { class: "group", role: "group", "aria-label": "Findings that are shown" }, ...filters);
   const group = (findings: Finding[]): HTMLElement => {
     const { rule, severity } = findings[0]!;
-    const element = h("details", { open: open.has(rule), ontoggle: () => void (element.open ? open.add(rule) : open.delete(rule)) }, h("summary", { class: severity }, h("span", { class: "severity" }, `${findings.length} ${severity}s`), " ", h("code", {}, rule)), h("ul", {}, ...findings.map((finding) => item(store, finding))));
-    return h("li", { class: "finding-group" }, element);
+    const toggled = ({ currentTarget }: Event) => void ((currentTarget as HTMLDetailsElement).open ? open.add(rule) : open.delete(rule));
+    const element = h("details", { open: open.has(rule), ontoggle: toggled }, h("summary", { class: severity }, h("span", { class: "severity" }, `${findings.length} ${severity}s`), " ", h("code", {}, rule)), h("ul", {}, ...findings.map((finding) => item(store, finding))));
+    return h("li", { class: "finding-group", "data-key": `${severity} ${rule}` }, element);
   };
   store.onDraw(() => {
     const document = store.current;
@@ -125,12 +128,14 @@ export function findingsPanel(store: Store): HTMLElement {
       filters[at]!.setAttribute("aria-pressed", String(!hidden.has(severity)));
     }
     const findings = kinds.length < 2 ? all : all.filter(({ severity }) => !hidden.has(severity));
-    const key = (group: Finding[], at: number) => JSON.stringify([document?.id, document?.checked, at, group, document?.network?.missing]);
-    const shown = grouped(findings.slice(0, MAX_SHOWN)).map((findings, at): [string, () => HTMLElement] => [key(findings, at), () => (findings.length > 1 ? group(findings) : item(store, findings[0]!))]);
-    if (findings.length > MAX_SHOWN) shown.push([`${findings.length}`, () => h("li", {}, `and ${findings.length - MAX_SHOWN} more`)]);
-    if (document?.check === "done" && all.length === 0) shown.push(["none", () => h("li", { class: "nothing" }, "No findings.")]);
-    arrange(list, shown);
     list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
+    const shown = findings.slice(0, MAX_SHOWN);
+    const state = JSON.stringify([shown, findings.length, document?.check, document?.network?.missing]);
+    if (of === document && state === drawn) return;
+    [of, drawn] = [document, state];
+    const more = findings.length > MAX_SHOWN && h("li", {}, `and ${findings.length - MAX_SHOWN} more`);
+    const none = document?.check === "done" && all.length === 0 && h("li", { class: "nothing" }, "No findings.");
+    redraw(list, ...grouped(shown).map((findings) => (findings.length > 1 ? group(findings) : item(store, findings[0]!))), more, none);
   });
   return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, filter, safe), toolChoice(store), list);
 }

@@ -16,7 +16,7 @@ const FLAGS: [string, string][] = [["0", "none"], ["1", "not written"], ["2", "n
 const MAPPING: [string, string][] = [["0", "no"], ["1", "yes"]];
 const XML_MAPPING: [string, string][] = ["no", "optional", "default", "TPDO", "RPDO"].map((word) => [word, word]);
 
-interface Column {
+export interface Column {
   field: string;
   label: string;
   /** For a screen reader, and where there is no head. */
@@ -25,7 +25,7 @@ interface Column {
   choices?: [string, string][];
 }
 
-const COLUMNS: Column[] = [
+export const COLUMNS: Column[] = [
   { field: "ParameterName", label: "Name", full: "Name", meaning: "The name of the object or entry, up to 241 characters." },
   { field: "DataType", label: "Type", full: "Data type", meaning: "The data type of CiA 301.", choices: TYPES },
   { field: "AccessType", label: "Access", full: "Access", meaning: "What SDO may do; `rwr` and `rww` also say which PDOs may carry the entry.", choices: ACCESS },
@@ -55,8 +55,11 @@ export const remark = ({ severity, message }: Finding): HTMLElement => h("p", { 
 function choice(value: string, options: [string, string][], set: (value: string) => Promise<boolean>, attributes: Parameters<typeof h>[1] = {}): HTMLSelectElement {
   const all: [string, string][] = [["", "–"], ...options];
   if (!all.some(([known]) => known === value)) all.push([value, value]);
-  const select: HTMLSelectElement = h("select", { onchange: () => void set(select.value).then((isDone) => isDone || (select.value = value)), ...attributes }, ...all.map(([each, name]) => h("option", { value: each, selected: each === value }, name)));
-  return select;
+  const give = ({ currentTarget }: Event) => {
+    const select = currentTarget as HTMLSelectElement;
+    void set(select.value).then((isDone) => isDone || (select.value = value));
+  };
+  return h("select", { onchange: give, ...attributes }, ...all.map(([each, name]) => h("option", { value: each, selected: each === value }, name)));
 }
 
 /** A field of the file as an element; `attributes` are those of the element that takes input. */
@@ -75,6 +78,44 @@ export function fieldOf(store: Store, document: OpenDocument, place: string, fie
   if (choices) return choice(value, choices === MAPPING && /^xd/i.test(document.state.format) ? XML_MAPPING : choices, set, { ...attributes, disabled: document.state.is_read_only });
   const shown = inBase(field.text ?? "", store.base);
   return h("input", { ...attributes, value: shown, placeholder: field.value ?? "", readonly: document.state.is_read_only, spellcheck: "false", autocomplete: "off", ...committing(shown, set) });
+}
+
+/** The cells of an object or entry in these columns, and one for its unit; `of` is added to their labels. */
+export function cellsOf(store: Store, document: OpenDocument, form: ObjectForm, part: PartForm, found: Found, columns: Column[], of = ""): HTMLTableCellElement[] {
+  const { sub, place } = part;
+  const suffix = `${of}${sub == null ? "" : `, sub-index ${hex(sub, 2)}`}`;
+  const cells = columns.map(({ field: name, full, choices }) => {
+    const field = part.fields.find((field) => field.name === name);
+    return h("td", { class: `${name} ${choices ? "choice" : name === "ParameterName" ? "name" : "value"}` }, field && fieldOf(store, document, place, field, found, full + suffix, choices));
+  });
+  const unit = part.unit ?? "";
+  const at = addressOf(form.index, sub);
+  const set = (value: string) => store.change({ do: "patch", document: document.id, patch: patchOf(value ? { at, set: { unit: value } } : { at, unset: ["unit"] }) });
+  const field = (sub != null || !form.has_subs) && h("input", { value: unit, "aria-label": `Unit${suffix}`, "data-key": `${place} / Unit`, readonly: document.state.is_read_only, ...committing(unit, set) });
+  return [...cells, h("td", { class: "unit" }, field)];
+}
+
+/** The head of a column with its help; each table has a name, because ids are unique in the page. */
+export const headOf = ({ field, label, meaning }: Column, table: string): HTMLElement =>
+  h("th", { scope: "col", class: field }, h("button", { type: "button", class: "quiet help-button", popovertarget: `help-${table}-${field}` }, label), h("div", { popover: "auto", id: `help-${table}-${field}` }, ...prose(meaning)));
+
+/** The switch between hexadecimal and decimal numbers. */
+export const bases = (store: Store): HTMLElement =>
+  h("span", { class: "group", role: "group", "aria-label": "Numbers" }, ...(["text", "hex", "dec"] as const).map((base) => h("button", { type: "button", "aria-pressed": String(store.base === base), title: { text: "Numbers as the file has them", hex: "Numbers in hexadecimal", dec: "Numbers in decimal" }[base], "data-key": `base-${base}`, onclick: () => ((store.base = base), store.draw()) }, base === "text" ? "as in the file" : base)));
+
+/** Up and down lead to the same field of the next row, the page keys farther; in a select, with Ctrl. */
+export function columnKeys(view: HTMLElement, page: () => number): void {
+  view.addEventListener("keydown", (event) => {
+    const by = { ArrowUp: -1, ArrowDown: 1, PageUp: -page(), PageDown: page() }[event.key];
+    const target = event.target as HTMLElement;
+    const name = target.dataset.key?.split(" / ")[1];
+    if (!by || event.altKey || !name || !(event.ctrlKey || target instanceof HTMLInputElement)) return;
+    const column = [...view.querySelectorAll<HTMLElement>(`.entries [data-key$="/ ${name}"]`)];
+    const next = column[Math.max(0, Math.min(column.length - 1, column.indexOf(target) + by))]!;
+    event.preventDefault();
+    next.focus();
+    if (next instanceof HTMLInputElement) next.select();
+  });
 }
 
 /** A patch of changes (docs/reference/patch.md). */
@@ -128,19 +169,7 @@ export function formView(store: Store): HTMLElement {
   };
   store.onLeave(leave);
 
-  // up and down lead to the same field of the next entry
-  view.addEventListener("keydown", (event) => {
-    const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
-    const target = event.target as HTMLElement;
-    const name = target.dataset.key?.split(" / ")[1];
-    if (!by || event.altKey || !name || !(target instanceof HTMLInputElement)) return;
-    const column = [...view.querySelectorAll<HTMLInputElement>(`.entries input[data-key$="/ ${name}"]`)];
-    const next = column[column.indexOf(target) + by];
-    if (!next) return;
-    event.preventDefault();
-    next.focus();
-    next.select();
-  });
+  columnKeys(view, () => 10);
 
   const choose = (form: ObjectForm, sub: number, event: MouseEvent) => {
     const between = (each: number) => last !== undefined && each >= Math.min(last, sub) && each <= Math.max(last, sub);
@@ -151,22 +180,13 @@ export function formView(store: Store): HTMLElement {
   };
 
   const row = (form: ObjectForm, part: PartForm, found: Found, columns: Column[]): HTMLElement[] => {
-    const document = store.current!;
     const { sub } = part;
-    const suffix = sub == null ? "" : `, sub-index ${hex(sub, 2)}`;
-    const cell = ({ field: name, full, choices }: Column) => {
-      const field = part.fields.find((field) => field.name === name);
-      return h("td", { class: `${name} ${choices ? "choice" : name === "ParameterName" ? "name" : "value"}` }, field && fieldOf(store, document, part.place, field, found, full + suffix, choices));
-    };
     const head = sub == null ? h("th", { scope: "row", class: "address" }, indexText(form.index)) : h("th", { scope: "row" }, h("button", { class: "address", type: "button", "aria-label": `Choose sub-index ${hex(sub, 2)}`, "aria-pressed": String(chosen.has(sub)), "data-key": `choose-${sub}`, onclick: (event: MouseEvent) => choose(form, sub, event) }, hex(sub, 2)));
-    const unit = part.unit ?? "";
-    const setUnit = (value: string) => store.change({ do: "patch", document: document.id, patch: patchOf(value ? { at: addressOf(form.index, sub), set: { unit: value } } : { at: addressOf(form.index, sub), unset: ["unit"] }) });
     const hasValue = sub != null || !form.has_subs;
-    const meaning = h("td", { class: "unit" }, hasValue && h("input", { value: unit, "aria-label": `Unit${suffix}`, "data-key": `unit-${part.place}`, readonly: document.state.is_read_only, ...committing(unit, setUnit) }));
     const remarks = [part.place, ...part.fields.map(({ name }) => `${part.place} / ${name}`)].flatMap((place) => found.get(place) ?? []);
     const notes = [hasValue && part.words && h("span", { class: "words" }, part.words), ...new Set(remarks)].filter(Boolean);
     const below = notes.length > 0 && h("tr", { class: "below" }, h("td", {}), h("td", { colspan: columns.length + 1 }, ...notes.map((note) => (note instanceof Node ? note : remark(note as Finding)))));
-    return [h("tr", { "data-place": part.place, class: sub != null && chosen.has(sub) ? "chosen" : undefined }, head, ...columns.map(cell), meaning), ...(below ? [below] : [])];
+    return [h("tr", { "data-place": part.place, class: sub != null && chosen.has(sub) ? "chosen" : undefined }, head, ...cellsOf(store, store.current!, form, part, found, columns)), ...(below ? [below] : [])];
   };
 
   const actions = (form: ObjectForm): HTMLElement | false => {
@@ -178,7 +198,7 @@ export function formView(store: Store): HTMLElement {
     const patch = (...changes: Parameters<typeof patchOf>) => store.change({ do: "patch", document: document.id, patch: patchOf(...changes) });
     const count = h("input", { type: "number", min: 1, max: 254, value: 1, "aria-label": "How many sub-indexes to add", "data-key": "add-count", class: "count" });
     const model = rows.at(-1) ?? subs.at(-1);
-    const add = () => model && change(entriesLike(form, Array.from({ length: Math.max(1, Number(count.value)) }, () => model), true));
+    const add = () => model && change(entriesLike(form, Array.from({ length: Math.max(1, Number(view.querySelector<HTMLInputElement>("[data-key=add-count]")!.value)) }, () => model), true));
     const remove = () => {
       const left = subs.filter((part) => !rows.includes(part));
       chosen.clear();
@@ -199,8 +219,8 @@ export function formView(store: Store): HTMLElement {
       store.draw();
     };
     const others = store.documents.filter((other) => other !== document && other.state.kind === "device" && !other.state.is_read_only);
-    const copy = (id: number) => void store.change({ do: "copy", document: id, from: document.id, indexes: [form.index] });
-    const target: HTMLSelectElement = h("select", { "aria-label": "Copy the object to another file", class: "copy-to", onchange: () => copy(Number(target.value)) }, h("option", { value: "" }, "Copy to …"), ...others.map(({ id, state }) => h("option", { value: id }, state.name)));
+    const copy = ({ currentTarget }: Event) => void store.change({ do: "copy", document: Number((currentTarget as HTMLSelectElement).value), from: document.id, indexes: [form.index] });
+    const target = h("select", { "aria-label": "Copy the object to another file", class: "copy-to", onchange: copy }, h("option", { value: "" }, "Copy to …"), ...others.map(({ id, state }) => h("option", { value: id }, state.name)));
     const canMove = rows.length > 0 && !chosen.has(0);
     return h(
       "div",
@@ -222,9 +242,6 @@ export function formView(store: Store): HTMLElement {
     );
   };
 
-  const bases = () =>
-    h("span", { class: "group", role: "group", "aria-label": "Numbers" }, ...(["text", "hex", "dec"] as const).map((base) => h("button", { type: "button", "aria-pressed": String(store.base === base), title: { text: "Numbers as the file has them", hex: "Numbers in hexadecimal", dec: "Numbers in decimal" }[base], "data-key": `base-${base}`, onclick: () => ((store.base = base), store.draw()) }, base === "text" ? "as in the file" : base)));
-
   store.onDraw(async () => {
     const { current, index } = store;
     view.hidden = store.view !== "form";
@@ -235,10 +252,7 @@ export function formView(store: Store): HTMLElement {
     if (!same) [chosen, last] = [new Set(), undefined];
     const form = await ask<ObjectForm>({ do: "form", document: current.id, index }).catch(() => undefined);
     if (number !== asked) return;
-    if (!form) {
-      view.replaceChildren(h("p", { class: "nothing" }, `There is no object ${indexText(index)}.`));
-      return;
-    }
+    if (!form) return redraw(view, h("p", { class: "nothing" }, `There is no object ${indexText(index)}.`));
     view.dataset.shown = shown;
     const found = foundBy(current.report.findings.filter((finding) => [finding, ...(finding.places ?? [])].some(({ place }) => indexOf(place) === index)));
     const state = JSON.stringify([form, [...found], [...chosen], store.base, current.state.is_read_only, store.documents.map(({ id, state }) => [id, state.name])]);
@@ -246,12 +260,11 @@ export function formView(store: Store): HTMLElement {
     drawn = state;
     const named = new Set(form.parts.flatMap((part) => part.fields.map(({ name }) => name)));
     const columns = COLUMNS.filter(({ field }) => named.has(field) && (field !== "ObjFlags" || form.parts.some((part) => part.fields.some(({ name, text }) => name === field && text != null))));
-    const help = ({ field, label, meaning }: Column) => h("th", { scope: "col" }, h("button", { type: "button", class: "quiet help-button", popovertarget: `help-${field}` }, label), h("div", { popover: "auto", id: `help-${field}` }, ...prose(meaning)));
     const kind = form.parts[0]!.fields.find(({ name }) => name === "ObjectType");
     redraw(
       view,
-      h("div", { class: "title" }, h("h2", {}, `${form.name} `, h("span", { class: "address" }, indexText(form.index))), kind ? fieldOf(store, current, form.parts[0]!.place, kind, found, "Object type", OBJECT_TYPES) : "", bases()),
-      h("div", { class: "wide" }, h("table", { class: "entries" }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, form.has_subs ? "Sub" : "Index"), ...columns.map(help), h("th", { scope: "col" }, "Unit"))), h("tbody", {}, ...form.parts.flatMap((part) => row(form, part, found, columns))))),
+      h("div", { class: "title" }, h("h2", {}, `${form.name} `, h("span", { class: "address" }, indexText(form.index))), kind ? fieldOf(store, current, form.parts[0]!.place, kind, found, "Object type", OBJECT_TYPES) : "", bases(store)),
+      h("div", { class: "wide" }, h("table", { class: "entries" }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, form.has_subs ? "Sub" : "Index"), ...columns.map((column) => headOf(column, "object")), h("th", { scope: "col" }, "Unit"))), h("tbody", {}, ...form.parts.flatMap((part) => row(form, part, found, columns))))),
       ...[actions(form) || []].flat(),
     );
     if (!same && top > 0) view.scrollTop = 0;

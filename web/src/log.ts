@@ -1,7 +1,7 @@
 // Middle: a log of a bus in words, read with the open descriptions. Only the frames in sight are in the page; the engine has the others.
 
 import { ask } from "./engine";
-import { h, hex } from "./dom";
+import { h, hex, redraw } from "./dom";
 import { table } from "./network";
 import type { BusReport, FrameFilter, Frames, Incident, LogSummary, Plot } from "./protocol";
 import type { OpenDocument, Store } from "./store";
@@ -157,18 +157,12 @@ export function logView(store: Store): HTMLElement {
     const chosen = store.descriptionsFor(log);
     const boxes = store.documents
       .filter((other) => other.state.kind !== "log")
-      .map((other) => {
-        const box = h("input", {
-          type: "checkbox",
-          checked: chosen.includes(other.id),
-          onchange: () => {
-            log.with = box.checked ? [...chosen, other.id] : chosen.filter((id) => id !== other.id);
-            store.changed();
-          },
-        });
-        return h("label", { class: "choice" }, box, ` ${other.state.name}`);
+      .map(({ id, state }) => {
+        const isChosen = chosen.includes(id);
+        const choose = () => ((log.with = isChosen ? chosen.filter((each) => each !== id) : [...chosen, id]), store.changed());
+        return h("label", { class: "choice" }, h("input", { type: "checkbox", checked: isChosen, onchange: choose }), ` ${state.name}`);
       });
-    others.replaceChildren(h("legend", {}, "Read with"), ...(boxes.length > 0 ? boxes : [h("p", { class: "meaning" }, "Drop the EDS or DCF of the nodes, or their network, on the page: then PDOs and values have names.")]));
+    redraw(others, h("legend", {}, "Read with"), ...(boxes.length > 0 ? boxes : [h("p", { class: "meaning" }, "Drop the EDS or DCF of the nodes, or their network, on the page: then PDOs and values have names.")]));
   };
 
   store.onDraw(() => {
@@ -182,8 +176,8 @@ export function logView(store: Store): HTMLElement {
     choices(current.log);
     signals.value = (current.plots ?? []).join(", ");
     const end = Math.max(0, ...current.log.plots.flatMap(({ points, runs }) => [...points, ...runs].map((each) => each[1])));
-    plots.replaceChildren(...(current.log.plots.length > 0 ? current.log.plots.map((plot) => plotted(plot, end)) : [h("p", { class: "meaning" }, "No value of a PDO changes. Name entries to draw others.")]));
-    sums.replaceChildren(incidentList(current.log, (line) => void show(line)), ...remarks(current.log).map((text) => h("p", { class: "meaning" }, text)), ...current.log.buses.map(busTables));
+    redraw(plots, ...(current.log.plots.length > 0 ? current.log.plots.map((plot) => plotted(plot, end)) : [h("p", { class: "meaning" }, "No value of a PDO changes. Name entries to draw others.")]));
+    redraw(sums, incidentList(current.log, (line) => void show(line)), ...remarks(current.log).map((text) => h("p", { class: "meaning" }, text)), ...current.log.buses.map(busTables));
     void show();
   });
   return view;

@@ -5,7 +5,7 @@ import { configureDialog } from "./configure";
 import { addDialog, newDialog, pasteDialog } from "./create";
 import { Drafts } from "./drafts";
 import { ask, startEngine } from "./engine";
-import { arrange, h, iconButton, prose } from "./dom";
+import { h, iconButton, prose, redraw } from "./dom";
 import { EXAMPLES } from "./examples";
 import { factsView } from "./facts";
 import { Files } from "./files";
@@ -19,6 +19,7 @@ import { productsDialog, saveDialog } from "./output";
 import { pdoView } from "./pdo";
 import type { Opened } from "./protocol";
 import { Store, VIEWS, textBytes, type OpenDocument, type View } from "./store";
+import { tableView } from "./table";
 import { diffView, textView } from "./text";
 import { welcome } from "./welcome";
 
@@ -156,28 +157,21 @@ function switchTheme(): void {
 function documentTabs(): HTMLElement {
   const tabs = h("nav", { class: "documents", "aria-label": "Open files" });
   const network = button("Network of these files", () => void store.attempt(async () => store.take(await ask<Opened>({ do: "new-network" }))), { class: "quiet" });
-  const tab = (document: OpenDocument) =>
-    h(
+  const tab = (document: OpenDocument) => {
+    const { name, format, encoding } = document.state;
+    const isCurrent = document === store.current;
+    return h(
       "span",
-      {},
-      h("button", { onclick: () => store.show(document) }),
-      h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void files.close(document) }, "×"),
+      { class: isCurrent ? "document current" : "document", "data-key": `document-${document.id}` },
+      h("button", { title: [format, encoding].filter(Boolean).join(", "), "aria-current": isCurrent ? "page" : undefined, onclick: () => store.show(document) }, `${name}${files.isChanged(document) ? " •" : ""}`),
+      h("button", { class: "quiet", "aria-label": `Close ${name}`, onclick: () => void files.close(document) }, "×"),
     );
+  };
   store.onDraw(() => {
     tabs.hidden = store.documents.length === 0;
     const count = store.documents.filter(({ state }) => state.kind === "device").length;
     network.hidden = count < 2 || store.documents.some(({ state }) => state.kind === "network");
-    arrange(tabs, [...store.documents.map((document): [string, () => HTMLElement] => [`${document.id}`, () => tab(document)]), ["network", () => network]]);
-    for (const [at, document] of store.documents.entries()) {
-      const isCurrent = document === store.current;
-      const element = tabs.children[at]!;
-      element.className = isCurrent ? "document current" : "document";
-      const name = element.firstElementChild!;
-      name.setAttribute("title", [document.state.format, document.state.encoding].filter(Boolean).join(", "));
-      if (isCurrent) name.setAttribute("aria-current", "page");
-      else name.removeAttribute("aria-current");
-      name.textContent = `${document.state.name}${files.isChanged(document) ? " •" : ""}`;
-    }
+    redraw(tabs, ...store.documents.map(tab), network);
   });
   return tabs;
 }
@@ -187,6 +181,7 @@ const LABELS: [View, string][] = [
   ["log", "Log"],
   ["overview", "Overview"],
   ["form", "Object"],
+  ["table", "Table"],
   ["pdo", "PDOs"],
   ["facts", "Device"],
   ["text", "Text"],
@@ -214,7 +209,7 @@ function middle(): HTMLElement {
       tab.hidden = !VIEWS[store.current?.state.kind ?? "device"].includes(view);
     }
   });
-  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab)), networkView(store), logView(store), overview(store, doing), formView(store), factsView(store), textView(store), pdoView(store), diffView(store), compareView(store));
+  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab)), networkView(store), logView(store), overview(store, doing), formView(store), tableView(store), factsView(store), textView(store), pdoView(store), diffView(store), compareView(store));
 }
 
 function notice(): HTMLElement {
@@ -228,7 +223,7 @@ function notice(): HTMLElement {
     };
     const { kind, message, help, actions = [] } = store.notice;
     element.className = `notice ${kind}`;
-    element.replaceChildren(h("p", {}, ...prose(message)), help ? h("p", { class: "help" }, ...prose(help)) : "", ...actions.map(({ label, make }) => button(label, () => (close(), make()))), button("Close", close, { class: "quiet" }));
+    redraw(element, h("p", {}, ...prose(message)), help && h("p", { class: "help" }, ...prose(help)), ...actions.map(({ label, make }) => button(label, () => (close(), make()))), button("Close", close, { class: "quiet" }));
   });
   return element;
 }

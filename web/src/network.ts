@@ -1,6 +1,6 @@
 // Middle: a network. What it sends and how late that may be, who is linked with whom, and all files that are built of it.
 
-import { h, hex } from "./dom";
+import { finds, h, hex, redraw } from "./dom";
 import { download } from "./output";
 import type { LinkChange, Mappable, NetworkEnd, NetworkView, Overview, Side, Timing } from "./protocol";
 import type { Store } from "./store";
@@ -98,13 +98,12 @@ class Column {
   show(): void {
     const side = this.sides.find((side) => side.node === this.choice.value);
     if (!side) return;
-    const words = this.filter.value.toLowerCase().split(/\s+/).filter(Boolean);
     const row = (label: string, name: string, type: string, entry?: Mappable) =>
       h("li", {}, h("button", { class: "mappable", type: "button", ...this.item(side, entry) }, h("span", { class: "address" }, label), h("span", { class: "name" }, name), h("span", { class: "type" }, type)));
-    const entries = side.entries.filter((entry) => entry[this.which]).filter((entry) => words.every((word) => `${hex(entry.index, 4)}h:${hex(entry.sub, 2)} ${entry.name}`.toLowerCase().includes(word)));
+    const entries = side.entries.filter((entry) => entry[this.which]).filter((entry) => finds(this.filter.value, `${hex(entry.index, 4)}h:${hex(entry.sub, 2)} ${entry.name}`));
     const shown = entries.slice(0, MAX_SHOWN).map((entry) => row(`${hex(entry.index, 4)}h:${hex(entry.sub, 2)}`, entry.name, `${entry.bits} bits`, entry));
     if (side.is_manager) shown.unshift(row(side.node, "the manager, which has the other side of each PDO", ""));
-    this.list.replaceChildren(...(shown.length > 0 ? shown : [h("li", { class: "nothing" }, "No entries that PDOs can carry.")]));
+    redraw(this.list, ...(shown.length > 0 ? shown : [h("li", { class: "nothing" }, "No entries that PDOs can carry.")]));
   }
 }
 
@@ -149,7 +148,8 @@ function board(store: Store): { element: HTMLElement; draw: (view: NetworkView) 
     draw: ({ sides = [], links = [], can_link }) => {
       element.hidden = !can_link && links.length === 0;
       element.querySelector<HTMLElement>(".sides")!.hidden = status.hidden = !can_link;
-      list.replaceChildren(
+      redraw(
+        list,
         ...links.map((link, number) =>
           h("li", {}, endChip(link.from, number, 0, "sends"), " → ", ...link.to.flatMap((to, at) => [at > 0 ? ", " : "", endChip(to, number, at + 1, "receives")]), " ", h("button", { class: "quiet", "aria-label": `Remove the link of ${link.from}`, onclick: () => change({ change: "remove", link: number }) }, "Remove")),
         ),
@@ -186,12 +186,12 @@ export function networkView(store: Store): HTMLElement {
     rest.hidden = !overview;
     if (!overview) {
       links.element.hidden = true;
-      head.replaceChildren(h("p", { class: "nothing" }, "The text is not a network that can be read; the findings say why."));
+      redraw(head, h("p", { class: "nothing" }, "The text is not a network that can be read; the findings say why."));
       return;
     }
-    head.replaceChildren(h("div", { class: "bar" }, h("h2", {}, overview.name ?? "Network"), h("button", { class: "main", onclick: build, disabled: missing.length > 0 }, "Build and download")), facts(overview, timing, missing), nodeCards(overview, missing), picture(network.picture ?? ""));
+    redraw(head, h("div", { class: "bar" }, h("h2", {}, overview.name ?? "Network"), h("button", { class: "main", onclick: build, disabled: missing.length > 0 }, "Build and download")), facts(overview, timing, missing), nodeCards(overview, missing), picture(network.picture ?? ""));
     links.draw(network);
-    rest.replaceChildren(...tables(overview, timing));
+    redraw(rest, ...tables(overview, timing));
   });
   return view;
 }

@@ -1,6 +1,6 @@
 // Left: the objects and PDOs of the device, with a search. Only the rows that are in sight are in the page.
 
-import { addressIn, arrange, h, indexOf, indexText, placeOf, shortType } from "./dom";
+import { addressIn, finds, h, indexOf, indexText, placeOf, redraw, shortType } from "./dom";
 import type { ObjectRow, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
@@ -32,18 +32,24 @@ function matches(object: ObjectRow, words: string[]): boolean {
   });
 }
 
+/** The objects that the search finds. */
+export function searched(store: Store): ObjectRow[] {
+  const { objects } = store.current!.outline;
+  const words = store.search.toLowerCase().split(/\s+/).filter(Boolean);
+  return words.length > 0 ? objects.filter((object) => matches(object, words)) : objects;
+}
+
 function rowsOf(store: Store): Row[] {
   const outline = store.current?.outline;
   if (!outline) return [];
-  const words = store.search.toLowerCase().split(/\s+/).filter(Boolean);
   const rows: Row[] = [];
   const pdos = outline.pdos
     .map((pdo, position) => ({ kind: "pdo" as const, pdo, position }))
-    .filter(({ pdo }) => words.every((word) => `${pdo.kind} ${pdo.number} pdo`.toLowerCase().includes(word)));
+    .filter(({ pdo }) => finds(store.search, `${pdo.kind} ${pdo.number} pdo`));
   if (pdos.length > 0) rows.push({ kind: "area", title: "PDOs", count: pdos.length }, ...pdos);
   let area = "";
   let head: { kind: "area"; title: string; count: number } | undefined;
-  for (const object of words.length > 0 ? outline.objects.filter((object) => matches(object, words)) : outline.objects) {
+  for (const object of searched(store)) {
     const title = AREAS.filter(([first]) => object.index >= first).at(-1)?.[1] ?? "Data types";
     if (title !== area) rows.push((head = { kind: "area", title: (area = title), count: 0 }));
     head!.count++;
@@ -95,7 +101,7 @@ export function objectsPanel(store: Store): HTMLElement {
 
   const isSelected = (row: Row): boolean =>
     row.kind === "object"
-      ? ["form", "text"].includes(store.view) && row.object.index === store.index
+      ? ["form", "table", "text"].includes(store.view) && row.object.index === store.index
       : row.kind === "pdo" && store.view === "pdo" && row.position === store.pdo;
 
   const choose = (row: Row): void => {
@@ -103,7 +109,7 @@ export function objectsPanel(store: Store): HTMLElement {
       const sub = store.search.split(/\s+/).map((word) => addressIn(word)?.sub).find((sub) => sub !== undefined);
       // the keyboard stays in the list where it is
       if (sub !== undefined && document.activeElement !== list) store.wanted = placeOf(row.object.index, row.object.subs.length > 0 ? sub : undefined);
-      store.select(row.object.index, store.view === "text" ? "text" : "form");
+      store.select(row.object.index, store.view === "text" ? "text" : undefined);
     }
     else if (row.kind === "pdo") store.selectPdo(row.position);
   };
@@ -141,8 +147,7 @@ export function objectsPanel(store: Store): HTMLElement {
     const first = Math.max(0, Math.floor(scroll.scrollTop / ROW) - AROUND);
     const last = Math.min(rows.length, Math.ceil((scroll.scrollTop + (scroll.clientHeight || 800)) / ROW) + AROUND);
     list.style.height = `${rows.length * ROW}px`;
-    const key = (row: Row, number: number) => JSON.stringify([number, row, isSelected(row), row.kind === "object" && marks.get(row.object.index)]);
-    arrange(list, rows.slice(first, last).map((row, at) => [key(row, first + at), () => element(row, first + at)]));
+    redraw(list, ...rows.slice(first, last).map((row, at) => element(row, first + at)));
     const selected = rows.findIndex(isSelected);
     if (selected >= first && selected < last) list.setAttribute("aria-activedescendant", `row-${selected}`);
     else list.removeAttribute("aria-activedescendant");

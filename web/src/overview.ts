@@ -1,7 +1,7 @@
 // Middle: what a device is, what its PDOs carry, what is wrong with it, and what can be done next.
 
 import { ask } from "./engine";
-import { h, hex, prose } from "./dom";
+import { h, hex, prose, redraw } from "./dom";
 import { count, fixAllButton, goTo, hasSafeFix, SEVERITIES, summaryOf } from "./findings";
 import { bitsOf, coloursOf, picture } from "./pdo";
 import type { Outline, PartForm, PdoRow } from "./protocol";
@@ -85,12 +85,13 @@ export function overview(store: Store, doing: Doing[]): HTMLElement {
       ...views.map(([label, to, meaning]) => tile(label, meaning, show(to))),
       ...doing.map(({ label, meaning, what }) => tile(label, meaning, () => what(current))),
     ];
-    view.replaceChildren(
+    redraw(
+      view,
       h("div", { class: "title" }, h("h2", {}, outline.product ?? state.name)),
       h("p", { class: "meaning" }, ABOUT[ending] ?? `${state.format}: a device description.`),
       h("div", { class: "cards" }, device(current, parts), wrong(store, current)),
       h("ul", { class: "plain next", "aria-label": "What to do next" }, ...next),
-      ...[pdos(store, outline) || []].flat(),
+      pdos(store, outline),
     );
   });
   return view;

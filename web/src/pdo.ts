@@ -1,7 +1,7 @@
 // Middle: a PDO as eight bytes, with what it carries. Objects are added, moved and removed by mouse and by keyboard; each step changes
 // the mapping entries in the file.
 
-import { addressText, committing, disable, h, hex, numberIn, placeOf, prose, redraw } from "./dom";
+import { addressText, committing, disable, finds, h, hex, numberIn, placeOf, prose, redraw } from "./dom";
 import type { FieldChange, Mappable, Mapped, Outline, PdoRow } from "./protocol";
 import type { Store } from "./store";
 
@@ -207,10 +207,7 @@ export function pdoView(store: Store): HTMLElement {
   const candidates = (pdo: PdoRow): HTMLElement => {
     const all = [...store.current!.outline.mappable.filter((entry) => (pdo.kind === "RPDO" ? entry.rpdo : entry.tpdo)), ...(pdo.kind === "RPDO" ? DUMMIES : [])];
     const left = BITS - bitsOf(pdo.mapped);
-    const shown = (): Mappable[] => {
-      const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
-      return all.filter((entry) => words.every((word) => `${addressText(entry.index, entry.sub)} ${entry.name}`.toLowerCase().includes(word)));
-    };
+    const shown = (): Mappable[] => all.filter((entry) => finds(filter, `${addressText(entry.index, entry.sub)} ${entry.name}`));
     const input = h("input", {
       type: "search",
       value: filter,
@@ -222,8 +219,8 @@ export function pdoView(store: Store): HTMLElement {
         const next = event.key === "Enter" ? shown().find((entry) => entry.bits <= left && !isMapped(entry)) : undefined;
         if (next) add(pdo, next, undefined, true);
       },
-      oninput: () => {
-        filter = input.value;
+      oninput: ({ currentTarget }: Event) => {
+        filter = (currentTarget as HTMLInputElement).value;
         store.draw();
       },
     });
@@ -249,21 +246,16 @@ export function pdoView(store: Store): HTMLElement {
     const pdo = store.current?.outline.pdos[store.pdo];
     // what is dragged stays in the page until it is dropped
     if (view.hidden || dragged) return;
-    if (!pdo) {
-      view.replaceChildren(h("p", { class: "nothing" }, "The device has no PDOs."));
-      return;
-    }
-    const top = view.scrollTop;
+    if (!pdo) return redraw(view, h("p", { class: "nothing" }, "The device has no PDOs."));
     view.dataset.shown = wanted();
     redraw(
       view,
       h("h2", {}, `${pdo.kind} ${pdo.number} `, h("span", { class: "type" }, `${hex(pdo.communication, 4)}h, ${hex(pdo.mapping, 4)}h`)),
       bytes(pdo),
-      ...[found(pdo) || []].flat(),
+      found(pdo),
       candidates(pdo),
       settings(pdo),
     );
-    view.scrollTop = top;
     if (store.wanted !== "PDO") return;
     store.wanted = undefined;
     view.querySelector<HTMLElement>('[data-key="mappable-search"]')?.focus();

@@ -161,7 +161,6 @@ export interface FieldForm {
   text?: string;
   /** The value as CiA 306 spells it, if the text states it elsewhere or spells it differently. */
   value?: string;
-  line?: number;
 }
 
 export interface PartForm {
@@ -171,7 +170,6 @@ export interface PartForm {
   data_type?: string;
   words?: string;
   unit?: string;
-  line?: number;
   fields: FieldForm[];
 }
 
@@ -215,11 +213,10 @@ export type Completion = { label: string; detail?: string; documentation?: { val
 export type Tokens = { kinds: string[]; tokens?: { data: number[] } };
 export type LanguageQuestion = ({ ask: "hover" | "completion" } & Place) | { ask: "tokens" };
 
-/** The document of `objdict check --format json`. */
+/** The document of `objdict check --format json`, as far as it is shown. */
 export interface Report {
   findings: Finding[];
-  omitted: { rule: string; count: number }[];
-  summary: { errors: number; warnings: number; notes: number; suppressed: number };
+  summary: { errors: number; warnings: number; notes: number };
 }
 
 export interface Position {
@@ -232,11 +229,9 @@ export interface Position {
 }
 
 export interface Finding extends Position {
-  file: string;
   rule: string;
   severity: "error" | "warning" | "note";
   help?: string;
-  related?: Position[];
   places?: Position[];
   fingerprint: string;
   fix?: { title: string; safety: "safe" | "unsafe"; encoding?: string; edits: TextEdit[] };
@@ -253,11 +248,8 @@ export interface MadeFile {
 }
 
 export interface Change {
-  rule: string;
   index?: number;
   sub?: number;
-  old?: string;
-  new?: string;
   message: string;
   verdict: string;
   effects: { audience: string; verdict: string; reason: string }[];
@@ -294,27 +286,25 @@ export interface NetworkEnd {
 export interface Overview {
   name?: string;
   bit_rate?: number;
-  nodes: { node_id?: number; name: string; description: string; is_manager: boolean; heartbeat: number; downloads: number; bytes: number; configuration: { entry: string; value: string }[] }[];
-  links: { can_id: string; sender?: NetworkEnd; receiver?: NetworkEnd; entries: { bit: number; bits: number; from?: string; to?: string }[] }[];
+  nodes: { node_id?: number; name: string; description: string; is_manager: boolean; heartbeat: number; downloads: number }[];
+  links: { can_id: string; sender?: NetworkEnd; receiver?: NetworkEnd; entries: { from?: string; to?: string }[] }[];
   messages: { can_id: string; senders: NetworkEnd[]; receivers: NetworkEnd[]; bytes?: number; trigger: string; period?: number }[];
   boot?: { manager: string; nodes: { node_id: number; name: string; steps: string[] }[] };
 }
 
 /** Load in thousandths of a percent, times in nanoseconds. */
 export interface Timing {
-  bit_rate: number;
   average: number;
   worst: number;
   is_met: boolean;
   rates: { bit_rate: number; worst: number; fits: boolean }[];
-  messages: { can_id: string; name: string; sender: string; period?: number; response?: number; deadline?: number; is_missed: boolean; is_unbounded: boolean }[];
+  messages: { can_id: string; response?: number; deadline?: number; is_missed: boolean; is_unbounded: boolean }[];
 }
 
 /** What a node can send and receive. */
 export interface Side {
   node: string;
   node_id?: number;
-  file?: string;
   is_manager: boolean;
   entries: Mappable[];
 }
@@ -334,14 +324,12 @@ export interface NetworkView {
 
 export interface BusReport {
   channel?: string;
-  from: string;
-  to: string;
   frames: number;
   frames_per_second: number;
   load?: number;
   kinds: { kind: string; frames: number }[];
   nodes: { node: number; name?: string; frames: number; frames_per_second: number; load?: number; state?: string; boot_ups: number; lost_heartbeats: number; emergencies: number; aborted_transfers: number }[];
-  messages: { can_id: number; extended: boolean; kind: string; name: string; frames: number; cycle?: { min: string; mean: string; max: string; jitter: string }; described?: string }[];
+  messages: { can_id: number; extended: boolean; kind: string; name: string; frames: number; cycle?: { min: string; mean: string; max: string }; described?: string }[];
   undescribed: number[];
 }
 

@@ -5,17 +5,20 @@ import { hex, indexOf } from "./dom";
 import type { Home } from "./files";
 import type { LogSummary, MadeFile, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
 
-export type View = "overview" | "form" | "facts" | "text" | "diff" | "pdo" | "compare" | "network" | "log";
+export type View = "overview" | "form" | "table" | "facts" | "text" | "diff" | "pdo" | "compare" | "network" | "log";
 
 /** The views of each kind of document, the first one at first. */
 export const VIEWS: Record<State["kind"], View[]> = {
-  device: ["overview", "form", "pdo", "facts", "text", "diff", "compare"],
+  device: ["overview", "form", "table", "pdo", "facts", "text", "diff", "compare"],
   network: ["network", "text", "diff"],
   log: ["log"],
 };
 
+/** The views that show any object. */
+const BY_OBJECT: View[] = ["form", "table", "text"];
+
 const NO_OUTLINE: Outline = { is_node: false, objects: [], pdos: [], mappable: [] };
-const NO_REPORT: Report = { findings: [], omitted: [], summary: { errors: 0, warnings: 0, notes: 0, suppressed: 0 } };
+const NO_REPORT: Report = { findings: [], summary: { errors: 0, warnings: 0, notes: 0 } };
 
 export interface OpenDocument {
   id: number;
@@ -117,12 +120,8 @@ export class Store {
     requestAnimationFrame(() => {
       this.scheduled = false;
       if (this.current) void this.readTogether(this.current);
-      const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
       // one part that fails takes no other with it
       for (const drawing of this.drawings) void (async () => drawing(this))().catch((error: unknown) => this.say(error));
-      if (key && (document.activeElement === document.body || !document.activeElement)) {
-        document.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus();
-      }
     });
   }
 
@@ -183,7 +182,7 @@ export class Store {
     const index = /^#(?:0x)?([0-9a-f]{4})h?$/i.exec(location.hash)?.[1];
     const found = objects.find((object) => object.index === parseInt(index ?? "", 16));
     if (found) [this.index, this.own] = [found.index, location.hash];
-    if (found && this.view !== "text") this.view = "form";
+    if (found && !BY_OBJECT.includes(this.view)) this.view = "form";
     const pdo = pdos.findIndex(({ kind, number }) => `#${kind}${number}`.toLowerCase() === location.hash.toLowerCase());
     if (pdo >= 0) [this.pdo, this.view] = [pdo, "pdo"];
     this.draw();
@@ -324,7 +323,7 @@ export class Store {
   }
 
   /** Shows an object, and has it in the address. */
-  select(index: number, view: View = "form"): void {
+  select(index: number, view: View = this.view === "table" ? "table" : "form"): void {
     this.index = index;
     this.view = view;
     this.address(hex(index, 4));

@@ -65,10 +65,12 @@ test("selects have names, and numbers both bases", { skip }, () =>
     await page.waitForFunction(() => document.querySelector("[data-key='0x1017 / DefaultValue']").value === "0x1F4");
     const saved = section((await saveAs(page)).bytes, "1017");
     assert.match(saved, /DataType=0x0007\s[^[]*AccessType=ro\s[^[]*DefaultValue=500\s[^[]*PDOMapping=1\s/);
-    // the findings draw the form once more, which closes a help
+    const help = form.getByText("The value after power-on");
+    await form.getByRole("button", { name: "Default", exact: true }).click();
+    await help.waitFor();
+    // the findings of the change are drawn beside an open help
     await checked(page);
-    await page.getByRole("button", { name: "Default", exact: true }).click();
-    await page.getByText("The value after power-on").waitFor();
+    assert.ok(await help.isVisible());
   }));
 
 test("an ARRAY of any size is added, and copied to another open file", { skip }, () =>

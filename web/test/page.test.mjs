@@ -8,7 +8,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import axe from "axe-core";
 import { browser, changedLines, checked, download, open, saveAs, server, skip, toolbar, view, withPage } from "./page.mjs";
-import { dist, fixture, host, noCommand, objdict, root } from "./support.mjs";
+import { dist, fixture, host, large, noCommand, objdict, root } from "./support.mjs";
 
 const single = join(dist, "objdict-workbench.html");
 const NETWORK = ["line.toml", "island.eds", "servo.eds"].map((name) => [name, fixture(`network/${name}`)]);
@@ -76,15 +76,6 @@ test("what is typed in the text keeps line ends and encoding", { skip }, () =>
       now = (await saveAs(page)).bytes.toString("latin1");
     }
   }));
-
-/** A device of so many bytes. */
-function large(size) {
-  const head = fixture("eds/all-types.eds").toString();
-  const object = (index) => `\r\n[${index}]\r\nParameterName=Object ${index}\r\nObjectType=0x7\r\nDataType=0x0007\r\nAccessType=rw\r\nDefaultValue=0x${index}\r\nPDOMapping=0\r\n`;
-  let text = head;
-  for (let index = 0x2100; text.length < size; index++) text += object(index.toString(16).toUpperCase());
-  return text;
-}
 
 /** How long a file of so many bytes takes from the drop to its objects and findings, in milliseconds. */
 async function timeToOpen(size) {
@@ -418,7 +409,7 @@ test("a hostile file does no harm", { skip }, () =>
     const script = "<script>alert(1)</script><img src=x onerror=alert(2)>";
     const text = fixture(`eds/${DRIVE}`).toString("latin1").replaceAll(/ParameterName=.*/g, `ParameterName=${script}`);
     await open(page, ["script.eds", text]);
-    for (const name of ["Overview", "Object", "PDOs", "Device", "Text", "Changes"]) {
+    for (const name of ["Overview", "Object", "Table", "PDOs", "Device", "Text", "Changes"]) {
       await view(page, name);
       await page.waitForTimeout(200);
     }
@@ -477,7 +468,7 @@ async function barriers(page) {
 async function eachView(page, see) {
   await open(page, [DRIVE, fixture(`eds/${DRIVE}`)], ["broken.eds", fixture("errata/a9-encoder-406.eds")]);
   await checked(page);
-  for (const name of ["Overview", "Object", "PDOs", "Device", "Text", "Changes", "Compare"]) {
+  for (const name of ["Overview", "Object", "Table", "PDOs", "Device", "Text", "Changes", "Compare"]) {
     await view(page, name);
     await page.waitForTimeout(200);
     await see(name);

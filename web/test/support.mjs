@@ -43,6 +43,15 @@ export function fixtures() {
 
 export const fixture = (name) => readFileSync(join(root, "fixtures", name));
 
+/** A device of so many bytes. */
+export function large(size) {
+  const head = fixture("eds/all-types.eds").toString();
+  const object = (index) => `\r\n[${index}]\r\nParameterName=Object ${index}\r\nObjectType=0x7\r\nDataType=0x0007\r\nAccessType=rw\r\nDefaultValue=0x${index}\r\nPDOMapping=0\r\n`;
+  let text = head;
+  for (let index = 0x2100; text.length < size; index++) text += object(index.toString(16).toUpperCase());
+  return text;
+}
+
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
 /** A static host of the built folder, below a path. */

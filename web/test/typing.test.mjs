@@ -108,9 +108,8 @@ test("a redrawn form keeps what is being typed", { skip }, () =>
     await page.waitForSelector(".form h2:has-text('1017h')");
     const field = page.getByLabel("Default value").first();
     await field.fill("12");
-    const former = await field.elementHandle();
     await page.evaluate(() => document.querySelector('[data-key="base-hex"]').click());
-    await page.waitForFunction((element) => !element.isConnected, former);
+    await page.waitForSelector('.form [data-key="base-hex"][aria-pressed="true"]');
     assert.equal(await page.locator(".document.current:has-text('•')").count(), 0);
     await page.keyboard.type("34");
     await page.keyboard.press("Enter");
