@@ -311,9 +311,16 @@ async function sequence(page, seed, done) {
       await page.locator(".form").getByLabel("Access").selectOption(value);
       models[current].edit((now) => now.replace(/(\[1017\][^[]*?AccessType=)[^\r\n]*/, `$1${value}`), false);
     },
+    // in the table, and left without Enter: what comes next takes it
+    async (number) => {
+      await page.getByLabel("Search objects", { exact: true }).fill("1018");
+      await view(page, "Table");
+      await page.locator('.all [data-key="0x1018sub1 / ParameterName"]').fill(`Vendor ${number}`);
+      models[current].edit((now) => now.replace(/(\[1018sub1\][^[]*?ParameterName=)[^\r\n]*/, `$1Vendor ${number}`), false);
+    },
   ];
   for (let number = 0; number < 20; number++) {
-    const action = [0, 0, 0, 1, 1, 2, 2, 3, 4, 5, 6][next(11)];
+    const action = [0, 0, 0, 1, 1, 2, 2, 3, 4, 5, 6, 7, 7][next(13)];
     const delay = next(3) === 0 ? next(400) : 0;
     done.push(`${action}+${delay}`);
     await actions[action](number);
