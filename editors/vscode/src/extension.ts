@@ -12,8 +12,8 @@ import { findProgram, possibleValues, requireServer } from "./program";
 const GO_TO = "objdict.goTo";
 /** How long after a change a drawing follows, in milliseconds: not at every key. */
 const FOLLOWS_AFTER = 300;
-/** The pages beside the text, by their titles. */
-const panels = new Map<string, vscode.WebviewPanel>();
+/** The pages with the texts that they are about, by their titles. */
+const panels = new Map<string, { panel: vscode.WebviewPanel; document: vscode.TextDocument }>();
 /** How the pages are drawn that follow their text, by their titles. */
 const drawings = new Map<string, { document: vscode.TextDocument; draw: (html: string) => string }>();
 /** The characters that saving destroys. */
@@ -112,10 +112,12 @@ async function reported(action: () => Promise<void>): Promise<void> {
   }
 }
 
-function active(): { source: Source; editor: vscode.TextEditor } {
+/** The description in front, or the one that the page in front is about, and the line of the cursor. */
+function active(): { source: Source; document: vscode.TextDocument; line: number } {
   const editor = vscode.window.activeTextEditor;
-  if (editor === undefined || editor.document.isUntitled) throw new Error("open and save a description first");
-  return { source: { path: editor.document.uri.fsPath, text: editor.document.getText() }, editor };
+  const document = editor?.document ?? [...panels.values()].find(({ panel }) => panel.active)?.document;
+  if (document === undefined || document.isUntitled) throw new Error("open and save a description first");
+  return { source: { path: document.uri.fsPath, text: document.getText() }, document, line: editor?.selection.active.line ?? 0 };
 }
 
 /** The documentation: of a description as the server has it, unsaved; of a network as it is on the disk. */
@@ -134,22 +136,22 @@ async function served(document: vscode.TextDocument): Promise<string | undefined
 }
 
 async function showDocumentation(program: string): Promise<void> {
-  const { source, editor } = active();
-  const html = await pageOf(program, editor.document);
+  const { source, document } = active();
+  const html = await pageOf(program, document);
   // The page has a policy of its own, which lets its one script and style run by their hashes and nothing else.
-  page(`Documentation of ${basename(source.path)}`, html, { enableScripts: true }, vscode.ViewColumn.Active);
+  page(`Documentation of ${basename(source.path)}`, document, html, { enableScripts: true }, vscode.ViewColumn.Active);
 }
 
 async function showPdo(program: string): Promise<void> {
-  const { source, editor } = active();
-  const index = objectAt(source.text, editor.selection.active.line);
+  const { source, document, line } = active();
+  const index = objectAt(source.text, line);
   const pdo = index === undefined ? undefined : pdoOf(index);
   if (pdo === undefined) throw new Error("the cursor is not in a section of a PDO: go to `[1800]`, `[1A00]` or one of their sub-indices");
   const link = (section: string) => `command:${GO_TO}?${encodeURIComponent(JSON.stringify([source.path, section]))}`;
   const draw = (html: string) => drawing(html, pdo, link);
   const title = `${pdo} of ${basename(source.path)}`;
-  page(title, draw(await pageOf(program, editor.document)), { enableCommandUris: [GO_TO] });
-  drawings.set(title, { document: editor.document, draw });
+  page(title, document, draw(await pageOf(program, document)), { enableCommandUris: [GO_TO] });
+  drawings.set(title, { document, draw });
 }
 
 /** Draws the pages of a text again. A drawing stays as long as the text, half typed, has no such PDO. */
@@ -158,9 +160,9 @@ async function follow(document: vscode.TextDocument): Promise<void> {
   const html = own.length > 0 ? await served(document) : undefined;
   if (html === undefined) return;
   for (const [title, { draw }] of own) {
-    const panel = panels.get(title);
+    const shown = panels.get(title);
     try {
-      if (panel !== undefined) panel.webview.html = draw(html);
+      if (shown !== undefined) shown.panel.webview.html = draw(html);
     } catch {
       continue;
     }
@@ -219,19 +221,19 @@ async function generateCode(program: string): Promise<void> {
 
 /** The network as it is on the disk, with the descriptions that it names. */
 async function showNetwork(program: string): Promise<void> {
-  const { source, editor } = active();
-  if (editor.document.isDirty) await editor.document.save();
-  page(`Network of ${basename(source.path)}`, await documentation(program, source.path), { enableScripts: true });
+  const { source, document } = active();
+  if (document.isDirty) await document.save();
+  page(`Network of ${basename(source.path)}`, document, await documentation(program, source.path), { enableScripts: true });
 }
 
 /** Shows a page; beside the text, which keeps the focus: the next command is about the text again. */
-function page(title: string, html: string, options: vscode.WebviewOptions, viewColumn = vscode.ViewColumn.Beside): void {
+function page(title: string, document: vscode.TextDocument, html: string, options: vscode.WebviewOptions, viewColumn = vscode.ViewColumn.Beside): void {
   const place = { viewColumn, preserveFocus: viewColumn === vscode.ViewColumn.Beside };
-  let panel = panels.get(title);
+  let panel = panels.get(title)?.panel;
   if (panel === undefined) {
     panel = vscode.window.createWebviewPanel("objdict", title, place, { enableFindWidget: true, localResourceRoots: [], ...options });
     panel.onDidDispose(() => [panels, drawings].forEach((of) => of.delete(title)));
-    panels.set(title, panel);
   } else panel.reveal(undefined, true);
+  panels.set(title, { panel, document });
   panel.webview.html = html;
 }
