@@ -18,6 +18,7 @@ export function compareView(store: Store): HTMLElement {
     if (store.compared === undefined) return redraw(view, h("p", { class: "nothing" }, "Open a second file to compare it with this one."));
     const number = ++asked;
     const old = store.compared;
+    if (!view.hasChildNodes()) redraw(view, h("p", { class: "nothing" }, "Comparing …"));
     const changes = await store.inTurn(() => ask<Change[]>({ do: "compare", old, new: current.id }));
     if (number !== asked) return;
     const choose = ({ currentTarget }: Event) => ((store.compared = Number((currentTarget as HTMLSelectElement).value)), store.draw());

@@ -68,6 +68,12 @@ test("selects have names, and numbers both bases", { skip }, () =>
     const help = form.getByText("The value after power-on");
     await form.getByRole("button", { name: "Default", exact: true }).click();
     await help.waitFor();
+    // it is under its label, in the window too if that is at the edge
+    const under = async (label, box) => {
+      const [of, at] = [await form.getByRole("button", { name: label, exact: true }).boundingBox(), await box.boundingBox()];
+      assert.ok(at.y >= of.y + of.height && at.y < of.y + of.height + 10 && at.x < of.x + of.width && at.x + at.width > of.x && at.x + at.width <= 1280, `${label}: ${JSON.stringify([of, at])}`);
+    };
+    await under("Default", help);
     // the findings of the change are drawn beside an open help
     await checked(page);
     assert.ok(await help.isVisible());
