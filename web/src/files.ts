@@ -2,7 +2,7 @@
 
 import { Refused, ask } from "./engine";
 import { Dialog } from "./dialog";
-import { finds, h } from "./dom";
+import { finds, h, redraw } from "./dom";
 import type { Opened, Refusal } from "./protocol";
 import { contentOf, type OpenDocument, type Store } from "./store";
 
@@ -224,7 +224,7 @@ export class Files {
     const wanted = [...this.list.keys()].filter((number) => isWanted(this.list[number]!));
     const rows = wanted.slice(0, MAX_SHOWN).map((number) => row(number));
     if (wanted.length > MAX_SHOWN) rows.push(h("li", {}, `and ${wanted.length - MAX_SHOWN} more`));
-    this.entries.replaceChildren(...rows);
+    redraw(this.entries, ...rows);
   }
 }
 

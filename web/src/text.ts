@@ -269,17 +269,17 @@ export function textView(store: Store): HTMLElement {
 export function diffView(store: Store): HTMLElement {
   const element = h("div", { class: "text diff" });
   let view: EditorView | undefined;
+  let drawn: string[] = [];
   store.onDraw(() => {
     element.hidden = store.view !== "diff";
-    view?.destroy();
-    view = undefined;
-    element.replaceChildren();
     if (element.hidden || !store.current) return;
     const { original, state } = store.current;
-    if (original === state.text) {
-      element.append(h("p", { class: "nothing" }, "Nothing was changed."));
-      return;
-    }
+    // the same changes stay as they were scrolled and opened
+    if (drawn[0] === original && drawn[1] === state.text) return;
+    drawn = [original, state.text];
+    view?.destroy();
+    element.replaceChildren();
+    if (original === state.text) return element.append(h("p", { class: "nothing" }, "Nothing was changed."));
     view = new EditorView({
       parent: element,
       state: EditorState.create({

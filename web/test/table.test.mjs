@@ -169,6 +169,24 @@ test("what is drawn again keeps an open help, the selection, the scroll and what
     assert.equal(await page.evaluate(() => window.former.help.matches(":popover-open") && window.former.field.value), "Half a na");
   }));
 
+test("the changes of a text are drawn once", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, original]);
+    await page.getByLabel("Search objects", { exact: true }).fill("1017");
+    await page.getByRole("option", { name: /1017h/ }).click();
+    await page.getByLabel("Default value").first().fill("1234");
+    await page.keyboard.press("Enter");
+    await page.waitForSelector(".document.current:has-text('•')");
+    await view(page, "Changes");
+    await page.waitForSelector(".diff .cm-changedLine");
+    await page.evaluate(() => (window.former = document.querySelector(".diff .cm-editor")));
+    await page.getByLabel("Search objects", { exact: true }).fill("1018");
+    await page.waitForFunction(() => document.querySelectorAll(".row[data-index]").length === 1);
+    assert.ok(await page.evaluate(() => window.former.isConnected));
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    await page.waitForSelector(".diff .nothing:has-text('Nothing was changed')");
+  }));
+
 test("what is opened in a network stays open when a description changes", { skip }, () =>
   withPage(async (page) => {
     await open(page, ["island.eds", fixture("network/island.eds")], ["servo.eds", fixture("network/servo.eds")], ["line.toml", fixture("network/line.toml")]);

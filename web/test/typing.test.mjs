@@ -218,6 +218,8 @@ test("a file that is saved has no changes, and a refused dialog stays", { skip }
     // what is refused keeps what was filled in
     await page.getByRole("button", { name: "Save as …" }).click();
     await page.selectOption("#save-format", "dcf");
+    const lefts = await page.locator("dialog[open] label:visible").evaluateAll((labels) => labels.map((label) => label.getBoundingClientRect().left));
+    assert.deepEqual([lefts.length, new Set(lefts).size], [5, 1]);
     await page.locator("dialog[open] button[type=submit]").click();
     await page.waitForSelector("dialog[open] [role=alert]:has-text('a DCF or XDC is for one node')");
     assert.equal(await page.locator("#save-format").inputValue(), "dcf");
