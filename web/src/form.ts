@@ -52,7 +52,9 @@ export function foundBy(findings: Finding[]): Found {
 export const remark = ({ severity, message }: Finding): HTMLElement => h("p", { class: `remark ${severity}` }, ...prose(message));
 
 /** A select that has the value of the file, whatever it is, and has it again if another one is refused. */
-function choice(value: string, options: [string, string][], set: (value: string) => Promise<boolean>, attributes: Parameters<typeof h>[1] = {}): HTMLSelectElement {
+function choice(text: string, options: [string, string][], set: (value: string) => Promise<boolean>, attributes: Parameters<typeof h>[1] = {}): HTMLSelectElement {
+  // `0x1` is 1
+  const value = options.find(([known]) => numberIn(known) === numberIn(text))?.[0] ?? text;
   const all: [string, string][] = [["", "–"], ...options];
   if (!all.some(([known]) => known === value)) all.push([value, value]);
   const give = ({ currentTarget }: Event) => {

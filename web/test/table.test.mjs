@@ -50,6 +50,8 @@ test("all objects and entries are in one table, and each edit is one line", { sk
 test("flags and units are columns of the table", { skip }, () =>
   withPage(async (page) => {
     await showTable(page, [DRIVE, original]);
+    // `0x1` in the file
+    assert.equal(await cell(page, "0x1010sub1 / ObjFlags").evaluate((select) => select.selectedOptions[0].textContent), "not written");
     await cell(page, "0x1000 / ObjFlags").selectOption({ label: "not written" });
     await page.waitForSelector(".document.current:has-text('•')");
     await cell(page, "0x1000 / Unit").fill("mm");
@@ -57,6 +59,14 @@ test("flags and units are columns of the table", { skip }, () =>
     await page.waitForFunction(() => document.querySelector(".all [data-key='0x1000 / Unit']").defaultValue === "mm");
     const section = /\[1000\][^[]*/.exec((await saveAs(page)).bytes.toString("latin1"))[0];
     assert.match(section, /ObjFlags=(0x)?1\s/);
+  }));
+
+test("each column of a node's table has its place", { skip }, () =>
+  withPage(async (page) => {
+    await showTable(page, ["node.dcf", fixture("dcf/drive-402-node8.dcf")]);
+    assert.equal(await page.getByRole("button", { name: "Configured", exact: true }).count(), 1);
+    const widths = await page.locator(".all thead th").evaluateAll((heads) => heads.map((head) => head.clientWidth));
+    assert.ok(Math.min(...widths) >= 30 && widths[2] >= 100, `${widths}`);
   }));
 
 test("the keyboard goes through the table, and a finding leads to its cell", { skip }, () =>
