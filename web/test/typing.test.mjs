@@ -39,7 +39,7 @@ async function showObject(page, index) {
 
 async function setDefault(page, index, value) {
   await showObject(page, index);
-  const field = page.getByLabel("Default value").first();
+  const field = page.locator(".form").getByLabel("Default value").first();
   await field.fill(value);
   await field.press("Enter");
 }
