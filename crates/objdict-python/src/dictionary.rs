@@ -100,7 +100,7 @@ pub(crate) fn read(
 }
 
 fn opened(patches: &[PathBuf]) -> PyResult<Vec<Arc<Patch>>> {
-    patches.iter().map(|path| Patch::open(path).map(Arc::new).map_err(raised)).collect()
+    patches.iter().map(|path| Patch::open(path).map(Arc::new).map_err(unreadable)).collect()
 }
 
 /// How a file is read that this configuration is for.

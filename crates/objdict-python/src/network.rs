@@ -12,7 +12,7 @@ use pyo3::types::PyBytes;
 
 use super::dictionary::project_of;
 use super::findings::{document, errors_among};
-use super::raised;
+use super::{raised, unreadable};
 
 /// The name of a node and its node-ID.
 type NamedNode = (String, Option<u8>);
@@ -59,7 +59,7 @@ pub(crate) fn opened(path: &Path) -> PyResult<NetworkFile> {
     options.patches = project_of(&mut Workspace::default(), path)?
         .map(|project| project.patches.clone())
         .unwrap_or_default();
-    NetworkFile::open(path, &options).map_err(raised)
+    NetworkFile::open(path, &options).map_err(unreadable)
 }
 
 /// Builds nothing of a network with errors.

@@ -17,9 +17,9 @@ use pyo3::prelude::*;
 
 use super::dictionary::NativeDictionary;
 use super::network::opened;
-use super::raised;
 use super::shared::SharedDescription;
 use super::value::NodeId;
+use super::{raised, unreadable};
 
 /// So many frames pass to Python at once, and so many batches wait for it.
 const BATCH: usize = 256;
@@ -57,7 +57,7 @@ impl Frames {
 /// Whether a file describes a network.
 #[pyfunction]
 pub(crate) fn is_network(path: PathBuf) -> PyResult<bool> {
-    NetworkFile::is_network(&path).map_err(raised)
+    NetworkFile::is_network(&path).map_err(unreadable)
 }
 
 /// The frames of logs in the order of their times.

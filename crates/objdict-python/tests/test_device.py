@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import canopen_objdict
-from canopen_objdict import Device, Formula, ObjdictError, load
+from canopen_objdict import Device, Formula, Network, ObjdictError, decode, load
 
 
 @pytest.fixture
@@ -235,6 +235,13 @@ def test_what_is_missing_is_said(fixtures: Path, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError) as error:
         load(tmp_path / "none.eds")
     assert error.value.filename == str(tmp_path / "none.eds")
+    for missing in (
+        lambda: Network.load(tmp_path / "none.toml"),
+        lambda: decode(tmp_path / "none.log"),
+        lambda: decode(fixtures / "logs/cell.log", tmp_path / "none.toml"),
+    ):
+        with pytest.raises(FileNotFoundError, match=r"none\."):
+            missing()
 
 
 def test_entries_are_a_table_of_pandas(fixtures: Path) -> None:

@@ -105,6 +105,8 @@ def _listed(logs: Source | Iterable[Source]) -> list[Any]:
 
 def _source(log: Any) -> tuple[str, bytes | None]:
     if isinstance(log, (str, os.PathLike)):
+        # a missing file is an OSError here, not when the first frame is asked for
+        os.stat(log)
         return os.fspath(log), None
     name, content = content_of(log)
     return name or "<bytes>", content
