@@ -275,21 +275,11 @@ pub mod scaffold {
     pub use objdict_traffic::probe::learn;
 }
 
-#[cfg(all(doc, not(doctest)))] // the addresses of rules lead here
-macro_rules! pages {
-    ($($name:ident: $about:literal, $needs:expr;)+) => {
-        /// The pages of the rules, a module for each group. `objdict explain` prints the same texts.
-        pub mod rules {
-            $(
-                #[doc = include_str!(concat!("../docs/rules/", stringify!($name), ".md"))]
-                pub mod $name {}
-            )+
-        }
-    };
-}
-
+/// The pages of the rules, which `objdict explain` prints: the addresses of rules lead here.
 #[cfg(all(doc, not(doctest)))]
-objdict_project::with_rule_groups!(pages);
+pub mod rules {
+    include!("rule_pages.rs");
+}
 
 /// Compiles the examples of the README with those of this page.
 #[cfg(doctest)]

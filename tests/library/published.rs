@@ -90,29 +90,25 @@ fn rules_have_an_address_as_soon_as_there_is_a_page() {
     let address = rule.address();
     assert_eq!(address.is_some(), PUBLISHED);
     assert_eq!(HOME.is_some(), PUBLISHED);
-    let expected = "https://docs.rs/objdict/latest/objdict/rules/cia306/index.html#file-name";
+    let expected = "https://docs.rs/objdict/latest/objdict/rules/cia306/file_name/index.html";
     assert!(address.is_none_or(|address| address == expected));
 }
 
-/// A link to the page of a rule leads to a module that exists, and to the heading of the rule in it.
+/// A link to the page of a rule leads to a module that exists, whose text is the page.
 #[test]
-fn the_address_of_each_rule_is_a_heading_of_its_page() {
+fn the_address_of_each_rule_is_a_module_with_its_page() {
     let names: Vec<&str> = registry::GROUPS.iter().map(|group| group.name).collect();
     assert!(registry::groups().into_iter().eq(names.iter().copied()), "{names:?}");
+    let modules = read(Path::new("src/rule_pages.rs"));
     for rule in registry::rules() {
-        let address = rule.page_address();
-        let parts = address.strip_prefix("rules/").and_then(|rest| rest.split_once("/index.html#"));
-        let (group, anchor) = parts.unwrap_or_else(|| panic!("{address}"));
-        assert!(names.contains(&group), "{address}: there is no such module");
-        let page = read(&Path::new("docs/rules").join(group).with_extension("md"));
-        // a second heading with the same words would have the anchor with a number
-        let words = |line: &str| Some(line.strip_prefix('#')?.trim_matches(['#', ' ']).to_lowercase());
-        let headings: Vec<_> = page
-            .lines()
-            .filter(|line| words(line).is_some_and(|words| words.replace(' ', "-") == anchor))
-            .collect();
-        assert_eq!(headings, [format!("## {}", rule.name())], "{address}");
-        assert!(page.contains(&format!("\n## {anchor}\n\n`{}` · ", rule.id)), "{address}: of another rule");
+        let (id, address) = (rule.id, rule.page_address());
+        let parts: Vec<&str> = address.split('/').collect();
+        let ["rules", group, module, "index.html"] = parts[..] else { panic!("{address}") };
+        let (_, group) = modules.split_once(&format!(" pub mod {group} {{")).unwrap();
+        let declared = format!("include_str!(\"../docs/rules/{id}.md\")] pub mod {module} {{}}");
+        assert!(group.lines().next().unwrap().contains(&declared), "{address}");
+        let page = read(&Path::new("docs/rules").join(id).with_extension("md"));
+        assert!(page.starts_with(&format!("# {}\n\n`{id}` · **", rule.name())), "{address}: of another rule");
     }
 }
 

@@ -1,4 +1,4 @@
-//! docs/rules, a page for each group of rules, docs/reference/portability.md, out of what is known of other tools, and tables in other pages.
+//! Generated pages: docs/rules, docs/reference/portability.md, and tables in other pages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -7,18 +7,20 @@ use std::path::Path;
 
 use objdict::cli::{CommandReference, CommandTables};
 use objdict::compat::{MESSAGES, REACTIONS};
-use objdict::diagnostic::RuleInfo;
 use objdict::format::input::FileKind;
 use objdict::lint::changes::Audience;
 use objdict::registry;
 
-use crate::examples;
-use crate::shares::{self, Shares};
+use crate::{json_pages, rule_pages, shares};
+
+/// The generated pages by their paths in `docs`.
+pub(crate) type Pages = BTreeMap<String, String>;
 
 /// Writes the generated pages, or with `check` fails when one is not what it would write.
 pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
-    let mut pages = rule_pages(&shares::read(&folder.join("rules-shares.tsv"))?)?;
+    let mut pages = Pages::new();
+    rule_pages::add(&shares::read(&folder.join("rules-shares.tsv"))?, &mut pages)?;
     pages.insert("reference/portability.md".to_owned(), portability_page());
     let generated = [
         ("reference/verdicts.md", "verdicts", verdicts()),
@@ -27,41 +29,54 @@ pub(crate) fn run(check: bool) -> Result<(), String> {
     for (page, mark, table) in generated {
         pages.insert(page.to_owned(), with_table(&text_of(&folder, page)?, page, mark, &table)?);
     }
+    let summary =
+        with_table(&text_of(&folder, "SUMMARY.md")?, "SUMMARY.md", "rules", &rule_pages::contents())?;
+    let summary = with_table(&summary, "SUMMARY.md", "documents", &json_pages::contents(&folder)?)?;
+    pages.insert("SUMMARY.md".to_owned(), summary);
+    json_pages::add(&folder, &mut pages)?;
     command_pages(&folder, &mut pages)?;
     for (name, text) in &pages {
-        let (path, shown) = (folder.join(name), format!("docs/{name}"));
-        if check {
-            let current =
-                fs::read_to_string(&path).map_err(|error| format!("cannot read {shown}: {error}"))?;
-            if current != *text {
-                return Err(format!("{shown} is stale: run `cargo xtask docs`"));
-            }
-        } else {
-            fs::write(&path, text).map_err(|error| format!("cannot write {shown}: {error}"))?;
-        }
+        store(&folder.join(name), &format!("docs/{name}"), text, check)?;
     }
-    remove_leftovers(&folder.join("rules"), &pages, check)
+    store(&folder.join("../src/rule_pages.rs"), "src/rule_pages.rs", &rule_pages::modules(), check)?;
+    remove_leftovers(&folder, "rules", &pages, check)?;
+    remove_leftovers(&folder, "reference/json", &pages, check)
 }
 
-/// Removes the pages of groups that are gone, or with `check` fails when there is one.
-fn remove_leftovers(folder: &Path, pages: &BTreeMap<String, String>, check: bool) -> Result<(), String> {
-    let files = fs::read_dir(folder).map_err(|error| format!("cannot read docs/rules: {error}"))?;
-    for file in files {
-        let file = file.map_err(|error| error.to_string())?;
-        let name = format!("rules/{}", file.file_name().to_string_lossy());
-        if pages.contains_key(&name) {
-            continue;
+/// Writes a file, or with `check` fails if it has a different text.
+fn store(path: &Path, shown: &str, text: &str, check: bool) -> Result<(), String> {
+    let current = fs::read_to_string(path);
+    if current.is_ok_and(|current| current == text) {
+        return Ok(());
+    }
+    if check {
+        return Err(format!("{shown} is missing or stale: run `cargo xtask docs`"));
+    }
+    let folder = path.parent().unwrap_or(Path::new("."));
+    fs::create_dir_all(folder)
+        .and_then(|()| fs::write(path, text))
+        .map_err(|error| format!("cannot write {shown}: {error}"))
+}
+
+/// Removes the pages of rules, groups and documents that are gone, or with `check` fails when there is one.
+fn remove_leftovers(docs: &Path, folder: &str, pages: &Pages, check: bool) -> Result<(), String> {
+    let failed = |error: std::io::Error| format!("cannot tidy docs/{folder}: {error}");
+    for file in fs::read_dir(docs.join(folder)).map_err(failed)? {
+        let file = file.map_err(failed)?;
+        let name = format!("{folder}/{}", file.file_name().to_string_lossy());
+        if file.path().is_dir() {
+            remove_leftovers(docs, &name, pages, check)?;
+        } else if check && !pages.contains_key(&name) {
+            return Err(format!("docs/{name} is not generated: run `cargo xtask docs`"));
+        } else if !pages.contains_key(&name) {
+            fs::remove_file(file.path()).map_err(failed)?;
         }
-        if check {
-            return Err(format!("docs/{name} belongs to no group: run `cargo xtask docs`"));
-        }
-        fs::remove_file(file.path()).map_err(|error| format!("cannot remove docs/{name}: {error}"))?;
     }
     Ok(())
 }
 
 /// The reference of each command above what its page explains, and the tables of all commands.
-fn command_pages(folder: &Path, pages: &mut BTreeMap<String, String>) -> Result<(), String> {
+fn command_pages(folder: &Path, pages: &mut Pages) -> Result<(), String> {
     let CommandTables { commands, input, common } = objdict::cli::reference();
     let mut table = String::from("| Command | |\n|---|---|\n");
     for CommandReference { name, summary, text } in &commands {
@@ -80,12 +95,12 @@ fn command_pages(folder: &Path, pages: &mut BTreeMap<String, String>) -> Result<
     Ok(())
 }
 
-fn text_of(folder: &Path, page: &str) -> Result<String, String> {
+pub(crate) fn text_of(folder: &Path, page: &str) -> Result<String, String> {
     fs::read_to_string(folder.join(page)).map_err(|error| format!("cannot read docs/{page}: {error}"))
 }
 
 /// A page of docs with a table between its marks: `<!-- verdicts -->`.
-fn with_table(text: &str, page: &str, mark: &str, table: &str) -> Result<String, String> {
+pub(crate) fn with_table(text: &str, page: &str, mark: &str, table: &str) -> Result<String, String> {
     let marks = [format!("<!-- {mark} -->\n"), format!("<!-- end of {mark} -->")];
     let parts =
         text.split_once(&marks[0]).and_then(|(before, rest)| Some((before, rest.split_once(&marks[1])?.1)));
@@ -104,15 +119,9 @@ fn verdicts() -> String {
         };
         let verdicts = Audience::ALL.map(verdict).join(" | ");
         let info = &rule.info;
-        let _ = writeln!(table, "| [{}]({}) | {verdicts} |", info.summary, address(info.id));
+        let _ = writeln!(table, "| [{}]({}) | {verdicts} |", info.summary, rule_pages::address(info.id));
     }
     table
-}
-
-/// The address of a rule's page, from a page in a folder of `docs`.
-fn address(rule: &str) -> String {
-    let (group, name) = rule.split_once('/').unwrap_or((rule, ""));
-    format!("../rules/{group}.md#{name}")
 }
 
 /// The text above the table of docs/reference/portability.md.
@@ -120,16 +129,6 @@ const PORTABILITY: &str = include_str!("portability.md");
 
 /// The text between the tables of docs/reference/portability.md.
 const CANCHKEDS: &str = include_str!("canchkeds.md");
-
-/// The text above the tables of docs/rules/index.md.
-const INDEX: &str = include_str!("rules.md");
-
-/// The line at the top of the page of a group.
-const GENERATED: &str =
-    "Generated from the sources by `cargo xtask docs`; `objdict explain RULE` prints the same text.";
-
-/// The columns of the tables of rules.
-const HEADINGS: &str = "| rule | severity | fix | share | problem |\n|---|---|---|---|---|";
 
 fn portability_page() -> String {
     let mut page = String::from(PORTABILITY);
@@ -144,7 +143,7 @@ fn portability_page() -> String {
             page,
             "| [`{}`]({}) | {summary}{when} | {} | {} | {} |",
             reaction.rule,
-            address(reaction.rule),
+            rule_pages::address(reaction.rule),
             tools.join(", "),
             reaction.effect.name(),
             reaction.what
@@ -158,75 +157,11 @@ fn portability_page() -> String {
             page,
             "| [`{}`]({}) | {summary}{when} | {} |",
             message.rule,
-            address(message.rule),
+            rule_pages::address(message.rule),
             message.what
         );
     }
     page
-}
-
-/// The index of the rules and the page of each group, by their paths in `docs`.
-fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
-    let rules = registry::rules();
-    let mut index = String::from(INDEX);
-    let fixes = rules.iter().filter(|rule| rule.fix.is_some()).count();
-    let _ = writeln!(index, "{} rules, {fixes} of them with a fix.\n", rules.len());
-    index.push_str("| group | rules | about | needs |\n|---|---|---|---|\n");
-    let mut pages = BTreeMap::new();
-    let mut tables = String::new();
-    for group in rules.chunk_by(|a, b| a.group() == b.group()) {
-        let name = group[0].group();
-        let row = registry::GROUPS.iter().find(|group| group.name == name);
-        let registry::RuleGroup { about, needs, .. } =
-            row.ok_or_else(|| format!("crates/objdict-project/src/registry/groups.rs lacks `{name}`"))?;
-        let needs = needs.unwrap_or("–");
-        let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} | {needs} |", group.len());
-        let _ = writeln!(tables, "\n## {name}\n\n{HEADINGS}");
-        group.iter().for_each(|rule| list(rule, shares, &mut tables));
-        let mut page = format!("# {name}: {about}\n\n{GENERATED}\n");
-        group.iter().for_each(|rule| describe(rule, shares, &mut page));
-        pages.insert(format!("rules/{name}.md"), page);
-    }
-    pages.insert("rules/index.md".to_owned(), index + &tables);
-    Ok(pages)
-}
-
-/// A row in the table of a group.
-fn list(rule: &RuleInfo, shares: &Shares, tables: &mut String) {
-    let address = address(rule.id);
-    let address = address.trim_start_matches("../rules/");
-    let fix = rule.fix.map_or_else(|| "–".to_owned(), |safety| safety.to_string());
-    let share = shares::shown(shares.get(rule.id));
-    let (name, severity, summary) = (rule.name(), rule.severity, rule.summary);
-    let _ = writeln!(tables, "| [`{name}`]({address}) | {severity} | {fix} | {share} | {summary} |");
-}
-
-fn describe(rule: &RuleInfo, shares: &Shares, page: &mut String) {
-    let share =
-        shares.get(rule.id).map_or_else(String::new, |(files, total)| format!(" · {files} of {total} files"));
-    let fix = rule.fix.map_or_else(String::new, |safety| format!(", {safety} fix"));
-    let _ = writeln!(
-        page,
-        "\n## {}\n\n`{}` · **{}**{fix}{share}: {}.",
-        rule.name(),
-        rule.id,
-        rule.severity,
-        rule.summary
-    );
-    let text = rule.page();
-    let body = text.split_once('\n').map_or("", |(_, body)| body);
-    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures");
-    for line in body.trim_end().lines() {
-        if line == "## How to fix" {
-            // the blank line before the heading comes after the example
-            page.truncate(page.trim_end().len());
-            page.push('\n');
-            page.push_str(&examples::of_rule(&fixtures, rule.id).unwrap_or_default());
-            page.push('\n');
-        }
-        let level = if line.starts_with("## ") { "#" } else { "" };
-        let _ = writeln!(page, "{level}{line}");
-    }
 }
 
 #[test]

@@ -14,11 +14,13 @@ mod docs;
 mod examples;
 mod fuzz;
 mod interface;
+mod json_pages;
 mod mutate;
 mod profiles;
 mod publish;
 mod readers;
 mod round_trip;
+mod rule_pages;
 #[cfg(feature = "schema")]
 mod schemas;
 #[cfg(not(feature = "schema"))]

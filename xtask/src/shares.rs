@@ -46,15 +46,6 @@ pub(crate) fn read(file: &Path) -> Result<Shares, String> {
         .collect()
 }
 
-/// A share as a percentage; a rule that was not counted has none.
-pub(crate) fn shown(share: Option<&(usize, usize)>) -> String {
-    match share {
-        None => "–".to_owned(),
-        Some((0, _) | (_, 0)) => "0".to_owned(),
-        Some(&(files, total)) => format!("{:.1} %", 100.0 * files as f64 / total as f64),
-    }
-}
-
 #[test]
 fn shares_are_those_of_rules_that_a_description_can_raise() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/rules-shares.tsv");

@@ -235,7 +235,7 @@ pub(crate) struct NetworkBuildArgs {
     /// Store the PDO mappings of the nodes in the manager, like `dcfgen -r`
     #[arg(short, long, help_heading = "Lely")]
     pub remote_pdo: bool,
-    /// Write the same bytes as dcfgen 2.4.2, including its errors; reject only what dcfgen rejects
+    /// Write the same bytes as dcfgen 2.4.2, including its errors; reject only files that dcfgen rejects
     #[arg(long, conflicts_with = "lock", help_heading = "Lely")]
     pub strict_dcfgen: bool,
     #[command(flatten)]

@@ -21,7 +21,7 @@ pub(crate) struct ReportArgs {
 // How much a report says.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ReportDetailArgs {
-    /// Report every finding separately, even if another one explains it
+    /// Report every finding separately, even if it is a consequence of another
     ///
     /// By default, text and concise merge findings with the same cause, and text shows 20 findings per file.
     #[arg(long)]

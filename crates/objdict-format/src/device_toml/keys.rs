@@ -44,7 +44,7 @@ static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let extends = key(
         "extends",
         Shape::Text,
-        "The file whose device this one is, but for what this file says otherwise.",
+        "The base file. This file contains only the differences from its device.",
     );
     let variant = key(
         "variant",
@@ -96,7 +96,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key("file", Shape::Map(FILE), "About the file with the description."),
         key("device", Shape::Map(DEVICE), "About the device."),
         key("node", Shape::Map(NODE), "The configured node."),
-        key("defaults", Shape::Map(DEFAULTS), "What entries have that do not say otherwise."),
+        key("defaults", Shape::Map(DEFAULTS), "Properties of all entries that do not state their own."),
         key("rpdo", Shape::Numbered(1, 512, PDO), "RPDOs by number."),
         key("tpdo", Shape::Numbered(1, 512, PDO), "TPDOs by number."),
         key("lists", Shape::Map(LISTS), "The object lists, where they do not follow from the objects."),
@@ -109,12 +109,12 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key(
             "raw",
             Shape::Foreign,
-            "What has no key: values of the JSON of a device by JSON pointers; they replace what the other keys say.",
+            "Values without a key of their own, as JSON by JSON pointer; they override the other keys.",
         ),
         key(
             "raw-remove",
             Shape::Texts,
-            "JSON pointers of what a device does not have that the other keys say.",
+            "JSON pointers of values that the other keys create and the device does not have.",
         ),
     ]
 });
@@ -261,7 +261,7 @@ macro_rules! entry_keys {
             key("value", Shape::ValueOrList, "The configured value of a node; a list as in `default`."),
             key("flags", bits(32), "`ObjFlags`."),
             key("unit", Shape::Text, "The unit of the engineering value."),
-            key("factor", Shape::Text, "By what the value is multiplied to get the engineering value."),
+            key("factor", Shape::Text, "Multiplier from the value to the engineering value."),
             key("offset", Shape::Text, "What is added to the value before that."),
             key("enum", Shape::ValuesOf(NUMBERS), "The names of values by number."),
             key("bits", Shape::ValuesOf(BITS), "The names of bits, or of ranges of them (`4-7`)."),

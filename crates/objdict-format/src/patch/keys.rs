@@ -8,7 +8,7 @@ use objdict_keyed::section::{Key, Shape, bits, key};
 pub(super) const FORMAT: &str = "objdict-patch/1";
 
 const REASON: &str = "Why: for readers, and for the vendor.";
-const SOURCE: &str = "Where it is said: a manual with its page, a measurement.";
+const SOURCE: &str = "The evidence: a manual with its page, or a measurement.";
 
 pub(super) const PATCH: &[Key] = &[
     key("format", Shape::Word(&[FORMAT]), "What the file is; the first key.").required(),
@@ -20,7 +20,7 @@ pub(super) const PATCH: &[Key] = &[
         Shape::IntegerOr(0, u32::MAX as i128, "any"),
         "Their revision number (1018h:03, else `RevisionNumber`), or `any` (default).",
     ),
-    key("sha256", Shape::Spelled(SHA256), "The hash of the file that it is for; another file is an error."),
+    key("sha256", Shape::Spelled(SHA256), "The hash of the patched file; any other file is an error."),
     key("change", Shape::List(CHANGE), "The changes, made one after the other."),
     key("raw", Shape::List(RAW), "Changes for which there are no words, made after the others."),
 ];
@@ -35,7 +35,7 @@ pub(super) const CHANGE: &[Key] = &[
     key(
         "expect",
         Shape::Map(FIELDS),
-        "What the file says now. Anything else is an error: the vendor changed it.",
+        "The current content of the file. Any other content is an error: the vendor changed it.",
     ),
     key("absent", Shape::Texts, "Fields that the file does not state now."),
     key("set", Shape::Map(FIELDS), "What the fields become."),
@@ -50,12 +50,8 @@ pub(super) const CHANGE: &[Key] = &[
 pub(super) const RAW: &[Key] = &[
     key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/reference/json.md).")
         .required(),
-    key(
-        "expect",
-        Shape::Text,
-        "The JSON of what the file says now; without it, the file states nothing there.",
-    ),
-    key("set", Shape::Text, "The JSON of what it becomes; without it, what is there is removed."),
+    key("expect", Shape::Text, "The current value as JSON; without it, the file has no value there."),
+    key("set", Shape::Text, "The new value as JSON; without it, the current value is removed."),
     key("reason", Shape::Text, REASON),
     key("source", Shape::Text, SOURCE),
 ];

@@ -199,14 +199,14 @@ text_rules! {
     summary: "the file does not match a patch's expectation",
     checks: "The file must contain the values in `expect` and must not contain the fields in `absent`. It must have the objects and entries that are changed.",
     why: "The vendor changed the file, or it is a different file. The correction may be wrong there, or no longer needed.",
-    example: "`expect = { type = \"u8\" }` where the file says UNSIGNED16",
+    example: "`expect = { type = \"u8\" }` where the file has UNSIGNED16",
     remedy: "Compare the patch with the new file and correct `expect`, or remove the change.",
 
     "patch/no-effect" = NO_EFFECT, Warning;
     summary: "a change has no effect",
     checks: "Each change must modify the description.",
     why: "The vendor corrected the file; the change is no longer needed.",
-    example: "`set = { type = \"u16\" }` where the file says UNSIGNED16",
+    example: "`set = { type = \"u16\" }` where the file has UNSIGNED16",
     remedy: "Remove the change, or limit the patch to the revisions that need it with `revision`.",
 
     "patch/other-file" = OTHER_FILE, Error;

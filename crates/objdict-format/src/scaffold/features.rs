@@ -184,7 +184,7 @@ features! {
     tpdos: u16, "tpdos", number(0, 512), [], Series(0x1800),
         "Number of TPDOs [default: from the profile]";
     mapping_entries: u16, "mapping-entries", number(1, 64), [], Other,
-        "Maximum application objects per PDO mapping [default: those that are mapped, or 8]";
+        "Maximum application objects per PDO mapping [default: the mapped objects, or 8]";
     rpdo_parameters: u16, "rpdo-parameters", number(2, 6), [], Other,
         "Highest sub-index of the RPDO communication parameters: 5 with an event timer [default: 2]";
     tpdo_parameters: u16, "tpdo-parameters", number(2, 6), [], Other,

@@ -141,7 +141,7 @@ impl RuleInfo {
 
     /// The address of its page relative to the documentation of the crate `objdict`, published or not.
     pub fn page_address(&self) -> String {
-        format!("rules/{}/index.html#{}", self.group(), self.name())
+        format!("rules/{}/{}/index.html", self.group(), self.name().replace('-', "_"))
     }
 
     /// The page as Markdown: the summary, then a heading and a paragraph for each of the other texts.

@@ -31,7 +31,7 @@ text_rules! {
 
     "network/link-mismatch" = LINK_MISMATCH, Error;
     summary: "the ends of a link have different numbers of entries or bits",
-    checks: "Both ends must name the same number of entries, and each entry must have as many bits as the one that receives it.",
+    checks: "Both ends must name the same number of entries, and each sent entry must have as many bits as the entry that receives it.",
     why: "PDOs have no types: bits are received by position, so the first difference shifts all entries after it.",
     example: r#"`from = "left.6000:1-5"`, `to = "plc.5200:1-4"`"#,
     remedy: "Name the same number of entries of the same length at both ends.",

@@ -110,7 +110,7 @@ text_rules! {
     summary: "two nodes are managers",
     checks: "In the DCF or XDC of a node that is not the manager, `CANopenManager=1` is reported. Flying masters (bit 5 of 1F80h) are exempt because they take turns.",
     why: "Both managers configure and start the nodes and undo each other's changes.",
-    example: "the DCF of a slave that was copied from that of the manager",
+    example: "a slave's DCF that was copied from the manager's DCF",
     remedy: "Write `CANopenManager=0` into the DCF of the node.",
     source: "CiA 302-2; CiA 306-1, `CANopenManager`",
 

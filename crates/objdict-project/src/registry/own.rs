@@ -11,7 +11,7 @@ text_rules! {
     "objdict/invalid-toml" = INVALID_TOML, Error;
     summary: "the configuration is not valid TOML",
     checks: "`objdict.toml` must be valid TOML. Otherwise the files that it applies to are not checked, and the exit code is 2.",
-    why: "A check without its configuration reports unwanted findings and misses those that were requested.",
+    why: "A check without its configuration reports unwanted findings and misses wanted ones.",
     example: r#"`cia306/file-name = "off"`: the id of a rule contains a `/` and must be quoted"#,
     remedy: "Correct the reported line.",
     source: "objdict, docs/reference/config.md; TOML 1.1",

@@ -194,7 +194,7 @@ text_rules! {
     "xml/unbound-prefix" = UNBOUND_PREFIX, Error;
     summary: "a prefix is not declared",
     checks: "An `xmlns:` attribute of the element or a parent element must declare the prefix of each element and attribute.",
-    why: "XML parsers reject the file. The declaration is mostly lost when part of another file is copied.",
+    why: "XML parsers reject the file. The declaration is usually lost when a part of a different file is copied.",
     example: r#"`<ProfileBody xsi:type="ProfileBody_Device_CANopen">` without `xmlns:xsi`"#,
     remedy: r#"Declare the prefix at the root, for example `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"`."#,
     source: "Namespaces in XML 1.0 §5, NSC: Prefix Declared",

@@ -248,7 +248,7 @@ changes! {
         Firmware: Compatible, "names and types are unchanged";
     }
     summary: "the limits of a read-only entry are wider",
-    checks: "A read-only entry's limits become wider: they allow a new value and exclude none that was allowed. Read-only entries are those that no SDO can write.",
+    checks: "A read-only entry's limits become wider: they allow a new value and exclude none that was allowed. A read-only entry cannot be written by SDO.",
     example: "`HighLimit=1000`, then `HighLimit=4000` of an entry with `AccessType=ro`",
     remedy: "Check how the clients handle the new values.",
 
@@ -258,7 +258,7 @@ changes! {
         Firmware: Compatible, "names and types are unchanged";
     }
     summary: "the limits of a read-only entry are narrower",
-    checks: "A read-only entry's limits exclude a value that they allowed before. Read-only entries are those that no SDO can write.",
+    checks: "A read-only entry's limits exclude a value that they allowed before. A read-only entry cannot be written by SDO.",
     example: "`HighLimit=4000`, then `HighLimit=1000` of an entry with `AccessType=ro`",
     remedy: "Check the clients that wait for a value outside the new limits.",
 

@@ -99,9 +99,9 @@ macro_rules! changes {
                         summary: $summary,
                         checks: $checks,
                         why: concat!(
-                            "For ", super::super::audience::title!($First), " ", super::word!($FirstVerdict), ": ", $first,
-                            $("; for ", super::super::audience::title!($Audience), " ", super::word!($Verdict), ": ", $reason,)*
-                            ".",
+                            "| For | Verdict | Reason |\n|---|---|---|",
+                            "\n| ", super::super::audience::title!($First), " | ", super::word!($FirstVerdict), " | ", $first, " |",
+                            $("\n| ", super::super::audience::title!($Audience), " | ", super::word!($Verdict), " | ", $reason, " |",)*
                         ),
                         example: $example,
                         remedy: $remedy,

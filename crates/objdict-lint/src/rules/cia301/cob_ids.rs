@@ -67,7 +67,7 @@ rules! {
     "cia301/service-cob-id-not-predefined" = SERVICE_COB_ID_NOT_PREDEFINED, Warning,
         Facts(service_cob_id_not_predefined), fix Unsafe;
     summary: "the CAN-ID of SYNC, TIME or EMCY differs from the predefined connection set",
-    checks: "In an EDS, the default must be 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. In a DCF, SYNC and EMCY must not use the CAN-ID of a different node's EMCY (81h to FFh). Flags are ignored. COB-IDs that another rule reports are not checked.",
+    checks: "In an EDS, the default must be 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. In a DCF, SYNC and EMCY must not use the CAN-ID of a different node's EMCY (81h to FFh). Flags are ignored. COB-IDs with findings of other rules are not checked.",
     why: "With the predefined connection set, devices of all vendors work together without configuration. A device that expects SYNC on a different CAN-ID does not receive it.",
     example: "`[1005]` with `DefaultValue=$NODEID+0x80`",
     remedy: "Write `0x80`, `0x100` or `$NODEID+0x80`.",

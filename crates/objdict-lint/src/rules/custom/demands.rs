@@ -41,41 +41,41 @@ rules! {
     summary: "an entry has an access type that a custom profile does not allow",
     checks: "The rule compares access types with a loaded profile for the entries that it defines. `ro` and `const` are equivalent; `rwr` and `rww` are treated as `rw`.",
     why: "The device rejects a write that the profile allows, or a constant can be changed.",
-    example: "`AccessType=ro` where the profile says `rw`",
+    example: "`AccessType=ro` where the profile has `rw`",
     remedy: "Use the access type of the profile, in the description and in the device.",
 
     "custom/wrong-data-type", Error, Expected(wrong_data_type), fix Unsafe;
     summary: "the data type of an entry differs from a custom profile",
     checks: "The rule compares data types with a loaded profile for the entries that it defines.",
     why: "The device rejects a write with the length of the profile.",
-    example: "`DataType=0x0005` where the profile says `UNSIGNED16`",
+    example: "`DataType=0x0005` where the profile has `UNSIGNED16`",
     remedy: "Use the data type of the profile, in the description and in the device.",
 
     "custom/wrong-default", Warning, Expected(wrong_default), fix Unsafe;
     summary: "the default of an entry differs from a custom profile",
     checks: "The default of an entry must equal the default in a loaded profile.",
     why: "An unconfigured node behaves differently from the others.",
-    example: "`DefaultValue=100` where the profile says `default = 50`",
+    example: "`DefaultValue=100` where the profile has `default = 50`",
     remedy: "Use the default of the profile, in the description and in the device.",
 
     "custom/wrong-mapping", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "an entry is marked as mappable, although a custom profile keeps it out of PDOs",
     checks: r#"Reports `PDOMapping` set for an entry with `mapping = "no"` in a loaded profile."#,
     why: "A configuration tool offers the entry for a PDO, and the device rejects the mapping.",
-    example: r#"`PDOMapping=1` where the profile says `mapping = "no"`"#,
+    example: r#"`PDOMapping=1` where the profile has `mapping = "no"`"#,
     remedy: "Write `PDOMapping=0`.",
 
     "custom/wrong-object-type", Error, Against(wrong_object_type);
     summary: "the object type of an object differs from a custom profile",
     checks: "The rule compares object types with a loaded profile for the objects that it defines. If the profile accepts several, any but the first is a warning.",
     why: "A tool that knows the profile does not find the sub-indexes.",
-    example: "`ObjectType=0x8` where the profile says `RECORD`",
+    example: "`ObjectType=0x8` where the profile has `RECORD`",
     remedy: "Use the object type of the profile.",
 
     "custom/wrong-value", Error, Expected(wrong_value);
     summary: "an entry has a value that a custom profile does not allow",
     checks: "Reports configured or default values that a loaded profile does not allow.",
     why: "The device rejects the value, or the behaviour of the device is undefined.",
-    example: "`DefaultValue=300` where the profile says `values = [[0, 200]]`",
+    example: "`DefaultValue=300` where the profile has `values = [[0, 200]]`",
     remedy: "Use a value of the profile.",
 }
