@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-MAX_BYTES = 10_000_000
+MAX_BYTES = 8_000_000
 # the sidebar without scripts, whose links start at the folder of the page that shows it
 FRAMES = {"toc.html"}
 
