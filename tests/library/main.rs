@@ -33,6 +33,8 @@ mod errata;
 mod esi;
 mod fix;
 mod fmt;
+#[cfg(feature = "cli")]
+mod grammar;
 mod graph;
 mod helps;
 mod identify;

@@ -19,7 +19,7 @@ type Text = (String, String);
 const SCOPES: [fn() -> Vec<Text>; 5] = [prose_of_pages, rules, findings, help, comments];
 
 /// Pages that are made of the texts of rules, in the sources.
-const MADE_OF_RULES: [&str; 2] = ["docs/reference/portability.md", "docs/rules"];
+pub(crate) const MADE_OF_RULES: [&str; 2] = ["docs/reference/portability.md", "docs/rules"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -60,6 +60,19 @@ fn has_ending(path: &Path, ending: &str) -> bool {
 
 pub(crate) fn read(page: &Path) -> String {
     fs::read_to_string(root().join(page)).unwrap()
+}
+
+/// A page without what `cargo xtask docs` puts between its marks.
+pub(crate) fn by_hand(page: &Path) -> String {
+    let text = read(page);
+    let mut kept = String::new();
+    let mut rest = text.as_str();
+    while let Some((before, behind)) = rest.split_once("<!-- end of ") {
+        let mark = format!("<!-- {} -->", behind.split_once(" -->").map_or("", |(name, _)| name));
+        kept.push_str(before.split_once(mark.as_str()).map_or(before, |(before, _)| before));
+        rest = behind.split_once("-->").map_or("", |(_, rest)| rest);
+    }
+    kept + rest
 }
 
 /// What a page says in prose, a piece each with its line: no code.
@@ -216,6 +229,33 @@ fn the_site_has_every_page() {
     assert_eq!(top_lines, 12, "lines of the folded sidebar");
 }
 
+/// The main journeys: pages from the home page on, and what the last one shows as the first result.
+const JOURNEYS: [(&[&str], &str); 3] = [
+    (&["index.md", "install.md", "guides/generate.md"], "build/od.rs"),
+    (&["index.md", "install.md", "guides/configure.md"], "node5.cdcf: "),
+    (&["index.md", "install.md", "guides/check.md"], "error"),
+];
+
+/// A reader comes from the home page to a first result on at most three pages and with at most five commands, one of which installs objdict.
+#[test]
+fn first_results_are_near() {
+    for (pages, result) in JOURNEYS {
+        let pages: Vec<PathBuf> = pages.iter().map(|page| Path::new("docs").join(page)).collect();
+        assert!(pages.len() <= 3);
+        let (home, last) = (linked_pages(&pages[0]), pages.last().unwrap());
+        assert!(pages[1..].iter().all(|page| home.contains(page)), "{pages:?}");
+        let session: String = blocks(&read(last))
+            .into_iter()
+            .filter(|(language, ..)| language == "console")
+            .map(|(.., text)| text)
+            .collect();
+        let (before, _) =
+            session.split_once(result).unwrap_or_else(|| panic!("{}: no {result}", last.display()));
+        let commands = before.lines().filter(|line| line.starts_with("$ ")).count();
+        assert!((1..=4).contains(&commands), "{}: {commands} commands", last.display());
+    }
+}
+
 #[test]
 fn the_oldest_rust_is_the_one_that_the_gate_compiles_with() {
     let oldest = env!("CARGO_PKG_RUST_VERSION");
@@ -269,7 +309,7 @@ fn rules() -> Vec<Text> {
 }
 
 /// The findings of the bad fixtures of all rules, as their snapshots have them.
-fn findings() -> Vec<Text> {
+pub(crate) fn findings() -> Vec<Text> {
     let snapshots = files(&root().join("tests/library/snapshots/rules")).into_iter();
     let texts = snapshots.flat_map(|path| {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
@@ -294,7 +334,7 @@ fn comments() -> Vec<Text> {
 }
 
 /// The help of all commands, as the manual pages have it.
-fn help() -> Vec<Text> {
+pub(crate) fn help() -> Vec<Text> {
     let folder = tempfile::tempdir().unwrap();
     let status = Command::new(env!("CARGO_BIN_EXE_objdict")).arg("man").arg(folder.path()).status().unwrap();
     assert!(status.success());
@@ -507,7 +547,7 @@ fn sizes_and_times_are_tested() {
     let times = ["minutes on", "seconds on", "minutes of", "seconds of", "times faster"];
     let mut untested = Vec::new();
     for page in pages_for_users().filter(|page| !MADE_OF_RULES.iter().any(|made| page.starts_with(made))) {
-        for (line, piece) in prose(&read(&page)) {
+        for (line, piece) in prose(&by_hand(&page)) {
             let has_number = piece.contains(|c: char| c.is_ascii_digit());
             let is_size = units.iter().any(|unit| piece.contains(unit)) && has_number;
             let is_measured = MEASURED.iter().any(|(stated, ..)| piece.contains(stated));

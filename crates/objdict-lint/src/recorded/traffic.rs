@@ -37,7 +37,7 @@ macro_rules! incident_kinds {
 incident_kinds! {
     "traffic/bus-off" = BUS_OFF, Error, leads to [ERROR_FRAMES, LATE_HEARTBEAT, UNANSWERED_REQUEST, EVENT_TIMER, SYNC_CYCLE, SILENT_NODE, EMERGENCY, REPEATED_PDO];
         causes: ["a short circuit or an open line", "a wrong bit rate", "missing termination"],
-        look: ["measure 60 Ω between CAN_H and CAN_L with the supply off", "check that all nodes have one bit rate", "disconnect nodes one by one"],
+        look: ["measure 60 Ω between CAN_H and CAN_L with the supply off", "check that all nodes use the same bit rate", "disconnect nodes one by one"],
         summary: "the logger is bus-off",
         checks: "An error frame must not report bus-off.",
         needs: "Error frames in the log (`candump -e`).",
@@ -58,7 +58,7 @@ incident_kinds! {
         source: "CiA 301 §7.2.8.3.2.2",
 
     "traffic/missing-node" = MISSING_NODE, Error, leads to [UNANSWERED_REQUEST, EMERGENCY];
-        causes: ["the node is off or not connected", "the node has another node-ID", "the node has another bit rate"],
+        causes: ["the node is off or not connected", "the node has a different node-ID", "the node has a different bit rate"],
         look: ["check the node-ID of the device (switches, LSS)", "check supply, connector and bit rate of the node", "look for frames with an unexpected CAN-ID"],
         summary: "a node never responds",
         checks: "A node that is addressed by SDO, or individually by an NMT command, must send at least one frame.",
@@ -70,7 +70,7 @@ incident_kinds! {
 
     "traffic/unexpected-boot-up" = UNEXPECTED_BOOT_UP, Error, leads to [NOT_OPERATIONAL, LATE_HEARTBEAT, EVENT_TIMER, EMERGENCY, UNANSWERED_REQUEST, SILENT_NODE, NOT_STARTED, DRIVE_FAULT];
         causes: ["a dip of the supply", "the watchdog of the node", "a fault in its firmware"],
-        look: ["measure the supply of the node when loads switch", "read 1003h and the reset cause of the node", "let the manager configure the node again"],
+        look: ["measure the supply of the node when loads switch", "read 1003h and the reset cause of the node", "make the manager reconfigure the node"],
         summary: "a node reboots during operation",
         checks: "An operational node may send a boot-up message only after an NMT command that resets it.",
         needs: "NMT commands in the log, and an earlier frame of the node.",
@@ -80,8 +80,8 @@ incident_kinds! {
         source: "CiA 301 §7.3.2.1",
 
     "traffic/repeated-boot" = REPEATED_BOOT, Error, leads to [UNEXPECTED_BOOT_UP, NOT_OPERATIONAL, LATE_HEARTBEAT, EMERGENCY, UNANSWERED_REQUEST, NOT_STARTED, REFUSED_WRITE];
-        causes: ["the manager does not accept the node and resets it again", "the supply of the node breaks down", "the watchdog of the node"],
-        look: ["look at the last frames before each boot-up: a refused write, or a wrong identity", "measure the supply of the node"],
+        causes: ["the manager does not accept the node and resets it again", "the node's supply voltage drops", "the watchdog of the node"],
+        look: ["check the last frames before each boot-up for a rejected write or a wrong identity", "measure the supply of the node"],
         summary: "a node reboots repeatedly",
         checks: "A node must not send three or more boot-up messages at intervals of at most ten seconds.",
         needs: "Boot-up messages.",
@@ -113,8 +113,8 @@ incident_kinds! {
         source: "CiA 301 §7.2.8",
 
     "traffic/drive-fault" = DRIVE_FAULT, Error, leads to [EMERGENCY, EVENT_TIMER, REFUSED_TRANSITION, QUICK_STOP, SILENT_NODE, MOTION_ERROR, INTERNAL_LIMIT, SET_POINT, RPDO_DEADLINE];
-        causes: ["the cause that EMCY and 603Fh report", "a safety input, STO or the supply of the motor, if the drive reports none"],
-        look: ["look up the error code in the manual of the drive", "read 603Fh, or 683Fh of the second axis", "remove the cause, then reset the fault: controlword 80h, 06h, 07h, 0Fh"],
+        causes: ["the fault that EMCY and 603Fh report", "if the drive reports none: a safety input, STO or the motor supply"],
+        look: ["look up the error code in the drive's manual", "read 603Fh (683Fh for the second axis)", "remove the cause, then reset the fault: controlword 80h, 06h, 07h, 0Fh"],
         summary: "a drive reports a fault",
         checks: "The statusword (6041h, plus 800h for each further axis) must not show a fault.",
         needs: "A PDO or SDO with the statusword. The PDO mapping is known from the description, from the log or, for PDO 1, from CiA 402.",
@@ -124,7 +124,7 @@ incident_kinds! {
         source: "CiA 402-2 §8.4",
 
     "traffic/emergency" = EMERGENCY, Error;
-        causes: ["the cause that the error code names"],
+        causes: ["the fault that the error code identifies"],
         look: ["look up the error code in the manual of the device", "read 1001h and 1003h of the node"],
         summary: "a node reports an error",
         checks: "A node must not send EMCY with an error code. EMCY 0000h or a boot-up message ends the incident.",
@@ -135,7 +135,7 @@ incident_kinds! {
         source: "CiA 301 §7.2.7",
 
     "traffic/refused-write" = REFUSED_WRITE, Error;
-        causes: ["the configuration is for another device or firmware", "the entry may not be written in the present state", "the value is out of range"],
+        causes: ["the configuration is for a different device or firmware", "the entry is not writable in the current state", "the value is out of range"],
         look: ["compare the entry with the description and the manual of this revision", "correct the configuration of the manager"],
         summary: "a node rejects a write",
         checks: "A node must not abort a write. The incident ends when the node accepts a later write of the entry.",
@@ -146,8 +146,8 @@ incident_kinds! {
         source: "CiA 301 §7.2.4.3.17",
 
     "traffic/unanswered-request" = UNANSWERED_REQUEST, Error;
-        causes: ["the node is stopped or busy", "the node has no SDO server for this request", "the answer has another COB-ID"],
-        look: ["look at the NMT state of the node", "send the request again, with the node alone on the bus"],
+        causes: ["the node is stopped or busy", "the node has no SDO server for this request", "the response has a different COB-ID"],
+        look: ["check the NMT state of the node", "repeat the request with only this node on the bus"],
         summary: "an SDO request gets no response",
         checks: "Each transfer that a client starts must get a response before the next one starts or, at the end of the log, within a second. A client must not give up (abort 0504 0000h).",
         needs: "Any response in the log, and a node that is described or was seen.",
@@ -158,7 +158,7 @@ incident_kinds! {
 
     "traffic/broken-transfer" = BROKEN_TRANSFER, Error;
         causes: ["a fault in the SDO client or server", "a lost frame"],
-        look: ["compare the segments before it with CiA 301", "look for error frames at this time"],
+        look: ["compare the preceding segments with CiA 301", "look for error frames at this time"],
         summary: "an SDO transfer breaks the protocol",
         checks: "The toggle bits of segments must alternate, the number of bytes must match the announced size, and block checksums must be correct. Neither side may abort for such a reason (0503h, 0504h).",
         needs: "All frames of the transfer, from its start.",
@@ -179,7 +179,7 @@ incident_kinds! {
         source: "CiA 301 §7.3.2.2.5",
 
     "traffic/not-started" = NOT_STARTED, Warning;
-        causes: ["the manager waits for a node or an answer", "the node is not in the list of the manager (1F81h)"],
+        causes: ["the manager waits for a node or a response", "the node is not in the list of the manager (1F81h)"],
         look: ["look for the last SDO of the manager to this node"],
         summary: "a node is never started",
         checks: "A node that boots must become operational.",
@@ -191,7 +191,7 @@ incident_kinds! {
 
     "traffic/limit-switch" = LIMIT_SWITCH, Warning, leads to [QUICK_STOP, INTERNAL_LIMIT];
         causes: ["the axis was moved to its end", "wiring or polarity of the switch", "a wrong position after power-up: no homing"],
-        look: ["look where the axis is", "compare the position (6064h) with the software limits (607Dh)"],
+        look: ["check the position of the axis", "compare the position (6064h) with the software limits (607Dh)"],
         summary: "a drive is on a limit switch",
         checks: "A limit switch in the digital inputs (60FDh, bits 0 and 1, plus 800h for each further axis) may become active only while the drive is homing.",
         needs: "A PDO or SDO with 60FDh that showed the switch as inactive before.",
@@ -201,7 +201,7 @@ incident_kinds! {
         source: "CiA 402-2 §19.4",
 
     "traffic/motion-error" = MOTION_ERROR, Error, leads to [QUICK_STOP, SET_POINT, INTERNAL_LIMIT];
-        causes: ["the axis is blocked or overloaded", "acceleration or velocity is too high", "gains of the control loop, or a window that is too small (6065h)"],
+        causes: ["the axis is blocked or overloaded", "acceleration or velocity is too high", "wrong gains of the control loop, or a window that is too small (6065h)"],
         look: ["compare demand (6062h) and actual value (6064h) at this time", "read the following error window (6065h) and its time (6066h)"],
         summary: "a drive reports a mode-specific error",
         checks: "Bit 13 of the statusword must not be set in a mode that defines it: following error (modes 1 and 8), slippage (3) or homing error (6).",
@@ -212,8 +212,8 @@ incident_kinds! {
         source: "CiA 402-2 §11",
 
     "traffic/set-point" = SET_POINT, Warning;
-        causes: ["a limit or the mode keeps the drive from taking it", "the controlword changes before the drive sees it"],
-        look: ["look at the mode (6061h), the limits (607Dh) and bit 12 of the statusword"],
+        causes: ["a limit or the mode prevents the drive from accepting it", "the controlword changes before the drive reads it"],
+        look: ["check the mode (6061h), the limits (607Dh) and bit 12 of the statusword"],
         summary: "a drive does not acknowledge a set-point",
         checks: "A drive in profile position mode (1) must set bit 12 of its statusword within half a second after bit 4 of the controlword is set.",
         needs: "Controlword, statusword and mode (6061h) in the log.",
@@ -235,7 +235,7 @@ incident_kinds! {
 
     "traffic/quick-stop" = QUICK_STOP, Warning;
         causes: ["a limit switch or a stop input", "the quick stop of the other axis"],
-        look: ["look at the digital inputs (60FDh) and the manual for what triggers the quick stop"],
+        look: ["check the digital inputs (60FDh), and look up the quick-stop triggers in the manual"],
         summary: "a drive stops by itself",
         checks: "The statusword shows a quick stop that no controlword requested.",
         needs: "Controlword and statusword in the log.",
@@ -245,8 +245,8 @@ incident_kinds! {
         source: "CiA 402-2 §8.4",
 
     "traffic/refused-transition" = REFUSED_TRANSITION, Warning;
-        causes: ["the supply of the motor or STO is missing", "a step of the sequence 06h, 07h, 0Fh is missing"],
-        look: ["check the supply of the motor, STO and the brake", "compare the controlwords before with the state machine"],
+        causes: ["the motor supply or the STO signal is missing", "a step of the sequence 06h, 07h, 0Fh is missing"],
+        look: ["check motor supply, STO and brake", "compare the preceding controlwords with the state machine"],
         summary: "a drive does not enable operation",
         checks: "A drive must be in the state operation enabled two seconds after the controlword requests it.",
         needs: "Controlword and statusword in the log.",
@@ -257,7 +257,7 @@ incident_kinds! {
 
     "traffic/error-frames" = ERROR_FRAMES, Warning;
         causes: ["missing or additional termination", "wiring, shield or ground", "two bit rates on the bus"],
-        look: ["measure 60 Ω between CAN_H and CAN_L with the supply off", "look which frames come before them"],
+        look: ["measure 60 Ω between CAN_H and CAN_L with the supply off", "check which frames precede them"],
         summary: "the log contains error frames",
         checks: "The log must not contain error frames.",
         needs: "A logger that records error frames (`candump -e`).",
@@ -267,7 +267,7 @@ incident_kinds! {
         source: "ISO 11898-1 §10.4",
 
     "traffic/pdo-length" = PDO_LENGTH, Error;
-        causes: ["the mapping of the sender is not the mapping of the description", "two nodes send this CAN-ID"],
+        causes: ["the sender's mapping differs from the description", "two nodes send this CAN-ID"],
         look: ["compare 1A00h and 1600h of sender and receiver with the description", "look for a second sender of the CAN-ID"],
         summary: "a PDO's length differs from its mapping",
         checks: "Each PDO of a node must have as many bytes as its mapping in the description, or as the mapping that was written in the log.",
@@ -278,8 +278,8 @@ incident_kinds! {
         source: "CiA 301 §7.2.2.4",
 
     "traffic/event-timer" = EVENT_TIMER, Warning;
-        causes: ["the node is held up", "the event timer was not written to the node"],
-        look: ["read 1800h sub-index 5 of the node", "look for load of higher priority"],
+        causes: ["the node is delayed", "the event timer was not written to the node"],
+        look: ["read 1800h sub-index 5 of the node", "look for traffic with higher priority"],
         summary: "a PDO exceeds its event timer",
         checks: "An event-driven PDO must follow its predecessor within 1.5 times the event timer.",
         needs: "The event timer, in the description or in the log. Nodes that were started, stopped or reset in between are excluded.",
@@ -289,7 +289,7 @@ incident_kinds! {
         source: "CiA 301 §7.5.2.37",
 
     "traffic/rpdo-deadline" = RPDO_DEADLINE, Warning;
-        causes: ["the sender is held up or silent", "the deadline is shorter than the period of the sender"],
+        causes: ["the sender is delayed or silent", "the deadline is shorter than the period of the sender"],
         look: ["compare 1400h sub-index 5 with the event timer or the SYNC of the sender"],
         summary: "a PDO arrives after its receiver's deadline",
         checks: "A PDO must arrive within the deadline of each node that receives it (sub-index 5 of the RPDO).",
@@ -311,8 +311,8 @@ incident_kinds! {
         source: "CiA 301 §7.5.2.36",
 
     "traffic/sync-cycle" = SYNC_CYCLE, Warning;
-        causes: ["a second node produces SYNC", "the manager is held up", "load of higher priority"],
-        look: ["read 1005h bit 30 of each node: one may produce SYNC", "look at the load at this time"],
+        causes: ["a second node produces SYNC", "the manager is delayed", "traffic with higher priority"],
+        look: ["read 1005h bit 30 of each node: only one may produce SYNC", "check the bus load at this time"],
         summary: "the SYNC period is irregular",
         checks: "Until the end of the log, each SYNC must arrive 0.5 to 1.5 times the communication cycle period (1006h) after the previous one. Without 1006h, the period of a SYNC that was regular applies.",
         needs: "1006h, or a SYNC that was regular 20 times. SYNC may end after a command that stops nodes.",
@@ -333,8 +333,8 @@ incident_kinds! {
         source: "CiA 301 §7.5.2.8",
 
     "traffic/shared-can-id" = SHARED_CAN_ID, Warning;
-        causes: ["two nodes have one node-ID", "two PDOs have one COB-ID"],
-        look: ["switch one node off and look whether the CAN-ID is still sent", "read 1800h sub-index 1 and its like of each node"],
+        causes: ["two nodes use the same node-ID", "two PDOs use the same COB-ID"],
+        look: ["switch one node off and check whether the CAN-ID is still sent", "read the COB-IDs of all TPDOs (1800h to 19FFh sub-index 1)"],
         summary: "two nodes probably send with one CAN-ID",
         checks: "A frame's CAN-ID must not belong to two valid TPDOs. Heartbeats must not arrive twice per period four times in a row.",
         needs: "COB-IDs or the heartbeat time (1017h), in descriptions or in the log. A frame does not identify its sender, so the finding is only probable.",
@@ -345,7 +345,7 @@ incident_kinds! {
 
     "traffic/load-peak" = LOAD_PEAK, Warning;
         causes: ["many PDOs after one SYNC or one event", "event-driven PDOs without an inhibit time"],
-        look: ["look at the list of messages for the shortest distances", "distribute synchronous PDOs over several SYNCs"],
+        look: ["find the shortest intervals in the list of messages", "distribute synchronous PDOs over several SYNCs"],
         summary: "bus load peaks at 90 % or more",
         checks: "The bus load must not be 90 % or more for 100 ms.",
         needs: "The bit rate (from the network or DCF, or `--bit-rate`). A load above 100 % is ignored: it shows that the logger's timestamps differ from the times on the bus.",
@@ -356,7 +356,7 @@ incident_kinds! {
 
     "traffic/repeated-pdo" = REPEATED_PDO, Warning;
         causes: ["two nodes send this CAN-ID", "a SYNC is missing in the log"],
-        look: ["switch the node off and look whether the CAN-ID is still sent"],
+        look: ["switch the node off and check whether the CAN-ID is still sent"],
         summary: "a synchronous PDO is sent twice after one SYNC",
         checks: "PDOs with a transmission type from 1 to 240 may be sent at most once after each SYNC.",
         needs: "The transmission type, in the description or in the log.",
@@ -377,8 +377,8 @@ incident_kinds! {
         source: "CiA 301 §7.3.5",
 
     "traffic/sdo-length" = SDO_LENGTH, Warning;
-        causes: ["a client or a node that cuts SDO frames"],
-        look: ["look which side sends the frame"],
+        causes: ["a client or node truncates SDO frames"],
+        look: ["check which side sends the frame"],
         summary: "an SDO frame is not 8 bytes long",
         checks: "Each frame of an SDO transfer must have 8 bytes.",
         needs: "Frames of SDO transfers.",
@@ -388,8 +388,8 @@ incident_kinds! {
         source: "CiA 301 §7.2.4.3",
 
     "traffic/malformed-frame" = MALFORMED_FRAME, Warning;
-        causes: ["another protocol on the bus", "a fault in the firmware of the sender"],
-        look: ["look which node sends the CAN-ID"],
+        causes: ["a different protocol on the bus", "a fault in the sender's firmware"],
+        look: ["find the node that sends the CAN-ID"],
         summary: "a service frame has the wrong length",
         checks: "SYNC may have at most one byte; NMT commands have two, heartbeats one, EMCY eight and TIME six.",
         needs: "Frames of these services.",
@@ -399,7 +399,7 @@ incident_kinds! {
         source: "CiA 301 §7.2",
 
     "traffic/other-identity" = OTHER_IDENTITY, Error;
-        causes: ["another device, or another version of it, was installed", "the description belongs to another device"],
+        causes: ["a different device or version was installed", "the description belongs to a different device"],
         look: ["compare the label of the device with the description"],
         summary: "a node is not the described device",
         checks: "The device type (1000h), vendor-ID, product code and upper half of the revision number (1018h) that a node returns must match its description.",
@@ -410,7 +410,7 @@ incident_kinds! {
         source: "CiA 301 §7.5.2.18",
 
     "traffic/sdo-size" = SDO_SIZE, Error;
-        causes: ["the description belongs to another firmware"],
+        causes: ["the description belongs to a different firmware version"],
         look: ["compare the revision (1018h sub-index 3) with the description"],
         summary: "a value's size differs from its data type",
         checks: "Each value that a node returns or accepts must have as many bytes as the `DataType` of its entry.",
@@ -421,7 +421,7 @@ incident_kinds! {
         source: "CiA 301 §7.2.4.3",
 
     "traffic/sdo-access" = SDO_ACCESS, Warning;
-        causes: ["the description belongs to another firmware"],
+        causes: ["the description belongs to a different firmware version"],
         look: ["compare the revision (1018h sub-index 3) with the description"],
         summary: "an SDO transfer succeeds despite the entry's access",
         checks: "A node must reject writes to ro and const entries, and reads of wo entries.",
@@ -432,7 +432,7 @@ incident_kinds! {
         source: "CiA 301 §7.2.4.3.17",
 
     "traffic/sdo-limits" = SDO_LIMITS, Error;
-        causes: ["the description belongs to another firmware"],
+        causes: ["the description belongs to a different firmware version"],
         look: ["compare the limits with the manual"],
         summary: "a value in an SDO transfer is outside its limits",
         checks: "Values that a node returns or accepts must be within `LowLimit` and `HighLimit`.",
