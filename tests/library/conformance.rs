@@ -252,15 +252,15 @@ fn a_wrong_node_fails() {
         (
             Attributes(|attributes| (attributes.fits_tpdo, attributes.fits_rpdo) = (true, true)),
             &[
-                "TPDO: an entry that is not mappable is refused",
-                "RPDO: an entry that is not mappable is refused",
+                "TPDO: an entry that is not mappable is rejected",
+                "RPDO: an entry that is not mappable is rejected",
             ],
         ),
         (Attributes(|attributes| attributes.size += 1), &["1014h"]),
-        (Keeps, &["reset node gives back the values of 2000h to 9FFFh"]),
+        (Keeps, &["reset node restores the values of 2000h to 9FFFh"]),
         (Forgets, &["reset communication keeps the values of 2000h to 9FFFh"]),
         (StoresNothing, &["1010h: stored values survive a reset"]),
-        (RestoresNothing, &["1011h: the defaults are back after a reset"]),
+        (RestoresNothing, &["1011h: the defaults apply after a reset"]),
     ];
     let device = with_everything();
     for (mistake, expected) in mistakes {

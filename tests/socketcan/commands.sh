@@ -50,7 +50,7 @@ fi
 
 kill $node
 sleep 1
-expect 2 "does not answer" objdict bus read 5 1018:1 $bus
+expect 2 "does not respond" objdict bus read 5 1018:1 $bus
 ip link set vcan0 down
 expect 2 "adapter\|cannot open" objdict bus read 5 1018:1 $bus
 echo "all commands did what they should"

@@ -70,7 +70,7 @@ objdict_model::error_messages! { ClientError:
     Self::Interrupted => "interrupted";
     Self::BusOff => "the adapter is bus off: it left the bus after too many errors";
     Self::Silent { node_id, entry: (index, sub), waited } =>
-        "node {node_id} does not answer within {waited} ms ({index:04X}h sub-index {sub})";
+        "node {node_id} does not respond within {waited} ms ({index:04X}h sub-index {sub})";
     Self::Refused { node_id, entry: (index, sub), abort } =>
         "node {node_id} refuses {index:04X}h sub-index {sub}: {abort}";
     Self::NoNumber { node_id, entry: (index, sub), length } =>

@@ -225,7 +225,7 @@ fn learned(args: &ProbeArgs, path: &Path, out: &mut Output) -> Result<Outcome, F
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let device = learn(&exchanges, node_id, &name, date, time);
     let Some(device) = device else {
-        return Err(Failure::new(format_args!("`{}` has no answer of an entry", name_of(path))));
+        return Err(Failure::new(format_args!("`{}` has no response for any entry", name_of(path))));
     };
     let bytes = format::write(&device, Format::Eds, &WriteOptions::default())?.bytes;
     save(output, &bytes)?;

@@ -42,7 +42,7 @@ def test_what_a_node_refuses_is_an_exception(simulated: Bus, fixtures: Path) -> 
     with pytest.raises(BusError, match="1018h") as refused:
         simulated.write(5, 0x1018, 1, b"\0\0\0\0")
     assert refused.value.abort == 0x06010002
-    with pytest.raises(BusError, match="node 9 does not answer") as silent:
+    with pytest.raises(BusError, match="node 9 does not respond") as silent:
         simulated.read(9, 0x1000)
     assert silent.value.abort is None
     drive[0x6040].value = 6

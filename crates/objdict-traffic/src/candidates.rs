@@ -73,7 +73,7 @@ impl<'d> Candidates<'d> {
             if let (true, Some(node), None) = (is_free, matching.next(), matching.next()) {
                 self.found |= 1 << node_id;
                 let note =
-                    format!("`{}` describes node {node_id}, by its answers to 1000h and 1018h", node.file);
+                    format!("`{}` describes node {node_id}, by its responses to 1000h and 1018h", node.file);
                 found.push((node_id, Some(*node), Some(note)));
             }
         }
@@ -113,9 +113,8 @@ impl<'d> Candidates<'d> {
         }
         let is_other = self.answers.get(&first).is_some_and(|answers| differs(&node.device, answers));
         if is_other {
-            let note = format!(
-                "`{file}` does not describe node {first}, whose identity (1000h, 1018h) is another one"
-            );
+            let note =
+                format!("`{file}` does not describe node {first}, whose identity (1000h, 1018h) differs");
             return is_all.then_some((first, None, Some(note)));
         }
         let note =

@@ -67,10 +67,10 @@ fn nodes_are_found_by_their_answers() {
     let log = "(1.0) can0 705#05\n(1.1) can0 707#05\n(2.0) can0 587#4318100102040000\n\
         (2.1) can0 585#43181001F9030000\n(2.2) can0 585#4318100202040000\n";
     let (notes, names) = found(&drives(1), log);
-    assert_eq!(notes, ["`1.eds` describes node 5, by its answers to 1000h and 1018h"]);
+    assert_eq!(notes, ["`1.eds` describes node 5, by its responses to 1000h and 1018h"]);
     assert_eq!(names, ["drive-402", "node 7"]);
     let (notes, names) = found(&drives(1), "(1.0) can0 585#4318100102040000\n");
-    assert_eq!(notes, ["`1.eds` does not describe node 5, whose identity (1000h, 1018h) is another one"]);
+    assert_eq!(notes, ["`1.eds` does not describe node 5, whose identity (1000h, 1018h) differs"]);
     assert_eq!(names, ["node 5", "node 7"]);
 }
 
@@ -402,7 +402,7 @@ fn a_node_is_another_device_than_its_description() {
     let texts = |log: &'static str| {
         report(&drive, log).findings.into_iter().map(|event| event.text).collect::<Vec<_>>()
     };
-    let text = "drive-402: the vendor-ID is 12h, the description is of 3F9h: another device";
+    let text = "drive-402: the vendor-ID is 12h, expected 3F9h: a different device";
     assert_eq!(texts("(1.0) can0 605#4018100100000000\n(1.1) can0 585#4318100112000000\n"), [text]);
     assert_eq!(texts("(1.0) can0 605#4018100100000000\n(1.1) can0 585#43181001F9030000\n"), [""; 0]);
 }
@@ -417,8 +417,9 @@ fn cyclic_pdos_that_stop() {
         let pdo = |at: u32| if at < pdo_end { format!("(1{at:03}.6) can0 187#01\n") } else { String::new() };
         (0..90).map(|at| beats(at) + &pdo(at) + if at == pdo_end { more } else { "" }).collect::<String>()
     };
-    let text = "node 7 TPDO 1: nothing for 40900.000 ms, it came every 1000.000 ms, until the end of the log"
-        .to_owned();
+    let text =
+        "node 7 TPDO 1: not sent for 40900.000 ms, before that every 1000.000 ms, until the end of the log"
+            .to_owned();
     assert_eq!(said(&log(40, "")), [(IncidentState::Unresolved, text)]);
     assert_eq!(said(&log(40, "(1040.1) can0 000#0207\n")), []);
     assert_eq!(said(&log(90, "")), []);
@@ -527,13 +528,13 @@ fn consequences_belong_to_their_cause() {
 fn a_boot_up_takes_its_consequences() {
     let start = "(0.9) can0 705#05\n(1.0) can0 000#0105\n";
     let after = "(1.1) can0 705#00\n(1.15) can0 705#7F\n(1.2) can0 185#01\n(1.3) can0 085#1081110000000000\n";
-    let text = "node 5 boots up in operation, without a command, with 2 consequences".to_owned();
+    let text = "node 5 boots up during operation, without a command, with 2 consequences".to_owned();
     assert_eq!(said(&format!("{start}{after}")), [(IncidentState::Unresolved, text)]);
     let ends = format!("{start}(1.1) can0 705#00\n(1.2) can0 000#0105\n(1.3) can0 705#05\n");
-    let text = "node 5 boots up in operation, without a command; recovered after 0.100 s".to_owned();
+    let text = "node 5 boots up during operation, without a command; recovered after 0.100 s".to_owned();
     assert_eq!(said(&ends), [(IncidentState::Recovered, text)]);
     let storm: String = (1..9).map(|at| format!("({at}.0) can0 705#00\n")).collect();
-    let text = "node 5 boots again and again, 8 times".to_owned();
+    let text = "node 5 boots repeatedly, 8 times".to_owned();
     assert_eq!(said(&storm), [(IncidentState::Unresolved, text)]);
 }
 

@@ -357,10 +357,10 @@ fn messages_name_the_entry_and_the_reason() {
     };
     assert_eq!(
         message(SdoAnswer::Abort(Abort::NoSubIndex)),
-        ["the device lacks 1018h sub-index 1: it answers 06090011h: the object has no such sub-index"]
+        ["the device lacks 1018h sub-index 1: it responds with 06090011h: the object has no such sub-index"]
     );
     assert_eq!(message(SdoAnswer::Length(Some(2))), ["1018h sub-index 1 has 2 bytes, and UNSIGNED32 has 4"]);
-    assert_eq!(message(SdoAnswer::Silence), ["a request for 1018h sub-index 1 has no answer"]);
+    assert_eq!(message(SdoAnswer::Silence), ["no response to a request for 1018h sub-index 1"]);
 }
 
 /// The recorded boot of docs/guides/probe.md: the island of the book, which was not configured as its DCF says. `INSTA_UPDATE=always` writes it.

@@ -10,16 +10,16 @@ use super::{CheckStep, checks, ensure, impossible};
 
 checks! { "emergency":
     "7.2.7" "an error is reported once, and that it is gone" once;
-    "7.5.2.2" "the bits of 1001h come and go" register;
+    "7.5.2.2" "the bits of 1001h are set and cleared" register;
     "7.5.2.4" "1003h begins with the last error" history;
     "7.5.2.4" "1003h sub 1 without an error" |bench| { bench.described.needs(0x1003, 1)?; let read = bench.upload(0x1003, 1); ensure(read == Err(Abort::NoData), || super::described::answer(&read)) };
     "7.5.2.4" "0 to 1003h clears the history" clear;
-    "7.5.2.4" "another number to 1003h is refused" |bench| bench.refuse(0x1003, 0, 1, Abort::InvalidValue);
+    "7.5.2.4" "a number other than 0 to 1003h is rejected" |bench| bench.refuse(0x1003, 0, 1, Abort::InvalidValue);
     "7.5.2.17" "1014h: bit 31 ends the messages" disabled;
-    "7.5.2.17" "1014h: another CAN-ID" moved;
-    "7.5.2.17" "1014h: another CAN-ID while it is valid is refused" |bench| { let id = can_id(bench)?; bench.refuse(0x1014, 0, u64::from(id ^ 1), Abort::InvalidValue) };
-    "7.3.5" "1014h: a restricted CAN-ID is refused" |bench| { disable(bench)?; bench.refuse(0x1014, 0, 0x601, Abort::InvalidValue) };
-    "7.5.2.17" "1014h: a CAN-ID of 29 bits is refused" |bench| { disable(bench)?; bench.refuse(0x1014, 0, 0x2000_0081, Abort::InvalidValue) };
+    "7.5.2.17" "1014h: a new CAN-ID" moved;
+    "7.5.2.17" "1014h: a new CAN-ID while it is valid is rejected" |bench| { let id = can_id(bench)?; bench.refuse(0x1014, 0, u64::from(id ^ 1), Abort::InvalidValue) };
+    "7.3.5" "1014h: a restricted CAN-ID is rejected" |bench| { disable(bench)?; bench.refuse(0x1014, 0, 0x601, Abort::InvalidValue) };
+    "7.5.2.17" "1014h: a CAN-ID of 29 bits is rejected" |bench| { disable(bench)?; bench.refuse(0x1014, 0, 0x2000_0081, Abort::InvalidValue) };
     "7.5.2.18" "the inhibit time of 1015h" inhibited;
     "7.2.7" "no message in stopped" stopped;
     "7.2.7" "a reset ends the errors" reset;

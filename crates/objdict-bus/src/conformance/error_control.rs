@@ -13,15 +13,15 @@ checks! { "heartbeat":
     "7.5.2.20" "1017h of 0 ends the heartbeat" off;
     "7.5.2.19" "a node is monitored from its first heartbeat on" waits;
     "7.5.2.19" "a missing heartbeat: emergency 8130h" lost;
-    "7.5.2.19" "a heartbeat that is back: emergency 0000h" back;
-    "7.5.2.19" "a node that is monitored twice is refused" |bench| { monitor(bench)?; bench.refuse(0x1016, 2, MONITORED, Abort::Incompatible) };
+    "7.5.2.19" "a recovered heartbeat: emergency 0000h" back;
+    "7.5.2.19" "a node that is monitored twice is rejected" |bench| { monitor(bench)?; bench.refuse(0x1016, 2, MONITORED, Abort::Incompatible) };
     "7.5.2.19" "a time of 0 ends the monitoring" |bench| { lose_after(bench, |bench| bench.write(0x1016, 1, 0))?; silent(bench) };
     "7.5.2.32" "1029h sub 1 of 0: pre-operational after an error" |bench| behaviour(bench, Some(0), PRE_OPERATIONAL);
     "7.5.2.32" "1029h sub 1 of 1: no change of the state" |bench| behaviour(bench, Some(1), OPERATIONAL);
     "7.5.2.32" "1029h sub 1 of 2: stopped after an error" |bench| behaviour(bench, Some(2), STOPPED);
     "7.5.2.32" "1029h sub 1 of 2: the emergency leaves before" last_words;
-    "7.5.2.32" "1029h sub 1: a reserved value is refused" |bench| bench.refuse(0x1029, 1, 5, Abort::InvalidValue);
-    "7.5.2.19" "1016h: the node itself is refused" |bench| { let own = u64::from(bench.described.node_id) << 16 | TIME; bench.refuse(0x1016, 1, own, Abort::InvalidValue) };
+    "7.5.2.32" "1029h sub 1: a reserved value is rejected" |bench| bench.refuse(0x1029, 1, 5, Abort::InvalidValue);
+    "7.5.2.19" "1016h: the node itself is rejected" |bench| { let own = u64::from(bench.described.node_id) << 16 | TIME; bench.refuse(0x1016, 1, own, Abort::InvalidValue) };
 }
 
 /// The node that is monitored: another one than that of the bench.

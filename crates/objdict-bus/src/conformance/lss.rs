@@ -7,19 +7,19 @@ use super::described::hex;
 use super::{CheckStep, absent, checks, ensure, impossible};
 
 checks! { "LSS":
-    "CiA 305" "the waiting state answers no inquiry" |bench| line(bench)?.says(&[0x5A], NOTHING);
+    "CiA 305" "no response to inquiries in the waiting state" |bench| line(bench)?.says(&[0x5A], NOTHING);
     "CiA 305" "switch state global, and inquire the identity" inquire;
     "CiA 305" "switch state selective" |bench| by_identity(bench, &[0x40, 0x41, 0x42, 0x43], 0x44);
     "CiA 305" "identify a slave" |bench| by_identity(bench, &[0x46, 0x47, 0x48, 0x49, 0x4A, 0x4B], 0x4F);
     "CiA 305" "identify a slave without node-ID" |bench| { line(bench)?.says(&[0x4C], NOTHING)?; without_node_id(bench)?.says(&[0x4C], &[0x50]) };
     "CiA 305" "fastscan finds the identity of a slave without node-ID" fastscan;
-    "CiA 305" "fastscan: a slave with a node-ID does not answer" |bench| line(bench)?.says(&[0x51, 0, 0, 0, 0, 0x80], NOTHING);
-    "CiA 305" "a node-ID of 0 and of 128 is refused" |bench| { let mut line = line(bench)?; line.configure()?; line.says(&[0x11, 0], &[0x11, 1])?; line.says(&[0x11, 128], &[0x11, 1]) };
+    "CiA 305" "fastscan: a slave with a node-ID does not respond" |bench| line(bench)?.says(&[0x51, 0, 0, 0, 0, 0x80], NOTHING);
+    "CiA 305" "a node-ID of 0 and of 128 is rejected" |bench| { let mut line = line(bench)?; line.configure()?; line.says(&[0x11, 0], &[0x11, 1])?; line.says(&[0x11, 128], &[0x11, 1]) };
     "CiA 305" "a node-ID is valid after a reset" node_id;
     "CiA 305" "a slave without node-ID begins with the first one" first_node_id;
-    "CiA 305" "a bit rate of the description, and no other one" bit_rates;
+    "CiA 305" "only bit rates of the description" bit_rates;
     "CiA 305" "activate a bit rate: silent for both delays" activate;
-    "CiA 305" "store without a memory is refused" |bench| { let mut line = line(bench)?; line.configure()?; line.says(&[0x17], &[0x17, 1]) };
+    "CiA 305" "store without a memory is rejected" |bench| { let mut line = line(bench)?; line.configure()?; line.says(&[0x17], &[0x17, 1]) };
     "CiA 305" "store gives the application the node-ID" store;
 }
 

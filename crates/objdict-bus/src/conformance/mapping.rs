@@ -7,23 +7,23 @@ use super::pdo::{CheckedPdo, MappedTarget, PdoDirection, RPDO, TPDO, map, mappab
 use super::{CheckStep, Verdict, absent, checks, ensure};
 
 checks! { "PDO mapping":
-    "7.5.2.38" "a TPDO with another mapping sends its values" tpdo_procedure;
-    "7.5.2.36" "an RPDO with another mapping writes its values" rpdo_procedure;
+    "7.5.2.38" "a TPDO with a new mapping sends its values" tpdo_procedure;
+    "7.5.2.36" "an RPDO with a new mapping writes its values" rpdo_procedure;
     "7.5.2.36" "RPDO: dummies are left out" dummy;
-    "7.5.2.38" "TPDO: a change while it is valid is refused" @Writes |bench| while_valid(bench, TPDO);
-    "7.5.2.36" "RPDO: a change while it is valid is refused" @Writes |bench| while_valid(bench, RPDO);
-    "7.5.2.38" "TPDO: an entry while their number is not 0 is refused" @Writes |bench| while_counted(bench, TPDO);
-    "7.5.2.36" "RPDO: an entry while their number is not 0 is refused" @Writes |bench| while_counted(bench, RPDO);
-    "7.5.2.38" "TPDO: an object that does not exist is refused" @Writes |bench| no_object(bench, TPDO);
-    "7.5.2.36" "RPDO: an object that does not exist is refused" @Writes |bench| no_object(bench, RPDO);
-    "7.5.2.38" "TPDO: another length than that of the entry is refused" |bench| wrong_length(bench, TPDO);
-    "7.5.2.36" "RPDO: another length than that of the entry is refused" |bench| wrong_length(bench, RPDO);
-    "7.5.2.38" "TPDO: an entry that is not mappable is refused" @Writes |bench| { let entry = not_mappable(bench)?; refused(bench, TPDO, entry) };
-    "7.5.2.36" "RPDO: an entry that is not mappable is refused" @Writes |bench| { let entry = not_mappable(bench)?; refused(bench, RPDO, entry) };
-    "7.5.2.38" "TPDO: more entries than the mapping has are refused" @Writes |bench| too_many(bench, TPDO);
-    "7.5.2.36" "RPDO: more entries than the mapping has are refused" @Writes |bench| too_many(bench, RPDO);
-    "7.5.2.38" "TPDO: more than eight bytes are refused" @Writes |bench| too_long(bench, TPDO);
-    "7.5.2.36" "RPDO: more than eight bytes are refused" @Writes |bench| too_long(bench, RPDO);
+    "7.5.2.38" "TPDO: a change while it is valid is rejected" @Writes |bench| while_valid(bench, TPDO);
+    "7.5.2.36" "RPDO: a change while it is valid is rejected" @Writes |bench| while_valid(bench, RPDO);
+    "7.5.2.38" "TPDO: an entry while their number is not 0 is rejected" @Writes |bench| while_counted(bench, TPDO);
+    "7.5.2.36" "RPDO: an entry while their number is not 0 is rejected" @Writes |bench| while_counted(bench, RPDO);
+    "7.5.2.38" "TPDO: an object that does not exist is rejected" @Writes |bench| no_object(bench, TPDO);
+    "7.5.2.36" "RPDO: an object that does not exist is rejected" @Writes |bench| no_object(bench, RPDO);
+    "7.5.2.38" "TPDO: a length other than the entry's is rejected" |bench| wrong_length(bench, TPDO);
+    "7.5.2.36" "RPDO: a length other than the entry's is rejected" |bench| wrong_length(bench, RPDO);
+    "7.5.2.38" "TPDO: an entry that is not mappable is rejected" @Writes |bench| { let entry = not_mappable(bench)?; refused(bench, TPDO, entry) };
+    "7.5.2.36" "RPDO: an entry that is not mappable is rejected" @Writes |bench| { let entry = not_mappable(bench)?; refused(bench, RPDO, entry) };
+    "7.5.2.38" "TPDO: more entries than the mapping has are rejected" @Writes |bench| too_many(bench, TPDO);
+    "7.5.2.36" "RPDO: more entries than the mapping has are rejected" @Writes |bench| too_many(bench, RPDO);
+    "7.5.2.38" "TPDO: more than eight bytes are rejected" @Writes |bench| too_long(bench, TPDO);
+    "7.5.2.36" "RPDO: more than eight bytes are rejected" @Writes |bench| too_long(bench, RPDO);
 }
 
 /// A PDO that is not valid and has no mapped entry.

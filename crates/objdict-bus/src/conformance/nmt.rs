@@ -28,10 +28,10 @@ checks! { "NMT":
     "7.2.8.3.1" "reset communication in operational" @Commands |bench| reset(bench, START, RESET_COMMUNICATION);
     "7.2.8.3.1" "reset communication in stopped" @Commands |bench| reset(bench, STOP, RESET_COMMUNICATION);
     "7.2.8.3.1" "a command to all nodes is obeyed" |bench| frame(bench, &[STOP, 0], true);
-    "7.2.8.3.1" "a command to another node is ignored" |bench| { let other = bench.neighbour(); frame(bench, &[STOP, other], false) };
+    "7.2.8.3.1" "a command to a different node is ignored" |bench| { let other = bench.neighbour(); frame(bench, &[STOP, other], false) };
     "7.2.8.3.1" "an unknown command is ignored" @Commands |bench| { let node_id = bench.node_id() as u8; frame(bench, &[3, node_id], false) };
     "7.2.8.3.1" "a command of one byte is ignored" @Commands |bench| frame(bench, &[STOP], false);
-    "7.3.2.2" "no SDO is answered in stopped" @Commands |bench| { bench.command(STOP); let answers = bench.answers(); ensure(!answers, || "an SDO is answered".into()) };
+    "7.3.2.2" "no SDO response in stopped" @Commands |bench| { bench.command(STOP); let answers = bench.answers(); ensure(!answers, || "an SDO is answered".into()) };
 }
 
 fn boot_up(bench: &mut Bench<'_>) -> CheckStep {

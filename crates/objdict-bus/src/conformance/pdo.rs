@@ -21,12 +21,12 @@ checks! { "TPDO":
     "7.3.2.2" "no TPDO in pre-operational" |bench| silent_in(bench, ENTER_PRE_OPERATIONAL);
     "7.3.2.2" "no TPDO in stopped" |bench| silent_in(bench, STOP);
     "7.5.2.37" "bit 31 of the COB-ID: not sent" not_valid;
-    "7.5.2.37" "reserved transmission types are refused" |bench| reserved_types(bench, TPDO);
-    "7.5.2.37" "another CAN-ID while it is valid is refused" |bench| { let pdo = tpdo(bench, &[])?; pdo.refuse_cob_id(bench, u64::from(pdo.id) ^ 1) };
-    "7.3.5" "a restricted CAN-ID is refused" |bench| { let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x601) };
-    "7.5.2.37" "a CAN-ID of 29 bits is refused" |bench| { let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x2000_0181) };
-    "7.5.2.37" "an inhibit time while it is valid is refused" |bench| { let pdo = tpdo(bench, &[(3, 10)])?; bench.refuse(pdo.communication, 3, 11, Abort::InvalidValue) };
-    "7.5.2.37" "a SYNC start value while it is valid is refused" |bench| { let pdo = tpdo(bench, &[(6, 1)])?; bench.refuse(pdo.communication, 6, 2, Abort::InvalidValue) };
+    "7.5.2.37" "reserved transmission types are rejected" |bench| reserved_types(bench, TPDO);
+    "7.5.2.37" "a new CAN-ID while it is valid is rejected" |bench| { let pdo = tpdo(bench, &[])?; pdo.refuse_cob_id(bench, u64::from(pdo.id) ^ 1) };
+    "7.3.5" "a restricted CAN-ID is rejected" |bench| { let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x601) };
+    "7.5.2.37" "a CAN-ID of 29 bits is rejected" |bench| { let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x2000_0181) };
+    "7.5.2.37" "an inhibit time while it is valid is rejected" |bench| { let pdo = tpdo(bench, &[(3, 10)])?; bench.refuse(pdo.communication, 3, 11, Abort::InvalidValue) };
+    "7.5.2.37" "a SYNC start value while it is valid is rejected" |bench| { let pdo = tpdo(bench, &[(6, 1)])?; bench.refuse(pdo.communication, 6, 2, Abort::InvalidValue) };
 }
 
 /// A kind of PDOs.

@@ -10,15 +10,15 @@ use super::{CheckStep, checks, ensure};
 checks! { "programs":
     "CiA 302-3" "1F51h: clear, 1F50h: download, 1F51h: start" |bench| { load(bench, &PROGRAM)?; bench.write(CONTROL, 1, START)?; state_is(bench, 1) };
     "CiA 302-3" "1F51h: stop" |bench| { load(bench, &PROGRAM)?; bench.write(CONTROL, 1, START)?; bench.write(CONTROL, 1, STOP)?; state_is(bench, 0) };
-    "CiA 302-3" "1F51h: clear while the program runs is refused" |bench| { load(bench, &PROGRAM)?; bench.write(CONTROL, 1, START)?; bench.refuse(CONTROL, 1, CLEAR, Abort::DeviceState) };
-    "CiA 302-3" "1F51h: start without a program is refused" |bench| { clear(bench)?; bench.refuse(CONTROL, 1, START, Abort::DeviceState) };
-    "CiA 302-3" "1F51h: an unknown command is refused" |bench| { clear(bench)?; bench.refuse(CONTROL, 1, 0x7F, Abort::InvalidValue) };
-    "CiA 302-3" "1F50h: a download before clear is refused" |bench| { load(bench, &PROGRAM)?; bench.refuse_bytes(DATA, 1, &PROGRAM, Abort::DeviceState) };
+    "CiA 302-3" "1F51h: clear while the program runs is rejected" |bench| { load(bench, &PROGRAM)?; bench.write(CONTROL, 1, START)?; bench.refuse(CONTROL, 1, CLEAR, Abort::DeviceState) };
+    "CiA 302-3" "1F51h: start without a program is rejected" |bench| { clear(bench)?; bench.refuse(CONTROL, 1, START, Abort::DeviceState) };
+    "CiA 302-3" "1F51h: an unknown command is rejected" |bench| { clear(bench)?; bench.refuse(CONTROL, 1, 0x7F, Abort::InvalidValue) };
+    "CiA 302-3" "1F50h: a download before clear is rejected" |bench| { load(bench, &PROGRAM)?; bench.refuse_bytes(DATA, 1, &PROGRAM, Abort::DeviceState) };
     "CiA 302-3" "1F50h: a download in blocks" |bench| { clear(bench)?; ok(bench.download_block(DATA, 1, &PROGRAM))?; bench.write(CONTROL, 1, START) };
-    "CiA 302-3" "1F50h: more than the memory holds is refused" |bench| { clear(bench)?; bench.refuse_bytes(DATA, 1, &[0; ROOM + 1], Abort::OutOfMemory) };
+    "CiA 302-3" "1F50h: more than the memory holds is rejected" |bench| { clear(bench)?; bench.refuse_bytes(DATA, 1, &[0; ROOM + 1], Abort::OutOfMemory) };
     "CiA 302-3" "1F50h: the program reads as it was downloaded" |bench| { load(bench, &PROGRAM)?; bench.expect(DATA, 1, &PROGRAM) };
-    "CiA 302-3" "1F50h: a download that is given up leaves no program" give_up;
-    "CiA 302-3" "1F56h: another program, another number" |bench| { let other = [PROGRAM, [0; LENGTH]].concat(); let first = identified(bench, &PROGRAM)?; let second = identified(bench, &other)?; ensure(first != second, || format!("{first:X}h twice")) };
+    "CiA 302-3" "1F50h: an aborted download leaves no program" give_up;
+    "CiA 302-3" "1F56h: a different program, a different number" |bench| { let other = [PROGRAM, [0; LENGTH]].concat(); let first = identified(bench, &PROGRAM)?; let second = identified(bench, &other)?; ensure(first != second, || format!("{first:X}h twice")) };
     "CiA 302-3" "1F57h: start without a program" |bench| { clear(bench)?; bench.refuse(CONTROL, 1, START, Abort::DeviceState)?; status_is(bench, 1) };
     "CiA 302-3" "1F57h: a download before clear, and none after it" |bench| { load(bench, &PROGRAM)?; bench.refuse_bytes(DATA, 1, &PROGRAM, Abort::DeviceState)?; status_is(bench, 4)?; clear(bench)?; status_is(bench, 0) };
 }

@@ -20,11 +20,11 @@ checks! { "RPDO":
     "7.2.7" "too long: the first bytes, emergency 8220h" too_long;
     "7.2.2" "missing for its event timer: emergency 8250h" overdue;
     "7.2.2" "two RPDOs with one CAN-ID are both written" both;
-    "7.5.2.35" "reserved transmission types are refused" |bench| reserved_types(bench, RPDO);
-    "7.5.2.35" "another CAN-ID while it is valid is refused" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.refuse_cob_id(bench, u64::from(pdo.id) ^ 1) };
-    "7.3.5" "a restricted CAN-ID is refused" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x601) };
-    "7.5.2.35" "a CAN-ID of 29 bits is refused" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x2000_0201) };
-    "7.3.5" "the CAN-ID of SYNC is refused" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.disable(bench)?; let id = sync_id(bench)?; pdo.refuse_cob_id(bench, u64::from(id)) };
+    "7.5.2.35" "reserved transmission types are rejected" |bench| reserved_types(bench, RPDO);
+    "7.5.2.35" "a new CAN-ID while it is valid is rejected" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.refuse_cob_id(bench, u64::from(pdo.id) ^ 1) };
+    "7.3.5" "a restricted CAN-ID is rejected" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x601) };
+    "7.5.2.35" "a CAN-ID of 29 bits is rejected" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, 0x2000_0201) };
+    "7.3.5" "the CAN-ID of SYNC is rejected" |bench| { let pdo = set_up(bench, RPDO, &[])?; pdo.disable(bench)?; let id = sync_id(bench)?; pdo.refuse_cob_id(bench, u64::from(id)) };
 }
 
 /// A frame that gives a mapped entry another value: the frame, the entry, and its old and new value.

@@ -18,13 +18,13 @@ checks! { "SDO":
     "7.2.4.3" "block download: the lost end of a sub-block is sent again" lost_end;
     "7.2.4.3" "block upload: lost segments are sent again" lost_upload;
     "7.2.4.3" "block upload: sub-blocks of the size that the client wants" @Reads small_blocks;
-    "7.2.4" "the SDO of another node is ignored" |bench| { let id = 0x600 + u16::from(bench.neighbour()); let sent = bench.send(id, &[0x40, 0, 0x10, 0, 0, 0, 0, 0]); ensure(sent.is_empty(), || "an answer".into()) };
+    "7.2.4" "the SDO of a different node is ignored" |bench| { let id = 0x600 + u16::from(bench.neighbour()); let sent = bench.send(id, &[0x40, 0, 0x10, 0, 0, 0, 0, 0]); ensure(sent.is_empty(), || "an answer".into()) };
     "7.2.4.3" "a frame of seven bytes is ignored" |bench| { let answered = bench.answer_of(&[0x40, 0, 0x10, 0, 0, 0, 0]); ensure(answered.is_none(), || "an answer".into()) };
-    "7.5.2.33" "the COB-IDs of 1200h are those of the node-ID" @Reads default_channel;
-    "7.5.2.33" "other COB-IDs in 1200h are refused" @Writes |bench| { let id = 0x6A0; bench.refuse(0x1200, 1, id, Abort::InvalidValue) };
-    "7.5.2.33" "a second SDO server, as 1201h says" second_channel;
-    "7.5.2.33" "1201h: a restricted CAN-ID is refused" |bench| { close(bench)?; bench.refuse(0x1201, 1, 0x601, Abort::InvalidValue) };
-    "7.5.2.33" "1201h: another CAN-ID while it is valid is refused" |bench| { open(bench)?; bench.refuse(0x1201, 1, u64::from(CHANNEL[0] + 1), Abort::InvalidValue) };
+    "7.5.2.33" "the COB-IDs in 1200h follow the node-ID" @Reads default_channel;
+    "7.5.2.33" "other COB-IDs in 1200h are rejected" @Writes |bench| { let id = 0x6A0; bench.refuse(0x1200, 1, id, Abort::InvalidValue) };
+    "7.5.2.33" "a second SDO server, as in 1201h" second_channel;
+    "7.5.2.33" "1201h: a restricted CAN-ID is rejected" |bench| { close(bench)?; bench.refuse(0x1201, 1, 0x601, Abort::InvalidValue) };
+    "7.5.2.33" "1201h: a new CAN-ID while it is valid is rejected" |bench| { open(bench)?; bench.refuse(0x1201, 1, u64::from(CHANNEL[0] + 1), Abort::InvalidValue) };
 }
 
 const LONGEST: usize = 1 << 15;

@@ -7,15 +7,15 @@ use super::described::{DescribedEntry, hex, place};
 use super::{CheckRun, CheckStep, ServiceCheck, absent, checks, ensure, impossible};
 
 checks! { "storage":
-    "7.3.2.2.1" "reset node gives back the values of 2000h to 9FFFh" |bench| reset(bench, RESET_NODE, true, true);
-    "7.3.2.2.1" "reset node gives back the values of 1000h to 1FFFh" |bench| reset(bench, RESET_NODE, false, true);
-    "7.3.2.2.1" "reset communication gives back the values of 1000h to 1FFFh" |bench| reset(bench, RESET_COMMUNICATION, false, true);
+    "7.3.2.2.1" "reset node restores the values of 2000h to 9FFFh" |bench| reset(bench, RESET_NODE, true, true);
+    "7.3.2.2.1" "reset node restores the values of 1000h to 1FFFh" |bench| reset(bench, RESET_NODE, false, true);
+    "7.3.2.2.1" "reset communication restores the values of 1000h to 1FFFh" |bench| reset(bench, RESET_COMMUNICATION, false, true);
     "7.3.2.2.1" "reset communication keeps the values of 2000h to 9FFFh" |bench| reset(bench, RESET_COMMUNICATION, true, false);
-    "7.5.2.13" "1010h: another signature is refused" |bench| bench.refuse(0x1010, 1, u64::from(u32::from_le_bytes(*b"load")), Abort::CannotStore);
-    "7.5.2.14" "1011h: another signature is refused" |bench| bench.refuse(0x1011, 1, u64::from(u32::from_le_bytes(*b"save")), Abort::CannotStore);
+    "7.5.2.13" "1010h: a wrong signature is rejected" |bench| bench.refuse(0x1010, 1, u64::from(u32::from_le_bytes(*b"load")), Abort::CannotStore);
+    "7.5.2.14" "1011h: a wrong signature is rejected" |bench| bench.refuse(0x1011, 1, u64::from(u32::from_le_bytes(*b"save")), Abort::CannotStore);
     "7.5.2.13" "1010h: stored values survive a reset" |bench| store(bench, true);
-    "7.5.2.14" "1011h: the defaults are back after a reset" restore;
-    "7.5.2.23" "1020h: cleared when another value changes" |bench| configure(bench, true);
+    "7.5.2.14" "1011h: the defaults apply after a reset" restore;
+    "7.5.2.23" "1020h: cleared when a different value changes" |bench| configure(bench, true);
     "7.5.2.23" "1020h: kept when a value is written again" |bench| configure(bench, false);
 }
 

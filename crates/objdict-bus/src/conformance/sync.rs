@@ -11,17 +11,17 @@ use super::{CheckStep, checks, ensure, impossible};
 checks! { "SYNC":
     "7.2.5" "bit 30 of 1005h: the period of 1006h" period;
     "7.2.5" "the counter of 1019h" counter;
-    "7.2.5" "no SYNC in stopped, and the counter begins anew" restart;
-    "7.5.2.5" "1005h: another CAN-ID while the node sends SYNC is refused" |bench| { produce(bench)?; bench.refuse(0x1005, 0, 0x4000_0090, Abort::InvalidValue) };
-    "7.5.2.5" "1005h: bit 30 without 1006h is refused" without_period;
-    "7.3.5" "1005h: a restricted CAN-ID is refused" |bench| bench.refuse(0x1005, 0, 0x601, Abort::InvalidValue);
-    "7.5.2.5" "1005h: a CAN-ID of 29 bits is refused" |bench| bench.refuse(0x1005, 0, 0x2000_0080, Abort::InvalidValue);
-    "7.3.5" "1005h: the CAN-ID of a PDO is refused" |bench| { let pdo = tpdo(bench, &[])?; bench.refuse(0x1005, 0, pdo.id.into(), Abort::InvalidValue) };
-    "7.3.5" "a PDO: the CAN-ID of SYNC is refused" |bench| { let id = sync_id(bench)?; let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, id.into()) };
-    "7.5.2.5" "1005h: another CAN-ID" |bench| { bench.write(0x1005, 0, 0x90)?; bench.expect(0x1005, 0, &[0x90, 0, 0, 0]) };
-    "7.5.2.22" "1019h of 1 is refused" |bench| { idle(bench)?; bench.refuse(0x1019, 0, 1, Abort::InvalidValue) };
-    "7.5.2.22" "1019h above 240 is refused" |bench| { idle(bench)?; bench.refuse(0x1019, 0, 241, Abort::InvalidValue) };
-    "7.5.2.22" "1019h while 1006h is not 0 is refused" |bench| { bench.write(0x1006, 0, PERIOD)?; let other = if bench.described.number(0x1019, 0) == 10 { 11 } else { 10 }; bench.refuse(0x1019, 0, other, Abort::DeviceState) };
+    "7.2.5" "no SYNC in stopped, and the counter restarts" restart;
+    "7.5.2.5" "1005h: a new CAN-ID while the node sends SYNC is rejected" |bench| { produce(bench)?; bench.refuse(0x1005, 0, 0x4000_0090, Abort::InvalidValue) };
+    "7.5.2.5" "1005h: bit 30 without 1006h is rejected" without_period;
+    "7.3.5" "1005h: a restricted CAN-ID is rejected" |bench| bench.refuse(0x1005, 0, 0x601, Abort::InvalidValue);
+    "7.5.2.5" "1005h: a CAN-ID of 29 bits is rejected" |bench| bench.refuse(0x1005, 0, 0x2000_0080, Abort::InvalidValue);
+    "7.3.5" "1005h: the CAN-ID of a PDO is rejected" |bench| { let pdo = tpdo(bench, &[])?; bench.refuse(0x1005, 0, pdo.id.into(), Abort::InvalidValue) };
+    "7.3.5" "a PDO: the CAN-ID of SYNC is rejected" |bench| { let id = sync_id(bench)?; let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, id.into()) };
+    "7.5.2.5" "1005h: a new CAN-ID" |bench| { bench.write(0x1005, 0, 0x90)?; bench.expect(0x1005, 0, &[0x90, 0, 0, 0]) };
+    "7.5.2.22" "1019h of 1 is rejected" |bench| { idle(bench)?; bench.refuse(0x1019, 0, 1, Abort::InvalidValue) };
+    "7.5.2.22" "1019h above 240 is rejected" |bench| { idle(bench)?; bench.refuse(0x1019, 0, 241, Abort::InvalidValue) };
+    "7.5.2.22" "1019h while 1006h is not 0 is rejected" |bench| { bench.write(0x1006, 0, PERIOD)?; let other = if bench.described.number(0x1019, 0) == 10 { 11 } else { 10 }; bench.refuse(0x1019, 0, other, Abort::DeviceState) };
     "7.2.7" "a SYNC of a wrong length: emergency 8240h" wrong_length;
 }
 

@@ -17,13 +17,13 @@ checks! { SERVICE:
     "7.2.2" "PDO requests by remote frames" remote;
     "7.3.3" "CAN-IDs of 29 bits" extended;
     "CiA 302-3" "programs after the first one" further_programs;
-    "7.5.2.7" "1007h: a window is refused" |bench| refused(bench, 0x1007, 0, 1000);
-    "7.5.2.11" "100Ch: a guard time is refused" |bench| refused(bench, 0x100C, 0, 100);
-    "7.5.2.12" "100Dh: a life time factor is refused" |bench| refused(bench, 0x100D, 0, 3);
-    "7.5.2.31" "1028h: an emergency consumer is refused" |bench| refused(bench, 0x1028, 1, 0x83);
-    "7.5.2.34" "1280h: an SDO client is refused" |bench| refused(bench, 0x1280, 1, 0x603);
-    "CiA 302-2" "1F80h: an NMT master is refused" |bench| refused(bench, 0x1F80, 0, 1);
-    "7.5.2.37" "1800h sub 1: remote frames are refused" remote_frames;
+    "7.5.2.7" "1007h: a window is rejected" |bench| refused(bench, 0x1007, 0, 1000);
+    "7.5.2.11" "100Ch: a guard time is rejected" |bench| refused(bench, 0x100C, 0, 100);
+    "7.5.2.12" "100Dh: a life time factor is rejected" |bench| refused(bench, 0x100D, 0, 3);
+    "7.5.2.31" "1028h: an emergency consumer is rejected" |bench| refused(bench, 0x1028, 1, 0x83);
+    "7.5.2.34" "1280h: an SDO client is rejected" |bench| refused(bench, 0x1280, 1, 0x603);
+    "CiA 302-2" "1F80h: an NMT master is rejected" |bench| refused(bench, 0x1F80, 0, 1);
+    "7.5.2.37" "1800h sub 1: remote frames are rejected" remote_frames;
 }
 
 /// A value that would switch a service on is refused, unless the description has it.

@@ -78,14 +78,14 @@ impl BootFailure {
 
 // a sentence without its subject, the node: `has 1018:01 = 000003F9h, but …`
 objdict_model::messages! { BootFailure: {
-    Self::NoAnswer(Abort::Timeout) => "does not answer";
+    Self::NoAnswer(Abort::Timeout) => "does not respond";
     Self::NoAnswer(abort) => "aborts the upload of 1000:00: {abort}";
     Self::Identity { index, sub, expected, found } =>
         "{}", compared((*index, *sub), *expected, *found, expecting(*index, *sub));
     Self::NoState(time) =>
         "sends no heartbeat within {time} ms (1016h), so the manager does not know whether it is operational (1F81h bit 4)";
     Self::NoGuarding =>
-        "does not answer to node guarding, so the manager does not know whether it is operational (1F81h bit 4)";
+        "does not respond to node guarding, so the manager does not know whether it is operational (1F81h bit 4)";
     Self::NoRestart => "does not restart within 1 s";
     Self::NoSoftwareExpected => "is to be checked for its software (1F81h bit 5), but 1F55h is 0";
     Self::Software { expected, found } => "{}", compared((0x1F56, 1), *expected, *found, 0x1F55);

@@ -113,7 +113,7 @@ fn a_missing_node_keeps_the_network_waiting_only_if_it_is_mandatory() {
     assert_eq!(outcome(&run, 1).state, Some(NmtState::Operational));
 
     let run = network.with_manager(&[(0x1F81, 5, 0x0D), (0x1F89, 0, 3000)]).boot();
-    assert_eq!(failure(&run, 5), ('B', "does not answer".to_owned()));
+    assert_eq!(failure(&run, 5), ('B', "does not respond".to_owned()));
     // asked after 0.5 s and again a second after each time that it did not answer
     assert_eq!(frames(&run).iter().filter(|frame| *frame == "605 4000100000000000").count(), 3);
     assert_eq!(outcome(&run, 6).state, Some(NmtState::Operational));

@@ -137,7 +137,7 @@ fn write_undo(args: &BusApplyArgs, change: &Change<'_>) -> Result<PathBuf, Failu
     if path.exists() {
         let failure =
             Failure::new(format_args!("`{}` exists, and may undo an earlier change", name_of(&path)));
-        return Err(failure.help("move it, or name another file with `--undo`"));
+        return Err(failure.help("move it, or name a different file with `--undo`"));
     }
     require_other(&path)?;
     let undo = undo(change.downloads, change.present);

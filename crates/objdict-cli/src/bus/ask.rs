@@ -61,7 +61,7 @@ pub(crate) fn ask(
         return Err(error.into());
     }
     if exchanges.iter().all(|exchange| exchange.answer == SdoAnswer::Silence) {
-        let failure = Failure::new(format_args!("node {node_id} does not answer"));
+        let failure = Failure::new(format_args!("node {node_id} does not respond"));
         return Err(failure.help("name the node with `--node-id`; `objdict bus scan` lists the nodes"));
     }
     Ok(exchanges)

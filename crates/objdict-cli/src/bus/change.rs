@@ -94,7 +94,7 @@ impl BusSession {
         args: &BusChangeArgs,
     ) -> Result<(), Failure> {
         if self.client.has_master() && !self.client.states().is_empty() && is_configured && !args.force {
-            let failure = Failure::new("another NMT or LSS master is at work on this bus");
+            let failure = Failure::new("a different NMT or LSS master is active on this bus");
             return Err(failure.help("stop it, or pass `--force`"));
         }
         let other = self.client.other_identity(node_id, device)?;

@@ -44,7 +44,7 @@ fn scan(args: &BusLssScanArgs, out: &mut Output) -> Result<Outcome, Failure> {
     match (args.connect.format, identity) {
         (ShowFormat::Json, identity) => out.json(&LssJson { version: Version, identity })?,
         (ShowFormat::Table, Some(identity)) => writeln!(out, "{}", spelled(identity))?,
-        (ShowFormat::Table, None) => writeln!(out, "no device without a node-ID answers")?,
+        (ShowFormat::Table, None) => writeln!(out, "no device without a node-ID responds")?,
     }
     Ok(Outcome::Clean)
 }
@@ -56,7 +56,7 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
     let own: &[u8] = if args.identity.is_some() { &[args.node] } else { &[] };
     session.require_alone(args.alone, own)?;
     if session.client.states().contains_key(&args.node) && !has_node_id(&mut session, args)? {
-        return Err(Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign another one"));
+        return Err(Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign a different one"));
     }
     let mut document = BusCommandJson::new("lss assign", false);
     in_lss(&mut session, |session| {
@@ -156,11 +156,11 @@ pub(super) fn selected(
         Some(identity) if session.client.lss_select(identity)? => Ok(identity),
         Some(identity) => {
             let failure =
-                Failure::new(format_args!("no device with the identity {} answers", spelled(identity)));
+                Failure::new(format_args!("no device with the identity {} responds", spelled(identity)));
             Err(failure.help("read 1018h of the device, or leave out `--identity`"))
         }
         None => session.client.fastscan()?.ok_or_else(|| {
-            let failure = Failure::new("no device without a node-ID answers");
+            let failure = Failure::new("no device without a node-ID responds");
             failure.help("switch it on alone; a device that has a node-ID needs `--identity`")
         }),
     }

@@ -78,8 +78,7 @@ fn require_same_type(slave: &Slave, identity: LssIdentity) -> Result<(), Failure
         [(vendor, identity[0], "vendor-ID"), (product, identity[1], "product code")]
     {
         if expected != 0 && expected != found {
-            let message =
-                format!("the new device is another one: its {what} is {found:X}h, expected {expected:X}h");
+            let message = format!("the new device differs: its {what} is {found:X}h, expected {expected:X}h");
             return Err(Failure::new(message).help("connect a device of the same type"));
         }
     }

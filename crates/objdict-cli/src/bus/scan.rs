@@ -99,7 +99,7 @@ pub(super) fn run(args: &BusScanArgs, out: &mut Output) -> Result<Outcome, Failu
                 None if is_empty => "; the bus is silent, so its bit rate is unknown".to_owned(),
                 None => String::new(),
             };
-            let master = if has_master { "; another NMT or LSS master is at work" } else { "" };
+            let master = if has_master { "; a different NMT or LSS master is active" } else { "" };
             writeln!(out, "{count} on {}{rate}{master}", session.name)?;
         }
     }

@@ -182,9 +182,9 @@ impl ServedFiles {
         }
         if self.read(number)?.1 != expected {
             let help =
-                "save your version under another name, or close the file and open it again from the list";
+                "save your version under a different name, or close the file and open it again from the list";
             let message =
-                format!("`{name}` was changed by another program since it was read, so it was not saved");
+                format!("`{name}` was changed by a different program since it was read, so it was not saved");
             return Err(HttpRefusal::new(412, message).help(help));
         }
         save_in_place(&file.path, bytes).map_err(|failure| HttpRefusal(500, failure))?;

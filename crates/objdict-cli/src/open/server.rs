@@ -49,7 +49,7 @@ pub(crate) fn run(args: &OpenArgs, texts: &Texts, out: &mut Output) -> Result<Ou
     let files = ServedFiles::gather(args)?;
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
         let message = format!("cannot listen on port {}: {error}", args.port);
-        Failure::new(message).help("choose another one with `--port`, or leave it out")
+        Failure::new(message).help("choose a different one with `--port`, or leave it out")
     })?;
     let port = listener.local_addr()?.port();
     let count = files.count();
@@ -232,13 +232,13 @@ impl PageServer {
         let hosts = ["127.0.0.1", "localhost"].map(|host| format!("{host}:{}", self.port));
         let host = request.header("host")?.unwrap_or_default();
         if !hosts.iter().any(|own| own == host) {
-            return Err(HttpRefusal::new(403, "the request is for another host"));
+            return Err(HttpRefusal::new(403, "the request is for a different host"));
         }
         let origin = request.header("origin")?;
         let is_own = origin
             .map_or(matches!(&*request.method, "GET" | "HEAD"), |origin| origin == format!("http://{host}"));
         if !is_own {
-            return Err(HttpRefusal::new(403, "the request is from the page of another site"));
+            return Err(HttpRefusal::new(403, "the request is from the page of a different site"));
         }
         let (token, path) =
             request.target.strip_prefix('/').and_then(|path| path.split_once('/')).unwrap_or_default();

@@ -144,7 +144,7 @@ impl Blf {
                 Ok(content) => self.unpacked.extend(content),
                 Err(_) => state.bad("the container cannot be unpacked"),
             },
-            _ => state.bad("the container is packed in another way than by zlib"),
+            _ => state.bad("the container is not packed with zlib"),
         }
         Ok(())
     }

@@ -86,7 +86,7 @@ class Probe:
             return None
         except canopen.SdoCommunicationError:
             if not self.is_there and len(self.rows) >= self.PATIENCE:
-                raise TimeoutError(f"node {self.node.id} does not answer") from None
+                raise TimeoutError(f"node {self.node.id} does not respond") from None
             return None
         self.is_there = True
         if value is None:

@@ -216,7 +216,7 @@ pub(super) fn of_download(entry: &Expectation, bytes: &[u8], answer: &SdoAnswer)
         }
         None => {
             let abort = abort.filter(|_| !is_service(entry.index))?;
-            let message = say!("{} refuses {} with {}", place, entry.shown(bytes), words(abort));
+            let message = say!("{} rejects {} with {}", place, entry.shown(bytes), words(abort));
             contradiction(&REFUSED_VALUE, Aspect::Entry, message)
         }
     }
@@ -237,11 +237,15 @@ fn of_wrong_size(entry: &Expectation, bytes: &[u8], abort: Option<Abort>) -> Pro
 }
 
 fn no_answer(place: &str) -> ProbeVerdict {
-    contradiction(&NO_ANSWER, Aspect::Entry, say!("a request for {} has no answer", place))
+    contradiction(&NO_ANSWER, Aspect::Entry, say!("no response to a request for {}", place))
 }
 
 fn absent(place: &str, abort: Abort) -> ProbeVerdict {
-    contradiction(&ABSENT, Aspect::Entry, say!("the device lacks {}: it answers {}", place, words(abort)))
+    contradiction(
+        &ABSENT,
+        Aspect::Entry,
+        say!("the device lacks {}: it responds with {}", place, words(abort)),
+    )
 }
 
 fn wrong_abort(place: &str, what: &str, abort: Abort, right: Abort) -> ProbeVerdict {

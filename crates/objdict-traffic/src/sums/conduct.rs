@@ -24,7 +24,7 @@ const PATIENCE: i64 = 1_000_000_000;
 /// A node is started so many nanoseconds after its boot-up message.
 const START_TIME: i64 = 2_000_000_000;
 
-/// So many nanoseconds are between the boot-up messages of a node that boots again and again.
+/// So many nanoseconds are between the boot-up messages of a node that boots repeatedly.
 const BOOT_TIME: i64 = 10_000_000_000;
 
 /// So many boot-up messages are too many.
@@ -169,7 +169,7 @@ impl Conduct {
         let name = || sight.name(node_id);
         if is_unexpected {
             node.is_down = true;
-            let text = || format!("{} boots up in operation, without a command", name());
+            let text = || format!("{} boots up during operation, without a command", name());
             book.against(Subject::new(&rules::UNEXPECTED_BOOT_UP, node_id, 0), moment.clone(), text);
         }
         let (waiting, count) = &mut node.boot_ups;
@@ -183,7 +183,7 @@ impl Conduct {
         if *count >= BOOT_UPS {
             node.is_down = true;
             for moment in waiting.drain(..) {
-                let text = || format!("{} boots again and again", name());
+                let text = || format!("{} boots repeatedly", name());
                 book.against(Subject::new(&rules::REPEATED_BOOT, node_id, 0), moment, text);
             }
         }
@@ -291,7 +291,7 @@ impl Conduct {
             for (node, node_id) in self.nodes.iter_mut().zip(0..).filter(|(node, _)| is_missing(node)) {
                 let Some(moment) = node.addressed.take() else { continue };
                 let text =
-                    || format!("{} does not answer: no frame of it is in the log", bus.reader.name(node_id));
+                    || format!("{} does not respond: the log has no frame from it", bus.reader.name(node_id));
                 book.against(Subject::new(&rules::MISSING_NODE, node_id, 0), moment, text);
             }
         }
@@ -328,7 +328,7 @@ pub(super) fn about(sdo: SdoFrame) -> u32 {
 
 fn without_answer(bus: &Bus<'_>, node_id: u8, entry: Option<(u16, u8)>) -> String {
     let entry = entry.map_or_else(String::new, |entry| bus.reader.entry_name(node_id, entry));
-    format!("{}: the request for {entry} has no answer", bus.reader.name(node_id))
+    format!("{}: no response to the request for {entry}", bus.reader.name(node_id))
 }
 
 /// Whether a client begins a transfer.
@@ -370,8 +370,7 @@ impl ChannelConduct {
         let value = bus.reader.transfer(decoded)?.data();
         let is_other = |size: &u32| usize::try_from(*size).is_ok_and(|size| size != value.len());
         let size = self.size.take().filter(is_other);
-        let size =
-            size.map(|size| format!("{} of the {size} bytes were sent that were announced", value.len()));
+        let size = size.map(|size| format!("{} of the {size} announced bytes were sent", value.len()));
         let sent = data.get(1..3).map(|bytes| u16::from_le_bytes([bytes[0], bytes[1]]));
         let is_checked = sdo.step == TransferStep::BlockEnd && self.has_crc == [true; 2];
         let wrong = sent.filter(|sent| is_checked && *sent != crc(0, value));

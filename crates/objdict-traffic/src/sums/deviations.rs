@@ -142,39 +142,35 @@ impl ExpectedFrames {
             length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes; {bytes} are mapped"))),
             early.map(|(inhibit, distance)| {
                 let [distance, inhibit] = [distance, inhibit].map(milliseconds);
-                let text = format!(
-                    "{name} comes {distance} ms after the previous one; the inhibit time is {inhibit} ms"
-                );
+                let text = format!("{name} was sent after {distance} ms; its inhibit time is {inhibit} ms");
                 (&rules::INHIBIT_TIME, text)
             }),
             late.map(|(window, after)| {
                 let [after, window] = [after, window].map(milliseconds);
                 let text =
-                    format!("{name} comes {after} ms after SYNC; the synchronous window is {window} ms");
+                    format!("{name} was sent {after} ms after SYNC; the synchronous window is {window} ms");
                 (&rules::SYNC_WINDOW, text)
             }),
             overdue.map(|(timer, gap)| {
                 let [gap, timer] = [gap, timer].map(milliseconds);
-                let text =
-                    format!("{name} comes {gap} ms after the previous one; its event timer is {timer} ms");
+                let text = format!("{name} was sent after {gap} ms; its event timer is {timer} ms");
                 (&rules::EVENT_TIMER, text)
             }),
             missed.map(|(deadline, gap)| {
                 let [gap, deadline] = [gap, deadline].map(milliseconds);
-                let text = format!(
-                    "{name} comes {gap} ms after the previous one; the deadline of its receiver is {deadline} ms"
-                );
+                let text =
+                    format!("{name} was sent after {gap} ms; the deadline of its receiver is {deadline} ms");
                 (&rules::RPDO_DEADLINE, text)
             }),
             is_shared.then(|| {
                 let others = bus.reader.other_senders(decoded, &raw(frame));
                 let others: Vec<String> =
                     others.map(|(id, pdo)| format!("{} {pdo}", bus.reader.name(id))).collect();
-                let text = format!("{name} has the CAN-ID of {} too: both send it, probably", others.join(", "));
+                let text =
+                    format!("{name} has the CAN-ID of {} too: probably both send it", others.join(", "));
                 (&rules::SHARED_CAN_ID, text)
             }),
-            is_again
-                .then(|| (&rules::REPEATED_PDO, format!("{name} comes a second time after the same SYNC"))),
+            is_again.then(|| (&rules::REPEATED_PDO, format!("{name} was sent twice after one SYNC"))),
         ];
         texts.into_iter().flatten().collect()
     }
@@ -239,7 +235,7 @@ fn other_identity(device: &Device, (index, sub): (u16, u8), bytes: &[u8]) -> Opt
     let is = u32::from_le_bytes(bytes.try_into().ok()?) >> shift;
     let described = u32::try_from(device.value(index, sub)?.as_integer()?).ok()? >> shift;
     (described != 0 && is != described)
-        .then(|| format!("{what} is {is:X}h, the description is of {described:X}h: another device"))
+        .then(|| format!("{what} is {is:X}h, expected {described:X}h: a different device"))
 }
 
 /// The rule that an abort is against: of reads only those that break off are, as a client may ask for what a node does not have.

@@ -67,7 +67,7 @@ impl MessageSums {
             let [gap, period] = [gap, period].map(milliseconds);
             let (name, service) = (bus.reader.name(self.node_id.unwrap_or(0)), self.service);
             let service = service.map_or_else(String::new, |service| service.to_string());
-            format!("{name} {service}: nothing for {gap} ms, it came every {period} ms")
+            format!("{name} {service}: not sent for {gap} ms, before that every {period} ms")
         })
     }
 }

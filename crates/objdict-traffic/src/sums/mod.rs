@@ -361,7 +361,7 @@ impl BusSums {
         let [gap, period] = [gap, period].map(milliseconds);
         let subject = Subject::new(&rules::SYNC_CYCLE, node_id, is_early.into());
         let many = if is_early { ", probably of a second producer: a frame has no sender" } else { "" };
-        let text = || format!("SYNC comes {gap} ms after the previous one; its period is {period} ms{many}");
+        let text = || format!("SYNC was sent after {gap} ms; its period is {period} ms{many}");
         self.book.against(subject, sight.seen(), text);
     }
 
@@ -406,7 +406,7 @@ impl BusSums {
                 node.guarding.0 += 1;
                 if node.guarding == (GUARDINGS, true) {
                     let subject = Subject::new(&rules::SILENT_NODE, node_id, 0);
-                    let text = || format!("{} does not answer guarding", sight.name(node_id));
+                    let text = || format!("{} does not respond to guarding", sight.name(node_id));
                     self.book.against(subject, sight.seen(), text);
                 }
             }

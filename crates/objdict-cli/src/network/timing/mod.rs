@@ -214,7 +214,7 @@ impl TimingReport<'_> {
         };
         writeln!(out, "\nConfiguration at boot\n")?;
         let mut table =
-            TextTable::new(["Node", "Name", "", "Downloads", "Frames", "With answers", "Limit", ""], CELL);
+            TextTable::new(["Node", "Name", "", "Downloads", "Frames", "With responses", "Limit", ""], CELL);
         for node in &boot.nodes {
             let is_limited = node.is_mandatory && boot.limit != 0;
             table.row([

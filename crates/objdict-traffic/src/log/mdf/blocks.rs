@@ -156,6 +156,6 @@ fn unpacked(data: &[u8]) -> Result<Vec<u8>, &'static str> {
             let cells = (0..rows * columns).map(|at| table[at % columns * rows + at / columns]);
             Ok(cells.chain(rest.iter().copied()).collect())
         }
-        _ => Err("the block is packed in another way than by zlib"),
+        _ => Err("the block is not packed with zlib"),
     }
 }
