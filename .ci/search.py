@@ -5,7 +5,9 @@ A rule must be found by its id, its name and its title, an option and a key by t
 
 import functools
 import json
+import os
 import queue
+import signal
 import subprocess
 import sys
 import tempfile
@@ -20,7 +22,7 @@ SEARCHES = [
     ("octal", "rules/cia306/octal-number.html", 5),
     ("--unsafe-fixes", "reference/commands/check.html", 5),
     ("--loss-report", "reference/commands/convert.html", 5),
-    ("network boot", "guides/network-boot.html", 5),
+    ("network boot", "guides/network-boot.html", 10),
     ("product-number", "reference/device.html", 10),
 ]
 
@@ -70,13 +72,14 @@ def main(site):
     found = queue.Queue()
     server = ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=site, found=found))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    with tempfile.TemporaryDirectory() as profile:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         chromium = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}"]
-        browser = subprocess.Popen([*chromium, f"http://127.0.0.1:{server.server_port}/tester"], stderr=subprocess.DEVNULL)
+        browser = subprocess.Popen([*chromium, f"http://127.0.0.1:{server.server_port}/tester"], stderr=subprocess.DEVNULL, start_new_session=True)
         try:
             answers = found.get(timeout=180)
         finally:
-            browser.kill()
+            # its processes write to the profile until they end
+            os.killpg(browser.pid, signal.SIGKILL)
             browser.wait()
     wrong = [
         f"`{text}` does not find {page} among its first {place}: {pages}"

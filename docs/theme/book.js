@@ -6,6 +6,7 @@ const kept = (key, value) => {
 };
 const isDark = () => html.dataset.theme ? html.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 if (kept("theme")) html.dataset.theme = kept("theme");
+const isWide = matchMedia("(min-width: 1000px)");
 const byId = (id) => document.getElementById(id);
 
 function showSidebar(isShown) {
@@ -81,6 +82,7 @@ function onKey(event) {
   if (event.key === "Escape") {
     byId("search").value = "";
     byId("results").hidden = true;
+    if (!isWide.matches) showSidebar(false);
     byId("content").focus();
   } else if (/^Arrow(Down|Up)$/.test(event.key) && (at >= 0 || document.activeElement === byId("search"))) {
     event.preventDefault();
@@ -96,7 +98,6 @@ function onKey(event) {
 }
 
 addEventListener("DOMContentLoaded", () => {
-  const isWide = matchMedia("(min-width: 1000px)");
   showSidebar(isWide.matches && kept("sidebar") !== "hidden");
   byId("menu").onclick = () => {
     const isShown = !html.classList.contains("with-sidebar");

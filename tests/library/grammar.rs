@@ -63,30 +63,29 @@ const PATTERNS: [(&str, &[&str]); 15] = [
 /// The longest sentence that is not listed, in words.
 const LONG: usize = 30;
 
-/// The sentences of a Markdown text, from which code is missing.
+/// The sentences of a Markdown text; a piece of code is one word.
 fn sentences(text: &str) -> Vec<String> {
-    let mut sentences = vec![String::new()];
-    let mut in_block = false;
+    let mut blocks = vec![String::new()];
+    let mut in_code = false;
     for event in Parser::new_ext(text, Options::ENABLE_TABLES) {
+        let block = blocks.last_mut().unwrap();
         match event {
-            Event::Start(Tag::CodeBlock(_)) => in_block = true,
-            Event::End(TagEnd::CodeBlock) => in_block = false,
-            Event::Code(_) => sentences.last_mut().unwrap().push_str("code"),
-            Event::SoftBreak => sentences.last_mut().unwrap().push(' '),
-            Event::Text(piece) if !in_block => {
-                let mut parts = piece.split_inclusive(". ");
-                sentences.last_mut().unwrap().push_str(parts.next().unwrap_or_default());
-                sentences.extend(parts.map(str::to_owned));
-            }
+            Event::Start(Tag::CodeBlock(_)) => in_code = true,
+            Event::End(TagEnd::CodeBlock) => in_code = false,
+            Event::Code(_) => block.push_str("code"),
+            Event::SoftBreak => block.push(' '),
+            Event::Text(piece) if !in_code => block.push_str(&piece),
             Event::Start(Tag::Item | Tag::Paragraph | Tag::TableCell | Tag::Heading { .. })
             | Event::End(TagEnd::Item | TagEnd::Paragraph | TagEnd::TableCell | TagEnd::Heading(_)) => {
-                sentences.push(String::new());
+                blocks.push(String::new());
             }
             _ => {}
         }
     }
-    sentences.retain(|sentence| !sentence.trim().is_empty());
-    sentences
+    let sentences = blocks
+        .iter()
+        .flat_map(|block| block.replace("? ", "?. ").split(". ").map(str::to_owned).collect::<Vec<_>>());
+    sentences.filter(|sentence| !sentence.trim().is_empty()).collect()
 }
 
 /// The words and the punctuation of a sentence, in lower case between spaces.
