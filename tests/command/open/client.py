@@ -33,7 +33,7 @@ origin = f"http://{address.netloc}"
 headers = {"Origin": origin, "If-Match": file.headers["ETag"]}
 
 refused, text = ask("PUT", address.path + "files/0", body=new, headers=headers | {"Origin": "http://example.com"})
-assert refused.status == 403 and "another site" in json.loads(text)["error"]["message"], text
+assert refused.status == 403 and "a different site" in json.loads(text)["error"]["message"], text
 refused, _ = ask("PUT", address.path + "files/0", body=bytes(1 << 20), headers=headers)
 assert refused.status == 413, refused.status
 saved, _ = ask("PUT", address.path + "files/0", body=new, headers=headers)

@@ -235,7 +235,7 @@ fn a_file_is_replaced_if_it_is_as_it_was_read() {
     let refused = server.put("files/0", &old, "[DeviceInfo]\r\n");
     assert_eq!(refused.status, 412);
     assert!(
-        refused.message().contains("`drive.eds` was changed by another program"),
+        refused.message().contains("`drive.eds` was changed by a different program"),
         "{}",
         refused.message()
     );
