@@ -140,7 +140,9 @@ fn list(folder: &Path) -> Result<String, String> {
         let mut lines = Lines { crates: &crates, names: &names, found: Vec::new() };
         lines.add(root, root, "");
         let mut seen = BTreeSet::new();
-        lines.found.retain(|line| seen.insert(line.clone()));
+        // a rule's page is a module, but nothing that callers name
+        let is_page = |line: &str| line.strip_prefix("mod rules::").is_some_and(|path| path.contains("::"));
+        lines.found.retain(|line| !is_page(line) && seen.insert(line.clone()));
         let _ =
             writeln!(text, "{}# {root}\n{}", if text.is_empty() { "" } else { "\n" }, lines.found.join("\n"));
     }
