@@ -56,7 +56,9 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
     let own: &[u8] = if args.identity.is_some() { &[args.node] } else { &[] };
     session.require_alone(args.alone, own)?;
     if session.client.states().contains_key(&args.node) && !has_node_id(&mut session, args)? {
-        return Err(Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign a different one"));
+        return Err(
+            Failure::new(format_args!("node-ID {} is in use", args.node)).help("assign a different one")
+        );
     }
     let mut document = BusCommandJson::new("lss assign", false);
     in_lss(&mut session, |session| {
