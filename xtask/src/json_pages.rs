@@ -1,10 +1,12 @@
-//! Tables of keys and fields from JSON Schemas: docs/reference/json, a page per document, and the keys of docs/reference/device.md.
+//! Tables of keys and fields from JSON Schemas: docs/reference/json, a page per document, and the keys of `device.toml` and
+//! `network.toml`.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
 use objdict::format::device_schema;
+use objdict::format::network::schema::network_toml;
 use serde_json::{Map, Value};
 
 use crate::docs::{Pages, text_of, with_table};
@@ -25,7 +27,17 @@ const DEVICE_TABLES: [(&str, &str); 9] = [
     ("lists", "lists"),
 ];
 
-/// Adds the page of each document, the list of them, and the tables of `device.toml`.
+/// The same of docs/reference/network.md, `[]` for an item of a list.
+const NETWORK_TABLES: [(&str, &str); 6] = [
+    ("bus", "bus"),
+    ("manager", "manager"),
+    ("node", "node/*"),
+    ("sdo", "node/*/sdo/[]"),
+    ("pdo", "node/*/tpdo/*"),
+    ("link", "link/[]"),
+];
+
+/// Adds the page of each document, the list of them, and the tables of `device.toml` and `network.toml`.
 pub(crate) fn add(docs: &Path, pages: &mut Pages) -> Result<(), String> {
     let mut list = String::from("| Name | Document |\n|---|---|\n");
     for (name, schema) in schemas(docs)? {
@@ -40,19 +52,27 @@ pub(crate) fn add(docs: &Path, pages: &mut Pages) -> Result<(), String> {
     }
     let page = "reference/json.md";
     pages.insert(page.to_owned(), with_table(&text_of(docs, page)?, page, "documents", &list)?);
+    let page = "reference/network.md";
+    pages.insert(page.to_owned(), with_keys(docs, page, &network_toml(), &NETWORK_TABLES)?);
     let page = "reference/device.md";
     let schema = device_schema();
-    let mut text = text_of(docs, page)?;
-    for (mark, path) in DEVICE_TABLES {
-        let keys = properties(at(&schema, path))
-            .ok_or_else(|| format!("no keys at `{path}` of the device schema"))?;
-        text = with_table(&text, page, mark, &keys_table(keys.iter()))?;
-    }
+    let text = with_keys(docs, page, &schema, &DEVICE_TABLES)?;
     let objects = properties(at(&schema, "object/*")).zip(properties(at(&schema, "object/*/sub/*")));
     let (objects, entries) = objects.ok_or("no objects in the device schema")?;
     let own = objects.iter().filter(|(key, _)| !entries.contains_key(*key));
     pages.insert(page.to_owned(), with_table(&text, page, "objects", &keys_table(own))?);
     Ok(())
+}
+
+/// A page with these tables of keys.
+fn with_keys(docs: &Path, page: &str, schema: &Value, tables: &[(&str, &str)]) -> Result<String, String> {
+    let mut text = text_of(docs, page)?;
+    for (mark, path) in tables {
+        let keys =
+            properties(at(schema, path)).ok_or_else(|| format!("no keys at `{path}` for docs/{page}"))?;
+        text = with_table(&text, page, mark, &keys_table(keys.iter()))?;
+    }
+    Ok(text)
 }
 
 /// The lines of docs/SUMMARY.md.
@@ -88,10 +108,11 @@ fn properties(schema: &Value) -> Option<&Map<String, Value>> {
 /// The part of a schema at a path of keys.
 fn at<'s>(schema: &'s Value, path: &str) -> &'s Value {
     path.split('/').filter(|key| !key.is_empty()).fold(schema, |schema, key| match key {
-        "*" => schema["patternProperties"]
-            .as_object()
-            .and_then(|keys| keys.values().next())
-            .unwrap_or(&Value::Null),
+        "[]" => &schema["items"],
+        "*" => {
+            let patterns = schema["patternProperties"].as_object();
+            patterns.and_then(|keys| keys.values().next()).unwrap_or(&schema["additionalProperties"])
+        }
         key => &schema["properties"][key],
     })
 }

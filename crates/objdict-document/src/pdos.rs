@@ -161,7 +161,7 @@ impl PdoSentence<'_> {
             _ if self.pdo.mapping.is_none() => {
                 language.pick("mapping not described", "Mapping nicht beschrieben").to_owned()
             }
-            (FrameContent::Nothing, _) => language.pick("carries nothing", "trägt nichts").to_owned(),
+            (FrameContent::Nothing, _) => language.pick("carries nothing", "ohne Inhalt").to_owned(),
             (FrameContent::SourceMultiplexed, _) => {
                 language.pick("multiplexed, names its source", "Multiplex-PDO, nennt seine Quelle").to_owned()
             }
@@ -317,7 +317,7 @@ mod tests {
         assert_eq!(
             sentence::joined(&view.parts),
             "COB-ID 0x285, ungültig, kein RTR, synchron, mit jedem 3. SYNC, \
-             Inhibit-Time 1,5 ms, trägt nichts"
+             Inhibit-Time 1,5 ms, ohne Inhalt"
         );
     }
 

@@ -165,7 +165,7 @@ texts! {
     load_average: "Load on average", "Buslast im Mittel";
     load_worst: "in the worst case", "höchstens";
     fits_from: "the network fits from", "das Netzwerk passt ab";
-    timeline: "Messages in time, if all come at once", "Nachrichten in der Zeit, wenn alle zugleich kommen";
+    timeline: "Messages over time, if all come at once", "Zeitverlauf der Nachrichten, wenn alle gleichzeitig kommen";
     response: "Response", "Antwortzeit";
     deadline: "Deadline", "Frist";
     unbounded: "unbounded", "unbegrenzt";

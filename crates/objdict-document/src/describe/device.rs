@@ -142,8 +142,8 @@ impl Decoder<'_> {
         let (english, german) = match (index, number & 3) {
             (0x1010, 0) => ("does not store parameters", "speichert keine Parameter"),
             (0x1010, 1) => ("stores on command", "speichert auf Befehl"),
-            (0x1010, 2) => ("stores automatically", "speichert selbsttätig"),
-            (0x1010, _) => ("stores on command and automatically", "speichert auf Befehl und selbsttätig"),
+            (0x1010, 2) => ("stores automatically", "speichert automatisch"),
+            (0x1010, _) => ("stores on command and automatically", "speichert auf Befehl und automatisch"),
             (0x1011, 0 | 2) => ("does not restore defaults", "stellt keine Vorgaben wieder her"),
             (0x1011, _) => ("restores defaults on command", "stellt Vorgaben auf Befehl wieder her"),
             _ => return None,
