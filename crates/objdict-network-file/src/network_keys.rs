@@ -58,7 +58,7 @@ pub(super) const BUS: &[Key] = &[
     key(
         "identity",
         IDENTITY,
-        "The numbers that the manager compares before it boots a node (1F84h to 1F88h): `vendor` compares the device type too, and each further word also what the words before it compare. Default: all that are stated.",
+        "The numbers that the manager compares before it boots a node (1F84h to 1F88h): `vendor` includes the device type, each later word the previous ones. Default: all that are stated.",
     ),
     key(
         "unused-pdos",
