@@ -39,7 +39,7 @@ objdict_model::messages! { LssPlace: {
     Self::Selection => "no device with this identity answers";
     Self::NodeId => "the device refuses the node-ID";
     Self::BitRate => "the device refuses the bit rate";
-    Self::Test => "the device does not answer at the new bit rate, so nothing is stored";
+    Self::Test => "the device does not respond at the new bit rate, so nothing is stored";
     Self::Store => "the device does not store node-ID and bit rate";
 } }
 

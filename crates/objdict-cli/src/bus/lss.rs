@@ -83,7 +83,7 @@ fn assign(args: &BusLssAssignArgs, out: &mut Output) -> Result<Outcome, Failure>
         document.node(args.node, has_booted.then_some(0x7F));
         match (args.bit_rate, document.is_tested) {
             (Some(rate), Some(true)) => {
-                note(&format!("note: the device answers at {rate} kbit/s, and works at it from now on\n"));
+                note(&format!("note: the device responds at {rate} kbit/s, and works at it from now on\n"));
             }
             (Some(rate), _) if session.client.has_bit_rates() => {
                 note(&format!(
