@@ -448,7 +448,7 @@ fn other_answers_that_the_standard_allows_pass() {
     let no_object = checked(Fault::Answers(4, &[0x41, 0, 4, 6], &[0, 0, 2, 6]));
     let failed: Vec<_> =
         no_object.iter().filter(|check| matches!(check.verdict, Verdict::Failed(_))).collect();
-    assert!(failed.iter().all(|check| check.name.ends_with("not mappable is refused")), "{failed:#?}");
+    assert!(failed.iter().all(|check| check.name.ends_with("not mappable is rejected")), "{failed:#?}");
 }
 
 /// Even of a device without other entries no setpoint and no command is written.

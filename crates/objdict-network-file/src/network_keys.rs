@@ -80,7 +80,7 @@ pub(super) const MANAGER: &[Key] = &[
     key("serial-number", bits(32), "The serial number (1018h:04). Default: from the description."),
     key("heartbeat", MILLISECONDS, HEARTBEAT),
     key("watch", Shape::Spelled(FACTOR), WATCH),
-    key("watches-nodes", Shape::Flag, "Whether the manager monitors the nodes (1016h). Default: yes."),
+    key("watches-nodes", Shape::Flag, "The manager monitors the nodes (1016h). Default: yes."),
     key("time-cob-id", bits(32), "The COB-ID of TIME (1012h)."),
     key(
         "emcy-inhibit",
@@ -93,19 +93,11 @@ pub(super) const MANAGER: &[Key] = &[
         "The inhibit time of NMT commands (102Ah): a text with a unit, or a number of 100 µs.",
     ),
     key("error-behavior", NUMBERS, ERROR_BEHAVIOR),
-    key("start", Shape::Flag, "Whether the manager becomes operational by itself (1F80h)."),
-    key("start-nodes", Shape::Flag, "Whether the manager starts the nodes (1F80h)."),
-    key("start-all-nodes", Shape::Flag, "Whether one command starts all nodes (1F80h)."),
-    key(
-        "reset-all-nodes",
-        Shape::Flag,
-        "Whether the manager resets all nodes when a mandatory one fails (1F80h).",
-    ),
-    key(
-        "stop-all-nodes",
-        Shape::Flag,
-        "Whether the manager stops all nodes when a mandatory one fails (1F80h).",
-    ),
+    key("start", Shape::Flag, "The manager becomes operational by itself (1F80h)."),
+    key("start-nodes", Shape::Flag, "The manager starts the nodes (1F80h)."),
+    key("start-all-nodes", Shape::Flag, "One command starts all nodes (1F80h)."),
+    key("reset-all-nodes", Shape::Flag, "The manager resets all nodes when a mandatory one fails (1F80h)."),
+    key("stop-all-nodes", Shape::Flag, "The manager stops all nodes when a mandatory one fails (1F80h)."),
     key(
         "boot-time",
         time(32, 1_000_000),
@@ -132,7 +124,7 @@ pub(super) const NODE: &[Key] = &[
     ),
     key("heartbeat", MILLISECONDS, HEARTBEAT),
     key("watch", Shape::Spelled(FACTOR), WATCH),
-    key("watches-manager", Shape::Flag, "Whether the node monitors the manager (1016h)."),
+    key("watches-manager", Shape::Flag, "The node monitors the manager (1016h)."),
     key(
         "watches",
         Shape::SpelledByName(FACTOR_OR_TIME),
@@ -155,12 +147,12 @@ pub(super) const NODE: &[Key] = &[
         Shape::List(SDO),
         "Downloads at the end of the configuration, in this order, even if the node already has the value.",
     ),
-    key("boot", Shape::Flag, "Whether the manager boots the node (1F81h)."),
-    key("mandatory", Shape::Flag, "Whether a failure of the node stops the network (1F81h)."),
+    key("boot", Shape::Flag, "The manager boots the node (1F81h)."),
+    key("mandatory", Shape::Flag, "A failure of the node stops the network (1F81h)."),
     key(
         "reset-communication",
         Shape::Flag,
-        "Whether the manager may reset the operational node (1F81h). Lely 2.4 never boots a node that is not operational if this is `false`.",
+        "The manager may reset the operational node (1F81h). Lely 2.4 never boots a node that is not operational if this is `false`.",
     ),
     key("retry-factor", bits(8), "The allowed failures of error control (1F81h)."),
     key("software-file", Shape::Text, "The program for the node (1F58h)."),
@@ -177,7 +169,7 @@ pub(super) const NODE: &[Key] = &[
 ];
 
 pub(super) const PDO: &[Key] = &[
-    key("enabled", Shape::Flag, "Whether the PDO is valid."),
+    key("enabled", Shape::Flag, "The PDO is valid."),
     key(
         "cob-id",
         Shape::IntegerOr(0, 0xFFFF_FFFF, "auto"),

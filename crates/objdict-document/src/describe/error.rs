@@ -95,7 +95,9 @@ impl Decoder<'_> {
     /// The error behaviour (1029h).
     pub(crate) fn error_reaction(&self, reaction: u32) -> String {
         let (english, german) = match reaction {
-            0 => ("changes from operational to pre-operational", "wechselt von operational in pre-operational"),
+            0 => {
+                ("changes from operational to pre-operational", "wechselt von operational in pre-operational")
+            }
             1 => ("the NMT state does not change", "der NMT-Zustand ändert sich nicht"),
             2 => ("the device stops", "das Gerät wechselt in stopped"),
             0x80..=0xFF => ("manufacturer-specific", "herstellerspezifisch"),
