@@ -36,7 +36,7 @@ fn keys_of_a_network() {
     let items = complete(&mut client, "network.toml", &format!("{NODE}‸\n"));
     let heartbeat = items.iter().find(|item| item["label"] == "heartbeat").unwrap();
     assert_eq!(heartbeat["textEdit"]["newText"], "heartbeat = ");
-    assert!(heartbeat["detail"].as_str().unwrap().starts_with("Producer heartbeat time"));
+    assert!(heartbeat["detail"].as_str().unwrap().starts_with("The producer heartbeat time"));
     assert!(items.iter().all(|item| item["label"] != "file"), "it has that");
     has(&labels(&mut client, "network.toml", &format!("{NODE}\n[[link]]\n‸\n")), &["from", "to", "can-id"]);
     has(&labels(&mut client, "network.toml", &format!("{NODE}\n[‸")), &["[bus]", "[[link]]", "[node]"]);
