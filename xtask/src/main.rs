@@ -108,8 +108,9 @@ fn main() -> ExitCode {
         ["readers", folder, python, ref modules @ ..] if modules.len() < 2 => {
             readers::run(Path::new(folder), Path::new(python), modules.first().map(Path::new))
         }
-        ["docs"] => docs::run(false).and_then(|()| schemas::run(false)),
-        ["docs", "--check"] => docs::run(true).and_then(|()| schemas::run(true)),
+        // the tables of pages come from the schemas
+        ["docs"] => schemas::run(false).and_then(|()| docs::run(false)),
+        ["docs", "--check"] => schemas::run(true).and_then(|()| docs::run(true)),
         ["interface"] => interface::run(false),
         ["interface", "--check"] => interface::run(true),
         ["profiles"] => profiles::run(false),
