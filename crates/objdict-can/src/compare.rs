@@ -40,6 +40,11 @@ pub enum NodeDifference {
     NoHeartbeat(u16),
 }
 
+/// Whether a heartbeat with this period in milliseconds should have been heard twice in so many microseconds.
+pub fn is_heartbeat_due(period: u64, time: u64) -> bool {
+    period > 0 && time >= period.saturating_mul(2000)
+}
+
 impl BusClient {
     /// Compares nodes that were found with those that a network describes; each difference with the node-ID.
     ///
@@ -100,8 +105,7 @@ impl BusClient {
         if state.is_none() && wanted.values.iter().any(|value| value.entry() == (0x1017, 0)) {
             let period = unless_refused(self.number(node_id, 0x1017, 0))?
                 .and_then(|period| u16::try_from(period).ok());
-            // a node that should have been heard twice by now
-            let due = period.filter(|period| *period > 0 && self.now() >= 2000 * u64::from(*period));
+            let due = period.filter(|period| is_heartbeat_due((*period).into(), self.now()));
             differences.extend(due.map(|period| (node_id, NodeDifference::NoHeartbeat(period))));
         }
         if let Some(wanted) = wanted.state.filter(|wanted| state != Some(*wanted)) {

@@ -24,7 +24,7 @@ pub use apply::{ApplyOptions, Undo, WriteResult, undo};
 pub use candump::ReplayedLog;
 pub use checked::CheckedDevice;
 pub use client::{BusClient, ClientError, FrameObserver};
-pub use compare::{ExpectedNode, NodeDifference};
+pub use compare::{ExpectedNode, NodeDifference, is_heartbeat_due};
 pub use lss::{LssIdentity, LssPlace, lss_rate};
 pub use safety::{Danger, OtherIdentity, has_srdos};
 pub use save::SavedValues;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::io::{self, BufReader, Read, Write};
 use std::rc::Rc;
 
-use objdict_can::{BusClient, ClientError};
+use objdict_can::{BusClient, ClientError, is_heartbeat_due};
 use objdict_traffic::log::LogOptions;
 use objdict_traffic::{DescribedNode, NamedLog};
 
@@ -53,8 +53,7 @@ impl WatchEnd {
     fn missing(&self, node: &DescribedNode) -> Option<String> {
         let node_id = node.node_id.filter(|node_id| node.is_configured && !self.alive.contains(node_id))?;
         let period = u64::try_from(node.device.value(0x1017, 0)?.as_integer()?).ok()?;
-        let is_due = period > 0 && self.time >= 2000 * period;
-        is_due
+        is_heartbeat_due(period, self.time)
             .then(|| format!("{} (node {node_id}) sends no heartbeat, expected every {period} ms", node.name))
     }
 }
