@@ -81,7 +81,7 @@ objdict_model::error_messages! { ClientError:
 
 fn list(nodes: &[u8]) -> String {
     if nodes.is_empty() {
-        return "those that send PDOs".to_owned();
+        return "senders of PDOs".to_owned();
     }
     nodes.iter().map(u8::to_string).collect::<Vec<_>>().join(", ")
 }

@@ -43,8 +43,8 @@ impl BusClient {
         Ok(saved)
     }
 
-    /// Writes saved values that a node no longer has, such as those that a reset has cleared. Returns the entries that were written,
-    /// and those that the node refuses or whose value stays another one.
+    /// Writes saved values that a node no longer has, for example because a reset cleared them. Returns the written entries, and the
+    /// entries that do not take their value.
     ///
     /// # Errors
     /// As [`save`](Self::save).

@@ -167,7 +167,7 @@ fn pdos_are_of_other_nodes() {
     assert!(client.require_alone(&[]).is_ok());
     client.listen(5).unwrap();
     let refused = client.require_alone(&[5, 6]).unwrap_err();
-    assert!(refused.to_string().ends_with("those that send PDOs"), "{refused}");
+    assert!(refused.to_string().ends_with("senders of PDOs"), "{refused}");
 }
 
 #[test]

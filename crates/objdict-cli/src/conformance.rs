@@ -206,9 +206,9 @@ struct ConformanceRow<'a> {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Result"))]
 enum CheckResult {
-    /// As CiA 301 says.
+    /// The device responds as CiA 301 requires.
     Passed,
-    /// Otherwise.
+    /// It does not.
     Failed,
     /// The node does not have the service.
     NotServed,
@@ -216,7 +216,7 @@ enum CheckResult {
     Absent,
     /// The description makes the check impossible.
     Impossible,
-    /// Of a dry run: it would be made, and the reason is its effect on the device.
+    /// In a dry run: the check would be made; `reason` is its effect on the device.
     Planned,
 }
 

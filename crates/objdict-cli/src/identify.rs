@@ -23,7 +23,7 @@ const VERSION: u32 = 1;
 pub(super) struct IdentifyJson<'a> {
     /// The version of the document.
     version: objdict_model::json::Version<VERSION>,
-    /// The files in the order of the arguments, without those that cannot be read.
+    /// The files in the order of the arguments, without unreadable ones.
     files: Vec<IdentifyRow<'a>>,
 }
 

@@ -30,7 +30,7 @@ struct RuleJson {
     id: &'static str,
     /// The group, which is in front of the slash.
     group: &'static str,
-    /// The severity of its findings, unless the configuration says otherwise.
+    /// The severity of its findings, unless a configuration changes it.
     severity: Severity,
     /// The safety of its fixes; absent for a rule without a fix.
     #[serde(skip_serializing_if = "Option::is_none")]

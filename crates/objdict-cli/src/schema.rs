@@ -57,7 +57,7 @@ documents! {
     "modules" super::modules::ModulesJson<'_>: "The modules of a coupler: `objdict modules --format json`.",
     "losses" super::convert::LossDocument<'_>: "The losses of conversions: `objdict convert --loss-report`.",
     "sizes" super::sizes::SizesJson<'_>: "The sizes of tables: `objdict generate --report size --format json`.",
-    "tables" super::generate::TableDifferences<'_>: "Existing tables beside generated ones: `objdict generate --compare OD.h --format json`.",
+    "tables" super::generate::TableDifferences<'_>: "Existing tables compared with generated ones: `objdict generate --compare OD.h --format json`.",
     "variants" super::variants::VariantsJson: "The variants of a `device.toml`: `objdict variants --format json`.",
     "network" super::network::ShowDocument<'_>: "A network: `objdict network show --format json`.",
     "boot" super::network::BootDocument<'_>: "A simulated boot: `objdict network boot --format json`.",

@@ -51,7 +51,7 @@ struct Variant {
     rpdos: usize,
     /// The number of TPDOs.
     tpdos: usize,
-    /// The features of the device, or of a variant those that are different: words with their values.
+    /// The features of the device by name. A variant has only the features that differ.
     features: BTreeMap<&'static str, String>,
     /// Indexes of objects that only the variant has.
     added: Vec<u16>,
@@ -144,7 +144,7 @@ impl Variant {
     }
 }
 
-/// The features of the device, or of a variant those that are different.
+/// The features of the device; of a variant, only the features that differ.
 fn features(of_base: &Features, variant: &Description) -> BTreeMap<&'static str, String> {
     let own = variant.variant().map(|_| scaffold::infer(variant.device()).1);
     let stated = FEATURES.iter().filter_map(|feature| {

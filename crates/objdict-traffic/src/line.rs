@@ -46,7 +46,7 @@ pub struct FrameDocument<'a> {
     /// Whether it is an error frame; absent for others.
     #[serde(skip_serializing_if = "is_false")]
     error: bool,
-    /// What it says.
+    /// The meaning of the frame.
     text: String,
     /// The index of the entry that an SDO transfer is about.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -87,7 +87,7 @@ struct Signal<'a> {
     /// The unit; absent if there is none.
     #[serde(skip_serializing_if = "str::is_empty")]
     unit: &'a str,
-    /// The value in words.
+    /// The meaning of the value.
     text: &'a str,
 }
 

@@ -27,7 +27,7 @@ pub(crate) struct PartForm {
     sub: Option<u8>,
     name: String,
     data_type: Option<String>,
-    /// The value in words.
+    /// The meaning of the value.
     words: Option<String>,
     /// The unit of the engineering value.
     unit: Option<String>,

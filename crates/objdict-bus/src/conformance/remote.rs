@@ -64,7 +64,7 @@ pub fn conformance_on(
     Conformance { checks }
 }
 
-/// The values that the device has, entry by entry; `None` where the description says the value, and where there is none.
+/// The device's values, entry by entry; `None` for an entry without a value, or with the described one.
 fn present(bench: &mut Bench<'_>) -> Vec<Option<Vec<u8>>> {
     let described = bench.described;
     let is_read = |entry: &DescribedEntry| {
@@ -77,7 +77,7 @@ fn present(bench: &mut Bench<'_>) -> Vec<Option<Vec<u8>>> {
     described.entries.iter().map(&mut read).collect()
 }
 
-/// The checks that [`conformance_on`] would make, and those that it would not. Nothing is sent.
+/// The checks that [`conformance_on`] would make or leave out. Nothing is sent.
 pub fn conformance_plan(device: &Device, node_id: u8, groups: RemoteGroups) -> Conformance {
     Conformance { checks: planned(&described(device, node_id), groups) }
 }
@@ -94,7 +94,7 @@ fn service_count() -> usize {
     SERVICES.into_iter().flatten().count()
 }
 
-/// The checks of services, then those of objects.
+/// The checks of services, then of objects.
 fn planned(described: &DescribedEntries, groups: RemoteGroups) -> Vec<ConformanceCheck> {
     let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
         service: check.service,

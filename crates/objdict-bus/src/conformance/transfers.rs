@@ -113,8 +113,8 @@ refusals! {
     "0504 0003h: the segment 0 in a block download" Writable [Start(BLOCK_DOWNLOAD, [0; 4], TAKES_BLOCK), only(0x00, abort(Abort::SequenceNumber))];
     "0504 0003h: the acknowledgement of a segment that was not sent" @Reads Readable [Start(BLOCK_UPLOAD, BLOCK, GIVES_BLOCK), Go([0xA3, 0, 0, 0, 0, 0, 0, 0], ServerAnswer::Command(0x80)), Go([0xA2, 127, 127, 0, 0, 0, 0, 0], abort(Abort::SequenceNumber))];
     "0504 0004h: a wrong CRC in a block download" @Writes Word [Start(BLOCK_DOWNLOAD, [0; 4], ServerAnswer::WithCrc), Go([0x81, 1, 2, 0, 0, 0, 0, 0], TAKES_BLOCK), Go([0xD5, 0, 0, 0, 0, 0, 0, 0], abort(Abort::Crc))];
-    "0607 0012h: a stated length beyond that of the entry" @Writes Writable [Start(DOWNLOAD_OF_LENGTH, HUGE, abort(Abort::TooLong))];
-    "0607 0012h: a block download of a length beyond that of the entry" @Writes Writable [Start(BLOCK_DOWNLOAD_OF_LENGTH, HUGE, abort(Abort::TooLong))];
+    "0607 0012h: a stated length beyond the entry's" @Writes Writable [Start(DOWNLOAD_OF_LENGTH, HUGE, abort(Abort::TooLong))];
+    "0607 0012h: a block download with a length beyond the entry's" @Writes Writable [Start(BLOCK_DOWNLOAD_OF_LENGTH, HUGE, abort(Abort::TooLong))];
     "0607 0012h: more bytes than stated" @Writes Word [Start(DOWNLOAD_OF_LENGTH, [2, 0, 0, 0], TAKES), only(0x00, abort(Abort::TooLong))];
     "0607 0013h: fewer bytes than stated" @Writes Word [Start(DOWNLOAD_OF_LENGTH, [2, 0, 0, 0], TAKES), only(0x0D, abort(Abort::TooShort))];
     "0607 0013h: a download of one byte to a longer entry" @Writes Word [Start(0x2F, [0; 4], abort(Abort::TooShort))];

@@ -55,7 +55,7 @@ struct WriteRow {
     index: String,
     /// The sub-index in hex.
     sub: String,
-    /// The name of the entry, after that of its object.
+    /// The names of the object and the entry.
     name: String,
     /// The value before; absent if it cannot be read.
     #[serde(skip_serializing_if = "Option::is_none")]

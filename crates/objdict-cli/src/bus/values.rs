@@ -32,7 +32,7 @@ pub(super) struct ValueRow {
     index: String,
     /// The sub-index in hex.
     sub: String,
-    /// The name of the entry, after that of its object; absent without a description.
+    /// The names of the object and the entry; absent without a description.
     #[serde(skip_serializing_if = "String::is_empty")]
     name: String,
     /// The data type; absent if it is not known.

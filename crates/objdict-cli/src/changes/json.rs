@@ -24,7 +24,7 @@ pub(crate) struct ChangesJson<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(with = "Option<VerdictName>"))]
     verdict: Option<&'static str>,
-    /// The changes in the order of the dictionary; those of the device as a whole come last.
+    /// The changes in dictionary order; changes of the device as a whole come last.
     changes: Vec<ChangeJson<'a>>,
     /// The number of changes.
     summary: ChangeCounts,

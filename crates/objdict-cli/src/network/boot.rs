@@ -127,7 +127,7 @@ struct TraceLine {
     /// The name of the node that sent the frame, or that the line is about.
     #[serde(skip_serializing_if = "Option::is_none")]
     node: Option<String>,
-    /// What happened, in words.
+    /// A sentence about the event.
     text: String,
 }
 
@@ -151,7 +151,7 @@ struct FrameColumns {
 pub(crate) struct BootJson<'a> {
     /// The version of the document.
     version: Version<1>,
-    /// The files as they were given, with a blank between them.
+    /// The files as they were given, separated by spaces.
     file: &'a str,
     /// What was assumed, and which nodes are left out.
     notes: &'a [String],

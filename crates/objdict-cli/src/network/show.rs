@@ -24,7 +24,7 @@ const CELL: usize = 72;
 pub(crate) struct NetworkJson<'a> {
     /// The version of the document.
     version: Version<1>,
-    /// The file as it was given; several with a blank between them.
+    /// The file as it was given; several are separated by spaces.
     file: &'a str,
     #[serde(flatten)]
     overview: &'a Overview,

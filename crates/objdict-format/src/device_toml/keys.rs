@@ -65,7 +65,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key(
             "profile",
             Shape::Text,
-            "The device profile with the version of objdict's data of it, `402@1`: every object that it and CiA 301 demand for the features is there. `301@1` has those of CiA 301 alone.",
+            "The device profile and the version of objdict's data, `402@1`: the device has every object that the profile and CiA 301 require for its features. With `301@1`, it has only the objects of CiA 301.",
         ),
         key(
             "features",
@@ -75,7 +75,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key(
             "remove",
             Shape::Foreign,
-            "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table of them with the reasons. In a variant also those of the file.",
+            "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table with the reasons. A variant can also remove objects of the file.",
         ),
         key(
             "kind",
@@ -86,7 +86,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key(
             "dummies",
             Shape::Spelled(DUMMIES),
-            "The data types that fill gaps in RPDOs, of those that CiA 306-1 lists: `u8 u16 u32`. After `only` the list has no others: `only u8 !bool`.",
+            "The data types in CiA 306-1's list that fill gaps in RPDOs: `u8 u16 u32`. After `only`, the list has no others: `only u8 !bool`.",
         ),
         key(
             "unstated",

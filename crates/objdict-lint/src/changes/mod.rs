@@ -85,7 +85,7 @@ fn as_help(remedy: &str) -> String {
     first.into_iter().chain(characters).collect()
 }
 
-/// The changes from one device to another, in dictionary order; those of the device as a whole come last.
+/// The changes from one device to another, in dictionary order; changes of the device as a whole come last.
 pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     let (old, new) = (implied(old, new), implied(new, old));
     let (old, new) = (Side::new(&old), Side::new(&new));

@@ -74,7 +74,7 @@ impl Findings {
         self
     }
 
-    /// Removes the findings of rules, including those that were only counted.
+    /// Removes the findings of rules, including findings that were only counted.
     pub fn remove_rules(&mut self, mut is_removed: impl FnMut(&'static str) -> bool) {
         self.kept.retain(|finding| !is_removed(finding.rule.id));
         self.seen.retain(|rule, _| !is_removed(rule));

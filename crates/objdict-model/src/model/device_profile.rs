@@ -32,7 +32,7 @@ part! {
         pub interface_types: Vec<Box<str>>,
     }
 
-    /// The vendor and the names of the device (`DeviceIdentity`) without those that have fields in
+    /// The vendor and the names of the device (`DeviceIdentity`), unless they have fields in
     /// [`DeviceInfo`](super::DeviceInfo).
     pub struct DeviceIdentity {
         /// `vendorText`.

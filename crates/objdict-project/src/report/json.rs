@@ -72,7 +72,7 @@ struct FindingJson<'a> {
     /// 16 hex digits that identify the finding in its file, and remain when lines move, lists are renumbered or a
     /// message is reworded.
     fingerprint: Fingerprint,
-    /// The changes of `check --fix`, with `--unsafe-fixes` if it is `unsafe`; those of one file never
+    /// The changes of `check --fix`, with `--unsafe-fixes` if it is `unsafe`; changes in one file never
     /// overlap.
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<FixJson>,

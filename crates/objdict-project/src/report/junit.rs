@@ -25,7 +25,7 @@ pub struct Junit<W> {
 pub struct TestCase<'a> {
     /// The group of the test.
     pub class: &'a str,
-    /// The name, which is different from those of the other tests of its group.
+    /// The name, unique in its group.
     pub name: String,
     /// The result.
     pub result: TestResult,

@@ -46,7 +46,7 @@ pub struct Statistic {
     pub rule: &'static str,
     /// The highest severity of its findings.
     pub severity: Severity,
-    /// The number of its findings, including those that were only counted.
+    /// The number of its findings, including findings that were only counted.
     pub findings: usize,
     /// The number of files with a finding.
     pub files: usize,

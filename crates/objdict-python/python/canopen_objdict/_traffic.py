@@ -30,7 +30,7 @@ class Signal:
     #: The number in its unit, where it is another one.
     scaled: float | None
     unit: str
-    #: The value in words.
+    #: The meaning of the value.
     text: str
 
 
@@ -54,7 +54,7 @@ class Frame:
     data: bytes
     remote: bool
     error: bool
-    #: What it says.
+    #: The meaning of the frame.
     text: str
     #: The entry that an SDO transfer is about.
     index: int | None

@@ -43,11 +43,11 @@ pub struct BusReport {
     pub aborted_transfers: Vec<NodeEvent>,
     /// The first emergencies.
     pub emergencies: Vec<NodeEvent>,
-    /// How many of these events there are beyond those that are listed.
+    /// The number of further events that are not listed.
     pub further_events: u64,
     /// The nodes that no description covers.
     pub undescribed: Vec<u8>,
-    /// What was written to nodes, beside their descriptions.
+    /// The values that were written to nodes, compared with their descriptions.
     pub configurations: Vec<ConfigurationReport>,
     /// What went wrong: [`incidents`](crate::incidents) takes it out and numbers it.
     #[serde(skip)]
@@ -151,9 +151,9 @@ pub struct ConfigurationReport {
     pub name: String,
     /// The number of entries that were written.
     pub written: usize,
-    /// The number of those that have the value of the description.
+    /// The number of written entries with the value in the description.
     pub as_described: usize,
-    /// The entries with other values: what was written, and what the description says.
+    /// The entries with other values: the written value and the described one.
     pub others: Vec<String>,
     /// The configured entries of the description that were not written.
     pub not_written: Vec<String>,

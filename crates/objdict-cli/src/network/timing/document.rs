@@ -13,7 +13,7 @@ use objdict_network::{
 pub(crate) struct TimingJson<'a> {
     /// The version of the document.
     version: Version<1>,
-    /// The files as they were given, with a blank between them.
+    /// The files as they were given, separated by spaces.
     file: &'a str,
     /// The name of the network.
     name: Option<&'a str>,
@@ -21,7 +21,7 @@ pub(crate) struct TimingJson<'a> {
     bit_rate: u16,
     /// What was assumed.
     assumptions: Assumptions,
-    /// Whether the exit code is 0: all messages are sure to meet their deadlines; with `--allow-unbounded`, those that have a bound.
+    /// Whether the exit code is 0: all messages are sure to meet their deadlines; with `--allow-unbounded`, all messages with a bound.
     is_met: bool,
     /// How much of the bus is used.
     load: LoadRow,
@@ -98,7 +98,7 @@ struct BitRateTimes {
     worst_percent: f64,
     /// Whether all messages meet their deadlines.
     fits: bool,
-    /// The number of those that do not.
+    /// The number of messages that miss their deadline.
     late: usize,
 }
 
