@@ -150,7 +150,7 @@ def compare(node, path):
             read_only and (down, read_only.index, read_only.subindex, b"\0"),
         "0601 0002h: segmented download to what is read-only":
             read_only and (down, read_only.index, read_only.subindex, bytes(4), True),
-        "0607 0012h: a stated length beyond that of the entry": word and (down, word.index, word.subindex, bytes(9)),
+        "0607 0012h: a stated length beyond the entry's": word and (down, word.index, word.subindex, bytes(9)),
         "0607 0013h: a download of one byte to a longer entry": word and (down, word.index, word.subindex, b"\0"),
     }
     results = {check["name"]: check["result"] for check in checks}
