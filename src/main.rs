@@ -17,7 +17,7 @@ const TEXTS: Texts = Texts {
     dcf: include_str!("../docs/guides/dcf.md"),
     formats: include_str!("../docs/reference/formats.md"),
     schemas: schemas!(
-        "device-json" "concise-dcf" "findings" "changes" "baseline" "identify" "entries" "node-list" "modules" "losses" "sizes" "tables" "variants" "network" "boot" "timing" "conformance" "frame" "traffic" "verify" "bus-scan" "bus-values" "bus-writes" "bus-comparison" "bus-command" "bus-lss" "profiles" "profile" "rules" "patch" "answers"
+        "device-json" "concise-dcf" "findings" "changes" "baseline" "identify" "entries" "node-list" "modules" "losses" "sizes" "tables" "variants" "network" "boot" "timing" "conformance" "frame" "traffic" "verify" "bus-scan" "bus-values" "bus-writes" "bus-comparison" "bus-command" "bus-lss" "bus-lss-plan" "profiles" "profile" "rules" "patch" "answers"
     ),
     #[cfg(feature = "open")]
     workbench: Some(include_str!(env!("OBJDICT_WORKBENCH"))),

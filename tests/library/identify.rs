@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use objdict::download::{ConciseDcf, Download};
-use objdict::format::identify::{ContentKind, Identification, identify, identify_source};
+use objdict::format::identify::{ContentKind, Identification, identify, identify_source, is_node_list};
 use objdict::format::input::Reading;
 use objdict::format::{self, Format, ReadError, json};
 use objdict::source::{SourceFile, SourceOptions};
@@ -346,10 +346,12 @@ proptest! {
         pieces in prop::collection::vec(prop::sample::select(PIECES.to_vec()), 0..12),
     ) {
         check_clauses(&identify(name, pieces.concat().as_bytes()));
+        let source = SourceFile::from_text(name, pieces.concat());
+        prop_assert_eq!(is_node_list(&source), identify_source(&source).kind == ContentKind::NodeList);
     }
 }
 
-const PIECES: [&str; 32] = [
+const PIECES: [&str; 34] = [
     "<",
     ">",
     "/>",
@@ -375,6 +377,8 @@ const PIECES: [&str; 32] = [
     "<q:deviceCommissioning nodeID=\"",
     "CANopenObject",
     "[DeviceInfo]\n",
+    "[Topology]\n",
+    " [topology2",
     "[DeviceComissioning]\nNodeID=",
     "[1000]\n",
     "{\"version\":1,\"kind\":\"device",

@@ -78,6 +78,8 @@ documents! {
     "bus-command" super::bus::CommandDocument: "A command to nodes: `objdict bus restore --format json`, `objdict bus nmt --format json`, `objdict bus lss assign --format json`.",
     #[cfg(feature = "bus")]
     "bus-lss" super::bus::LssDocument: "A device without a node-ID: `objdict bus lss scan --format json`.",
+    #[cfg(feature = "bus")]
+    "bus-lss-plan" super::bus::LssPlanDocument: "The steps that assign node-IDs: `objdict bus lss plan --format json`.",
     "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",
     "profile" super::profile::ProfileDocument<'_>: "The objects of a profile: `objdict profile show --format json`.",
     "rules" super::rules::RulesJson: "The rules of `check`: `objdict rules --format json`.",

@@ -91,7 +91,8 @@ impl Output {
 
     /// Writes a line, or the start of one, as it may be printed.
     fn put_line(&mut self, line: &[u8]) -> io::Result<()> {
-        let text = String::from_utf8_lossy(line);
+        // the lossy conversion is slower for text that is UTF-8
+        let text = str::from_utf8(line).map_or_else(|_| String::from_utf8_lossy(line), Cow::Borrowed);
         let (text, end) = text.strip_suffix('\n').map_or((&*text, ""), |text| (text, "\n"));
         let shown = if self.colour { coloured(text) } else { printable(text) };
         self.put(shown.as_bytes())?;

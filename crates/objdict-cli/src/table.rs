@@ -7,45 +7,64 @@ use objdict_model::diagnostic::one_line;
 /// Columns with a heading; a column that is empty in every row is left out, and the headings when there are none.
 pub(crate) struct TextTable<const N: usize> {
     headings: [&'static str; N],
-    rows: Vec<[String; N]>,
+    /// The texts of all cells, row by row, and where each of them ends: a string for each cell would take twice the time.
+    text: String,
+    ends: Vec<usize>,
     /// The most characters that a cell shows.
     limit: usize,
 }
 
 impl<const N: usize> TextTable<N> {
     pub(crate) fn new(headings: [&'static str; N], limit: usize) -> Self {
-        Self { headings, rows: Vec::new(), limit }
+        Self { headings, text: String::new(), ends: Vec::new(), limit }
     }
 
     pub(crate) fn row(&mut self, cells: [String; N]) {
-        let limit = self.limit;
-        self.rows.push(cells.map(|cell| if is_plain(&cell, limit) { cell } else { fit(&cell, limit) }));
+        for cell in cells {
+            if is_plain(&cell, self.limit) {
+                self.text.push_str(&cell);
+            } else {
+                self.text.push_str(&fit(&cell, self.limit));
+            }
+            self.ends.push(self.text.len());
+        }
     }
 
     pub(crate) const fn is_empty(&self) -> bool {
-        self.rows.is_empty()
+        self.ends.is_empty()
+    }
+
+    fn cells(&self) -> impl Iterator<Item = &str> {
+        let starts = [0].into_iter().chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.text[start..end])
     }
 
     pub(crate) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        let width = |column: usize| {
-            let widest = self.rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default();
-            if widest == 0 { 0 } else { widest.max(self.headings[column].chars().count()) }
-        };
-        let widths: [usize; N] = std::array::from_fn(width);
-        let headings = self.headings.map(str::to_owned);
-        let has_headings = headings.iter().any(|heading| !heading.is_empty());
+        let is_ascii = self.text.is_ascii();
+        let length = |cell: &str| if is_ascii { cell.len() } else { cell.chars().count() };
+        let mut widths = [0; N];
+        for (at, cell) in self.cells().enumerate() {
+            widths[at % N] = length(cell).max(widths[at % N]);
+        }
+        let has_headings = self.headings.iter().any(|heading| !heading.is_empty());
+        for (width, heading) in widths.iter_mut().zip(self.headings).filter(|(width, _)| **width > 0) {
+            *width = heading.len().max(*width);
+        }
         let blanks = " ".repeat(widths.iter().max().unwrap_or(&0) + 2);
+        let headings = self.headings.into_iter().filter(|_| has_headings);
         let mut line = String::new();
-        for row in has_headings.then_some(&headings).into_iter().chain(&self.rows) {
-            line.clear();
-            for (cell, &width) in row.iter().zip(&widths).filter(|(_, width)| **width > 0) {
-                let padding = width.saturating_sub(cell.chars().count());
+        for (at, cell) in headings.chain(self.cells()).enumerate() {
+            let width = widths[at % N];
+            if width > 0 {
                 line.push_str(cell);
-                line.push_str(&blanks[..padding + 2]);
+                line.push_str(&blanks[..width.saturating_sub(length(cell)) + 2]);
             }
-            line.truncate(line.trim_end().len());
-            line.push('\n');
-            out.write_all(line.as_bytes())?;
+            if at % N == N - 1 {
+                line.truncate(line.trim_end().len());
+                line.push('\n');
+                out.write_all(line.as_bytes())?;
+                line.clear();
+            }
         }
         Ok(())
     }

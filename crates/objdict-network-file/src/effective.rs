@@ -35,7 +35,8 @@ pub(super) fn check(network: &Network, compiled: &Compiled, findings: &mut Findi
         let is_of_other = node.device.node_id().is_some_and(|made_for| made_for != slave.node_id);
         let own = is_of_other.then(|| check(&node.device, &|_| true));
         // values that the network file does not write are as in the description, which has its own findings
-        let is_asked = |index| is_of_other || slave.said_of(index).next().is_some();
+        let said = slave.said_objects();
+        let is_asked = |index| is_of_other || said.contains(&index);
         let found = lint::without_disabled(&slave.device, check(&slave.device, &is_asked));
         // the PDOs of a generated manager mirror PDOs of the nodes, where errors are reported
         let is_made = network.is_made(slave.node);

@@ -35,7 +35,7 @@ use self::rules::UNREADABLE_NODE;
 pub use self::stored::unreadable_configurations;
 pub use self::topology::location;
 use objdict_format as format;
-use objdict_format::identify::{ContentKind, identify_source};
+use objdict_format::identify::{identify_source, is_node_list};
 use objdict_format::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading, SourceCheck, of_text};
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format};
@@ -145,16 +145,14 @@ impl NetworkFile {
         };
         let is_made = descriptions.folder.is_none();
         let mut findings = Findings::new();
-        let network = match identify_source(&source).kind {
-            ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
-            _ if keyed::toml::is_toml(source.text()) => {
-                network_toml::read(source.text(), &mut descriptions, &mut findings)
-            }
-            _ => {
-                let network = bus_yml::read(source.text(), &mut descriptions, &mut findings);
-                findings = with_cuts(findings);
-                network
-            }
+        let network = if is_node_list(&source) {
+            topology::read(&source, &mut descriptions, &mut findings)
+        } else if keyed::toml::is_toml(source.text()) {
+            network_toml::read(source.text(), &mut descriptions, &mut findings)
+        } else {
+            let network = bus_yml::read(source.text(), &mut descriptions, &mut findings);
+            findings = with_cuts(findings);
+            network
         };
         let of_text = findings.len();
         let resolved = network.map(|network| {

@@ -1,6 +1,7 @@
 //! Nodes after their configuration.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use crate::compiled::Slave;
 use crate::diagnostic::At;
@@ -39,6 +40,12 @@ pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
     Cow::Owned(device)
 }
 
+/// The object, and the other object of its PDO.
+fn with_pdo(index: u16) -> impl Iterator<Item = u16> {
+    let other = (0x1400..0x1C00).contains(&index).then_some(index ^ 0x0200);
+    [index].into_iter().chain(other)
+}
+
 impl Slave {
     /// The position of an entry's final value in the network file; `None` if it is from the description.
     pub(crate) fn said(&self, index: u16, sub: u8) -> Option<Span> {
@@ -48,13 +55,17 @@ impl Slave {
     /// The positions of an object's values in the network file, including replaced ones; for a PDO, the
     /// values of both objects.
     pub fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
-        let other = (0x1400..0x1C00).contains(&index).then_some(index ^ 0x0200);
-        let objects = [index].into_iter().chain(other);
-        objects.flat_map(|index| {
+        with_pdo(index).flat_map(|index| {
             let last = self.origins.range((index, 0)..=(index, u8::MAX)).map(|(_, span)| *span);
             let former = self.former.iter().filter(move |(of, _)| *of == index).map(|(_, span)| *span);
             last.chain(former).map(At::Span)
         })
+    }
+
+    /// The objects for which [`said_of`](Self::said_of) has a position.
+    pub fn said_objects(&self) -> BTreeSet<u16> {
+        let last = self.origins.keys().map(|(index, _)| *index);
+        last.chain(self.former.iter().map(|(index, _)| *index)).flat_map(with_pdo).collect()
     }
 
     /// The device of the node's DCF: with its effective values, and separately the downloads that are sent

@@ -192,10 +192,7 @@ fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec
     }
     related.extend(candidates.iter().filter_map(|candidate| candidate.key.1.as_ref()?.object()));
     related.extend(candidates.iter().flat_map(|candidate| &candidate.listed));
-    let name = |index: &u16| {
-        let name = &device.objects.get(index)?.main.name;
-        Some(name.split_whitespace().flat_map(str::chars).flat_map(char::to_lowercase).collect::<String>())
-    };
+    let name = |index: &u16| device.objects.get(index).map(|object| hash_of_name(&object.main.name));
     let names: BTreeSet<_> = related.iter().filter_map(name).collect();
     let is_profile = |index: u16| index >= 0x6000;
     let is_profile_related = related.iter().any(|&index| is_profile(index));
@@ -209,6 +206,13 @@ fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec
         !is_related
     });
     objects
+}
+
+/// A hash that is equal for names which differ only in spaces and case. Other names may have it too: their objects are
+/// then related without need.
+fn hash_of_name(name: &str) -> u64 {
+    let letters = name.bytes().filter(|byte| !byte.is_ascii_whitespace());
+    letters.fold(0, |hash, byte| (hash ^ u64::from(byte.to_ascii_lowercase())).wrapping_mul(0x0100_0000_01B3))
 }
 
 /// A fix as edits of the text.

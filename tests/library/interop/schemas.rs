@@ -107,6 +107,7 @@ const DOCUMENTS: &[(&str, &str)] = &[
         "bus replace 5 FIXTURES/bus/cell.toml --yes --alone --bus sim:FIXTURES/bus/cell.toml,new=5 --format json",
     ),
     ("bus-lss", "bus lss scan --bus sim:FIXTURES/bus/cell.toml,new=5 --alone --format json"),
+    ("bus-lss-plan", "bus lss plan FIXTURES/bus/cell.toml --format json"),
 ];
 
 /// Ordered downloads in a DCF.

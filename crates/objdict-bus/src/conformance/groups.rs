@@ -27,7 +27,7 @@ impl RemoteGroups {
         if is_allowed {
             Verdict::Planned(effect)
         } else {
-            Verdict::Impossible(format!("not chosen: it {effect}"))
+            Verdict::Impossible(format!("it {effect}, which was not chosen"))
         }
     }
 }

@@ -357,6 +357,9 @@ pub(crate) struct BusLssAssignArgs {
 pub(crate) struct BusLssPlanArgs {
     /// Network
     pub network: PathBuf,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
     #[command(flatten)]
     pub input: NetworkInputArgs,
 }

@@ -1,5 +1,6 @@
 //! `objdict bus lss`.
 
+use std::fmt;
 use std::io::Write;
 
 use objdict_can::{LssIdentity, lss_rate};
@@ -26,6 +27,33 @@ pub(crate) struct LssJson {
     /// Vendor-ID, product code, revision number and serial number of a device without a node-ID; absent if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     identity: Option<LssIdentity>,
+}
+
+/// The steps that assign the node-IDs and the bit rate of a network.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct LssPlanJson {
+    /// The version of the document.
+    version: Version<1>,
+    /// The steps in order, each for `objdict bus lss assign`.
+    steps: Vec<LssStep>,
+}
+
+/// A device to be assigned.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct LssStep {
+    /// The node-ID to assign.
+    node_id: u8,
+    /// Vendor-ID, product code, revision number and serial number, which select the device; absent for a new device without a
+    /// node-ID.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    identity: Option<LssIdentity>,
+    /// The bit rate to assign, in kbit/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bit_rate: Option<u16>,
+    /// Whether no other device may be connected.
+    is_alone: bool,
 }
 
 pub(super) fn run(command: &BusLssCommand, out: &mut Output) -> Result<Outcome, Failure> {
@@ -113,28 +141,43 @@ fn has_node_id(session: &mut BusSession, args: &BusLssAssignArgs) -> Result<bool
 fn plan(args: &BusLssPlanArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open_to_use(std::slice::from_ref(&args.network), &args.input)?;
     let slaves = file.compiled().into_iter().flat_map(|compiled| &compiled.slaves);
-    let (by_serial, alone): (Vec<_>, Vec<_>) = slaves.partition(|slave| slave.identity[4] != 0);
-    let rate = file.bit_rate();
-    let rate = lss_rate(rate).map_or_else(String::new, |_| format!(" --bit-rate {rate}"));
-    let by_identity = |slave: &Slave| {
-        let [_, vendor, product, revision, serial] = slave.identity;
-        let identity = spelled([vendor, product, revision, serial]);
-        format!("objdict bus lss assign {} --identity {identity}", slave.node_id)
+    let (by_serial, new): (Vec<_>, Vec<_>) = slaves.partition(|slave| slave.identity[4] != 0);
+    let rate = Some(file.bit_rate()).filter(|rate| lss_rate(*rate).is_some());
+    let step = |slave: &Slave, bit_rate| {
+        let [_, identity @ ..] = slave.identity;
+        let identity = Some(identity).filter(|[.., serial]| *serial != 0);
+        LssStep { node_id: slave.node_id, identity, bit_rate, is_alone: bit_rate.is_some() || identity.is_none() }
     };
-    for slave in &by_serial {
-        writeln!(out, "{}", by_identity(slave))?;
-    }
-    for slave in &alone {
-        writeln!(out, "objdict bus lss assign {}{rate}    # connect only this new device", slave.node_id)?;
-    }
+    let mut steps: Vec<_> = by_serial.iter().map(|slave| step(slave, None)).collect();
+    steps.extend(new.iter().map(|slave| step(slave, rate)));
     // a device that changes its bit rate would disturb the others
-    for slave in by_serial.iter().filter(|_| !rate.is_empty()) {
-        writeln!(out, "{}{rate}    # connect only this device", by_identity(slave))?;
+    steps.extend(by_serial.iter().filter(|_| rate.is_some()).map(|slave| step(slave, rate)));
+    match args.format {
+        ShowFormat::Json => out.json(&LssPlanJson { version: Version, steps })?,
+        ShowFormat::Table => steps.iter().try_for_each(|step| writeln!(out, "{step}"))?,
     }
     note(
         "note: if a device is lost, connect it alone, try each bit rate of the adapter with `objdict bus lss scan`, and assign it again\n",
     );
     Ok(Outcome::Clean)
+}
+
+/// The command of a step.
+impl fmt::Display for LssStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "objdict bus lss assign {}", self.node_id)?;
+        if let Some(identity) = self.identity {
+            write!(f, " --identity {}", spelled(identity))?;
+        }
+        if let Some(rate) = self.bit_rate {
+            write!(f, " --bit-rate {rate}")?;
+        }
+        match (self.is_alone, self.identity) {
+            (false, _) => Ok(()),
+            (true, None) => f.write_str("    # connect only this new device"),
+            (true, Some(_)) => f.write_str("    # connect only this device"),
+        }
+    }
 }
 
 /// Does something with LSS, and leaves the configuration state in any case.

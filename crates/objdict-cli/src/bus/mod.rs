@@ -26,7 +26,7 @@ pub(super) use self::command::BusCommandJson as CommandDocument;
 #[cfg(feature = "schema")]
 pub(super) use self::compare::ComparisonJson as ComparisonDocument;
 #[cfg(feature = "schema")]
-pub(super) use self::lss::LssJson as LssDocument;
+pub(super) use self::lss::{LssJson as LssDocument, LssPlanJson as LssPlanDocument};
 #[cfg(feature = "schema")]
 pub(super) use self::scan::ScanJson as ScanDocument;
 #[cfg(feature = "schema")]

@@ -116,13 +116,18 @@ impl SectionLocator {
     pub(super) fn outline(&self, document: &Document) -> &[(Rank, u32)] {
         let text = document.text();
         self.outline.get_or_init(|| {
-            let ranked = document.headers().filter_map(|line| match line.kind {
-                LineKind::Section { name } => {
-                    Some((Rank::of(&SectionName::parse(name.of(text)).part), line.span.start))
-                }
-                _ => None,
-            });
-            ranked.collect()
+            let rank = |number: u32, start: u32| match object_of(number) {
+                Some(part) => Some(Rank::of(&part)),
+                None => match Lines::from(text, start).next()?.kind {
+                    LineKind::Section { name } => Some(Rank::of(&SectionName::parse(name.of(text)).part)),
+                    _ => None,
+                },
+            };
+            let ranked =
+                self.headers.iter().filter_map(|&(number, start)| Some((rank(number, start)?, start)));
+            let mut outline: Vec<_> = ranked.collect();
+            outline.sort_by_key(|(_, start)| *start);
+            outline
         })
     }
 
@@ -223,14 +228,25 @@ fn is_header(line: &Line) -> bool {
     matches!(line.kind, LineKind::Section { .. })
 }
 
+/// Marks the lookup numbers of objects and entries.
+const OBJECT: u32 = 1 << 31;
+
 /// The lookup number of a part: its index and sub-index, or a hash that cannot collide with those.
 fn number_of(state: &RandomState, part: &Part) -> u32 {
-    const OBJECT: u32 = 1 << 31;
     match *part {
         Part::Object(index) => OBJECT | u32::from(index) << 9,
         Part::Entry(index, sub) => OBJECT | u32::from(index) << 9 | (u32::from(sub) + 1),
         _ => hash(state, part) & !OBJECT,
     }
+}
+
+/// The object or entry with a lookup number; `None` for other parts.
+fn object_of(number: u32) -> Option<Part> {
+    let index = (number >> 9) as u16;
+    (number & OBJECT != 0).then(|| match (number & 0x1FF).checked_sub(1) {
+        Some(sub) => Part::Entry(index, sub as u8),
+        None => Part::Object(index),
+    })
 }
 
 fn hash<T: std::hash::Hash>(state: &RandomState, item: &T) -> u32 {

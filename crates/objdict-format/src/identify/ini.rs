@@ -101,6 +101,8 @@ impl<'a> IniSigns<'a> {
         let mut section = "";
         for line in Lines::new(text) {
             match line.kind {
+                // `[[link]]` of TOML is no section
+                LineKind::Section { name } if name.of(text).starts_with('[') => signs.is_telling = false,
                 LineKind::Section { name } => {
                     section = name.of(text);
                     if signs.section(section) {
@@ -207,6 +209,12 @@ impl<'a> IniSigns<'a> {
             None => "CIP (DeviceNet, EtherNet/IP, ControlNet)",
         }
     }
+}
+
+/// Whether a text may be a node list: one of its sections is called like that of the nodes.
+pub(super) fn has_topology(text: &str) -> bool {
+    let mut sections = memchr::memchr_iter(b'[', text.as_bytes()).map(|at| &text[at + 1..]);
+    sections.any(|section| is_topology(section.split_once(']').map_or(section, |(name, _)| name.trim())))
 }
 
 /// `Topology`, `Topology2` …

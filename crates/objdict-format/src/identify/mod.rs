@@ -94,6 +94,11 @@ pub fn identify_source(source: &SourceFile) -> Identification {
     of_text(&content)
 }
 
+/// Whether an opened file is a node list: the verdict of [`identify_source`], for less of the work.
+pub fn is_node_list(source: &SourceFile) -> bool {
+    ini::has_topology(source.text()) && identify_source(source).kind == ContentKind::NodeList
+}
+
 impl Identification {
     fn new(kind: ContentKind, reason: impl Into<String>) -> Self {
         let technology = kind.is_canopen().then(|| "CANopen".to_owned());

@@ -11,9 +11,9 @@ pub(super) fn identify(content: &ExaminedContent<'_>, text: &str) -> Option<Iden
         return Some(found);
     }
     gsd(text)
+        .or_else(|| network(content, text))
         .or_else(|| dbc(text))
         .or_else(|| fpga_constraints(text))
-        .or_else(|| network(content, text))
         .or_else(|| bus_configuration(content, text))
 }
 

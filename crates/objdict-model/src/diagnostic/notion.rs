@@ -57,20 +57,37 @@ impl<'a> Notion<'a> {
 
 /// The name of the section that describes a part (CiA 306-1 §4.6), with as few digits as possible.
 pub fn section_name(part: &Part) -> String {
-    match part {
-        Part::Object(index) => format!("{index:X}"),
-        Part::Entry(index, sub) => format!("{index:X}sub{sub:X}"),
-        Part::CompactNames(index) => format!("{index:X}Name"),
-        Part::CompactValues(index) => format!("{index:X}Value"),
-        Part::CompactDenotations(index) => format!("{index:X}Denotation"),
-        Part::Links(index) => format!("{index:X}ObjectLinks"),
+    // written without `format!`, because large files have ten thousand sections
+    let of = |index: u16, word: &str| {
+        let mut name = String::with_capacity(16);
+        push_hex(&mut name, index);
+        name + word
+    };
+    match *part {
+        Part::Object(index) => of(index, ""),
+        Part::Entry(index, sub) => {
+            let mut name = of(index, "sub");
+            push_hex(&mut name, sub.into());
+            name
+        }
+        Part::CompactNames(index) => of(index, "Name"),
+        Part::CompactValues(index) => of(index, "Value"),
+        Part::CompactDenotations(index) => of(index, "Denotation"),
+        Part::Links(index) => of(index, "ObjectLinks"),
         Part::Module(number, ModulePart::Fixed(index)) => format!("M{number}Fixed{index:X}"),
         Part::Module(number, ModulePart::FixedEntry(index, sub)) => {
             format!("M{number}Fixed{index:X}sub{sub:X}")
         }
         Part::Module(number, ModulePart::SubExt(index)) => format!("M{number}SubExt{index:X}"),
-        part => part.to_string(),
+        _ => part.to_string(),
     }
+}
+
+/// Adds a number in hexadecimal, without leading zeros.
+fn push_hex(text: &mut String, number: u16) {
+    let digits = (u16::BITS - number.leading_zeros()).div_ceil(4).max(1);
+    let digit = |at: u32| char::from(b"0123456789ABCDEF"[usize::from(number >> (4 * at) & 0xF)]);
+    text.extend((0..digits).rev().map(digit));
 }
 
 /// Rejects a template with an unknown name in braces, or with a number of gaps that differs from the

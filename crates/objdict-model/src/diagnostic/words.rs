@@ -91,9 +91,10 @@ pub fn printable_lines(text: &str) -> String {
 /// Azure Pipelines, TeamCity). U+FFFD replaces the first character of such a command.
 pub fn printable(line: &str) -> Cow<'_, str> {
     const MARKS: [&str; 3] = ["##[", "##vso[", "##teamcity["];
-    let is_plain = line.bytes().all(|byte| matches!(byte, b'\t' | b' '..=b'~'));
+    // without an early exit, the compiler vectorises the loop
+    let is_plain = line.bytes().fold(true, |plain, byte| plain & matches!(byte, b'\t' | b' '..=b'~'));
     let is_command = || line.trim_start().starts_with("::");
-    let has_mark = || line.contains("##") && MARKS.iter().any(|mark| line.contains(mark));
+    let has_mark = || line.as_bytes().contains(&b'#') && MARKS.iter().any(|mark| line.contains(mark));
     if is_plain && !is_command() && !has_mark() {
         return Cow::Borrowed(line);
     }

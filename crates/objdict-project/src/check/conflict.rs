@@ -5,7 +5,8 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 
 /// Whether a text has the markers of an unresolved merge conflict.
 pub(crate) fn is_in(text: &str) -> bool {
-    let begins_line = |mark| text.contains(mark) && text.lines().any(|line| line.starts_with(mark));
+    let has = |mark: &str| memchr::memmem::find(text.as_bytes(), mark.as_bytes()).is_some();
+    let begins_line = |mark| has(mark) && text.lines().any(|line| line.starts_with(mark));
     begins_line("<<<<<<<") && begins_line(">>>>>>>")
 }
 

@@ -1,5 +1,6 @@
 //! Identity of a finding when the file is edited around it: baselines and CI services match findings with it.
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use serde::{Serialize, Serializer};
@@ -68,7 +69,7 @@ objdict_model::inline_schemas! {
 /// The fingerprint of a finding that has no equal before it; see [`fingerprints`].
 pub fn fingerprint<'a>(subject: impl Into<Subject<'a>>, finding: &Diagnostic) -> Fingerprint {
     let subject = subject.into();
-    base(subject, &Sections::new(subject), finding)
+    base(subject, &Sections::default(), finding)
 }
 
 /// The fingerprints of findings, in their order. Equal ones are numbered, so pass all findings of a file, and
@@ -82,7 +83,7 @@ pub fn fingerprints<'a, 's>(
         return Vec::new();
     }
     let subject = subject.into();
-    let sections = Sections::new(subject);
+    let sections = Sections::default();
     let mut seen: HashMap<Fingerprint, u32> = HashMap::new();
     findings
         .map(|finding| {
@@ -131,12 +132,14 @@ fn at_place(subject: Subject<'_>, place: &Place, hash: &mut Fnv) {
         place.part,
         Part::List(_) | Part::Links(_) | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends)
     );
-    match (&place.field, subject.description().and_then(|description| description.locate(place))) {
-        (Some(Field::Item(_)), Some(span)) if is_list => {
+    let member =
+        matches!(place.field, Some(Field::Item(_)) if is_list).then(|| subject.description()?.locate(place));
+    match member.flatten() {
+        Some(span) => {
             hash.field(place.part.to_string().as_bytes());
             hash.text(span.of(subject.source().text()));
         }
-        _ => hash.field(place.to_string().as_bytes()),
+        None => hash.field(place.to_string().as_bytes()),
     }
 }
 
@@ -145,7 +148,7 @@ fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv
     let source = subject.source();
     let text = source.text();
     let line = source.lines().line_span(text, source.lines().line_of(text, span.start));
-    hash.field(sections.at(text, span.start).as_bytes());
+    hash.field(sections.at(subject, span.start).as_bytes());
     if line.len() as usize <= MAX_LINE {
         hash.text(line.of(text));
     } else {
@@ -158,27 +161,23 @@ fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv
     }
 }
 
-/// The headers of an INI file, in order; empty for XML.
-struct Sections(Vec<Span>);
+/// The headers of an INI file, in order; empty for XML. Only findings about the text need them.
+#[derive(Default)]
+struct Sections(OnceCell<Vec<Span>>);
 
 impl Sections {
-    fn new(subject: Subject<'_>) -> Self {
-        let document = subject.description().and_then(Description::document);
-        let lines = document.into_iter().flat_map(Document::headers);
-        Self(
-            lines
-                .filter_map(|line| match line.kind {
-                    LineKind::Section { name } => Some(name),
-                    _ => None,
-                })
-                .collect(),
-        )
-    }
-
     /// The name of the section at an offset.
-    fn at<'t>(&self, text: &'t str, offset: u32) -> &'t str {
-        let behind = self.0.partition_point(|name| name.start <= offset);
-        behind.checked_sub(1).map_or("", |number| self.0[number].of(text))
+    fn at<'s>(&self, subject: Subject<'s>, offset: u32) -> &'s str {
+        let headers = self.0.get_or_init(|| {
+            let document = subject.description().and_then(Description::document);
+            let names = document.into_iter().flat_map(Document::headers).filter_map(|line| match line.kind {
+                LineKind::Section { name } => Some(name),
+                _ => None,
+            });
+            names.collect()
+        });
+        let behind = headers.partition_point(|name| name.start <= offset);
+        behind.checked_sub(1).map_or("", |number| headers[number].of(subject.source().text()))
     }
 }
 

@@ -38,9 +38,10 @@ impl Candump {
     }
 
     pub(super) fn line(&mut self, line: &[u8], state: &mut LogState) -> LogLine {
-        // what `-e` prints behind an error frame
         let text = line.trim_ascii();
-        if line.starts_with(b"\t") || text.is_empty() || is_comment(text) {
+        // what `-e` prints behind an error frame begins with a tab
+        let is_other = || line.starts_with(b"\t") || text.is_empty() || is_comment(text);
+        if !line.starts_with(b"(") && is_other() {
             return LogLine::Other;
         }
         self.frame(text, state).into()

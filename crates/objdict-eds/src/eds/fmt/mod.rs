@@ -38,7 +38,8 @@ pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
 /// For each section, the start of the lines that may move with it: after the last preceding header or key.
 fn starts(document: &Document) -> Vec<(Rank, u32)> {
     let (mut starts, mut start) = (Vec::new(), 0);
-    for line in document.lines() {
+    let mut lines = document.lines();
+    while let Some(line) = lines.advance() {
         if let LineKind::Section { name } = line.kind {
             starts.push((Rank::of(&SectionName::parse(name.of(document.text())).part), start));
         }
@@ -119,7 +120,8 @@ impl<'a> Stretch<'a> {
         let mut stretch = Self::default();
         let mut notes = Notes::default();
         let mut above = offset;
-        for line in Lines::from(text, offset) {
+        let mut lines = Lines::from(text, offset);
+        while let Some(line) = lines.advance() {
             match line.kind {
                 LineKind::Blank => notes.blank(),
                 LineKind::Comment | LineKind::Junk => match line.span.of(text).trim_end() {
@@ -184,6 +186,9 @@ impl<'a> Stretch<'a> {
     }
 }
 
+/// As many keys as most sections have.
+const USUAL_KEYS: usize = 8;
+
 /// A section, still without its keys. Text after the header becomes a comment above it.
 fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> SectionBlock<'a> {
     let part = SectionName::parse(name).part;
@@ -199,7 +204,7 @@ fn block<'a>(name: &'a str, header: &Line, text: &'a str, notes: Notes<'a>) -> S
         above: notes.paragraphs,
         remark: Some(remark).filter(|remark| !remark.is_empty()),
         part,
-        keys: Vec::new(),
+        keys: Vec::with_capacity(USUAL_KEYS),
         behind: Vec::new(),
     }
 }
