@@ -167,16 +167,17 @@ pub fn with_sound_fixes(
     })
 }
 
-/// The objects that a fix adds to object lists.
+/// The objects that a fix adds to object lists or removes from them.
 fn listed(device: &Device, fix: &Fix) -> Vec<u16> {
-    let mut added = Vec::new();
+    let mut changed = Vec::new();
     for change in &fix.changes {
         if let Change::List(list, indexes) = change {
             let before: BTreeSet<u16> = device.lists.get(*list).iter().copied().collect();
-            added.extend(indexes.iter().filter(|index| !before.contains(index)));
+            let after: BTreeSet<u16> = indexes.iter().copied().collect();
+            changed.extend(before.symmetric_difference(&after));
         }
     }
-    added
+    changed
 }
 
 /// The objects that are unrelated to any fix, with their spans. Related objects are those that a fix changes or whose findings
@@ -224,7 +225,7 @@ struct Candidate {
     key: FindingKey,
     edits: Vec<(Span, String)>,
     encoding: Option<Encoding>,
-    /// The indexes that it adds to object lists.
+    /// The indexes that it adds to object lists or removes from them.
     listed: Vec<u16>,
 }
 
