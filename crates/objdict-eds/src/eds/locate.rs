@@ -125,8 +125,9 @@ impl SectionLocator {
             };
             let ranked =
                 self.headers.iter().filter_map(|&(number, start)| Some((rank(number, start)?, start)));
-            let mut outline: Vec<_> = ranked.collect();
-            outline.sort_by_key(|(_, start)| *start);
+            let mut outline = Vec::with_capacity(self.headers.len());
+            outline.extend(ranked);
+            outline.sort_unstable_by_key(|(_, start)| *start);
             outline
         })
     }
