@@ -182,7 +182,7 @@ fn listed(device: &Device, fix: &Fix) -> Vec<u16> {
 
 /// The objects that are unrelated to any fix, with their spans. Related objects are those that a fix changes or whose findings
 /// it fixes, objects of the same name, mapped objects, the communication profile, and the device profile if a fix
-/// changes part of it.
+/// changes part of it or the device type.
 fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec<(u16, Span)> {
     let (device, mut objects) = (description.device(), description.object_spans());
     let mut related = BTreeSet::new();
@@ -196,7 +196,8 @@ fn unrelated_objects(description: &Description, candidates: &[Candidate]) -> Vec
     let name = |index: &u16| device.objects.get(index).map(|object| hash_of_name(&object.main.name));
     let names: BTreeSet<_> = related.iter().filter_map(name).collect();
     let is_profile = |index: u16| index >= 0x6000;
-    let is_profile_related = related.iter().any(|&index| is_profile(index));
+    // 1000h says which profile applies
+    let is_profile_related = related.iter().any(|&index| is_profile(index) || index == 0x1000);
     related.extend(device.pdos().flat_map(|pdo| pdo.mapped().map(|object| object.index).collect::<Vec<_>>()));
     objects.retain(|(index, _)| {
         let is_named = || name(index).is_some_and(|name| names.contains(&name));
