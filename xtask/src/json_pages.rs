@@ -1,5 +1,5 @@
-//! Tables of keys and fields from JSON Schemas: docs/reference/json, a page per document, and the keys of `device.toml` and
-//! `network.toml`.
+//! Tables of keys and fields from JSON Schemas: docs/reference/json, a page per document, and the keys of `device.toml`,
+//! `network.toml` and patches.
 
 use std::fmt::Write;
 use std::fs;
@@ -7,6 +7,7 @@ use std::path::Path;
 
 use objdict::format::device_schema;
 use objdict::format::network::schema::network_toml;
+use objdict::format::patch::schema::patch;
 use serde_json::{Map, Value};
 
 use crate::docs::{Pages, text_of, with_table};
@@ -37,7 +38,11 @@ const NETWORK_TABLES: [(&str, &str); 6] = [
     ("link", "link/[]"),
 ];
 
-/// Adds the page of each document, the list of them, and the tables of `device.toml` and `network.toml`.
+/// The same of docs/reference/patch.md.
+const PATCH_TABLES: [(&str, &str); 4] =
+    [("keys", ""), ("change", "change/[]"), ("fields", "change/[]/set"), ("raw", "raw/[]")];
+
+/// Adds the page of each document, the list of them, and the tables of `device.toml`, `network.toml` and patches.
 pub(crate) fn add(docs: &Path, pages: &mut Pages) -> Result<(), String> {
     let mut list = String::from("| Name | Document |\n|---|---|\n");
     for (name, schema) in schemas(docs)? {
@@ -54,6 +59,8 @@ pub(crate) fn add(docs: &Path, pages: &mut Pages) -> Result<(), String> {
     pages.insert(page.to_owned(), with_table(&text_of(docs, page)?, page, "documents", &list)?);
     let page = "reference/network.md";
     pages.insert(page.to_owned(), with_keys(docs, page, &network_toml(), &NETWORK_TABLES)?);
+    let page = "reference/patch.md";
+    pages.insert(page.to_owned(), with_keys(docs, page, &patch(), &PATCH_TABLES)?);
     let page = "reference/device.md";
     let schema = device_schema();
     let text = with_keys(docs, page, &schema, &DEVICE_TABLES)?;
@@ -70,7 +77,9 @@ fn with_keys(docs: &Path, page: &str, schema: &Value, tables: &[(&str, &str)]) -
     for (mark, path) in tables {
         let keys =
             properties(at(schema, path)).ok_or_else(|| format!("no keys at `{path}` for docs/{page}"))?;
-        text = with_table(&text, page, mark, &keys_table(keys.iter()))?;
+        // a patch also accepts keys of CiA 306, which begin with a capital letter
+        let keys = keys.iter().filter(|(key, _)| key.starts_with(char::is_lowercase));
+        text = with_table(&text, page, mark, &keys_table(keys))?;
     }
     Ok(text)
 }

@@ -1,6 +1,6 @@
 //! The keywords for fields of a device in files that users write, and the allowed keys.
 //!
-//! A new word of a field also needs its arms in `fields`, a row in `field_names` and a row in docs/reference/patch.md.
+//! A new word of a field also needs its arms in `fields` and a row in `field_names`; `cargo xtask docs` writes the page.
 
 use objdict_keyed::section::{Key, Shape, bits, key};
 use objdict_keyed::types::{self, ACCESS, OBJECT_TYPES};
