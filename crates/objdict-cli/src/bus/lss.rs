@@ -146,7 +146,12 @@ fn plan(args: &BusLssPlanArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let step = |slave: &Slave, bit_rate| {
         let [_, identity @ ..] = slave.identity;
         let identity = Some(identity).filter(|[.., serial]| *serial != 0);
-        LssStep { node_id: slave.node_id, identity, bit_rate, is_alone: bit_rate.is_some() || identity.is_none() }
+        LssStep {
+            node_id: slave.node_id,
+            identity,
+            bit_rate,
+            is_alone: bit_rate.is_some() || identity.is_none(),
+        }
     };
     let mut steps: Vec<_> = by_serial.iter().map(|slave| step(slave, None)).collect();
     steps.extend(new.iter().map(|slave| step(slave, rate)));

@@ -84,7 +84,8 @@ impl LogTime {
 /// Adds at most so many digits at the start of a text to a number; what is behind them.
 fn take_digits<'t>(text: &'t [u8], most: usize, number: &mut u64) -> &'t [u8] {
     let digits = text.iter().take(most).map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10);
-    let (count, sum) = digits.fold((0, *number), |(count, sum), digit| (count + 1, sum * 10 + u64::from(digit)));
+    let (count, sum) =
+        digits.fold((0, *number), |(count, sum), digit| (count + 1, sum * 10 + u64::from(digit)));
     *number = sum;
     &text[count..]
 }
