@@ -83,9 +83,11 @@ impl LogTime {
 
 /// Adds at most so many digits at the start of a text to a number; what is behind them.
 fn take_digits<'t>(text: &'t [u8], most: usize, number: &mut u64) -> &'t [u8] {
-    let digits = text.iter().take(most).map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10);
-    let (count, sum) =
-        digits.fold((0, *number), |(count, sum), digit| (count + 1, sum * 10 + u64::from(digit)));
+    let (most, mut sum, mut count) = (most.min(text.len()), *number, 0);
+    while count < most && text[count].is_ascii_digit() {
+        sum = sum * 10 + u64::from(text[count] - b'0');
+        count += 1;
+    }
     *number = sum;
     &text[count..]
 }

@@ -124,11 +124,12 @@ impl<'a> Stretch<'a> {
         while let Some(line) = lines.advance() {
             match line.kind {
                 LineKind::Blank => notes.blank(),
-                LineKind::Comment | LineKind::Junk => match line.span.of(text).trim_end() {
-                    // whitespace that the line scanner does not treat as blank
-                    "" => notes.blank(),
-                    line => notes.line(line),
-                },
+                LineKind::Comment | LineKind::Junk => {
+                    let line = line.span.of(text).trim_end();
+                    // whitespace that the line scanner does not treat as blank, also behind what it does
+                    let is_blank = |c: char| c.is_whitespace() || matches!(c, '\0' | '\u{1A}');
+                    if line.chars().all(is_blank) { notes.blank() } else { notes.line(line) }
+                }
                 LineKind::Section { name } => {
                     stretch.end_section(&mut notes, offset == 0, false);
                     if stretch.block.is_some() {
