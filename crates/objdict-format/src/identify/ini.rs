@@ -213,8 +213,10 @@ impl<'a> IniSigns<'a> {
 
 /// Whether a text may be a node list: one of its sections is called like that of the nodes.
 pub(super) fn has_topology(text: &str) -> bool {
-    let mut sections = memchr::memchr_iter(b'[', text.as_bytes()).map(|at| &text[at + 1..]);
-    sections.any(|section| is_topology(section.split_once(']').map_or(section, |(name, _)| name.trim())))
+    // a header without its bracket ends with the line
+    let is_meant =
+        |section: &str| section.split([']', '\n', '\r']).next().is_some_and(|name| is_topology(name.trim()));
+    memchr::memchr_iter(b'[', text.as_bytes()).any(|at| is_meant(&text[at + 1..]))
 }
 
 /// `Topology`, `Topology2` …
