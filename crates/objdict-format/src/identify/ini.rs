@@ -211,11 +211,10 @@ impl<'a> IniSigns<'a> {
     }
 }
 
-/// Whether a text may be a node list: one of its sections is called like that of the nodes.
+/// Whether a text may be a node list: the name of a section begins like that of the nodes.
 pub(super) fn has_topology(text: &str) -> bool {
-    // a header without its bracket ends with the line
-    let is_meant =
-        |section: &str| section.split([']', '\n', '\r']).next().is_some_and(|name| is_topology(name.trim()));
+    let is_blank = |c: char| c.is_whitespace() || matches!(c, '\0' | '\u{1A}');
+    let is_meant = |section: &str| section.trim_start_matches(is_blank).get(..8).is_some_and(is_topology);
     memchr::memchr_iter(b'[', text.as_bytes()).any(|at| is_meant(&text[at + 1..]))
 }
 
