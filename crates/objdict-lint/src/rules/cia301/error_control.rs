@@ -10,10 +10,10 @@ use crate::{Facts, stated};
 rules! {
     "cia301/heartbeat-beside-guarding" = HEARTBEAT_BESIDE_GUARDING, Warning, Facts(heartbeat_beside_guarding);
     summary: "heartbeat and life guarding are both enabled",
-    checks: "If 100Ch (guard time) and 100Dh (life time factor) are not 0, 1017h (heartbeat time) must be 0.",
+    checks: "At least one of 100Ch (guard time), 100Dh (life time factor) and 1017h (heartbeat time) must be 0.",
     why: "A node supports only one of them at a time. If the heartbeat time is set, the node sends heartbeats and does not respond to guarding requests, so life guarding reports a lost master.",
     example: "`[1017]` with `DefaultValue=1000`, `[100C]` with `DefaultValue=500` and `[100D]` with `DefaultValue=3`",
-    remedy: "Write 0 to 100Ch and 100Dh.",
+    remedy: "To use the heartbeat, write 0 to 100Ch and 100Dh. To use guarding, write 0 to 1017h.",
     source: "CiA 301 §7.2.8.2, §7.5.2.20",
 
     "cia301/heartbeat-switched-off" = HEARTBEAT_SWITCHED_OFF, Warning, Device(heartbeat_switched_off);
