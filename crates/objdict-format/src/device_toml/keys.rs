@@ -101,11 +101,7 @@ static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key("tpdo", Shape::Numbered(1, 512, PDO), "TPDOs by number."),
         key("lists", Shape::Map(LISTS), "Object lists that differ from those derived from the objects."),
         key("object", Shape::Named(OBJECT), "The objects by index: four hex digits."),
-        key(
-            "extra",
-            Shape::Foreign,
-            "Sections that CiA's documents do not define, each with its keys.",
-        ),
+        key("extra", Shape::Foreign, "Sections that CiA's documents do not define, each with its keys."),
         key(
             "raw",
             Shape::Foreign,
